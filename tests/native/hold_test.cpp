@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <iomanip>
+#include <memory>
 #include <sstream>
 
 #include "core/base/centroid.h"
 #include "core/hold/bodies.h"
+#include "core/hold/vertex_path.h"
 #include "core/mesh/measures.h"
 #include "real_data.h"
 #include "sequences.h"
@@ -77,6 +79,59 @@ double kink(Sequence& s, double t, double step) {
 }
 
 }  // namespace
+
+TEST_CASE("the path of a vertex does not overshoot where it rests, and is the cubic where it moves") {
+  const Keyframes k = standing();
+  Keyframes other = k;
+  for (Key& key : other.keys) {
+    key.time *= 60;
+    for (Vec3& p : key.positions) p *= 1000;
+  }
+  Sequence s = make(k, {}), larger = make(other, {});
+  const auto pathOf = [](Sequence& of, bool rests) {
+    const WeldedShape& shape = of.encoded().shape();
+    const PathRest rest{rests ? PathRest::WhereStill : PathRest::Nowhere, keyDiagonal(shape)};
+    return std::make_unique<VertexPath>(shape, of.motion().naturalCurve(), rest);
+  };
+  const auto cubic = pathOf(s, false), path = pathOf(s, true), scaled = pathOf(larger, true);
+  const auto at = [](const VertexPath& of, double t) {
+    Positions p;
+    of.positionsAt(t, p);
+    return p;
+  };
+  const WeldedShape& shape = s.encoded().shape();
+  double overshoots = 0, slides = 0, differs = 0;
+  for (int i = 0; i <= 60; ++i) {
+    const Positions a = at(*cubic, 0.05 * i), b = at(*path, 0.05 * i);
+    Positions c = at(*scaled, 3.0 * i);
+    for (std::size_t v = 0; v < a.size(); ++v) {
+      const Vec3& home = shape.poses[0][v];
+      if (home.z() < 4) overshoots = std::max(overshoots, (a[v] - home).norm());
+      if (home.z() < 4) slides = std::max(slides, (b[v] - home).norm());
+      if (home.z() > 9) differs = std::max(differs, (a[v] - b[v]).norm());
+      c[v] /= 1000;
+    }
+    CHECK(largestDistance(b, c) < 1e-5 * diagonalOf(k));
+  }
+  CHECK(overshoots > 1e-3 * diagonalOf(k));
+  CHECK(slides < 1e-6 * diagonalOf(k));
+  CHECK(differs == 0);
+  for (int key = 0; key < shape.keys; ++key)
+    CHECK(largestDistance(at(*path, k.keys[key].time), shape.poses[key]) < 1e-12 * diagonalOf(k));
+  for (const double knot : {1.0, 2.5, 3.0}) {
+    const double step = 1e-3;
+    const auto acceleration = [&](double t) {
+      const Positions a = at(*path, t - step), b = at(*path, t), c = at(*path, t + step);
+      Positions d;
+      for (std::size_t v = 0; v < a.size(); ++v) d.push_back((a[v] - 2 * b[v] + c[v]) / (step * step));
+      return d;
+    };
+    const Positions before = acceleration(knot - step), after = acceleration(knot + step);
+    double size = 0;
+    for (const Vec3& a : after) size = std::max(size, a.norm());
+    CHECK(largestDistance(before, after) < 0.1 * size);
+  }
+}
 
 TEST_CASE("a held motion meets its keys, and slides less where they rest") {
   const Keyframes k = standing();
@@ -177,6 +232,35 @@ TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
   }
   REQUIRE(updated.update({}, times).ok());
   CHECK(shapeAt(updated, 1.4) == shapeAt(plain, 1.4));
+}
+
+TEST_CASE("what is held is factorised once when it is switched on, whatever changes besides") {
+  const Keyframes k = standing();
+  const std::vector<double> times = {0, 1, 2.5, 3, 4}, later = {0, 1, 1.8, 3, 4};
+  Sequence s = make(k, {});
+  for (const Hold hold : holds) {
+    const auto fitted = [&](const MotionOptions& motion, const std::vector<double>& at, const Motion* before) {
+      auto result = Motion::fit(s.encoded(), at, motion, before);
+      REQUIRE(result.ok());
+      return std::move(*result);
+    };
+    const Motion plain = fitted({}, times, nullptr);
+    const Motion first = fitted(with(hold), times, &plain);
+    CHECK_FALSE(first.held()->sharesSystem(plain.held()));
+    MotionOptions other = with(hold, BoundaryKind::Hermite);
+    other.tension = {0, 0.5, 0, 0.3, 0};
+    other.pins = {Pin{0, 0.08}};
+    const Motion second = fitted(other, later, &first);
+    CHECK(second.held()->sharesSystem(first.held()));
+    CHECK_FALSE(second.pinned()->sharesSystem(first.pinned()));
+    other.pins[0].key = 1;
+    other.pins[0].path = {PathKey{1.5, Vec3(0, 0.2, 0)}};
+    const Motion third = fitted(other, times, &second);
+    CHECK(third.held()->sharesSystem(first.held()));
+    CHECK(third.pinned()->sharesSystem(second.pinned()));
+    other.pins[0].radius = 0.2;
+    CHECK_FALSE(fitted(other, times, &third).pinned()->sharesSystem(third.pinned()));
+  }
 }
 
 TEST_CASE("parts of one body move as one where they are held") {

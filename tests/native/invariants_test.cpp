@@ -263,5 +263,8 @@ TEST_CASE("neither encodings nor factorisations move while scrubbing, toggling a
   }
   CHECK(s.stats().encodings == before.encodings);
   CHECK(s.stats().factorisations == before.factorisations);
+  // What was made anew would have taken another time.
+  CHECK(s.stats().encodeMs == before.encodeMs);
+  CHECK(s.stats().factorMs == before.factorMs);
   CHECK(s.stats().solves == before.solves + 3 * static_cast<long long>(slider.size()));
 }

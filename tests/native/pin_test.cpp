@@ -97,6 +97,95 @@ TEST_CASE("a common rigid motion moves a pinned motion along, and a rigid motion
   }
 }
 
+TEST_CASE("pins beside what is held, at every boundary: keys, smoothness, rigid motions, fading") {
+  const Keyframes k = swaying();
+  const Mat3 r = expRotation(Vec3(0.3, -1, 2));
+  Keyframes other = k;
+  for (Key& key : other.keys)
+    for (Vec3& p : key.positions) p = r * p + Vec3(4, -3, 9);
+  std::vector<Map> turns;
+  for (int j = 0; j < 4; ++j) turns.push_back(turn({1, 2, 0.5}, radians(100.0) * j, Vec3(j * j, 2 * j, 0)));
+  const Keyframes rigid = keyframes(bar(), turns);
+  for (const Hold hold : {Hold::Contact, Hold::Anchored})
+    for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
+      CAPTURE(static_cast<int>(hold));
+      CAPTURE(static_cast<int>(boundary));
+      MotionOptions plain, motion;
+      plain.boundary = motion.boundary = boundary;
+      motion.hold = hold;
+      motion.pins = {everyPin(k).front()};
+      Sequence free = make(k, plain), exact = make(k, motion);
+      for (const Key& key : k.keys)
+        CHECK(largestDistance(shapeAt(exact, key.time), key.positions) < 1e-7 * diagonalOf(k));
+      motion.pins = everyPin(k);
+      Sequence s = make(k, motion);
+      CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(free, 1.8)) > 1e-3 * diagonalOf(k));
+      const Sweep found = sweep(s);
+      CHECK(found.growth <= 4);
+      CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
+      CHECK(shapeAt(s, 1.3) == shapeAt(s, 1.3));
+      if (boundary != BoundaryKind::Periodic)
+        for (const double t : {-1.0, -2.0, 4.5, 6.0}) CHECK(shapeAt(s, t) == shapeAt(free, t));
+
+      MotionOptions moved = motion;
+      for (Pin& pin : moved.pins)
+        for (PathKey& key : pin.path) key.move = r * key.move;
+      Sequence t = make(other, moved);
+      for (const double time : {0.3, 1.7, 2.8}) {
+        Positions expected = shapeAt(s, time);
+        for (Vec3& p : expected) p = r * p + Vec3(4, -3, 9);
+        CHECK(largestDistance(expected, shapeAt(t, time)) < 1e-5 * diagonalOf(k));
+      }
+
+      motion.pins = {everyPin(rigid).front()};
+      Sequence turning = make(rigid, plain), held = make(rigid, motion);
+      for (const double time : {0.1, 0.45, 0.8})
+        CHECK(largestDistance(shapeAt(held, time), shapeAt(turning, time)) < 1e-6 * diagonalOf(rigid));
+    }
+}
+
+TEST_CASE("a pin takes the parts of its body along, and leaves another object where it is") {
+  // A hat on the end that is pinned, and a bar far away that nods by itself.
+  const Shape body = bar();
+  const std::size_t hat = body.positions.size();
+  const Shape dressed = joined(body, sphere({0, 0, 10.2}, 0.3));
+  const std::size_t far = dressed.positions.size();
+  const Shape all = joined(dressed, bar());
+  Keyframes k;
+  k.faces = all.faces;
+  for (int j = 0; j < 4; ++j) {
+    const Map bent = bend(std::vector{0.0, 0.9, -0.5, 0.4}[j], 10), nods = bend(0.3 * j, 10);
+    k.keys.emplace_back();
+    k.keys.back().time = j;
+    for (std::size_t v = 0; v < all.positions.size(); ++v)
+      k.keys.back().positions.push_back(v < far ? bent(all.positions[v])
+                                                : nods(all.positions[v]) + Vec3(2.0 * j, 30, 0));
+  }
+  Keyframes bare = k;
+  for (Key& key : bare.keys) key.positions.resize(hat);
+  const Pin pin = {tip(bare), 0.02, 0};
+  Sequence plain = make(k), s = make(k, pinned(pin));
+  REQUIRE(plain.stats().components == 3);
+  const Positions a = shapeAt(plain, 1.4), b = shapeAt(s, 1.4);
+  double own = 0, object = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    double& most = v < far ? own : object;
+    most = std::max(most, (a[v] - b[v]).norm());
+  }
+  MESSAGE("the body is moved by " << own << ", the other object by " << object);
+  CHECK(own > 0.01 * diagonalOf(k));
+  CHECK(object < 1e-6 * diagonalOf(k));
+  const auto gapIn = [&](const Positions& p) {
+    Vec3 of = Vec3::Zero();
+    for (std::size_t v = hat; v < far; ++v) of += p[v] / static_cast<double>(far - hat);
+    double nearest = 1e300;
+    for (std::size_t v = 0; v < hat; ++v) nearest = std::min(nearest, (p[v] - of).norm());
+    return nearest;
+  };
+  MESSAGE("from the hat's middle to the body: " << gapIn(a) << ", pinned " << gapIn(b));
+  CHECK(std::abs(gapIn(a) - gapIn(b)) < 0.1 * own);
+}
+
 TEST_CASE("what stays in a loop that walks on goes with it, without a seam") {
   Keyframes k = swaying();
   k.keys[3].positions = k.keys[0].positions;

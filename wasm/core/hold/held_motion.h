@@ -27,6 +27,9 @@ class HeldMotion {
   static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve, Hold hold,
                                                           const HeldMotion* before);
 
+  /// Whether the other's system was taken over, so that nothing was factorised.
+  bool sharesSystem(const HeldMotion* other) const { return other && other->system_ == system_; }
+
   struct Scratch {
     Positions target, body, pulls;
     std::vector<double> weight;

@@ -23,6 +23,9 @@ class PinnedMotion {
                                                             const std::vector<int>& weldedOf,
                                                             const PinnedMotion* before);
 
+  /// Whether the other's system was taken over, so that nothing was factorised.
+  bool sharesSystem(const PinnedMotion* other) const { return other && other->pull_ == pull_; }
+
   struct Scratch {
     Positions target, body, way, pulls;
     std::vector<Vec3> mode;
