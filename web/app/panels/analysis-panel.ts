@@ -2,7 +2,7 @@
 import type { End } from '../../model/speeds.ts';
 import { createLineChart, make } from '../../plots/line-chart.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
-import { logFloor } from '../../plots/scale.ts';
+import { logFloor, tickLabel } from '../../plots/scale.ts';
 import type { Colouring, Plot } from '../../model/state.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { lineStyle, motionWords } from '../../model/method-words.ts';
@@ -197,7 +197,7 @@ function chart(title: string, unit: string, name: Plot, events: AnalysisPanelEve
       const after = data.times.findIndex((time) => time >= t);
       const at = after < 0 ? data.times.length - 1 : after;
       const numbers = data.series.map(({ values }) => values[at] ?? NaN);
-      const words = numbers.map((number) => (Number.isFinite(number) ? String(Number(number.toPrecision(4))) : '–'));
+      const words = numbers.map((number) => (Number.isFinite(number) ? tickLabel(number) : '–'));
       setText(value, numbers.some(Number.isFinite) ? words.join(' / ') : '');
     },
   };
