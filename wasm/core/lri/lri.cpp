@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
-
-#include "core/mesh/contact.h"
+#include <utility>
 
 namespace shapespline {
 
@@ -15,10 +13,6 @@ namespace {
 constexpr double tameAngle = std::numbers::pi / 2;
 // In the reference frames do not turn; what they seem to is rounding.
 constexpr double roundedTurn = 1e-9;
-// Turns of a few degrees say little about the point that they leave where it is.
-constexpr double stillness = 1e-3;
-// Vertices of a part without area from which the nearest face is looked for.
-constexpr int queriesPerGroup = 1000;
 
 Vec3 meanOf(const Positions& pose) {
   Vec3 sum = Vec3::Zero();
@@ -37,8 +31,9 @@ class Encoder {
     out_.face =
         FaceCoordinates<Real>(shape_.faceCount(), shape_.columns(), stretch_ == Stretch::Log ? Real(0) : Real(1));
     if (!rests_) encodeFaces(partOf(onProgress, 0, 0.9));
-    encodePlaces();
-    encodeLoose();
+    CarriedParts carried = encodeCarriedParts(shape_, topology_, frames_, rests_);
+    out_.places = std::move(carried.places);
+    out_.loose = std::move(carried.loose);
     reportFraction(onProgress, 0.95);
     for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(meanOf(pose));
     return std::move(out_);
@@ -139,117 +134,6 @@ class Encoder {
         if (angle > furthest) furthest = angle, found.worst = f;
       }
     }
-  }
-
-  void encodePlaces() {
-    for (int component : topology_.tree.order) {
-      const ComponentLink& link = topology_.tree.link[component];
-      if (link.parent < 0) continue;
-      const int a = link.anchorFace, b = link.contactFace;
-      ComponentPlace place{component, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
-      std::vector<Mat3> turn;  // of b against a
-      for (int c = 0; c < shape_.columns(); ++c) {
-        const Quaternion anchor = turnOf(a, c);
-        const Positions& p = shape_.poses[c];
-        turn.push_back((anchor.conjugate() * turnOf(b, c)).toRotationMatrix());
-        place.offset.push_back(anchor.conjugate() * (centroidOf(p, shape_.faces[b]) - centroidOf(p, shape_.faces[a])));
-      }
-      std::vector<Mat3> distinctTurn;
-      std::vector<Vec3> distinctOffset;
-      for (int c = 0; c < shape_.columns(); ++c)
-        if (!shape_.repeatsFirst(c)) distinctTurn.push_back(turn[c]), distinctOffset.push_back(place.offset[c]);
-      place.pivot = stillPoint(distinctTurn, distinctOffset);
-      for (int c = 0; c < shape_.columns(); ++c) place.offset[c] += turn[c] * place.pivot;
-      out_.places.push_back(std::move(place));
-    }
-  }
-
-  // The x for which turn x + offset varies least, near 0 where the turns leave it open.
-  static Vec3 stillPoint(const std::vector<Mat3>& turn, const std::vector<Vec3>& offset) {
-    const double columns = static_cast<double>(turn.size());
-    Mat3 meanTurn = Mat3::Zero(), normal = Mat3::Zero();
-    Vec3 meanOffset = Vec3::Zero(), right = Vec3::Zero();
-    for (std::size_t c = 0; c < turn.size(); ++c) meanTurn += turn[c] / columns, meanOffset += offset[c] / columns;
-    for (std::size_t c = 0; c < turn.size(); ++c) {
-      const Mat3 a = turn[c] - meanTurn;
-      normal += a.transpose() * a / columns;
-      right -= a.transpose() * (offset[c] - meanOffset) / columns;
-    }
-    return (normal + stillness * Mat3::Identity()).ldlt().solve(right);
-  }
-
-  // R_f, or that of its frame where faces rest in their frames.
-  Quaternion turnOf(int f, int column) const { return rests_ ? frameOf(f, column) : rotationOf(shape_, f, column); }
-
-  void encodeLoose() {
-    std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area
-    topology_.eachUsedFace([&](int f) {
-      for (int v : shape_.faces[f])
-        if (faceAt[v] < 0) faceAt[v] = f;
-    });
-    if (std::none_of(faceAt.begin(), faceAt.end(), [](int f) { return f < 0; })) return;
-    const VertexFaces facesAt = facesOfVertices(shape_.vertexCount(), shape_.faces);
-    std::vector<int> anchor = faceAt;
-    spreadOverFacesWithoutArea(facesAt, anchor);
-    anchorGroups(facesAt, faceAt, anchor);
-    for (int v = 0; v < shape_.vertexCount(); ++v) {
-      if (faceAt[v] >= 0) continue;
-      const int f = anchor[v];
-      LooseVertex loose{v, f, frames_.ofFace[f], {}};
-      for (int c = 0; c < shape_.columns(); ++c) {
-        const Positions& p = shape_.poses[c];
-        loose.offset.push_back(turnOf(f, c).conjugate() * (p[v] - centroidOf(p, shape_.faces[f])));
-      }
-      out_.loose.push_back(std::move(loose));
-    }
-  }
-
-  // Vertices held only by faces without area take the anchor of the nearest vertex that such faces join them to.
-  void spreadOverFacesWithoutArea(const VertexFaces& facesAt, std::vector<int>& anchor) const {
-    std::vector<int> settled;  // taken from the front
-    for (int v = 0; v < shape_.vertexCount(); ++v)
-      if (anchor[v] >= 0) settled.push_back(v);
-    for (std::size_t taken = 0; taken < settled.size(); ++taken) {
-      const int v = settled[taken];
-      for (int f : facesAt.of(v)) {
-        if (topology_.hasArea[f]) continue;
-        for (int u : shape_.faces[f])
-          if (anchor[u] < 0) anchor[u] = anchor[v], settled.push_back(u);
-      }
-    }
-  }
-
-  // What no face with area reaches, such as a part that is one point in some pose, follows as a whole the face nearest
-  // to it.
-  void anchorGroups(const VertexFaces& facesAt, const std::vector<int>& faceAt, std::vector<int>& anchor) const {
-    std::vector<const Positions*> poses;
-    for (const Positions& pose : shape_.poses) poses.push_back(&pose);
-    std::vector<int> partOf;  // all that can carry others are one part
-    for (const int f : faceAt) partOf.push_back(f >= 0 ? 0 : -1);
-    const int everyLabel[] = {0};
-    std::optional<ContactSearch> search;
-    std::vector<int> shared;
-    std::vector<char> met(anchor.size(), 0);
-    for (int first = 0; first < shape_.vertexCount(); ++first) {
-      if (anchor[first] >= 0) continue;
-      if (!search) search.emplace(poses, partOf, 1), shared = search->sharedLabels(everyLabel);
-      const std::vector<int> group = looseGroup(facesAt, first, met);
-      Contact nearest;
-      std::vector<int> lastFound;
-      for (int v : spreadSample(group, queriesPerGroup)) search->nearestOther(v, shared, -1, nearest, lastFound);
-      for (int v : group) anchor[v] = faceAt[nearest.to];
-    }
-  }
-
-  // The vertices that faces join to the first one; none of them may be met before.
-  std::vector<int> looseGroup(const VertexFaces& facesAt, int first, std::vector<char>& met) const {
-    std::vector<int> group = {first};
-    met[first] = 1;
-    for (std::size_t i = 0; i < group.size(); ++i)
-      for (int f : facesAt.of(group[i]))
-        for (int v : shape_.faces[f])
-          if (!met[v]) met[v] = 1, group.push_back(v);
-    return group;
   }
 
   const WeldedShape& shape_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/types.h"
+#include "core/lri/carried_parts.h"
 #include "core/lri/face_coordinates.h"
 #include "core/lri/frames.h"
 #include "core/lri/welded_shape.h"
@@ -15,24 +16,6 @@ namespace shapespline {
 enum class Transfer {
   Exact,  ///< what the keys show beyond the ghost's motion is splined too: passes through every key
   Paper,  ///< the reference's details follow the ghost; other keys are met up to their own details
-};
-
-/// A vertex in no face with area: it keeps its offset in the frame of an anchor face.
-struct LooseVertex {
-  int vertex;
-  int anchorFace, anchorFrame;
-  std::vector<Vec3> offset;  ///< one per column: R_f^T (vertex - centroid of f)
-};
-
-/// How a component b keeps its place at its anchor face a: by the point that moves least against both in all poses,
-/// such as the axle of a wheel or the joint of a hoof. A point elsewhere would be splined along chords while the
-/// component turns.
-struct ComponentPlace {
-  int component;
-  int anchorFace, contactFace;  ///< the link's two faces
-  int anchorFrame, contactFrame;
-  Vec3 pivot;                ///< R_b^T (that point - centroid of b), the same in every column
-  std::vector<Vec3> offset;  ///< one per column: R_a^T (that point - centroid of a)
 };
 
 /// Faces that turn so far within their frames from one key to the next that the keys do not say which way.

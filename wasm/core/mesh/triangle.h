@@ -1,6 +1,8 @@
 // Measures of one triangle.
 #pragma once
 
+#include <algorithm>
+
 #include "core/base/types.h"
 
 namespace shapespline {
@@ -9,7 +11,12 @@ namespace shapespline {
 /// corner to about 1e-7 of the size, so that flatter triangles are noise.
 inline constexpr double degenerateFlatness = 1e-6;
 
-bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Also true for what is not a number.
+inline bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a, v = c - a;
+  const double longest = std::max(std::max(u.squaredNorm(), (v - u).squaredNorm()), v.squaredNorm());
+  return !(u.cross(v).squaredNorm() > degenerateFlatness * degenerateFlatness * longest * longest);
+}
 
 /// Of the angle between two sides.
 inline double cotangent(const Vec3& u, const Vec3& v) { return u.dot(v) / u.cross(v).norm(); }

@@ -7,19 +7,25 @@
 #include <numbers>
 #include <queue>
 
+#include "core/patches/face_clusters.h"
+
 namespace shapespline {
 
 namespace {
 
-// Rounds of growing and re-seeding. The cost hardly falls after the third; large meshes pay for each.
-constexpr int rounds = 4, roundsWhenLarge = 2, largeFaceCount = 200000;
+// Rounds of growing and re-seeding. The cost hardly falls after the third.
+constexpr int rounds = 4;
+
+// Faces from which on patches are found among clusters first, so many faces in each, where patches have at least so
+// many clusters.
+constexpr int largeFaceCount = 60000, clusterSize = 8, leastClusters = 8;
 
 // Weight of the squared distance to the patch centre, over the squared mean patch radius, against the rotation cost.
 // It keeps patches compact where all rotations agree, and is below the cost of a turn by 7 degrees in one key.
 constexpr double distanceWeight = 0.03;
 
-// Faces that may become a first seed, as a multiple of the number of seeds.
-constexpr int candidatesPerSeed = 48;
+// Faces, or clusters, that may become a first seed, as a multiple of the number of seeds.
+constexpr int candidatesPerSeed = 48, candidateClustersPerSeed = 12;
 
 // Of the time that a partition takes, about.
 constexpr double shareOfSeeds = 0.3;
@@ -49,10 +55,9 @@ struct GrowingFace {
 
 class Partition {
  public:
-  Partition(const PatchInput& input, int wanted, const FractionReport& onProgress)
+  Partition(const PatchInput& input, const FractionReport& onProgress)
       : in_(input), onProgress_(onProgress), faceCount_(static_cast<int>(input.area.size())) {
     patches_.ofFace.assign(faceCount_, -1);
-    chooseSeeds(wanted);
     growing_.resize(faceCount_);
     for (int f = 0; f < faceCount_; ++f) {
       const std::span<const int> neighbours = in_.graph.of(f);
@@ -62,13 +67,31 @@ class Partition {
     }
   }
 
-  Patches run() {
-    const int count = faceCount_ > largeFaceCount ? roundsWhenLarge : rounds;
-    for (int round = 0; round < count; ++round) {
-      const double share = (1 - shareOfSeeds) / count, begin = shareOfSeeds + share * round;
+  // From seeds that lie far from each other, in rounds.
+  void find(int wanted, int candidates) {
+    chooseSeeds(wanted, candidates);
+    for (int round = 0; round < rounds; ++round) {
+      const double share = (1 - shareOfSeeds) / rounds, begin = shareOfSeeds + share * round;
       if (round > 0) recentre(partOf(onProgress_, begin, begin + 0.3 * share));
+      forget();
+      for (std::size_t k = 0; k < centres_.size(); ++k) growing_[centres_[k].seed].patch = static_cast<int>(k);
       grow(partOf(onProgress_, round > 0 ? begin + 0.3 * share : begin, begin + 0.95 * share));
     }
+  }
+
+  // From the patches of clusters: what lies within them stays there, the rest is grown face by face.
+  void refine(Partition& coarse, const FaceClusters& clusters) {
+    coarse.recentre({});
+    centres_ = std::move(coarse.centres_);
+    patches_.componentOf = std::move(coarse.patches_.componentOf);
+    const std::vector<int> within = coarse.within(centres_);
+    forget();
+    for (int f = 0; f < faceCount_; ++f)
+      if (clusters.ofFace[f] >= 0) growing_[f].patch = within[clusters.ofFace[f]];
+    grow(onProgress_);
+  }
+
+  Patches take() {
     collectPairs();
     patches_.count = static_cast<int>(centres_.size());
     return std::move(patches_);
@@ -96,7 +119,7 @@ class Partition {
     return {{rotation, rotation + in_.comparedPoses}, in_.centroid[face], inverseRadiusSquared, face};
   }
 
-  void chooseSeeds(int wanted) {
+  void chooseSeeds(int wanted, int candidates) {
     std::vector<std::vector<int>> members(in_.components.count);
     int used = 0;
     for (int f = 0; f < faceCount_; ++f)
@@ -104,11 +127,11 @@ class Partition {
     for (int component = 0; component < in_.components.count; ++component) {
       const auto size = static_cast<int>(members[component].size());
       const auto share = static_cast<int>(std::lround(static_cast<double>(wanted) * size / std::max(1, used)));
-      chooseSeedsOf(component, members[component], std::clamp(share, 1, size), wanted);
+      chooseSeedsOf(component, members[component], std::clamp(share, 1, size), wanted, candidates);
     }
   }
 
-  void chooseSeedsOf(int component, const std::vector<int>& members, int count, int wanted) {
+  void chooseSeedsOf(int component, const std::vector<int>& members, int count, int wanted, int perSeed) {
     double area = 0;
     Vec3 middle = Vec3::Zero();
     for (int f : members) area += in_.area[f], middle += in_.area[f] * in_.centroid[f];
@@ -116,7 +139,7 @@ class Partition {
     const double inverseRadiusSquared = count * std::numbers::pi / area;
 
     const int candidateCount =
-        std::min<int>(static_cast<int>(members.size()), std::max(count * candidatesPerSeed, 512));
+        std::min<int>(static_cast<int>(members.size()), std::max(count * perSeed, 512));
     std::vector<int> candidates(candidateCount);
     for (int i = 0; i < candidateCount; ++i)
       candidates[i] =
@@ -163,7 +186,29 @@ class Partition {
     });
   }
 
-  // Floods all patches from their seeds at once, the cheapest face first, so that patches stay connected.
+  void forget() {
+    for (GrowingFace& face : growing_) {
+      face.cheapest = std::numeric_limits<double>::infinity();
+      face.claimant = face.patch = -1;
+    }
+  }
+
+  // The patch of each face that is joined to its seed by faces whose neighbours are all of the same patch; -1 of others.
+  std::vector<int> within(const std::vector<Centre>& centres) const {
+    const std::vector<int>& patch = patches_.ofFace;
+    std::vector<int> result(faceCount_, -1), queue;
+    for (const Centre& centre : centres) result[centre.seed] = patch[centre.seed], queue.push_back(centre.seed);
+    const auto isInside = [&](int f) {
+      const std::span<const int> neighbours = in_.graph.of(f);
+      return std::all_of(neighbours.begin(), neighbours.end(), [&](int g) { return patch[g] == patch[f]; });
+    };
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const int f : in_.graph.of(queue[i]))
+        if (result[f] < 0 && patch[f] == patch[queue[i]] && isInside(f)) result[f] = patch[f], queue.push_back(f);
+    return result;
+  }
+
+  // Floods all patches at once from what they have, the cheapest face first, so that they stay connected.
   void grow(const FractionReport& onProgress) {
     struct Claim {
       double cost;
@@ -173,13 +218,7 @@ class Partition {
         return face != o.face ? face > o.face : patch > o.patch;
       }
     };
-    for (GrowingFace& face : growing_) {
-      face.cheapest = std::numeric_limits<double>::infinity();
-      face.claimant = face.patch = -1;
-    }
     std::priority_queue<Claim> queue;
-    const int count = static_cast<int>(centres_.size());
-    for (int k = 0; k < count; ++k) growing_[centres_[k].seed].patch = k;
     const auto claim = [&](int g, int patch) {
       GrowingFace& face = growing_[g];
       if (face.patch >= 0 || face.claimant == patch) return;
@@ -198,7 +237,8 @@ class Partition {
       for (const int g : neighbour)
         if (g >= 0) claim(g, patch);
     };
-    for (int k = 0; k < count; ++k) claimNeighbours(centres_[k].seed, k);
+    for (int f = 0; f < faceCount_; ++f)
+      if (growing_[f].patch >= 0) claimNeighbours(f, growing_[f].patch);
     // No more faces can be claimed than there are.
     inBlocks(onProgress, static_cast<std::size_t>(faceCount_), [&](std::size_t claimed, std::size_t end) {
       while (claimed < end && !queue.empty()) {
@@ -263,7 +303,20 @@ class Partition {
 int defaultPatchCount(int faceCount) { return std::max(1, static_cast<int>(std::lround(std::sqrt(faceCount)))); }
 
 Patches partitionFaces(const PatchInput& input, int wanted, const FractionReport& onProgress) {
-  return Partition(input, wanted, onProgress).run();
+  const int faces = static_cast<int>(input.area.size());
+  if (faces < largeFaceCount || wanted > faces / (clusterSize * leastClusters)) {
+    Partition partition(input, onProgress);
+    partition.find(wanted, candidatesPerSeed);
+    return partition.take();
+  }
+  const FaceClusters clusters = clusterFaces(input, clusterSize, partOf(onProgress, 0, 0.2));
+  const PatchInput coarseInput{clusters.graph,    clusters.components, clusters.area,
+                               clusters.centroid, clusters.rotations,  input.comparedPoses};
+  const FractionReport coarseProgress = partOf(onProgress, 0.2, 0.6), fineProgress = partOf(onProgress, 0.6, 1);
+  Partition coarse(coarseInput, coarseProgress), fine(input, fineProgress);
+  coarse.find(wanted, candidateClustersPerSeed);
+  fine.refine(coarse, clusters);
+  return fine.take();
 }
 
 }  // namespace shapespline

@@ -1,5 +1,6 @@
 #include "core/patches/patch_graph.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -39,21 +40,27 @@ void PatchGraph::orient(const PatchTree& tree) {
 
 // Dijkstra's algorithm along paths, Prim's otherwise: they differ in what a patch is reached at.
 PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool alongPaths,
-                           std::vector<double>& distance) const {
+                           std::vector<double>& distance, const Bound& bound) const {
   const int count = patchCount();
   PatchTree tree{{}, std::vector<int>(count, -1), std::vector<int>(count, -1)};
   distance.assign(count, std::numeric_limits<double>::infinity());
   std::vector<char> reached(count, 0);
+  bool isWithin = true;
+  double sum = 0, unreached = 0;  // weighted distances so far; the area that lies at least as far as the next patch
+  if (bound.reachesAll)
+    for (const double a : area_) unreached += a;
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto reachFrom = [&](int begin) {
     distance[begin] = 0;
     queue.push({0, begin});
-    while (!queue.empty()) {
+    while (isWithin && !queue.empty()) {
       const int patch = queue.top().second;
       queue.pop();
       if (reached[patch]) continue;
       reached[patch] = 1;
+      isWithin = !(sum + unreached * distance[patch] > bound.sum);
+      sum += area_[patch] * distance[patch], unreached -= bound.reachesAll ? area_[patch] : 0;
       tree.order.push_back(patch);
       for (const End& end : ends_.of(patch)) {
         const double there = (alongPaths ? distance[patch] : 0) + cost[end.link];
@@ -66,8 +73,9 @@ PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool along
     }
   };
   reachFrom(root);
-  for (int patch = 0; patch < count; ++patch)
+  for (int patch = 0; patch < count && isWithin; ++patch)
     if (!reached[patch]) reachFrom(patch);
+  if (!isWithin) tree.order.clear();
   return tree;
 }
 
@@ -78,8 +86,13 @@ PatchTree PatchGraph::centreTree(const std::vector<double>& cost) const {
   double total = 0, least = std::numeric_limits<double>::infinity();
   for (double a : area_) total += a;
   PatchTree best;
+  bool reachesAll = false;
   for (int i = 0; i < tried; ++i) {
-    PatchTree tree = grow(grid, static_cast<int>(static_cast<long long>(i) * count / tried), true, distance);
+    // A step more, so that rounding drops no tree that is as good.
+    PatchTree tree = grow(grid, static_cast<int>(static_cast<long long>(i) * count / tried), true, distance,
+                          {total * (least + 1), reachesAll});
+    if (tree.order.empty()) continue;
+    reachesAll = std::count(tree.parent.begin(), tree.parent.end(), -1) == 1;
     double sum = 0;
     for (int k = 0; k < count; ++k) sum += area_[k] / total * distance[k];
     sum = std::nearbyint(sum);
@@ -91,7 +104,7 @@ PatchTree PatchGraph::centreTree(const std::vector<double>& cost) const {
 PatchTree PatchGraph::spanningTree(const std::vector<double>& weight, int root) const {
   std::vector<double> cost, distance;
   for (double w : weight) cost.push_back(-onGrid(w));
-  return grow(cost, root, false, distance);
+  return grow(cost, root, false, distance, {std::numeric_limits<double>::infinity(), false});
 }
 
 }  // namespace shapespline

@@ -48,7 +48,13 @@ class PatchGraph {
   struct End {
     int link, patch;
   };
-  PatchTree grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance) const;
+  /// Of trees that are worth growing: those beyond it come back without an order.
+  struct Bound {
+    double sum;       ///< of all patches' distances, weighted by their areas
+    bool reachesAll;  ///< every patch is known to be reached from any other
+  };
+  PatchTree grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance,
+                 const Bound& bound) const;
 
   std::vector<PatchLink> links_;
   std::vector<double> area_;
