@@ -10,6 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { benchArguments, type Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import { browserRunner } from './browser.ts';
 import { exportTable } from './exports.ts';
+import { benchDrop } from './drop.ts';
 import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
 import { FEW_KEYS, MANY_KEYS } from './key-counts.ts';
@@ -146,7 +147,7 @@ async function benchHold({ files, save: wanted }: Wanted): Promise<void> {
   if (wanted) save(`# Motions that hold what rests: ${machine()}\n\n${text}\n`, '-hold');
 }
 
-const benches = {
+const benches: Record<Wanted['what'], (wanted: Wanted) => Promise<void>> = {
   stages: bench,
   threads: benchThreads,
   exports: benchExports,
@@ -154,6 +155,7 @@ const benches = {
   'ghost browser': benchGhostInBrowser,
   embed: benchEmbed,
   start: benchStart,
+  drop: ({ sizes }) => benchDrop(sizes?.map(({ faces }) => faces) ?? [332_000], meshOf),
   hold: benchHold,
 };
 const wanted = benchArguments(process.argv.slice(2));

@@ -21,7 +21,8 @@ const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 
 type Times = Record<(typeof MARKS)[number] | 'cpu', number>;
 
-const start = (): Promise<Browser> =>
+/** Chromium that draws in software. */
+export const startBrowser = (): Promise<Browser> =>
   chromium.launch({
     executablePath: findBrowser(chromium) ?? undefined,
     args: [
@@ -74,7 +75,7 @@ async function visit(browser: Browser, url: string, windowMs = 0): Promise<Times
 }
 
 async function justStarted(url: string): Promise<Times> {
-  const browser = await start();
+  const browser = await startBrowser();
   try {
     return await visit(browser, url);
   } finally {
@@ -100,7 +101,7 @@ export async function benchStart(_: Wanted): Promise<void> {
     return;
   }
   const { url, server } = await serve(dist, { port: 4274 });
-  const running = await start();
+  const running = await startBrowser();
   const warm: Times[] = [];
   const cold: Times[] = [];
   try {

@@ -60,6 +60,7 @@ describe('the words behind npm run bench --', () => {
     expect(() => benchArguments(['embed', '--browser'])).toThrow();
     expect(benchArguments(['start'])).toMatchObject({ what: 'start', sizes: null, save: false });
     expect(() => benchArguments(['start', '1000'])).toThrow();
+    expect(benchArguments(['drop', '1000'])).toMatchObject({ what: 'drop', sizes: [{ faces: 1000 }] });
     expect(benchArguments(['hold', 'walk.glb', 'run.glb', '--save'])).toEqual({
       what: 'hold',
       sizes: null,

@@ -10,6 +10,7 @@ const USAGE = [
   '       npm run bench -- ghost browser [FACES,...]',
   '       npm run bench -- embed [FACES,...]',
   '       npm run bench -- start',
+  '       npm run bench -- drop [FACES,...]',
   '       npm run bench -- hold FILE... [--save]',
   'with 64 to 4000000 faces and 2 to 100 keys',
 ].join('\n');
@@ -17,7 +18,7 @@ const USAGE = [
 /** What is measured, on which sizes (null: the usual ones) or files, and where. */
 export function benchArguments(words) {
   if (words[0] === 'hold') return withFiles(words);
-  const what = ['threads', 'exports', 'embed', 'start'].includes(words[0])
+  const what = ['threads', 'exports', 'embed', 'start', 'drop'].includes(words[0])
     ? words[0]
     : words[0] !== 'ghost'
       ? 'stages'
@@ -28,7 +29,7 @@ export function benchArguments(words) {
     values: { browser = false, save = false },
     positionals: [list, ...more],
   } = parsed(
-    words.slice({ stages: 0, threads: 1, exports: 1, embed: 1, ghost: 1, 'ghost browser': 2, start: 1 }[what]),
+    words.slice({ stages: 0, threads: 1, exports: 1, embed: 1, ghost: 1, 'ghost browser': 2, start: 1, drop: 1 }[what]),
   );
   const sizes = list?.split(',').map(sizeOf) ?? null;
   const good =
@@ -36,7 +37,7 @@ export function benchArguments(words) {
     !(what === 'start' && sizes) &&
     (sizes?.every((size) => isGood(size, what === 'ghost')) ?? true) &&
     !(save && what !== 'stages' && what !== 'exports') &&
-    !(browser && (what.startsWith('ghost') || ['exports', 'embed', 'start'].includes(what)));
+    !(browser && (what.startsWith('ghost') || ['exports', 'embed', 'start', 'drop'].includes(what)));
   if (!good) throw new Explained(USAGE);
   return { what, sizes, files: [], browser, save };
 }

@@ -48,7 +48,7 @@ async function cli(args) {
 
 async function bench(args) {
   const { browser, what } = benchArguments(args);
-  const inBrowser = browser || ['ghost browser', 'exports', 'embed', 'start'].includes(what);
+  const inBrowser = browser || ['ghost browser', 'exports', 'embed', 'start', 'drop'].includes(what);
   await prepare(
     [...forBench, ...(inBrowser ? forBrowser : [])],
     [wasmModule, benchPrograms, benchBundle, ...(what === 'embed' ? [npmPackage] : [])],

@@ -63,6 +63,8 @@ function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
 
 /** Bytes: many times what a frame's kernels need. */
 const SECOND_STACK = 1 << 18;
+/** Between reports of one stage. */
+const REPORT_MS = 15;
 
 export class WasmCore {
   private readonly module: WasmModule;
@@ -288,8 +290,17 @@ export class WasmCore {
     };
   }
 
+  /** The core reports more often than anybody looks, and each message takes its time. */
   private hear(onProgress: OnProgress): void {
-    this.module.onProgress = (stage, fraction) => onProgress(readText(this.module, stage), fraction);
+    let last: Address = -1;
+    let heard = -Infinity;
+    this.module.onProgress = (stage, fraction) => {
+      const now = performance.now();
+      if (stage === last && fraction < 1 && now < heard + REPORT_MS) return;
+      last = stage;
+      heard = now;
+      onProgress(readText(this.module, stage), fraction);
+    };
   }
 
   private importedPositions(handle: number, key: number): Float32Array {

@@ -1,0 +1,85 @@
+/**
+ * npm run bench -- drop [FACES,...]: the built page in Chromium, from a file that is given to it until its motion is
+ * there: when it was read, when its motion is made, when its shape is drawn; and for how long the page does not answer
+ * meanwhile.
+ */
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
+import { serve } from '../../wasm/toolchain/serve.mjs';
+import type {} from '../../web/app/test-hook.ts';
+import { quantile } from './quantile.ts';
+import { startBrowser } from './start.ts';
+
+const RUNS = 5;
+const COLUMNS = ['read', 'made', 'drawn', 'longest task'] as const;
+const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+
+/** Milliseconds after the file was given. */
+type Times = Record<(typeof COLUMNS)[number], number>;
+
+/** Runs in the page, as what it waits for is soon over. */
+function watch(): Promise<Times> {
+  const begin = performance.now();
+  let longest = 0;
+  new PerformanceObserver((list) => {
+    for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
+  }).observe({ type: 'longtask' });
+  const after = (name: string): number => {
+    const mark = performance.getEntriesByName(`shapespline ${name}`).findLast(({ startTime }) => startTime > begin);
+    return mark ? mark.startTime - begin : NaN;
+  };
+  return new Promise((resolve) => {
+    const look = (): void => {
+      const isOpen = window.__shapespline!.state.source.kind === 'files' && !Number.isNaN(after('made'));
+      if (!isOpen) return void requestAnimationFrame(look);
+      // Its first shape was drawn in the frame after this one.
+      const end = (): void => {
+        const drawn = performance.now() - begin;
+        resolve({ read: after('read'), made: after('made'), drawn, 'longest task': longest });
+      };
+      requestAnimationFrame(() => requestAnimationFrame(end));
+    };
+    look();
+  });
+}
+
+async function drop(page: Page, url: string, file: string): Promise<Times> {
+  await page.goto(url);
+  await page.evaluate(() => window.__shapespline!.settled());
+  const watched = page.evaluate(watch);
+  await page.locator('[data-testid=file-input]').setInputFiles(file);
+  return watched;
+}
+
+/** `meshOf`: the path of a generated mesh. */
+export async function benchDrop(faces: readonly number[], meshOf: (faces: number) => string): Promise<void> {
+  if (!existsSync(path.join(dist, 'index.html'))) {
+    console.error('The page is not built yet: npm run build.');
+    process.exitCode = 1;
+    return;
+  }
+  const { url, server } = await serve(dist, { port: 4275 });
+  const browser = await startBrowser();
+  console.log(`Milliseconds after a file was given to the page, medians of ${RUNS}; "longest task": of the page.`);
+  console.log('');
+  console.log(`| faces | ${COLUMNS.join(' | ')} |`);
+  console.log(`|${'---|'.repeat(1 + COLUMNS.length)}`);
+  try {
+    for (const count of faces) {
+      const file = meshOf(count);
+      const runs: Times[] = [];
+      while (runs.length < RUNS) {
+        const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
+        runs.push(await drop(await context.newPage(), url, file));
+        await context.close();
+      }
+      const medians = COLUMNS.map((name) => quantile(runs.map((times) => times[name])).toFixed(0));
+      console.log(`| ${[count, ...medians].join(' | ')} |`);
+    }
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}
