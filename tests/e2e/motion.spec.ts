@@ -42,7 +42,8 @@ test('the boundary changes the motion between the keys, not the keys', async ({ 
   await app.settled();
   expect((await shownAt(app, 0.2)).positions).toEqual(natural.positions);
   const after = await app.stats();
-  expect([after.encodings, after.factorisations]).toEqual([counters.encodings, counters.factorisations]);
+  // What was made anew would have taken another time.
+  expect([after.encodeMs, after.factorMs]).toEqual([counters.encodeMs, counters.factorMs]);
   expect(after.solves).toBeGreaterThan(counters.solves);
   await app.expectNoProblems();
 });
@@ -174,7 +175,8 @@ test('each method moves otherwise between the keys and refits only', { tag: '@se
     seen.push(shown);
   }
   const after = await app.stats();
-  expect([after.encodings, after.factorisations]).toEqual([counters.encodings, counters.factorisations]);
+  // What was made anew would have taken another time.
+  expect([after.encodeMs, after.factorMs]).toEqual([counters.encodeMs, counters.factorMs]);
 });
 
 test('Hermite is disabled with a reason where the motion is straight between the keys', async ({ app }) => {

@@ -35,7 +35,7 @@ it('is chosen and taken back by an update, which encodes nothing, and leaves the
   }
   await sequence.update({ hold: 'off' });
   expect(await at(t)).toEqual(plain);
-  expect((await sequence.stats()).encodings).toBe(before.encodings);
+  expect((await sequence.stats()).encodeMs).toBe(before.encodeMs);
   await expect(sequence.update({ hold: 'tight' as Hold })).rejects.toMatchObject({ code: 'invalid-option' });
   sequence.dispose();
 });

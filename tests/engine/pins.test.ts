@@ -47,7 +47,7 @@ it('are chosen and taken back by an update, which encodes nothing', async () => 
 
   await sequence.update({ pins: [] });
   expect(await at(t)).toEqual(plain);
-  expect((await sequence.stats()).encodings).toBe(before.encodings);
+  expect((await sequence.stats()).encodeMs).toBe(before.encodeMs);
   for (const wrong of [
     { vertex: 1e6, radius: 0.1 },
     { vertex: 0, radius: 2 },

@@ -438,8 +438,9 @@ TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its w
     REQUIRE(s.evaluate(0.37, again).ok());
     CHECK(first.positions == again.positions);
     CHECK(first.normals == again.normals);
-    CHECK(s.stats().encodings == before.encodings);
-    CHECK(s.stats().factorisations == before.factorisations);
+    // What was made anew would have taken another time.
+    CHECK(s.stats().encodeMs == before.encodeMs);
+    CHECK(s.stats().factorMs == before.factorMs);
     CHECK(s.stats().solves == before.solves + 3 + static_cast<long long>(slider.size()));
     Sequence twin = make(k, options);
     REQUIRE(twin.evaluate(0.37, again).ok());

@@ -4,6 +4,15 @@
 
 namespace shapespline {
 
+namespace {
+
+// Eigen's products stay calls where code is to be small.
+void addScaled(double scale, const double* vector, double* sum) {
+  sum[0] += scale * vector[0], sum[1] += scale * vector[1], sum[2] += scale * vector[2];
+}
+
+}  // namespace
+
 void pathPositions(const PathEnd& from, const PathEnd& to, const PathWeights& w, Positions& positions) {
   positions.resize(from.position.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -55,6 +64,24 @@ void pullsTo(const Positions& from, const Positions& to, const std::vector<doubl
              Positions& pull) {
   pull.resize(from.size());
   for (std::size_t v = 0; v < from.size(); ++v) pull[v] = share * weight[v] * (to[v] - from[v]);
+}
+
+void addPulls(const std::vector<PatchPull>& pulls, const std::vector<Mat3>& patch, Positions& sum) {
+  for (const PatchPull& p : pulls)
+    for (int k = 0; k < 3; ++k) addScaled(p.at[k], patch[p.patch].data() + 3 * k, sum[p.vertex].data());
+}
+
+Mat3 outerProducts(std::size_t count, const Vec3* to, const Vec3* from) {
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t i = 0; i < count; ++i)
+    for (int k = 0; k < 3; ++k) addScaled(from[i][k], to[i].data(), sum.col(k).data());
+  return sum;
+}
+
+Vec3 weightedSum(std::size_t count, const double* weight, const Vec3* vector) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < count; ++i) addScaled(weight[i], vector[i].data(), sum.data());
+  return sum;
 }
 
 void takeResponse(const std::vector<float>& response, const Positions& pull, std::vector<Vec3>& left) {

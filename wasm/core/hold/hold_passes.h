@@ -30,6 +30,20 @@ struct FitSums {
 FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::vector<int>& vertices,
                 const Positions& from, const Positions& to);
 
+/// What pulls a vertex, as seen from a patch.
+struct PatchPull {
+  int vertex, patch;
+  float at[3];
+};
+/// Adds to each vertex what pulls it, by the matrix of the patch.
+void addPulls(const std::vector<PatchPull>& pulls, const std::vector<Mat3>& patch, Positions& sum);
+
+/// Sum of to[i] * from[i]^T over `count` vectors.
+Mat3 outerProducts(std::size_t count, const Vec3* to, const Vec3* from);
+
+/// Sum of weight[i] * vector[i] over `count` vectors.
+Vec3 weightedSum(std::size_t count, const double* weight, const Vec3* vector);
+
 /// target <- share * target + (1 - share) * (turn * body + mean); body: of `vertices` of the target.
 void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Positions& body,
                    const std::vector<int>& vertices, Positions& target);

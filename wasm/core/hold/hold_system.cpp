@@ -109,7 +109,7 @@ Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const doub
 
 template <class Real>
 void HoldSystem::addSolvedIn(std::vector<Real>& x, const Positions& pull, Positions& shape, ForkJoin* forkJoin) const {
-  x.assign(4 * static_cast<std::size_t>(solver_.paddedSize()), Real(0));
+  x.resize(4 * static_cast<std::size_t>(solver_.paddedSize()));
   writePlaces(pull, slot_, Vec3::Zero(), x);
   solver_.solve(x.data(), forkJoin);
   addPlaces(x, slot_, shape);

@@ -83,8 +83,4 @@ void PatchTurn::find(const PullModes& modes, const std::vector<Vec3>& mode, cons
       turn[p] *= furtherTurn(modes.planes()[p], turn[p].transpose() * modes.gradient(p, mode)) - Mat3::Identity();
 }
 
-void PatchTurn::addTo(Positions& pulls, const std::vector<Mat3>& turn) const {
-  for (const Pull& pull : pulls_) pulls[pull.vertex] += turn[pull.patch] * Vec3(pull.at[0], pull.at[1], pull.at[2]);
-}
-
 }  // namespace shapespline

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/hold/hold_passes.h"
 #include "core/hold/pull_modes.h"
 
 namespace shapespline {
@@ -20,18 +21,12 @@ class PatchTurn {
             std::vector<Mat3>& turn) const;
 
   /// Adds what pulls each vertex so that its patches turn.
-  void addTo(Positions& pulls, const std::vector<Mat3>& turn) const;
+  void addTo(Positions& pulls, const std::vector<Mat3>& turn) const { addPulls(pulls_, turn, pulls); }
 
  private:
-  // What holds a vertex in its patch in the reference pose, where the patch ends or is curved.
-  struct Pull {
-    int vertex, patch;
-    float at[3];
-  };
-
   std::vector<int> patchOfFrame_;
   std::vector<double> frameShare_;  // in its patch
-  std::vector<Pull> pulls_;         // by vertex
+  std::vector<PatchPull> pulls_;    // what holds a vertex in its patch in the reference pose; by vertex
 };
 
 }  // namespace shapespline

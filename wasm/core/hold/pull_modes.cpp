@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/hold/hold_passes.h"
+
 namespace shapespline {
 
 namespace {
@@ -107,15 +109,11 @@ void PullModes::fit(std::span<const Vec3> way, std::vector<Vec3>& mode) const {
 }
 
 Vec3 PullModes::moved(std::size_t held, const std::vector<Vec3>& mode) const {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t m = 0; m < modes_; ++m) sum += response_[modes_ * held + m] * mode[m];
-  return sum;
+  return weightedSum(modes_, &response_[modes_ * held], mode.data());
 }
 
 Mat3 PullModes::gradient(std::size_t patch, const std::vector<Vec3>& mode) const {
-  Mat3 sum = Mat3::Zero();
-  for (std::size_t m = 0; m < modes_; ++m) sum.noalias() += mode[m] * gradient_[modes_ * patch + m].transpose();
-  return sum;
+  return outerProducts(modes_, mode.data(), &gradient_[modes_ * patch]);
 }
 
 }  // namespace shapespline
