@@ -109,6 +109,15 @@ int standsRather(const Positions& positions, const std::vector<Triangle>& faces)
   return z > kStable && y < 0 ? 1 : y > kStable && z < 0 ? -1 : 0;
 }
 
+// Stands on the floor of its world, z = 0, and not on y = 0.
+bool isOnFloorOfZ(const Positions& positions) {
+  const Positions* one = &positions;
+  const double near = 0.03 * boundingDiagonal({&one, 1});
+  double y = positions[0][1], z = positions[0][2];
+  for (const Vec3& p : positions) y = std::min(y, p[1]), z = std::min(z, p[2]);
+  return std::abs(z) <= near && std::abs(y) > near;
+}
+
 }  // namespace
 
 void warnOfSamePoses(const FileFacts& facts, Import& import) {
@@ -126,12 +135,16 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
   }
 }
 
-bool standOnZ(const Keyframes& keyframes) {
+bool standOnZ(const Keyframes& keyframes, bool clearly) {
   if (keyframes.keys.empty()) return false;
-  if (hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces)) return true;
+  if (!clearly && hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces)) return true;
   int votes = 0;
-  for (const Key& key : keyframes.keys)
-    if (!key.positions.empty()) votes += standsRather(key.positions, keyframes.faces);
+  for (const Key& key : keyframes.keys) {
+    if (key.positions.empty()) continue;
+    const int vote = standsRather(key.positions, keyframes.faces);
+    if (clearly && (vote < 0 || !isOnFloorOfZ(key.positions))) return false;
+    votes += vote;
+  }
   return votes > 0;
 }
 

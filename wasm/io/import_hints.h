@@ -19,10 +19,11 @@ struct FileFacts {
 void warnOfSamePoses(const FileFacts& facts, Import& import);
 
 /// Whether poses that are taken to have y up seem to stand along z: the first one on a flat base, or more of them on
-/// feet that they would tip over from along y than the other way round.
-bool standOnZ(const Keyframes& keyframes);
+/// feet that they would tip over from along y than the other way round. `clearly`: only where no pose stands the other
+/// way round, and all of them on the plane z = 0; for files that mostly have y up.
+bool standOnZ(const Keyframes& keyframes, bool clearly);
 
-/// Of a PLY or OFF file that was read with y up. `byBlender`: the file says that it was written there.
+/// Of a PLY, OFF or OBJ file that was read with y up. `byBlender`: the file says that it was written there.
 Warning zUpWarning(const std::string& where, bool byBlender);
 
 }  // namespace shapespline

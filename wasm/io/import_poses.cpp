@@ -121,8 +121,8 @@ Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string
 
 void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, const std::string& where,
                   Import& import) {
-  const bool silent = kind == FileKind::Ply || kind == FileKind::Off;
-  if (silent && !options.zUp && (writtenZUp || standOnZ(import.keyframes)))
+  const bool obj = kind == FileKind::Obj, silent = obj || kind == FileKind::Ply || kind == FileKind::Off;
+  if (silent && !options.zUp && (writtenZUp || standOnZ(import.keyframes, obj)))
     import.warnings.push_back(zUpWarning(where, writtenZUp));
 }
 
