@@ -236,3 +236,48 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   await app.by('plot-volume').scrollIntoViewIfNeeded();
   await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+ \/ [\d.]+$/);
 });
+
+test('a plot says what all curves are at the moment under the mouse, or at the cursor for the keyboard', async ({
+  app,
+}) => {
+  await app.open({ hash: '#sample=cactus&compare=linear' });
+  const plot = app.by('plot-volume').locator('svg.plot');
+  await plot.scrollIntoViewIfNeeded();
+  await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+ \/ [\d.]+$/);
+  const lines = plot.locator('.read-out text');
+  const time = async (): Promise<number> => parseFloat(await lines.first().innerHTML());
+  await expect(lines).toHaveCount(0);
+  const box = (await plot.boundingBox())!;
+  const point = (share: number) => app.page.mouse.move(box.x + share * box.width, box.y + box.height / 2);
+  const { time: before } = await app.state();
+  await point(0.5);
+  await expect(lines).toHaveCount(3);
+  await expect(lines.first()).toHaveText(/^[\d.]+ s$/);
+  const middle = await time();
+  await point(0.7);
+  await expect.poll(time).toBeGreaterThan(middle + 0.1);
+  expect((await app.state()).time).toBe(before);
+  // What it says is what is drawn there.
+  const said = async (line: number): Promise<number> =>
+    Number(/([\d.]+)\s%$/.exec((await lines.nth(line).textContent())!)![1]);
+  const [spline, blend] = [await said(1), await said(2)];
+  await app.setTime(await time());
+  await app.settled();
+  const volume = async (tile: number): Promise<number> =>
+    Number(/volume ([\d.]+)\s%/.exec(await app.by(`tile-${tile}`).innerText())![1]);
+  expect(Math.abs(spline - (await volume(0)))).toBeLessThan(0.2);
+  expect(Math.abs(blend - (await volume(1)))).toBeLessThan(0.2);
+  expect(Math.abs(spline - blend)).toBeGreaterThan(1);
+  await app.page.mouse.move(5, 5);
+  await expect(lines).toHaveCount(0);
+
+  await app.page.keyboard.press('Tab');
+  await plot.focus();
+  await expect.poll(time).toBeCloseTo((await app.state()).time, 1);
+  const there = await time();
+  await app.page.keyboard.press('Shift+ArrowLeft');
+  await expect.poll(time).toBeLessThan(there - 0.05);
+  await plot.blur();
+  await expect(lines).toHaveCount(0);
+  await app.expectNoProblems();
+});

@@ -2,7 +2,7 @@
  * A handle at an end of the curve: along the tangent there, the longer the faster; dragged, or moved with the arrow
  * keys.
  */
-import { make, text } from './line-chart.ts';
+import { make, text } from './svg-parts.ts';
 
 export type End = 'start' | 'end';
 export const ENDS: readonly End[] = ['start', 'end'];

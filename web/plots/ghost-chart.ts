@@ -1,5 +1,5 @@
 /** Error or time over sizes of the ghost mesh (the paper's Fig. 8): one line for each way of transfer. */
-import { make, named, namedCurve, text } from './line-chart.ts';
+import { make, named, namedCurve, text } from './svg-parts.ts';
 import { extent, linearScale, padded, tickLabel, ticks } from './scale.ts';
 
 export interface GhostSeries {

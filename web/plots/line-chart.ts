@@ -1,6 +1,8 @@
 /** Curves over time with the keys marked, the extrapolated ends shaded, and a cursor at the current moment. */
-import { apart, decades, extent, linearScale, logScale, padded, path, tickLabel, ticks } from './scale.ts';
+import { createReadOut } from './read-out.ts';
+import { apart, decades, extent, linearScale, logScale, padded, tickLabel, ticks } from './scale.ts';
 import type { Scale } from './scale.ts';
+import { make, namedCurve, text } from './svg-parts.ts';
 
 export interface Series {
   label: string;
@@ -52,49 +54,78 @@ export function createLineChart(onPick: (t: number) => void): LineChart {
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
     class: 'plot line-chart',
     role: 'img',
+    tabindex: 0,
     'aria-label': 'Being computed',
   });
   const content = make('g', {});
   const cursor = make('line', { class: 'cursor', y1: TOP, y2: HEIGHT - BOTTOM });
-  element.append(content, cursor);
+  const readOut = createReadOut({ left: LEFT, right: WIDTH - RIGHT, top: TOP, bottom: HEIGHT - BOTTOM });
+  element.append(content, cursor, readOut.element);
   let x: Scale | null = null;
+  let drawn: { data: LineChartData; seen: (value?: number) => number } | null = null;
+  let now = 0;
+  /** Under the mouse or the finger. */
+  let pointed: number | null = null;
+
+  const read = (): void => {
+    const t = pointed ?? (element.matches(':focus-visible') ? now : null);
+    if (x && drawn) readOut.show(drawn.data, t, x, drawn.seen);
+  };
+  const timeAt = (event: PointerEvent): number => {
+    const box = element.getBoundingClientRect();
+    const place = ((event.clientX - box.left) / box.width) * WIDTH;
+    const [low, high] = x!.domain;
+    const t = low + ((place - LEFT) / (WIDTH - LEFT - RIGHT)) * (high - low);
+    return Math.min(Math.max(t, low), high);
+  };
+  const point = (event: PointerEvent | null): void => {
+    pointed = event && x ? timeAt(event) : null;
+    read();
+  };
 
   element.addEventListener('pointerdown', (event) => {
     if (!x) return;
-    const pick = (at: PointerEvent): void => {
-      const box = element.getBoundingClientRect();
-      const place = ((at.clientX - box.left) / box.width) * WIDTH;
-      const [low, high] = x!.domain;
-      const t = low + ((place - LEFT) / (WIDTH - LEFT - RIGHT)) * (high - low);
-      onPick(Math.min(Math.max(t, low), high));
-    };
+    const pick = (at: PointerEvent): void => onPick(timeAt(at));
     event.preventDefault();
     element.setPointerCapture(event.pointerId);
     element.addEventListener('pointermove', pick);
     element.addEventListener('pointerup', () => element.removeEventListener('pointermove', pick), { once: true });
     pick(event);
+    point(event);
   });
+  element.addEventListener('pointermove', point);
+  for (const end of ['pointerleave', 'pointercancel'] as const) element.addEventListener(end, () => point(null));
+  for (const change of ['focus', 'blur'] as const) element.addEventListener(change, read);
 
   return {
     element,
     draw(data) {
       x = linearScale(extent(data.times), LEFT, WIDTH - RIGHT);
-      content.replaceChildren(...parts(data, x));
+      const axis = vertical(data);
+      const seen = within(axis.y, data);
+      content.replaceChildren(...parts(data, x, axis, seen));
       element.setAttribute('aria-label', describe(data));
+      drawn = { data, seen };
+      read();
     },
     setCursor(t) {
+      now = t;
       if (!x) return;
       const place = Math.min(Math.max(x(t), LEFT), WIDTH - RIGHT).toFixed(2);
       cursor.setAttribute('x1', place);
       cursor.setAttribute('x2', place);
+      if (pointed === null) read();
     },
   };
 }
 
-function parts(data: LineChartData, x: Scale): SVGElement[] {
-  const { y, levels } = vertical(data);
+/** The place of a value; NaN where it has left the picture. */
+function within(y: Scale, { floor }: LineChartData): (value?: number) => number {
+  return (value = NaN) => (value > y.domain[1] || (value < y.domain[0] && !floor) ? NaN : y(value));
+}
+
+function parts(data: LineChartData, x: Scale, { y, levels }: Axis, seen: (value?: number) => number): SVGElement[] {
   const [start, end] = data.range;
-  const seen = (value = NaN): number => (value > y.domain[1] || (value < y.domain[0] && !data.floor) ? NaN : y(value));
   const shade = (from: number, to: number): SVGElement =>
     make('rect', {
       class: 'beyond',
@@ -128,7 +159,12 @@ function parts(data: LineChartData, x: Scale): SVGElement[] {
 }
 
 /** The vertical axis, and what is written beside it. */
-function vertical(data: LineChartData): { y: Scale; levels: { value: number; label: string }[] } {
+interface Axis {
+  y: Scale;
+  levels: { value: number; label: string }[];
+}
+
+function vertical(data: LineChartData): Axis {
   const { floor, leastSpan = 0 } = data;
   const span = followed(data);
   if (floor) {
@@ -169,37 +205,4 @@ function describe({ title, unit, series, times }: LineChartData): string {
     return `${label} from ${tickLabel(low)} to ${tickLabel(high)}`;
   });
   return `${title} (${unit}) at ${times.length} times: ${spans.join('; ')}`;
-}
-
-export function make<Tag extends keyof SVGElementTagNameMap>(
-  tag: Tag,
-  attributes: Record<string, string | number>,
-): SVGElementTagNameMap[Tag] {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    element.setAttribute(name, typeof value === 'number' ? String(Number(value.toFixed(2))) : value);
-  }
-  return element;
-}
-
-/** Its name is seen under the mouse, and beside a piece of it in a file. */
-export function namedCurve(
-  name: string,
-  style: string,
-  points: readonly (readonly [number, number])[],
-): SVGPathElement {
-  return named(name, make('path', { class: `curve ${style}`, d: path(points) }));
-}
-
-export function named<E extends SVGElement>(name: string, element: E): E {
-  const title = make('title', {});
-  title.textContent = name;
-  element.append(title);
-  return element;
-}
-
-export function text(style: string, x: number, y: number, content: string): SVGTextElement {
-  const element = make('text', { class: style, x, y });
-  element.textContent = content;
-  return element;
 }

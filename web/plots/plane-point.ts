@@ -1,5 +1,5 @@
 /** What is dragged in the shape plane: the point of the shape that is shown, and paths that are drawn. */
-import { make } from './line-chart.ts';
+import { make } from './svg-parts.ts';
 
 type Vector = readonly [number, number];
 

@@ -1,7 +1,7 @@
 /** The motion as a curve in the plane of the two leading principal components of the keys (the paper's Fig. 2b, 3). */
 import { ENDS, createEndHandle } from './end-handle.ts';
 import type { End, EndHandleEvents } from './end-handle.ts';
-import { make, namedCurve, text } from './line-chart.ts';
+import { make, namedCurve, text } from './svg-parts.ts';
 import { createPlanePoint } from './plane-point.ts';
 import type { PlanePointEvents } from './plane-point.ts';
 import { extent, path } from './scale.ts';

@@ -1,6 +1,7 @@
 /** The Analysis panel: shape plane and measures of the shown motions over time, computed when idle. */
 import type { End } from '../../model/speeds.ts';
-import { createLineChart, make } from '../../plots/line-chart.ts';
+import { createLineChart } from '../../plots/line-chart.ts';
+import { make } from '../../plots/svg-parts.ts';
 import type { LineChart } from '../../plots/line-chart.ts';
 import { logFloor, tickLabel } from '../../plots/scale.ts';
 import type { Colouring, Plot } from '../../model/state.ts';

@@ -1,7 +1,7 @@
 /** The keys with the curves through them: over time, or in two dimensions in their plane. */
 import { createEndHandle } from '../../plots/end-handle.ts';
 import type { End, EndHandle } from '../../plots/end-handle.ts';
-import { make, namedCurve, text } from '../../plots/line-chart.ts';
+import { make, namedCurve, text } from '../../plots/svg-parts.ts';
 import { extent, padded, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Derived } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';

@@ -1,5 +1,5 @@
 /** The keys as handles: dragged, or moved with the arrow keys. */
-import { make, text } from '../../plots/line-chart.ts';
+import { make, text } from '../../plots/svg-parts.ts';
 import type { PlayState } from '../state.ts';
 import type { Axes } from './plot.ts';
 import { LEFT, RIGHT } from './plot.ts';

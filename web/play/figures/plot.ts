@@ -1,5 +1,5 @@
 /** A picture as wide as its column, drawn anew when that changes, with axes over the keys. */
-import { make, text } from '../../plots/line-chart.ts';
+import { make, text } from '../../plots/svg-parts.ts';
 import { linearScale, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Scale } from '../../plots/scale.ts';
 import { uniqueId } from '../../ui/dom.ts';

@@ -1,5 +1,5 @@
 /** The first or second derivative of every curve that is shown: what goes on at a key, and what jumps there. */
-import { make } from '../../plots/line-chart.ts';
+import { make } from '../../plots/svg-parts.ts';
 import { extent, padded } from '../../plots/scale.ts';
 import type { Scale } from '../../plots/scale.ts';
 import type { Derived } from '../derived.ts';

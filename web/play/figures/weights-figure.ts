@@ -1,5 +1,5 @@
 /** The weights of the keys over time: the curve at t is the sum of w_k(t) times key k. */
-import { make, text } from '../../plots/line-chart.ts';
+import { make, text } from '../../plots/svg-parts.ts';
 import { extent, padded } from '../../plots/scale.ts';
 import type { Scale } from '../../plots/scale.ts';
 import type { Derived } from '../derived.ts';
