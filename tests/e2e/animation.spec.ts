@@ -222,6 +222,15 @@ test('as few keys as an error allows are found, and the animation stands beside 
   test.slow();
   await app.open();
   await dropped(app, upload('CesiumMan.glb', bytesOf(file!)));
+  // Escape in the sheet ends the work that it tells of, and nothing else.
+  const untouched = await keyTimes(app);
+  await app.by('sample-tolerance').fill('0.1');
+  await app.by('sample-tolerance').press('Enter');
+  await expect(app.by('opening').getByTestId('progress')).toBeVisible();
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('progress')).toBeHidden();
+  await expect(app.by('opening')).toBeVisible();
+  expect(await keyTimes(app)).toEqual(untouched);
   const counts: number[] = [];
   for (const percent of [4, 2]) {
     await app.by('sample-tolerance').fill(String(percent));
@@ -314,6 +323,31 @@ for (const { what, file } of animated) {
     await app.settled();
     expect((await app.by('viewport').boundingBox())!.height).toBeGreaterThanOrEqual(370);
     expect((await sheet.boundingBox())!.y).toBeGreaterThanOrEqual(370);
+    // Held sideways, all that it asks is seen at once, and the buttons hide next to nothing.
+    for (const [width, height] of [
+      [844, 390],
+      [667, 375],
+    ] as const) {
+      await app.page.setViewportSize({ width, height });
+      await expect.poll(async () => (await app.by('viewport').boundingBox())!.height).toBeGreaterThan(300);
+      await app.settled();
+      expect(await sheet.evaluate((element) => element.scrollHeight - element.clientHeight)).toBeLessThanOrEqual(1);
+      const asked = (await sheet.boundingBox())!;
+      expect(asked.y + asked.height).toBeLessThanOrEqual(height);
+      const buttons = (await app.page.locator('.view-buttons').boundingBox())!;
+      const under = await app.page.evaluate(({ x, y, width: wide, height: high }) => {
+        const canvas = document.querySelector('[data-testid="viewport"]')!.getBoundingClientRect();
+        const places = window.__shapespline!.project(window.__shapespline!.positions());
+        let count = 0;
+        for (let i = 0; i < places.length; i += 2) {
+          const [left, top] = [places[i]! + canvas.x - x, places[i + 1]! + canvas.y - y];
+          if (left >= 0 && left <= wide && top >= 0 && top <= high) count += 1;
+        }
+        return count / (places.length / 2);
+      }, buttons);
+      expect(under).toBeLessThan(0.02);
+    }
+    await app.page.setViewportSize({ width: 360, height: 740 });
     await app.by('sample-count').focus();
     await app.page.keyboard.press('Escape');
     await expect(sheet).toBeHidden();

@@ -29,8 +29,17 @@ const ENDS = [
 test('handles stand at the first and last key with Hermite alone', async ({ app }) => {
   await app.open();
   await expect(app.by('speed-lane')).toBeHidden();
+  const places = () =>
+    app.page.evaluate(() => window.__shapespline!.project(window.__shapespline!.positions()).slice(0, 200));
+  const picture = () => app.by('viewport').locator('canvas').boundingBox();
+  const buttons = async () => (await app.by('fit').boundingBox())!;
+  const [shape, canvas, button] = [await places(), await picture(), await buttons()];
   await app.by('boundary-hermite').check();
-  await app.nextFrame();
+  await app.settled();
+  // The lane takes its room from the foot of the picture: the shape stays where it is, and no button lies under it.
+  expect([await places(), await picture()]).toEqual([shape, canvas]);
+  const lane = (await app.by('speed-lane').boundingBox())!;
+  expect((await buttons()).y).toBeCloseTo(button.y - lane.height, 0);
   const track = (await app.by('timeline').locator('.track').boundingBox())!;
   for (const { end, inward } of ENDS) {
     const key = track.x + (track.width * (end === 'start' ? 0.4 : 1.4)) / 1.8;

@@ -21,4 +21,5 @@ it('leaves names alone that begin with different words, or that would end up emp
 it('names a key by its number, and by its name where it has one', () => {
   expect(keyLabel(0, 'Straight')).toBe('Key 1, Straight');
   expect(keyLabel(1, '')).toBe('Key 2');
+  expect([keyLabel(1, '2'), keyLabel(1, '1')]).toEqual(['Key 2', 'Key 2, 1']);
 });

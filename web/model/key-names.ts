@@ -1,8 +1,8 @@
 /** What keys are called: by their number, and by a name where they have one. */
 
-/** A key in words. */
+/** A key in words; a name that is its number says nothing more. */
 export function keyLabel(index: number, name: string): string {
-  return name === '' ? `Key ${index + 1}` : `Key ${index + 1}, ${name}`;
+  return name === '' || name === String(index + 1) ? `Key ${index + 1}` : `Key ${index + 1}, ${name}`;
 }
 
 /** Words that begin a sentence, within one. */

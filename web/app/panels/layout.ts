@@ -176,13 +176,13 @@ function createSide(panels: HTMLElement[]): HTMLElement {
       name,
     ),
   );
-  const row = h('nav', { class: 'side-nav', 'aria-label': 'Options' }, ...buttons);
+  const row = h('nav', { class: 'side-nav', 'aria-label': 'Parts of the options' }, ...buttons);
   const side = h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, row, ...panels);
   const mark = (): void => {
     const atEnd = side.scrollTop > 0 && side.scrollTop + side.clientHeight >= side.scrollHeight - 1;
     const passed = panels.filter((panel) => panel.offsetTop <= side.scrollTop + row.offsetHeight + NEAR_PX).length;
     const current = atEnd ? panels.length - 1 : Math.max(passed - 1, 0);
-    buttons.forEach((button, index) => setAttribute(button, 'aria-current', index === current ? 'true' : null));
+    buttons.forEach((button, index) => setAttribute(button, 'aria-current', index === current ? 'location' : null));
   };
   side.addEventListener('scroll', mark, { passive: true });
   new ResizeObserver(mark).observe(side);
