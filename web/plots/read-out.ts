@@ -1,4 +1,4 @@
-/** What every curve of a chart says at one of its times: a line there, a dot on each curve, and the numbers in words. */
+/** What every curve of a chart says at one of its times: a line there, a dot on each curve, the numbers in words. */
 import { make, text } from './svg-parts.ts';
 import type { LineChartData } from './line-chart.ts';
 import { tickLabel } from './scale.ts';
