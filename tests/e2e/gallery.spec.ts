@@ -1,6 +1,6 @@
 /** The samples: cards that move, reached by pointer and keyboard, and every one of them opens and moves. */
-import { createHash } from 'node:crypto';
 import { AxeBuilder } from '@axe-core/playwright';
+import { MOMENTS, PICTURE } from '../../web/ui/gallery.ts';
 import { changedShare } from './png.ts';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
@@ -86,31 +86,34 @@ test('is reached by keyboard, says what is open, and closes', async ({ app }) =>
   await app.expectNoProblems();
 });
 
-/** What a card shows, as a number of its pixels. */
-async function shown(app: App, id: string): Promise<string> {
-  const url = await app
-    .by(`sample-card-${id}`)
-    .locator('canvas')
-    .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
-  return createHash('sha1').update(url).digest('hex');
-}
-
 test.describe('where motion is welcome', () => {
   test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
 
-  test('the cards move, and the canvas keeps what it shows meanwhile', async ({ app }) => {
-    test.slow();
+  test('the cards move, from files that are fetched when they are seen', async ({ app }) => {
     await app.open();
     await app.by('play').click();
+    const pictures = (): string[] => app.requests.filter((url) => url.includes('/gallery/'));
+    expect(pictures()).toEqual([]);
     await app.by('sample').click();
-    const card = app.by('sample-card-hand');
-    await expect(card).toHaveAttribute('data-picture', /./, { timeout: 90_000 });
-    const first = await shown(app, 'hand');
-    await expect.poll(() => shown(app, 'hand')).not.toBe(first);
+    const card = app.by('sample-card-hand').locator('.sample-picture');
+    await expect
+      .poll(() => card.locator('img').evaluate((one: HTMLImageElement) => [one.naturalWidth, one.naturalHeight]))
+      .toEqual([MOMENTS * PICTURE.width, PICTURE.height]);
+    const first = await card.screenshot();
+    await expect.poll(async () => changedShare(first, await card.screenshot())).toBeGreaterThan(0.02);
+    expect(new Set(pictures()).size).toBe((await idsOf(app)).length);
     expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
     await app.page.keyboard.press('Escape');
     await app.expectNoProblems();
   });
+});
+
+test('the cards stand still where less motion is asked for', async ({ app }) => {
+  await app.open();
+  await app.by('sample').click();
+  const picture = app.by('sample-card-hand').locator('img');
+  await expect.poll(() => picture.evaluate((one: HTMLImageElement) => one.naturalWidth)).toBeGreaterThan(0);
+  expect(await picture.evaluate((one) => one.getAnimations().length)).toBe(0);
 });
 
 for (const width of [360, 820]) {

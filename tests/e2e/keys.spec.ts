@@ -87,6 +87,9 @@ test('the editor goes to its key and stays with it when another time gives it an
   const { keys } = (await app.state()).doc;
   expect(keys[0]).toMatchObject({ pose: second!.pose, time: -1 });
   expect(keys[2]).toMatchObject({ pose: third!.pose, time: third!.time });
+  // The picture goes with it.
+  expect((await app.state()).time).toBe(-1);
+  await expect(app.by('phase')).toContainText('At key 1');
   // It lies over no words on a smaller screen, either.
   await app.page.setViewportSize({ width: 1024, height: 768 });
   const [words, editor] = [(await app.by('phase').boundingBox())!, (await app.by('key-editor').boundingBox())!];

@@ -80,7 +80,13 @@ test('a pose that is dropped between two keys becomes a key between them', async
   const file = info.outputPath('between.obj');
   writeFileSync(file, QUAD(0.9));
   const [first, second] = [(await app.by('key-0').boundingBox())!, (await app.by('key-1').boundingBox())!];
-  await app.drop([file], { x: (first.x + first.width + second.x) / 2, y: first.y + first.height / 2 });
+  const between = { x: (first.x + first.width + second.x) / 2, y: first.y + first.height / 2 };
+  // Before it is let go, a mark stands where it would lie, and the keys are seen.
+  await app.dragOver([file], between);
+  await expect(app.by('drop-zone')).toHaveText(/becomes key 2$/);
+  await expect(app.by('key-1')).toHaveAttribute('data-drop', 'before');
+  await app.drop([file], between);
+  await expect(app.by('key-1')).not.toHaveAttribute('data-drop');
   await expect
     .poll(() => keys(app))
     .toEqual([

@@ -93,10 +93,22 @@ export class App {
 
   /** The browser's own drag and drop, which alone can hold folders. */
   async drop(files: string[], at = { x: 400, y: 300 }): Promise<void> {
+    await this.drag(['dragEnter', 'dragOver', 'drop'], files, at);
+  }
+
+  /** Files that are held over a place. */
+  async dragOver(files: string[], at: { x: number; y: number }): Promise<void> {
+    await this.drag(['dragEnter', 'dragOver'], files, at);
+  }
+
+  private async drag(
+    types: ('dragEnter' | 'dragOver' | 'drop')[],
+    files: string[],
+    at: { x: number; y: number },
+  ): Promise<void> {
     const session = await this.page.context().newCDPSession(this.page);
     const data = { items: [], files, dragOperationsMask: 1 };
-    for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
-      await session.send('Input.dispatchDragEvent', { type, ...at, data });
+    for (const type of types) await session.send('Input.dispatchDragEvent', { type, ...at, data });
     await session.detach();
   }
 

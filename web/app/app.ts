@@ -14,7 +14,6 @@ import { createDisplay } from './display.ts';
 import type { Display } from './display.ts';
 import { originalOf } from './drawing/original.ts';
 import { withPlaces } from './drawing/warning-places.ts';
-import type { SamplePreviews } from './drawing/sample-previews.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
 import { createGuideDoor } from './guide/guide-door.ts';
@@ -30,7 +29,6 @@ import { listenToLeaving, listenToNetwork, listenToPointer, reducedMotion } from
 import { createSession } from './session/session.ts';
 import type { Session, StartedEngine } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
-import { fetchSample } from './sources/samples.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { openFirst } from './sources/open-first.ts';
 import { guideLink } from './sources/page-link.ts';
@@ -126,22 +124,6 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     pin: (fragment) => ways.link.pin(fragment),
   });
   const facts = (): Facts | null => factsOf(viewState.get(), store.get(), scene.labels);
-  let previews: SamplePreviews | null = null;
-  const showPreviews = async (open: boolean): Promise<void> => {
-    const { createSamplePreviews } = await import('./drawing/sample-previews.ts');
-    previews ??= createSamplePreviews({
-      engine: session.engine,
-      viewer: scene.viewer,
-      samples: () => viewState.get().samples,
-      fetch: fetchSample,
-      isDark: () => theme.isDark(),
-      has: (id) => viewState.get().previews.has(id),
-      onDrawing: (drawsSamples) => viewState.change({ drawsSamples }),
-      onPictures: (id, pictures) => viewState.change({ previews: new Map(viewState.get().previews).set(id, pictures) }),
-    });
-    if (open) previews.start();
-    else previews.stop();
-  };
   const applyLook = (): void => {
     scene.setLook(store.get().view, theme.isDark());
     display.timePictures.forget();
@@ -179,7 +161,6 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     waits,
     onAnalysisError,
     onBlend: showBlend,
-    onGallery: (open) => void showPreviews(open).catch(feedback.onError),
     onPeek: display.timePictures.want,
     onLink: () => void ways.link.copy(),
     link: ways.link.address,

@@ -60,7 +60,7 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     screen: {
       show,
       drawn: () => scene.viewer.drawn(),
-      yields: () => viewState.get().working !== null || viewState.get().drawsSamples,
+      yields: () => viewState.get().working !== null,
       onError: (error) => {
         if (!restart.takesUp(error)) onError(error);
       },

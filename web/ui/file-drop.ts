@@ -1,7 +1,7 @@
 /** Files from a drop anywhere on the page or from the system's picker, folders included, in natural order of name. */
 import { ACCEPTED, droppedFiles } from './dropped-files.ts';
 import type { PickedFile } from './dropped-files.ts';
-import { h } from './dom.ts';
+import { h, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
 
 const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
@@ -16,10 +16,18 @@ export interface DropPoint {
   y: number;
 }
 
-/** Covers the page while files are dragged over it. Folders take a while to be looked through, which may fail. */
-export function createDropZone(onFiles: (files: Promise<PickedFile[]>, at: DropPoint) => void): {
+/**
+ * Covers the page while files are dragged over it, but for places that take them in a way of their own: `onOver` shows
+ * and says what becomes of them there, null where they are taken as anywhere. Folders take a while to be looked
+ * through, which may fail.
+ */
+export function createDropZone(
+  onFiles: (files: Promise<PickedFile[]>, at: DropPoint) => void,
+  onOver: (at: DropPoint | null) => string | null,
+): {
   element: HTMLElement;
 } {
+  const here = h('p', { class: 'drop-here' });
   const element = h(
     'div',
     { class: 'drop-zone', 'data-testid': 'drop-zone', hidden: true },
@@ -34,12 +42,14 @@ export function createDropZone(onFiles: (files: Promise<PickedFile[]>, at: DropP
       ),
       h('p', { class: 'drop-hint' }, 'A single pose of the open mesh becomes a key; on the keys, in its place'),
     ),
+    here,
   );
   let depth = 0;
   const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   const leave = (): void => {
     depth = 0;
     element.hidden = true;
+    onOver(null);
   };
 
   window.addEventListener('dragenter', (event) => {
@@ -53,7 +63,11 @@ export function createDropZone(onFiles: (files: Promise<PickedFile[]>, at: DropP
     if (depth <= 0) leave();
   });
   window.addEventListener('dragover', (event) => {
-    if (holdsFiles(event)) event.preventDefault();
+    if (!holdsFiles(event)) return;
+    event.preventDefault();
+    const words = onOver({ x: event.clientX, y: event.clientY });
+    setText(here, words ?? '');
+    setAttribute(element, 'data-here', words !== null);
   });
   window.addEventListener('drop', (event) => {
     if (!holdsFiles(event) || !event.dataTransfer) return;

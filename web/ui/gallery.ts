@@ -7,6 +7,7 @@ export interface SampleItem {
   id: string;
   title: string;
   description: string;
+  boundary: string;
 }
 
 /** Files of the user. */
@@ -24,20 +25,16 @@ export interface GalleryProps {
   sample: string | null;
   /** Of the user's files that are open, else null. */
   project: string | null;
-  /** Pictures of each in motion, as far as they are made. */
-  previews: ReadonlyMap<string, readonly HTMLCanvasElement[]>;
-  /** Whether they may move. */
-  moving: boolean;
 }
 
 export interface GalleryEvents {
   onSample(id: string): void;
   onOwn(id: string): void;
-  /** The cards are seen or no longer seen. */
-  onGallery(open: boolean): void;
 }
 
-const PICTURE_MS = 110;
+/** Of each moment of a sample, in pixels of the file, which has them beside each other. */
+export const PICTURE = { width: 304, height: 208 };
+export const MOMENTS = 16;
 
 export function createGallery(events: GalleryEvents): { element: HTMLElement; update(props: GalleryProps): void } {
   const name = h('span', { class: 'gallery-name' });
@@ -70,29 +67,12 @@ export function createGallery(events: GalleryEvents): { element: HTMLElement; up
     cards,
   );
   const element = h('div', { class: 'sample' }, toggle, panel);
-  let props: GalleryProps | null = null;
-  let timer = 0;
-  let step = 0;
-
-  const draw = (): void => {
-    if (props) for (const card of cards.children) drawCard(card, props.previews, step);
-  };
-  const flip = popover(element, toggle, panel, (open) => {
-    window.clearInterval(timer);
-    events.onGallery(open);
-    if (!open) return;
-    draw();
-    timer = window.setInterval(() => {
-      if (!props?.moving) return;
-      step += 1;
-      draw();
-    }, PICTURE_MS);
-  });
+  const flip = popover(element, toggle, panel);
 
   const drawCards = memo(({ samples, sample }: Pick<GalleryProps, 'samples' | 'sample'>) => {
     const had = cards.contains(document.activeElement);
     cards.replaceChildren(
-      ...samples.map(({ id, title, description }) =>
+      ...samples.map(({ id, title, description, boundary }) =>
         h(
           'button',
           {
@@ -107,7 +87,12 @@ export function createGallery(events: GalleryEvents): { element: HTMLElement; up
               events.onSample(id);
             },
           },
-          h('canvas', { width: 1, height: 1, 'aria-hidden': 'true' }),
+          h(
+            'span',
+            { class: 'sample-picture', 'data-loops': boundary === 'periodic', 'aria-hidden': 'true' },
+            // Fetched when the gallery is opened.
+            h('img', { src: `gallery/${id}.webp`, alt: '', loading: 'lazy', draggable: 'false' }),
+          ),
           h('strong', {}, title),
           h('span', { class: 'hint' }, description),
         ),
@@ -142,35 +127,16 @@ export function createGallery(events: GalleryEvents): { element: HTMLElement; up
       ),
     );
   };
-  // What is drawn of a card follows its pictures, also where nothing may move.
-  const drawPictures = memo((_: Pick<GalleryProps, 'previews' | 'samples' | 'sample'>) => {
-    if (!panel.hidden) draw();
-  });
-
   return {
     element,
     update(next) {
-      props = next;
-      const { samples, sample, own, project, previews } = next;
+      const { samples, sample, own, project } = next;
       drawCards({ samples, sample });
       drawOwn(own, project);
-      drawPictures({ previews, samples, sample });
       const open = project === null ? samples.find(({ id }) => id === sample) : own.find(({ id }) => id === project);
       const words = open?.title ?? 'Samples';
       setText(name, words);
       setAttribute(toggle, 'aria-label', `Samples; open now: ${words}`);
     },
   };
-}
-
-function drawCard(card: Element, previews: GalleryProps['previews'], step: number): void {
-  const pictures = previews.get(card.getAttribute('data-id') ?? '');
-  const picture = pictures?.[step % pictures.length];
-  const canvas = card.querySelector('canvas');
-  if (!picture || !canvas) return;
-  if (canvas.width !== picture.width) Object.assign(canvas, { width: picture.width, height: picture.height });
-  const context = canvas.getContext('2d');
-  context?.clearRect(0, 0, canvas.width, canvas.height);
-  context?.drawImage(picture, 0, 0);
-  setAttribute(card, 'data-picture', step % pictures!.length);
 }

@@ -8,10 +8,6 @@ import type { Theme } from './theme.ts';
 
 export interface HeaderProps {
   samples: readonly SampleItem[];
-  /** Pictures of each in motion, as far as they are made. */
-  previews: ReadonlyMap<string, readonly HTMLCanvasElement[]>;
-  /** Whether they may move. */
-  moving: boolean;
   /** Id of the loaded sample, or null where files of the user are loaded. */
   sample: string | null;
   /** Files of the user that can be opened again. */
@@ -100,8 +96,8 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
   );
 
   const draw = memo((props: HeaderProps) => {
-    const { samples, sample, own, project, previews, moving } = props;
-    gallery.update({ samples, sample, own, project, previews, moving });
+    const { samples, sample, own, project } = props;
+    gallery.update({ samples, sample, own, project });
     describe(undo, 'Undo', props.undo, 'Ctrl+Z');
     describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
     exporting.disabled = !props.canExport;

@@ -40,6 +40,8 @@ export interface KeyStrip {
   update(props: KeyStripProps): void;
   /** The key before which something lies that is put down here, the number of keys after the last; null elsewhere. */
   placeAt(point: { x: number; y: number }): number | null;
+  /** Shows before which key something that is dragged would lie; null: nowhere. */
+  showPlace(place: number | null): void;
 }
 
 export function createKeyStrip(events: KeyStripEvents): KeyStrip {
@@ -103,7 +105,12 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
     if (x < left || x >= right || y < top || y >= bottom) return null;
     return cards.filter((card) => middleOf(card.element) < x).length;
   };
-  return { element, update: draw, placeAt };
+  const showPlace = (place: number | null): void =>
+    cards.forEach((card, index) => {
+      const after = place === cards.length && index === place - 1;
+      setAttribute(card.element, 'data-drop', after ? 'after' : index === place ? 'before' : null);
+    });
+  return { element, update: draw, placeAt, showPlace };
 }
 
 function middleOf(element: HTMLElement): number {

@@ -19,12 +19,12 @@ interface Box {
 
 /** Key light from above, fill beside the eye, and a strip behind the shape; no side of it is ever dark. */
 const BOXES: readonly Box[] = [
-  { from: [0.5, 1.2, 0.7], seenFromEye: false, sharpness: 7, colour: 0xfff3e4, light: 3.3, dark: 2.8 },
-  { from: [-1, 0.25, 0.55], seenFromEye: true, sharpness: 5, colour: 0xe4edff, light: 1, dark: 0.75 },
+  { from: [0.5, 1.2, 0.7], seenFromEye: false, sharpness: 7, colour: 0xfff3e4, light: 3.3, dark: 3.3 },
+  { from: [-1, 0.25, 0.55], seenFromEye: true, sharpness: 5, colour: 0xe4edff, light: 1, dark: 0.9 },
   { from: [0.45, 0.75, -0.8], seenFromEye: true, sharpness: 16, colour: 0xffffff, light: 2, dark: 2.4 },
 ];
-const SKY = { colour: 0xf4f7ff, light: 0.76, dark: 0.52 };
-const GROUND = { colour: 0xcfc4b8, light: 0.34, dark: 0.19 };
+const SKY = { colour: 0xf4f7ff, light: 0.76, dark: 0.62 };
+const GROUND = { colour: 0xcfc4b8, light: 0.34, dark: 0.24 };
 /** Of the lobe that a matt surface gathers light with. */
 const MATT = 2.1;
 

@@ -7,7 +7,6 @@ import { CameraRig } from './camera.ts';
 import { Contents } from './contents.ts';
 import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
-import type { Pictures } from './pictures.ts';
 import { Stage } from './stage.ts';
 import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
@@ -440,12 +439,6 @@ export class Viewer {
     return picture;
   }
 
-  /** Small pictures of a shape that is not open; to be disposed of. */
-  async pictures(info: KeysInfo, bounds: Bounds, points: Float32Array): Promise<Pictures> {
-    const { Pictures: Loaded } = await import('./pictures.ts');
-    return Loaded.of(info, { points, radius: radiusOf(bounds) }, this.renderer, this.studio);
-  }
-
   dispose(): void {
     cancelAnimationFrame(this.pending);
     this.resize.disconnect();
@@ -498,6 +491,16 @@ export class Viewer {
     if (this.compiling) return;
     this.contents.ease(performance.now());
     if (this.contents.easing) this.invalidate();
+    // Until the first frame of what was opened, the picture stays what it was: an empty floor would flash.
+    if (this.contents.isShown || !this.hasSeen) this.render();
+    const waiting = this.waiting;
+    this.waiting = [];
+    for (const resolve of waiting) resolve();
+    if (this.pictureSize) return;
+    for (const follow of this.followers) follow();
+  }
+
+  private render(): void {
     const size = this.pictureSize ?? this.size();
     const seen = this.sides(size);
     const tiles = this.started ? this.tiles(size) : [];
@@ -505,16 +508,10 @@ export class Viewer {
     this.stage.object.visible = this.floored;
     tiles.forEach((rect, view) => this.renderOne(rect, seen[view]!, size.height, this.contents.layersOf(view)));
     this.surface.end();
-    if (!this.flooring && tiles.length > 0 && this.contents.isShown) {
-      this.flooring = this.addFloor();
-      this.hasSeen = true;
-      this.onFirstSeen();
-    }
-    const waiting = this.waiting;
-    this.waiting = [];
-    for (const resolve of waiting) resolve();
-    if (this.pictureSize) return;
-    for (const follow of this.followers) follow();
+    if (this.flooring || tiles.length === 0 || !this.contents.isShown) return;
+    this.flooring = this.addFloor();
+    this.hasSeen = true;
+    this.onFirstSeen();
   }
 
   private size(): PixelSize {

@@ -137,6 +137,7 @@ export class SceneController {
     this.ordinary = false;
     this.ghost = null;
     this.beside = null;
+    this.labels = [];
     this.heatMap?.clear();
     const { bounds, points } = extentOf(pool.poses(pool.imported));
     this.width = bounds.max[0] - bounds.min[0];

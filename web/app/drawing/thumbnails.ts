@@ -23,6 +23,7 @@ const MAX_KEYS = 256;
 
 export function createThumbnails({ store, workspace, scene, idle, has, onThumbnail }: ThumbnailParts): Thumbnails {
   let running = false;
+  let wanted = false;
 
   const next = async (): Promise<boolean> => {
     const sequence = workspace.sequences[0]?.sequence;
@@ -43,20 +44,23 @@ export function createThumbnails({ store, workspace, scene, idle, has, onThumbna
   };
 
   const work = async (): Promise<void> => {
-    try {
-      while (await next());
-    } catch {
-      // The sequence was exchanged in the middle; its successor calls again.
+    running = true;
+    // What is opened in the middle of it asks while the pictures of what was open are still being made.
+    while (wanted) {
+      wanted = false;
+      try {
+        while (await next());
+      } catch {
+        // The sequence was exchanged in the middle; its successor calls again.
+      }
     }
+    running = false;
   };
 
   return {
     refresh() {
-      if (running) return;
-      running = true;
-      void work().finally(() => {
-        running = false;
-      });
+      wanted = true;
+      if (!running) void work();
     },
   };
 }

@@ -156,8 +156,12 @@ export function createCommands(parts: CommandParts) {
     moveKey: (from: number, to: number): void => store.edit('order of keys', (doc) => moveKey(doc, from, to)),
     removeKey: (key: number): void => store.edit('remove a key', (doc) => removeKey(doc, key)),
     renameKey: (key: number, name: string): void => store.edit('rename a key', (doc) => renameKey(doc, key, name)),
-    retimeKey: (key: number, time: number): void =>
-      store.edit('time of a key', (doc) => retimeKey(doc, key, time), `time ${key}`),
+    /** Who looks at the key goes with it. */
+    retimeKey(key: number, time: number): void {
+      const { doc, time: now, play: clock } = state();
+      store.edit('time of a key', (before) => retimeKey(before, key, time), `time ${key}`);
+      if (state().doc !== doc && doc.keys[key]?.time === now && !clock.playing) store.set({ time });
+    },
     shaping: (key: number, name: ShapingNumber, value: number): void =>
       store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
     tightness: (tension: number): void =>

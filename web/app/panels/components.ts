@@ -18,6 +18,7 @@ import type { EmbedDialog } from '../../ui/embed-dialog.ts';
 import { createDivider } from '../../ui/divider.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
+import type { DropPoint } from '../../ui/file-drop.ts';
 import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { createHeader } from '../../ui/header.ts';
 import type { Help, ShortcutLine } from '../../ui/help.ts';
@@ -50,7 +51,6 @@ import { h } from '../../ui/dom.ts';
 import { later } from '../../ui/later.ts';
 import type { Later } from '../../ui/later.ts';
 import type { ViewState } from './view-state.ts';
-import { reducedMotion } from './window-events.ts';
 import type { Layout } from './layout.ts';
 
 export interface ComponentsInput {
@@ -74,7 +74,6 @@ export interface ComponentsInput {
   indefiniteFace(): number;
   shortcuts: readonly ShortcutLine[];
   /** The gallery of samples opens or closes. */
-  onGallery(open: boolean): void;
   /** The mouse points at a moment of the timeline, or at none any more. */
   onPeek(t: number | null): void;
   onUndo(): void;
@@ -144,16 +143,26 @@ export function createComponents(input: ComponentsInput): Components {
   let tangentOf: End = 'start';
   const tangentPicker = createPicker('tangent-file-input', (picked) => void files.takeTangent(picked, tangentOf));
   const truthPicker = createPicker('truth-file-input', input.onTruth);
-  const dropZone = createDropZone((dropped, at) => {
-    if (document.elementsFromPoint(at.x, at.y).some((one) => one.closest('[data-takes="truth"]')))
-      return input.onTruth(dropped);
-    const end = motionPanel.endAt(at);
-    void (end ? files.takeTangent(dropped, end) : input.takeFiles.take(dropped, keyStrip.placeAt(at)));
-  });
+  const takesTruth = ({ x, y }: DropPoint): boolean =>
+    document.elementsFromPoint(x, y).some((one) => one.closest('[data-takes="truth"]'));
+  const dropZone = createDropZone(
+    (dropped, at) => {
+      if (takesTruth(at)) return input.onTruth(dropped);
+      const end = motionPanel.endAt(at);
+      void (end ? files.takeTangent(dropped, end) : input.takeFiles.take(dropped, keyStrip.placeAt(at)));
+    },
+    (at) => {
+      const place = at && keyStrip.placeAt(at);
+      keyStrip.showPlace(place);
+      if (place !== null) return `A pose of this mesh becomes key ${place + 1}`;
+      if (at && takesTruth(at)) return 'An animation of this mesh is compared with the motion';
+      const end = at && motionPanel.endAt(at);
+      return end && `The motion ${end === 'start' ? 'leaves towards' : 'arrives from'} a pose of this mesh`;
+    },
+  );
   const header = createHeader({
     onSample: (id) => void files.sample(id),
     onOwn: input.onOwn,
-    onGallery: input.onGallery,
     onOpen: picker.open,
     onUndo: input.onUndo,
     onRedo: input.onRedo,
@@ -361,8 +370,6 @@ export function createComponents(input: ComponentsInput): Components {
     const shownPhase = viewState.blend ? OFF_CURVE : phase;
     header.update({
       samples: viewState.samples,
-      previews: viewState.previews,
-      moving: !reducedMotion(),
       sample: source.kind === 'sample' ? source.id : null,
       theme,
       undo,
@@ -485,7 +492,9 @@ export function createComponents(input: ComponentsInput): Components {
     errorMessage.update(viewState.errorMessage);
     const covered =
       heat !== null || (labels.length > 0 && !split) || viewState.errorMessage !== null || viewState.working !== null;
-    welcome.update(viewState.welcome, covered, split);
+    // The divider is on its way: what it says of it is not said after something else.
+    const divided = state.view.split !== null && state.view.compare.length === 1;
+    welcome.update(viewState.welcome, covered, divided);
     const { videoFormats } = viewState;
     exporting.update({
       ...viewState.exporting,

@@ -44,7 +44,6 @@ export interface PageParts {
   theme: ThemeSwitch;
   /** Nothing is shown anew now; asked for again afterwards. */
   waits(): boolean;
-  onGallery(open: boolean): void;
   onPeek(t: number | null): void;
   onLink(): void;
   /** The link to what is on the screen; null where there is none. */
@@ -168,7 +167,6 @@ export function createPage(parts: PageParts): Page {
     poseName: (pose) => workspace.pool?.keys.info.names[pose] ?? '',
     indefiniteFace: () => viewState.get().indefiniteFace,
     shortcuts: shortcutLines(shortcuts),
-    onGallery: parts.onGallery,
     onPeek: parts.onPeek,
     onUndo: undo.undo,
     onRedo: undo.redo,

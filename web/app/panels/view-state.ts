@@ -22,10 +22,6 @@ export interface Blend {
 
 export interface ViewState {
   samples: readonly Sample[];
-  /** Pictures of samples in motion, by id, as far as they are made. */
-  previews: ReadonlyMap<string, readonly HTMLCanvasElement[]>;
-  /** Samples without a picture yet are waited for. */
-  drawsSamples: boolean;
   info: KeysInfo | null;
   /** How the open files were read where they do not say it themselves, else null. */
   orientation: Orientation | null;
@@ -143,7 +139,6 @@ export function createViewState(onChange: () => void): ViewStateHolder {
 
 const EMPTY_VIEW_STATE: ViewState = {
   samples: [],
-  previews: new Map(),
   info: null,
   orientation: null,
   objects: [],
@@ -166,7 +161,6 @@ const EMPTY_VIEW_STATE: ViewState = {
   offline: false,
   remembered: false,
   shelf: [],
-  drawsSamples: false,
   singleKeys: true,
   placing: false,
   fewest: null,
