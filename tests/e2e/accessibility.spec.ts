@@ -1,5 +1,6 @@
 /** For everyone and everywhere: keyboard alone, 360 px, accessibility, nothing fetched from elsewhere, offline. */
 import { expectAccessible } from './axe.ts';
+import { matching } from './png.ts';
 import { difference, expect, test } from './support.ts';
 
 test('axe finds nothing serious on a wide page, with everything open', async ({ app }) => {
@@ -203,6 +204,12 @@ test('contrast themes keep the timeline, the choices and what is chosen', async 
   const canvas = await background('.deck');
   expect(await background('.key-range')).not.toBe(canvas);
   expect(await background('.diamond')).not.toBe(canvas);
+  // As it is seen: between the keys, beyond them, and the keys.
+  const drawn = await app.by('timeline').screenshot();
+  const share = (of: (rgb: readonly [number, number, number]) => boolean): number => matching(drawn, of).share;
+  expect(share(([r, g, b]) => g > r + 60 && g > b + 20)).toBeGreaterThan(0.05);
+  expect(share(([r, g, b]) => r > b + 90 && g > b + 60)).toBeGreaterThan(0.02);
+  expect(share(([r, g, b]) => b > r + 100 && b > g + 20)).toBeGreaterThan(0.002);
   const segment = (state: string): Promise<string> => background(`[data-testid="boundary"] input${state} + span`);
   expect(await segment(':checked')).not.toBe(await segment(':not(:checked)'));
   await expect(app.page.locator('.segments').first()).toHaveCSS('border-top-width', '1px');

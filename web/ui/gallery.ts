@@ -91,7 +91,7 @@ export function createGallery(events: GalleryEvents): { element: HTMLElement; up
             'span',
             { class: 'sample-picture', 'data-loops': boundary === 'periodic', 'aria-hidden': 'true' },
             // Fetched when the gallery is opened.
-            h('img', { src: `gallery/${id}.webp`, alt: '', loading: 'lazy', draggable: 'false' }),
+            h('img', { loading: 'lazy', src: `gallery/${id}.webp`, alt: '', draggable: 'false' }),
           ),
           h('strong', {}, title),
           h('span', { class: 'hint' }, description),
