@@ -96,13 +96,13 @@ export class App {
     await this.drag(['dragEnter', 'dragOver', 'drop'], files, at);
   }
 
-  /** Files that are held over a place. */
+  /** Files that are held over a place; what has come to lie there meanwhile hears of it with the second move. */
   async dragOver(files: string[], at: { x: number; y: number }): Promise<void> {
-    await this.drag(['dragEnter', 'dragOver'], files, at);
+    await this.drag(['dragEnter', 'dragOver', 'dragOver'], files, at);
   }
 
   private async drag(
-    types: ('dragEnter' | 'dragOver' | 'drop')[],
+    types: readonly ('dragEnter' | 'dragOver' | 'drop')[],
     files: string[],
     at: { x: number; y: number },
   ): Promise<void> {
