@@ -138,8 +138,7 @@ class Partition {
     middle /= area;
     const double inverseRadiusSquared = count * std::numbers::pi / area;
 
-    const int candidateCount =
-        std::min<int>(static_cast<int>(members.size()), std::max(count * perSeed, 512));
+    const int candidateCount = std::min<int>(static_cast<int>(members.size()), std::max(count * perSeed, 512));
     std::vector<int> candidates(candidateCount);
     for (int i = 0; i < candidateCount; ++i)
       candidates[i] =
@@ -193,7 +192,7 @@ class Partition {
     }
   }
 
-  // The patch of each face that is joined to its seed by faces whose neighbours are all of the same patch; -1 of others.
+  // The patch of each face that is joined to its seed by faces whose neighbours are all in the same patch; else -1.
   std::vector<int> within(const std::vector<Centre>& centres) const {
     const std::vector<int>& patch = patches_.ofFace;
     std::vector<int> result(faceCount_, -1), queue;

@@ -39,8 +39,8 @@ void PatchGraph::orient(const PatchTree& tree) {
 }
 
 // Dijkstra's algorithm along paths, Prim's otherwise: they differ in what a patch is reached at.
-PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool alongPaths,
-                           std::vector<double>& distance, const Bound& bound) const {
+PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance,
+                           const Bound& bound) const {
   const int count = patchCount();
   PatchTree tree{{}, std::vector<int>(count, -1), std::vector<int>(count, -1)};
   distance.assign(count, std::numeric_limits<double>::infinity());

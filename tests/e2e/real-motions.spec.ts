@@ -1,0 +1,64 @@
+/** Files that nobody here made move by themselves once they are open, and raise no false alarm. */
+import type { App } from './support.ts';
+import { expect, realFile, test } from './support.ts';
+
+test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
+
+async function opened(app: App, names: readonly string[]): Promise<void> {
+  const files = names.map(realFile);
+  test.skip(files.includes(null), 'the real files are not here');
+  await app.open();
+  await app.by('play').click();
+  await app.by('file-input').setInputFiles(files as string[]);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+}
+
+/** Plays, and comes past its middle by itself. */
+async function expectPlaying(app: App): Promise<void> {
+  const { play, doc, time } = await app.state();
+  expect(play.playing).toBe(true);
+  expect(['loop', 'bounce']).toContain(play.loop);
+  const { keys } = doc;
+  expect(time).toBeLessThan(keys.at(-1)!.time);
+  await expect.poll(async () => (await app.state()).time).not.toBe(time);
+}
+
+/** At moments between all keys nothing is said of faces that fold. */
+async function expectNoFolds(app: App): Promise<void> {
+  const { keys } = (await app.state()).doc;
+  for (let k = 1; k < keys.length; k += 1) {
+    await app.setTime((keys[k - 1]!.time + keys[k]!.time) / 2);
+    await expect(app.by('lost'), `between keys ${k} and ${k + 1}`).toBeHidden();
+  }
+}
+
+test('a wolf that runs plays at once, and nothing is said against it', async ({ app }) => {
+  await opened(
+    app,
+    [1, 4, 8, 12].map((number) => `obj/wolf/wolf-${number}.obj`),
+  );
+  await expectPlaying(app);
+  await expectNoFolds(app);
+  await expect(app.by('warning-count')).toBeHidden();
+  await app.expectNoProblems();
+});
+
+test('a horse of morph targets plays at once, and nothing is said of folds', async ({ app }) => {
+  await opened(app, ['morph/Horse.glb']);
+  await expectPlaying(app);
+  await expectNoFolds(app);
+  await app.expectNoProblems();
+});
+
+test('three poses of a lion whose parts turn far: each warning names its keys and its place', async ({ app }) => {
+  await opened(
+    app,
+    [1, 4, 7].map((number) => `turns/lion/${number}.obj`),
+  );
+  await app.by('warning-count').click();
+  const turns = app.by('warnings').getByText(/turn/);
+  await expect(turns.first()).toBeVisible();
+  const texts = await turns.allInnerTexts();
+  expect(texts.some((text) => /keys? \d.*\d/i.test(text))).toBe(true);
+  await app.expectNoProblems();
+});
