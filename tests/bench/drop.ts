@@ -3,18 +3,14 @@
  * there: when it was read, when its motion is made, when its shape is drawn; and for how long the page does not answer
  * meanwhile.
  */
-import { existsSync } from 'node:fs';
-import path from 'node:path';
-import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { serve } from '../../wasm/toolchain/serve.mjs';
 import type {} from '../../web/app/test-hook.ts';
+import { dist, isPageBuilt, startBrowser } from './built-page.ts';
 import { quantile } from './quantile.ts';
-import { startBrowser } from './start.ts';
 
 const RUNS = 5;
 const COLUMNS = ['read', 'made', 'drawn', 'longest task'] as const;
-const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 
 /** Milliseconds after the file was given. */
 type Times = Record<(typeof COLUMNS)[number], number>;
@@ -55,11 +51,7 @@ async function drop(page: Page, url: string, file: string): Promise<Times> {
 
 /** `meshOf`: the path of a generated mesh. */
 export async function benchDrop(faces: readonly number[], meshOf: (faces: number) => string): Promise<void> {
-  if (!existsSync(path.join(dist, 'index.html'))) {
-    console.error('The page is not built yet: npm run build.');
-    process.exitCode = 1;
-    return;
-  }
+  if (!isPageBuilt()) return;
   const { url, server } = await serve(dist, { port: 4275 });
   const browser = await startBrowser();
   console.log(`Milliseconds after a file was given to the page, medians of ${RUNS}; "longest task": of the page.`);

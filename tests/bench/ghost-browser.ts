@@ -4,7 +4,6 @@
  * the tab at its worst.
  */
 import { execFileSync, spawn } from 'node:child_process';
-import { existsSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { createServer, type AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
@@ -12,22 +11,17 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium, type Page } from '@playwright/test';
 import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
-import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import type {} from '../../web/app/test-hook.ts';
+import { browserOptions, dist, isPageBuilt } from './built-page.ts';
 import { residentOf } from './process-memory.ts';
 
 const DEFAULT_SIZES = [{ faces: 330_000 }, { faces: 1_300_000 }];
 const MOVES = 40;
 const WAIT_MS = 600_000;
-const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_samples.js', import.meta.url));
 
 export async function benchGhostInBrowser({ sizes }: Wanted): Promise<void> {
-  if (!existsSync(path.join(dist, 'index.html'))) {
-    console.error('The page is not built yet: npm run build.');
-    process.exitCode = 1;
-    return;
-  }
+  if (!isPageBuilt()) return;
   const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-bench-'));
   const port = await freePort();
   const server = spawn(
@@ -36,17 +30,12 @@ export async function benchGhostInBrowser({ sizes }: Wanted): Promise<void> {
     { stdio: ['ignore', 'pipe', 'inherit'] },
   );
   await new Promise((listening) => server.stdout.once('data', listening));
-  const args = [
-    '--use-angle=swiftshader',
-    '--enable-unsafe-swiftshader',
-    ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
-  ];
   try {
     for (const { faces } of sizes ?? DEFAULT_SIZES) {
       execFileSync(process.execPath, [generator, '--bench', String(faces), folder], {
         stdio: ['ignore', 'ignore', 'inherit'],
       });
-      const browser = await chromium.launchServer({ executablePath: findBrowser(chromium) ?? undefined, args });
+      const browser = await chromium.launchServer(browserOptions());
       try {
         const page = await (await chromium.connect(browser.wsEndpoint())).newPage();
         console.log(

@@ -4,33 +4,18 @@
  * in a browser that runs, and in one that has just been started. The processor time of its processes tells the work
  * where other programs disturb.
  */
-import { existsSync } from 'node:fs';
-import path from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { chromium, type Browser } from '@playwright/test';
+import type { Browser } from '@playwright/test';
 import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
-import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 import { serve } from '../../wasm/toolchain/serve.mjs';
+import { dist, isPageBuilt, startBrowser } from './built-page.ts';
 import { quantile } from './quantile.ts';
 
 const RUNS = 7;
 const MARKS = ['scripts', 'read', 'made', 'seen', 'finished'] as const;
 /** A browser that runs has opened its window before; that takes it as long. */
 const WINDOW_MS = 1200;
-const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 
 type Times = Record<(typeof MARKS)[number] | 'cpu', number>;
-
-/** Chromium that draws in software. */
-export const startBrowser = (): Promise<Browser> =>
-  chromium.launch({
-    executablePath: findBrowser(chromium) ?? undefined,
-    args: [
-      '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader',
-      ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
-    ],
-  });
 
 /** Runs in the page: the mark of the first picture says that it was asked for; this one, that it is there. */
 function markFinished(): void {
@@ -95,11 +80,7 @@ function line(what: string, visits: readonly Times[]): string {
 }
 
 export async function benchStart(_: Wanted): Promise<void> {
-  if (!existsSync(path.join(dist, 'index.html'))) {
-    console.error('The page is not built yet: npm run build.');
-    process.exitCode = 1;
-    return;
-  }
+  if (!isPageBuilt()) return;
   const { url, server } = await serve(dist, { port: 4274 });
   const running = await startBrowser();
   const warm: Times[] = [];

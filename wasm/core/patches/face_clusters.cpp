@@ -7,8 +7,7 @@ namespace shapespline {
 namespace {
 
 // Breadth first from a face, as far as faces are free.
-void growCluster(const FaceGraph& graph, int first, std::size_t largest, FaceClusters& clusters) {
-  const int cluster = clusters.graph.count();
+void growCluster(const FaceGraph& graph, int first, int cluster, std::size_t largest, FaceClusters& clusters) {
   const std::size_t begin = clusters.member.size();
   const auto take = [&](int f) {
     if (clusters.ofFace[f] >= 0 || clusters.member.size() == begin + largest) return;
@@ -18,7 +17,6 @@ void growCluster(const FaceGraph& graph, int first, std::size_t largest, FaceClu
   take(first);
   for (std::size_t i = begin; i < clusters.member.size(); ++i)
     for (const int g : graph.of(clusters.member[i])) take(g);
-  clusters.graph.start.push_back(static_cast<int>(clusters.member.size()));  // replaced by neighbours
 }
 
 // Sums over the members' areas, then means.
@@ -49,14 +47,16 @@ FaceClusters clusterFaces(const PatchInput& input, int largest, const FractionRe
   const std::size_t faces = input.area.size();
   clusters.ofFace.assign(faces, -1);
   clusters.member.reserve(faces);
+  std::vector<int> ends = {0};  // of each cluster's members
   inBlocks(partOf(onProgress, 0, 0.4), faces, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f)
-      if (input.components.ofFace[f] >= 0 && clusters.ofFace[f] < 0)
-        growCluster(input.graph, static_cast<int>(f), static_cast<std::size_t>(largest), clusters);
+    for (std::size_t f = begin; f < end; ++f) {
+      if (input.components.ofFace[f] < 0 || clusters.ofFace[f] >= 0) continue;
+      const int cluster = static_cast<int>(ends.size()) - 1;
+      growCluster(input.graph, static_cast<int>(f), cluster, static_cast<std::size_t>(largest), clusters);
+      ends.push_back(static_cast<int>(clusters.member.size()));
+    }
   });
-  const std::vector<int> ends = std::move(clusters.graph.start);
   const int count = static_cast<int>(ends.size()) - 1;
-  clusters.graph.start = {0};
   clusters.components.count = input.components.count;
   clusters.rotations = FaceRotations(count, input.comparedPoses);
   std::vector<int> lastMet(count, -1);  // by which cluster

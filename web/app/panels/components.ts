@@ -73,7 +73,6 @@ export interface ComponentsInput {
   /** An indefinite face of the shape on the screen. */
   indefiniteFace(): number;
   shortcuts: readonly ShortcutLine[];
-  /** The gallery of samples opens or closes. */
   /** The mouse points at a moment of the timeline, or at none any more. */
   onPeek(t: number | null): void;
   onUndo(): void;

@@ -1,0 +1,29 @@
+/** The page as `npm run build` made it, and the browser that it is measured in. */
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium, type Browser } from '@playwright/test';
+import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
+
+// Relative to the bundle, build/node/bench.mjs.
+export const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+
+/** Says what to do where it is not, and ends with a failure. */
+export function isPageBuilt(): boolean {
+  if (existsSync(path.join(dist, 'index.html'))) return true;
+  console.error('The page is not built yet: npm run build.');
+  process.exitCode = 1;
+  return false;
+}
+
+/** Of Chromium that draws in software. */
+export const browserOptions = () => ({
+  executablePath: findBrowser(chromium) ?? undefined,
+  args: [
+    '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader',
+    ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
+  ],
+});
+
+export const startBrowser = (): Promise<Browser> => chromium.launch(browserOptions());
