@@ -43,6 +43,7 @@ function watch(): Promise<Times> {
 
 async function drop(page: Page, url: string, file: string): Promise<Times> {
   await page.goto(url);
+  await page.waitForFunction(() => window.__shapespline);
   await page.evaluate(() => window.__shapespline!.settled());
   const watched = page.evaluate(watch);
   await page.locator('[data-testid=file-input]').setInputFiles(file);
