@@ -91,7 +91,7 @@ TEST_CASE("the path of a vertex does not overshoot where it rests, and is the cu
   Sequence s = make(k, {}), larger = make(other, {});
   const auto pathOf = [](Sequence& of, bool rests) {
     const WeldedShape& shape = of.encoded().shape();
-    const PathRest rest{rests ? PathRest::WhereStill : PathRest::Nowhere, keyDiagonal(shape)};
+    const PathRest rest{rests ? PathRest::WhereStill : PathRest::Nowhere, keySize(shape)};
     return std::make_unique<VertexPath>(shape, of.motion().naturalCurve(), rest);
   };
   const auto cubic = pathOf(s, false), path = pathOf(s, true), scaled = pathOf(larger, true);
@@ -206,6 +206,44 @@ TEST_CASE("a common rigid motion, another unit of length or of time change a hel
       CHECK(largestDistance(expected, shapeAt(t, 60 * time)) < 1e-5 * diagonalOf(other));
     }
   }
+}
+
+TEST_CASE("neither rounding nor a common rigid motion decides what rests") {
+  // The lower half creeps by some 1e-5 of the size, stands to rounding, or exactly, for four spans; then it walks.
+  const Shape shape = bar();
+  const auto keysWith = [&](double creep, double rounding) {
+    Keyframes k = keyframes(shape, std::vector<Map>(6, [](const Vec3& p) -> Vec3 { return p; }), {0, 1, 2, 3, 4, 5});
+    constexpr double crept[] = {0, 3, 4, 5, 8, 8}, bends[] = {0, 0.6, -0.3, 0.4, 0.2, 0.3};
+    for (int j = 0; j < 6; ++j)
+      for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+        Vec3& p = k.keys[j].positions[v];
+        if (p.z() >= 5) p = bend(bends[j], 5)(Vec3(p.x(), p.y(), p.z() - 5)) + Vec3(0, 0, 5);
+        p += Vec3(creep * crept[j], j == 5 ? 2 : 0, rounding * std::sin(static_cast<double>(7 * v + 3 * j)));
+      }
+    return k;
+  };
+  const Mat3 r = expRotation(Vec3(0.3, -1, 2));
+  for (const Hold hold : holds)
+    for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Periodic}) {
+      const auto differs = [&](const Keyframes& one, const Keyframes& other, const Mat3& turned) {
+        Sequence s = make(one, with(hold, boundary)), t = make(other, with(hold, boundary));
+        double most = 0;
+        for (const double time : {0.4, 1.3, 1.5, 2.2, 2.5, 3.4, 4.5}) {
+          Positions expected = shapeAt(s, time);
+          for (Vec3& p : expected) p = turned * p;
+          most = std::max(most, largestDistance(expected, shapeAt(t, time)) / diagonalOf(one));
+        }
+        return most;
+      };
+      const Keyframes stands = keysWith(0, 0), creeps = keysWith(1e-4, 0);
+      Keyframes moved = creeps;
+      for (Key& key : moved.keys)
+        for (Vec3& p : key.positions) p = r * p;
+      const double rounded = differs(stands, keysWith(0, 1e-14), Mat3::Identity()), turned = differs(creeps, moved, r);
+      MESSAGE("rounding: " << rounded << ", turned: " << turned);
+      CHECK(rounded < 1e-7);
+      CHECK(turned < 1e-7);
+    }
 }
 
 TEST_CASE("held or not, one motion leads to the other and back bit for bit") {

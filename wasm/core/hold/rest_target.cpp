@@ -59,7 +59,7 @@ Mat3 KeyTurns::sumOf(const std::vector<Quaternion>& frames) const {
 
 RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::vector<int>* only) {
   const WeldedShape* shape = &input.mesh.shape;
-  const double diagonal = keyDiagonal(*shape);
+  const double size = keySize(*shape);
   const std::vector<int> bodyOf = only ? std::vector<int>(shape->poses[0].size(), 0) : bodiesOf(input.mesh);
   for (std::size_t v = 0; v < bodyOf.size(); ++v) {
     if (bodyOf[v] == static_cast<int>(bodies_.size()))
@@ -76,7 +76,7 @@ RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::ve
     shape = &some_;
     bodies_[0]->vertices.resize(only->size());  // 0, 1, ...
   }
-  path_.emplace(*shape, curve, PathRest{PathRest::WhereStill, diagonal});
+  path_.emplace(*shape, curve, PathRest{PathRest::WhereStill, size});
   const Vec3* meanOf = mean.data();
   for (const std::unique_ptr<Body>& body : bodies_) {
     const KeyTurns& turns = body->turns;

@@ -16,7 +16,7 @@ constexpr double leastResting = 1e-3;
 }  // namespace
 
 Sliding::Sliding(const HoldMesh& mesh, const Curve& keys)
-    : path_(mesh.shape, keys, {PathRest::WhereStill, keyDiagonal(mesh.shape)}), area_(vertexAreas(mesh)), diagonal_(0) {
+    : path_(mesh.shape, keys, {PathRest::WhereStill, keySize(mesh.shape)}), area_(vertexAreas(mesh)), diagonal_(0) {
   for (int key = 0; key < mesh.shape.keys; ++key) {
     const Positions* pose = &mesh.shape.poses[key];
     diagonal_ = std::max(diagonal_, boundingDiagonal({&pose, 1}));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/hold/hold_passes.h"
+#include "core/hold/hold_system.h"
 
 namespace shapespline {
 
@@ -11,7 +12,7 @@ namespace {
 
 // A vertex rests in a span where it moves less than .03 of what it moves in a neighbouring one, and not from .10 on.
 constexpr double atRest = 0.03, inMotion = 0.10;
-constexpr double leastMotion = 1e-4;  // of the diagonal
+constexpr double leastMotion = 1e-4;  // of the size
 // Cosine of the angle from where it is on to that it turns back, and how much slower it may be on one side.
 constexpr double backwards = 0.5, dawdles = 0.1, hurries = 0.3;
 
@@ -44,10 +45,10 @@ std::vector<float> slopesAt(const WeldedShape& shape, const Curve& curve, double
 
 }  // namespace
 
-double keyDiagonal(const WeldedShape& shape) {
-  std::vector<const Positions*> keys;
-  for (int key = 0; key < shape.keys; ++key) keys.push_back(&shape.poses[key]);
-  return boundingDiagonal(keys);
+double keySize(const WeldedShape& shape) {
+  double size = 0;
+  for (int key = 0; key < shape.keys; ++key) size = std::max(size, sizeOf(shape.poses[key]));
+  return size;
 }
 
 VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, const PathRest& rest)
@@ -64,12 +65,12 @@ VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, const PathR
   slope_.push_back(slopesAt(shape, curve, spans_.back().end));
   rest_.assign(spans_.size(), std::vector<float>(shape.poses[0].size()));
   knotRest_.assign(knots_.size(), std::vector<float>(shape.poses[0].size()));
-  if (rest.where == PathRest::WhereStill) findRest(rest.diagonal);
+  if (rest.where == PathRest::WhereStill) findRest(rest.size);
   if (rest.where == PathRest::AtEnds && !loop_)
     for (std::vector<float>* end : {&knotRest_.front(), &knotRest_.back()}) std::fill(end->begin(), end->end(), 1.0f);
 }
 
-void VertexPath::findRest(double diagonal) {
+void VertexPath::findRest(double size) {
   const int count = spans();
   const std::size_t vertices = knots_[0]->size();
   const double meanTime = (spans_.back().end - spans_.front().start) / count;
@@ -81,8 +82,9 @@ void VertexPath::findRest(double diagonal) {
     const auto movedIn = [&](int span) { return span >= 0 && span < count ? moved[span] : 0; };
     for (int s = 0; s < count; ++s) {
       const double around = std::max(movedIn(neighbour(s - 1)), movedIn(neighbour(s + 1)));
-      rest_[s][v] = static_cast<float>((1 - fade(moved[s] / (around + leastMotion * diagonal), atRest, inMotion)) *
-                                       (1 - turnsBack(v, neighbour(s - 1), neighbour(s + 1))));
+      rest_[s][v] =
+          static_cast<float>((1 - fade(moved[s] / (around + leastMotion * size), atRest, inMotion)) *
+                             (1 - turnsBack(v, neighbour(s - 1), neighbour(s + 1), leastMotion * size / meanTime)));
     }
     const auto restIn = [&](int span) { return span >= 0 && span < count ? rest_[span][v] : 0; };
     for (int k = 0; k <= count; ++k)
@@ -91,8 +93,8 @@ void VertexPath::findRest(double diagonal) {
 }
 
 // A limb that swings hardly moves between two keys on either side of its turning point, and does not rest there: it
-// goes back as fast as it came.
-double VertexPath::turnsBack(std::size_t v, int before, int after) const {
+// goes back as fast as it came. What is slower than the slowest goes nowhere: rounding says where to.
+double VertexPath::turnsBack(std::size_t v, int before, int after, double slowest) const {
   if (before < 0 || after < 0 || before >= spans() || after >= spans()) return 0;
   const auto speed = [&](int s) -> Vec3 {
     return ((*knots_[s + 1])[v] - (*knots_[s])[v]) / (spans_[s].end - spans_[s].start);
@@ -100,7 +102,8 @@ double VertexPath::turnsBack(std::size_t v, int before, int after) const {
   const Vec3 came = speed(before), goes = speed(after);
   const double slower = std::min(came.norm(), goes.norm()), faster = std::max(came.norm(), goes.norm());
   if (!(slower > 0)) return 0;
-  return fade(-came.dot(goes) / (slower * faster), 0, backwards) * fade(slower / faster, dawdles, hurries);
+  return fade(-came.dot(goes) / (slower * faster + slowest * slowest), 0, backwards) *
+         fade(slower / faster, dawdles, hurries);
 }
 
 bool VertexPath::hasSpansOf(const VertexPath& other) const {

@@ -12,11 +12,11 @@ namespace shapespline {
 /// Where a path does not overshoot.
 struct PathRest {
   enum { Nowhere, WhereStill, AtEnds } where = Nowhere;
-  double diagonal = 1;  ///< of the whole shape; what moves by a share of it is still
+  double size = 1;  ///< of the whole shape (keySize); what moves by a small share of it is still
 };
 
-/// Of the box around all keys.
-double keyDiagonal(const WeldedShape& shape);
+/// Of the largest key, whichever way it is turned.
+double keySize(const WeldedShape& shape);
 
 /// Positions at the ends of the spans of a curve, and how a vertex passes them.
 class VertexPath {
@@ -43,8 +43,8 @@ class VertexPath {
   void positionsAt(double t, Positions& positions) const;
 
  private:
-  void findRest(double diagonal);
-  double turnsBack(std::size_t v, int before, int after) const;
+  void findRest(double size);
+  double turnsBack(std::size_t v, int before, int after, double slowest) const;
 
   std::vector<KeySpan> spans_;
   bool loop_ = false;
