@@ -201,6 +201,13 @@ TEST_CASE("what stays in a loop that walks on goes with it, without a seam") {
   CHECK(largestDistance(next, shapeAt(s, 4.1)) < 1e-9 * diagonalOf(k));
 }
 
+TEST_CASE("patches do not spin where the shape walks far away from what is held") {
+  Keyframes k = swaying();
+  for (Vec3& p : k.keys[3].positions) p += Vec3(12, 0, 2.4);
+  Sequence s = make(k, pinned({0, 0.08, 0}));
+  CHECK(sweep(s, {20, 4, 8}).growth <= 4);
+}
+
 TEST_CASE("pins on real shapes: keys, rigid motions, fading, purity") {
   ImportOptions walk;
   walk.sampleCount = 6;

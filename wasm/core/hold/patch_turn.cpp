@@ -21,7 +21,8 @@ constexpr double crushed = 0.2, whole = 1;
 double extent(const Mat3& m) { return (m.trace() * m.trace() - m.squaredNorm()) / 2; }
 
 // planes: of a patch (pull_modes.h), gradient: of what moves it, seen from it. The turn that leaves least of that to
-// shear, to first order: its sine where the patch turns far.
+// shear, to first order: its sine where the patch turns far, and what is more than a sine can be where it stretches
+// far.
 Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
   const Vec3 curl(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
   const Mat3 stiff = planes.trace() * Mat3::Identity() - planes;
@@ -30,7 +31,9 @@ Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
       (curl.x() * across + curl.y() * stiff.col(2).cross(stiff.col(0)) + curl.z() * stiff.col(0).cross(stiff.col(1))) /
       across.dot(stiff.col(0));
   const double most = mostTurn / further, was = extent(planes);
-  const Mat3 left = expRotation(-turn) * (planes + gradient);
+  const double square = turn.squaredNorm(),
+               sine = 1 / std::sqrt(std::sqrt(std::sqrt(1 + square * square * square * square)));
+  const Mat3 left = expRotation(-sine * turn) * (planes + gradient);
   const double meant = fade(extent(left), crushed * was, whole * was);
   return expRotation(meant * further / std::sqrt(1 + turn.squaredNorm() / (most * most)) * turn);
 }
