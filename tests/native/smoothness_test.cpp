@@ -238,6 +238,20 @@ TEST_CASE("sweep: low-poly cat") {
   checkRealSet({"obj/lowpoly-cat/cat_000001.obj", "obj/lowpoly-cat/cat_000007.obj", "obj/lowpoly-cat/cat_000013.obj",
                 "obj/lowpoly-cat/cat_000019.obj", "obj/lowpoly-cat/cat_000025.obj", "obj/lowpoly-cat/cat_000031.obj"});
 }
+TEST_CASE("sweep: low-poly cat and its reference, which is ten times as large") {
+  const std::vector<std::string> files = {"obj/lowpoly-cat/cat_000001.obj",   "obj/lowpoly-cat/cat_000007.obj",
+                                          "obj/lowpoly-cat/cat_000013.obj",   "obj/lowpoly-cat/cat_000019.obj",
+                                          "obj/lowpoly-cat/cat_000025.obj",   "obj/lowpoly-cat/cat_000031.obj",
+                                          "obj/lowpoly-cat/cat_reference.obj"};
+  if (!hasData(files)) return;
+  const Keyframes k = realKeyframes(files);
+  for (const Hold hold : {Hold::Contact, Hold::Anchored}) {
+    MotionOptions motion = with(BoundaryKind::Periodic);
+    motion.hold = hold;
+    Sequence sequence = sequenceOf(k, doublePrecision(), motion);
+    CHECK(sweep(sequence, {60, 4, 14}).growth <= largestGrowth);
+  }
+}
 TEST_CASE("sweep: saddle") { checkRealSet({"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"}); }
 TEST_CASE("sweep: plate") {
   checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"});

@@ -17,6 +17,23 @@ constexpr double fitTurnsLittle = 60 * degree, fitTurnsFar = 120 * degree;
 // How well the mean of rotations is defined: from 0 to 2.
 constexpr double scattered = 0.1, gathered = 0.5;
 constexpr double inertia = 1e-6;
+// How well a fit is defined: from 0 to 1.
+constexpr double openFit = 0.05, soundFit = 0.7;
+
+// A little inertia keeps a shape that is a line from spinning about itself.
+Mat3 stiffened(const Mat3& covariance) { return covariance + inertia * covariance.norm() * Mat3::Identity(); }
+
+// The product of what resists turns about three axes.
+double resistance(const Mat3& covariance) { return (covariance.trace() * Mat3::Identity() - covariance).determinant(); }
+
+// What resists turning a fit away, beside what would if both shapes were their mean: 1 where they are alike, less where
+// they differ in form or size, 0 where an axis is open. A symmetric function of the singular values, and so smooth.
+double definedness(const FitSums& sums, const Mat3& fit) {
+  const Mat3 between = fit.transpose() * stiffened(sums.covariance);
+  const Mat3 mean = (sums.ofFrom + fit.transpose() * sums.ofTo * fit) / 2;
+  const double share = resistance((between + between.transpose()) / 2) / (resistance(stiffened(mean)) + 1e-300);
+  return std::sqrt(std::max(share, 0.0));
+}
 
 }  // namespace
 
@@ -76,7 +93,7 @@ std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
   return weight;
 }
 
-// A little inertia keeps a shape that is a line from spinning about itself. A body turns about its centroid.
+// A body turns about its centroid.
 void HeldMotion::place(const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean,
                        const Positions& target, Positions& shape) const {
   for (std::size_t b = 0; b < placed_.size(); ++b) {
@@ -86,9 +103,10 @@ void HeldMotion::place(const SpanPlace& place, const std::vector<Quaternion>& fr
     const double share = tween(placed_[b].data(), target_.path().spans(), target_.path().loop(), place) *
                          place.within() * fade(defined, scattered, gathered);
     const FitSums sums = fitSums(area_, mean, body.vertices, shape, target);
-    const Mat3 fit = projectToRotation(sums.covariance + inertia * sums.covariance.norm() * Mat3::Identity());
+    const Mat3 fit = projectToRotation(stiffened(sums.covariance));
     const Vec3 angle = logRotation(fit);
-    const double taken = share * (1 - fade(angle.norm(), fitTurnsLittle, fitTurnsFar));
+    const double taken =
+        share * (1 - fade(angle.norm(), fitTurnsLittle, fitTurnsFar)) * fade(definedness(sums, fit), openFit, soundFit);
     const Mat3 turn = expRotation(taken * angle);
     moveRigidly(turn, sums.from + taken * (sums.to - sums.from) - turn * sums.from, body.vertices, shape);
   }

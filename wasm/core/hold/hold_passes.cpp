@@ -32,13 +32,17 @@ FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::
   FitSums sums;
   double whole = 0;
   for (const int v : vertices) {
-    const Vec3 a = area[v] * (from[v] - origin), b = to[v] - origin;
+    const Vec3 a = from[v] - origin, b = to[v] - origin, weightedA = area[v] * a, weightedB = area[v] * b;
     whole += area[v];
-    sums.from += a;
-    sums.to += area[v] * b;
-    sums.covariance.noalias() += b * a.transpose();
+    sums.from += weightedA;
+    sums.to += weightedB;
+    sums.covariance.noalias() += b * weightedA.transpose();
+    sums.ofFrom.noalias() += a * weightedA.transpose();
+    sums.ofTo.noalias() += b * weightedB.transpose();
   }
   sums.covariance -= sums.to * sums.from.transpose() / whole;
+  sums.ofFrom -= sums.from * sums.from.transpose() / whole;
+  sums.ofTo -= sums.to * sums.to.transpose() / whole;
   sums.from = sums.from / whole + origin;
   sums.to = sums.to / whole + origin;
   return sums;

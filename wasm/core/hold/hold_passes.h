@@ -21,10 +21,10 @@ struct PathEnd {
 
 void pathPositions(const PathEnd& from, const PathEnd& to, const PathWeights& weights, Positions& positions);
 
-/// Means over some vertices, by their areas; the covariance about these.
+/// Means over some vertices, by their areas; the covariances about these: of one with the other, of each with itself.
 struct FitSums {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
-  Mat3 covariance = Mat3::Zero();
+  Mat3 covariance = Mat3::Zero(), ofFrom = Mat3::Zero(), ofTo = Mat3::Zero();
 };
 /// origin: near them, so that little is lost.
 FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::vector<int>& vertices,
