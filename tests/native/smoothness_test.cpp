@@ -86,21 +86,28 @@ void checkBoundaries(const std::string& what, const Keyframes& k, const Encoding
   }
 }
 
-// What holds corrects shapes and not patches: it must not jump by itself either.
-void checkHeld(const std::string& name, const Keyframes& k) {
+// What holds corrects shapes and not patches: it must not jump by itself either, nor together with pins. The first
+// `count` of the boundaries above.
+void checkHeld(const std::string& name, const Keyframes& k, std::size_t count) {
   Sequence sequence = sequenceOf(k, doublePrecision());
   std::vector<double> times;
   for (const Key& key : k.keys) times.push_back(key.time);
-  for (const auto& [hold, words] : {std::pair(Hold::Contact, ", contact"), std::pair(Hold::Anchored, ", anchored")}) {
-    MotionOptions motion;
-    motion.hold = hold;
-    REQUIRE(sequence.update(motion, times).ok());
-    checkSweep(name + words, sequence);
-  }
-  MotionOptions motion;
-  motion.pins = everyPin(k);
-  REQUIRE(sequence.update(motion, times).ok());
-  checkSweep(name + ", pins", sequence);
+  const std::vector<Pin> pins = everyPin(k);
+  struct Held {
+    std::string words;
+    Hold hold;
+    std::vector<Pin> pins;
+  };
+  for (std::size_t i = 0; i < std::min(count, boundaries().size()); ++i)
+    for (const Held& held :
+         {Held{"contact", Hold::Contact, {}}, Held{"anchored", Hold::Anchored, {}}, Held{"pins", Hold::Off, pins},
+          Held{"contact and pins", Hold::Contact, pins}, Held{"anchored and pins", Hold::Anchored, pins}}) {
+      MotionOptions motion = boundaries()[i].motion;
+      motion.hold = held.hold;
+      motion.pins = held.pins;
+      REQUIRE(sequence.update(motion, times).ok());
+      checkSweep(name + ", " + boundaries()[i].name + ", " + held.words, sequence);
+    }
 }
 
 EncodingOptions withGhost(int faces) {
@@ -123,7 +130,7 @@ void checkKeyframes(const std::string& name, const Keyframes& k) {
     if (k.faceCount() < 2 * ghost || (!full && (large || ghost == 1000))) continue;
     checkBoundaries(name + ", " + std::to_string(ghost) + " ghost faces", k, withGhost(ghost), full ? 5 : 1);
   }
-  if (k.keyCount() > 2) checkHeld(name, k);
+  if (k.keyCount() > 2) checkHeld(name, k, full ? 5 : small ? 2 : 1);
   if (full || small) checkBoundaries(name + ", log stretch", k, withLogStretch(), full ? 5 : 1);
 }
 
