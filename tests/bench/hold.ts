@@ -1,9 +1,9 @@
 /**
  * npm run bench -- hold FILE... [--save]: captured animations against what is made of every n-th of their frames: by
  * the method as published, with what rests held (contact, anchored), and by the cubic of the vertices; then what a
- * frame costs with these and with pins.
+ * frame costs with these and with pins. In the place of an animation, a folder of single poses: its costs alone.
  */
-import { readFile } from 'node:fs/promises';
+import { readFile, readdir, stat } from 'node:fs/promises';
 import path from 'node:path';
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import { createEngine } from '../../web/engine/node.ts';
@@ -66,18 +66,29 @@ export async function holdTables(files: readonly string[], say: (what: string) =
   for (const file of files) {
     const engine = createEngine();
     try {
-      const input = [{ name: path.basename(file), bytes: new Uint8Array(await readFile(file)) }];
+      const input = await filesOf(file);
       for (const captured of await readAll(engine, input)) {
         say(captured.title);
         for (const step of STEPS.filter((one) => captured.times.length > (FEWEST_KEYS - 1) * one))
           runs.push(await compare(engine, captured, step));
       }
+      say(`${path.basename(file)}, frames`);
       costs.push(await timed(engine, input, path.basename(file)));
     } finally {
       engine.dispose();
     }
   }
   return [errorTable(runs), meansOf(runs), costTable(costs)].join('\n\n');
+}
+
+/** A file, or those of a folder in the order of their numbers. */
+async function filesOf(file: string): Promise<InputFile[]> {
+  const isFolder = (await stat(file)).isDirectory();
+  const paths = isFolder ? (await readdir(file)).map((name) => path.join(file, name)) : [file];
+  paths.sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
+  return Promise.all(
+    paths.map(async (one) => ({ name: path.basename(one), bytes: new Uint8Array(await readFile(one)) })),
+  );
 }
 
 /** Every animation, and after one that walks in place the same as it walks on. */
@@ -127,7 +138,7 @@ async function compare(engine: Engine, { title, faces, times, shapes }: Captured
 const PINNED = [0.1, 0.5, 0.9];
 
 async function timed(engine: Engine, input: InputFile[], name: string): Promise<Costs> {
-  const keys = await engine.importKeyframes(input, { sample: 8 });
+  const keys = await engine.importKeyframes(input, input.length === 1 ? { sample: 8 } : {});
   const { vertices } = keys.info.report;
   const pins = PINNED.map((share) => ({ vertex: Math.floor(share * vertices), radius: 0.05 }));
   const motions: Record<string, Partial<MotionOptions>> = {
@@ -135,7 +146,9 @@ async function timed(engine: Engine, input: InputFile[], name: string): Promise<
     contact: { hold: 'contact' },
     anchored: { hold: 'anchored' },
     'one pin': { pins: pins.slice(0, 1) },
+    'three pins': { pins },
     'three pins, contact': { pins, hold: 'contact' },
+    'three pins, anchored': { pins, hold: 'anchored' },
   };
   const sequences: [string, Sequence][] = [];
   for (const [title, options] of Object.entries(motions))

@@ -32,13 +32,16 @@ FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::
   FitSums sums;
   double whole = 0;
   for (const int v : vertices) {
-    const Vec3 a = from[v] - origin, b = to[v] - origin, weightedA = area[v] * a, weightedB = area[v] * b;
-    whole += area[v];
-    sums.from += weightedA;
-    sums.to += weightedB;
-    sums.covariance.noalias() += b * weightedA.transpose();
-    sums.ofFrom.noalias() += a * weightedA.transpose();
-    sums.ofTo.noalias() += b * weightedB.transpose();
+    const double w = area[v];
+    const Vec3 a = from[v] - origin, b = to[v] - origin;
+    whole += w;
+    addScaled(w, a.data(), sums.from.data());
+    addScaled(w, b.data(), sums.to.data());
+    for (int k = 0; k < 3; ++k) {
+      addScaled(w * a[k], b.data(), sums.covariance.col(k).data());
+      addScaled(w * a[k], a.data(), sums.ofFrom.col(k).data());
+      addScaled(w * b[k], b.data(), sums.ofTo.col(k).data());
+    }
   }
   sums.covariance -= sums.to * sums.from.transpose() / whole;
   sums.ofFrom -= sums.from * sums.from.transpose() / whole;
@@ -57,7 +60,11 @@ void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Posit
 }
 
 void moveRigidly(const Mat3& turn, const Vec3& move, const std::vector<int>& vertices, Positions& positions) {
-  for (const int v : vertices) positions[v] = (turn * positions[v] + move).eval();
+  for (const int v : vertices) {
+    const Vec3 p = positions[v];
+    double* moved = positions[v].data();
+    for (int k = 0; k < 3; ++k) moved[k] = turn(k, 0) * p[0] + turn(k, 1) * p[1] + turn(k, 2) * p[2] + move[k];
+  }
 }
 
 void moveBy(const Vec3& move, Positions& positions) {
@@ -120,21 +127,31 @@ void addResponse(const std::vector<float>& response, const std::vector<Vec3>& pu
 
 void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions) {
   positions.resize(slot.size());
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    for (int k = 0; k < 3; ++k) positions[v][k] = xyzp[4 * static_cast<std::size_t>(slot[v]) + k] + move[k];
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const float* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
+    double* p = positions[v].data();
+    p[0] = at[0] + move[0], p[1] = at[1] + move[1], p[2] = at[2] + move[2];
+  }
 }
 
 template <class Real>
 void addPlaces(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positions& positions) {
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    for (int k = 0; k < 3; ++k) positions[v][k] += xyzp[4 * static_cast<std::size_t>(slot[v]) + k];
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const Real* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
+    double* p = positions[v].data();
+    p[0] += at[0], p[1] += at[1], p[2] += at[2];
+  }
 }
 
 template <class Real>
 void writePlaces(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<Real>& xyzp) {
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    for (int k = 0; k < 3; ++k)
-      xyzp[4 * static_cast<std::size_t>(slot[v]) + k] = static_cast<Real>(positions[v][k] - move[k]);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    Real* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
+    const double* p = positions[v].data();
+    at[0] = static_cast<Real>(p[0] - move[0]);
+    at[1] = static_cast<Real>(p[1] - move[1]);
+    at[2] = static_cast<Real>(p[2] - move[2]);
+  }
 }
 
 template void addPlaces(const std::vector<float>&, const std::vector<int>&, Positions&);
