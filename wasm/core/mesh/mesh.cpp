@@ -7,6 +7,7 @@
 
 #include "core/base/compressed_rows.h"
 #include "core/base/union_find.h"
+#include "core/mesh/triangle.h"
 
 namespace shapespline {
 
@@ -200,6 +201,19 @@ Components connectedComponents(const FaceGraph& graph, const std::vector<char>& 
     }
   });
   return components;
+}
+
+std::vector<char> facesWithArea(const std::vector<Triangle>& faces, std::span<const Positions* const> poses,
+                                const FractionReport& onProgress) {
+  std::vector<char> hasArea(faces.size());
+  inBlocks(onProgress, faces.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto& [a, b, c] = faces[f];
+      hasArea[f] = std::none_of(poses.begin(), poses.end(),
+                                [a, b, c](const Positions* p) { return isDegenerate((*p)[a], (*p)[b], (*p)[c]); });
+    }
+  });
+  return hasArea;
 }
 
 double boundingDiagonal(std::span<const Positions* const> poses) {

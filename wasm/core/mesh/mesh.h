@@ -36,6 +36,10 @@ int countUnreferenced(int vertexCount, const std::vector<Triangle>& faces);
 int countComponents(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
                     const FractionReport& onProgress = {});
 
+/// Of each face whether it has area in every pose (triangle.h).
+std::vector<char> facesWithArea(const std::vector<Triangle>& faces, std::span<const Positions* const> poses,
+                                const FractionReport& onProgress = {});
+
 /// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no
 /// chain of edges joins them) one link is added, so that the components of this graph are the components that share
 /// vertices.

@@ -2,27 +2,9 @@
 
 #include <algorithm>
 
-#include "core/lri/face_frame.h"
 #include "core/mesh/weld.h"
 
 namespace shapespline {
-namespace {
-
-/// Of each face whether it has area in every key.
-std::vector<char> facesWithArea(const Keyframes& keyframes, const FractionReport& onProgress) {
-  std::vector<char> use(keyframes.faces.size());
-  inBlocks(onProgress, use.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      const auto& [a, b, c] = keyframes.faces[f];
-      use[f] = std::none_of(keyframes.keys.begin(), keyframes.keys.end(), [a, b, c](const Key& key) {
-        return isDegenerate(key.positions[a], key.positions[b], key.positions[c]);
-      });
-    }
-  });
-  return use;
-}
-
-}  // namespace
 
 MeshReport reportOf(const Keyframes& keyframes, const FractionReport& onProgress) {
   std::vector<const Positions*> poses;
@@ -37,7 +19,7 @@ MeshReport reportOf(const Keyframes& keyframes, const FractionReport& onProgress
   report.weldedVertices = welding.count;
   const std::vector<Triangle> faces = weldFaces(keyframes.faces, welding);
   report.counts = countMesh(welding.count, faces, partOf(onProgress, 0.3, 0.8));
-  const std::vector<char> use = facesWithArea(keyframes, partOf(onProgress, 0.8, 0.9));
+  const std::vector<char> use = facesWithArea(keyframes.faces, poses, partOf(onProgress, 0.8, 0.9));
   report.degenerateFaces = static_cast<int>(std::count(use.begin(), use.end(), 0));
   report.components = countComponents(welding.count, faces, use, partOf(onProgress, 0.9, 1));
   return report;

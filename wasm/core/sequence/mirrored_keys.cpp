@@ -22,18 +22,34 @@ constexpr double mirroredAgreement = -0.5;
 
 // What the faces around a vertex say about the surface there.
 struct Surroundings {
-  double angle = 0;
+  double cosine = 1, sine = 0;                         // of the angles together, ...
+  int turns = 0;                                       // ... which are so many whole turns more
   Vec3 towards = Vec3::Zero(), normal = Vec3::Zero();  // sums over the neighbours and the faces
   int faces = 0;
   std::int64_t open = 0;  // the next neighbours less those before: 0 around a closed fan of faces that run alike
 
   void add(const Positions& p, int v, int next, int before) {
     const Vec3 a = p[next] - p[v], b = p[before] - p[v], cross = a.cross(b);
-    angle += std::atan2(cross.norm(), a.dot(b));
+    turn(a.dot(b), cross.norm());
     towards += a + b;
     normal += cross;
     ++faces;
     open += next - before;
+  }
+
+  // By the angle of (x, y), at most half a turn. A product of complex numbers takes a fifth of an arc tangent's time.
+  void turn(double x, double y) {
+    const double length = std::sqrt(x * x + y * y);
+    if (!(length > 0)) return;
+    const double before = sine, c = cosine;
+    cosine = (c * x - before * y) / length;
+    sine = (before * x + c * y) / length;
+    turns += before < 0 && sine >= 0;
+  }
+
+  double angle() const {
+    const double rest = std::atan2(sine, cosine);
+    return 2 * std::numbers::pi * (turns + (rest < 0)) + rest;
   }
 
   bool isOnBoundary() const { return open != 0; }
@@ -41,21 +57,35 @@ struct Surroundings {
   // Integral of the Gaussian curvature, negative where the dome opens to the side that the faces look to; 0 where there
   // is no dome.
   double bulge() const {
-    const double defect = 2 * std::numbers::pi - angle;
+    const double defect = 2 * std::numbers::pi - angle();
     if (faces == 0 || isOnBoundary() || !(defect > 0)) return 0;
     return towards.dot(normal) < 0 ? defect : -defect;
   }
 };
 
-// Of every stride-th vertex; nothing of a sheet.
-std::vector<double> bulges(const WeldedShape& shape, int key, int stride) {
-  std::vector<Surroundings> around(shape.vertexCount() / stride + 1);
-  inBlocks({}, shape.faces.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f)
-      for (int c = 0; c < 3; ++c) {
-        const Triangle& t = shape.faces[f];
-        if (t[c] % stride == 0) around[t[c] / stride].add(shape.poses[key], t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
-      }
+// The vertices that are asked, every stride-th, and their corners: c of face f as 3 f + c.
+struct Asked {
+  explicit Asked(const WeldedShape& shape) : stride(1 + shape.vertexCount() / askedVertices) {
+    inBlocks({}, shape.faces.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        for (int c = 0; c < 3; ++c)
+          if (shape.faces[f][c] % stride == 0) corners.push_back(3 * static_cast<int>(f) + c);
+    });
+  }
+
+  int stride;
+  std::vector<int> corners;
+};
+
+// Of every asked vertex; nothing of a sheet.
+std::vector<double> bulges(const WeldedShape& shape, int key, const Asked& asked) {
+  std::vector<Surroundings> around(shape.vertexCount() / asked.stride + 1);
+  inBlocks({}, asked.corners.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& t = shape.faces[asked.corners[i] / 3];
+      const int c = asked.corners[i] % 3;
+      around[t[c] / asked.stride].add(shape.poses[key], t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
+    }
   });
   std::vector<double> result;
   double used = 0, boundary = 0;
@@ -64,11 +94,9 @@ std::vector<double> bulges(const WeldedShape& shape, int key, int stride) {
     boundary += s.isOnBoundary();
     result.push_back(s.bulge());
   }
-  if (stride * boundary * boundary > sheetBoundary * used) std::fill(result.begin(), result.end(), 0);
+  if (asked.stride * boundary * boundary > sheetBoundary * used) std::fill(result.begin(), result.end(), 0);
   return result;
 }
-
-int strideOf(const WeldedShape& shape) { return 1 + shape.vertexCount() / askedVertices; }
 
 double agreement(const std::vector<double>& a, const std::vector<double>& b, int stride) {
   double sum = 0, common = 0, mean = 0;
@@ -84,17 +112,17 @@ double agreement(const std::vector<double>& a, const std::vector<double>& b, int
 }  // namespace
 
 double bulgeAgreement(const WeldedShape& shape, int key, int otherKey) {
-  const int stride = strideOf(shape);
-  return agreement(bulges(shape, key, stride), bulges(shape, otherKey, stride), stride);
+  const Asked asked(shape);
+  return agreement(bulges(shape, key, asked), bulges(shape, otherKey, asked), asked.stride);
 }
 
 std::vector<int> mirroredKeys(const WeldedShape& shape) {
-  const int stride = strideOf(shape);
-  const std::vector<double> reference = bulges(shape, shape.reference, stride);
+  const Asked asked(shape);
+  const std::vector<double> reference = bulges(shape, shape.reference, asked);
   std::vector<int> sides[2];
   for (int key = 0; key < shape.keys; ++key) {
     const bool isOther =
-        key != shape.reference && agreement(reference, bulges(shape, key, stride), stride) < mirroredAgreement;
+        key != shape.reference && agreement(reference, bulges(shape, key, asked), asked.stride) < mirroredAgreement;
     sides[isOther].push_back(key);
   }
   return sides[sides[1].size() <= sides[0].size()];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <numeric>
 #include <utility>
 
 #include "core/base/sort_indices.h"
@@ -75,10 +76,11 @@ class DisjointPaths {
   // without a way there.
   void number(const Graph& graph, const std::vector<Side>& side) {
     std::vector<int> local(side.size(), kNone), band;
-    const auto add = [&](int v) {
+    const auto add = [&](int v, int distance) {
       if (side[v] != Side::Separator || local[v] != kNone) return;
       local[v] = size();
       node_.push_back(v);
+      distance_.push_back(distance);
     };
     const auto touches = [&](int v, Side which) {
       const auto neighbours = graph.neighbours(v);
@@ -87,13 +89,14 @@ class DisjointPaths {
     for (int v = 0; v < graph.size(); ++v) {
       if (side[v] != Side::Separator) continue;
       band.push_back(v);
-      if (touches(v, Side::Right)) add(v);
+      if (touches(v, Side::Right)) add(v, 0);
     }
     atSink_ = size();
     for (int b = 0; b < size(); ++b)
-      for (int u : graph.neighbours(node_[b])) add(u);
-    for (int v : band) add(v);
-    distance_.resize(node_.size());
+      for (int u : graph.neighbours(node_[b])) add(u, distance_[b] + 1);
+    queue_.resize(node_.size());
+    std::iota(queue_.begin(), queue_.end(), 0);
+    for (int v : band) add(v, static_cast<int>(band.size()));
     for (int b = 0; b < size(); ++b) {
       bool first = false;
       for (int u : graph.neighbours(node_[b])) {
@@ -110,8 +113,8 @@ class DisjointPaths {
   void findPaths() {
     std::vector<int> starts = atSource_;
     const auto distance = [&](int b) { return exitBehind(b) < 0 ? size() : distance_[exitBehind(b)]; };
-    while (true) {
-      findDistances();
+    for (bool first = true;; first = false) {
+      if (!first) findDistances();
       std::erase_if(starts, [&](int b) { return distance(b) == size(); });
       if (starts.empty()) return;
       sortIndices(starts, [&](int a, int b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });

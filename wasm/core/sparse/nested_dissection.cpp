@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 
 #include "core/base/sort_indices.h"
+#include "core/sparse/graph_clusters.h"
 #include "core/sparse/minimum_degree.h"
 #include "core/sparse/separator.h"
 
@@ -20,18 +22,50 @@ namespace {
 constexpr int kLeafSize = 64;
 // A separator of more than this share of the nodes is none: no mesh, so minimum degree does better.
 constexpr double kUselessSeparator = 0.3;
+// Larger subgraphs are divided among their clusters, in a band that would be costly among nodes.
+constexpr int kManyNodes = 3000;
+constexpr Band kBandOfClusters = {60, 0.3};
+// Layers of clusters on either side of theirs in which the nodes' separator is sought.
+constexpr int kNearbyLayers = 2;
 
-// A subgraph, compactly renumbered.
+// A subgraph of nodes or of clusters, compactly renumbered.
 struct Subgraph {
   Graph graph;
   std::vector<Vec3> coordinates;
   std::vector<int> original;
 };
 
+using Counts = std::array<int, 3>;
+
+Counts countSides(const std::vector<Side>& side) {
+  Counts count = {0, 0, 0};
+  for (Side s : side) ++count[static_cast<int>(s)];
+  return count;
+}
+
+bool isUseful(const Counts& count) {
+  const int size = count[0] + count[1] + count[2];
+  return count[0] > 0 && count[1] > 0 && count[2] <= kUselessSeparator * size;
+}
+
+// The separator and what borders on it.
+std::vector<Side> widened(const Graph& graph, const std::vector<Side>& side) {
+  std::vector<Side> wide = side;
+  for (int v = 0; v < graph.size(); ++v)
+    if (side[v] == Side::Separator)
+      for (const int u : graph.neighbours(v)) wide[u] = Side::Separator;
+  return wide;
+}
+
 class Dissection {
  public:
   Dissection(const Graph& graph, std::span<const Vec3> coordinates, const FractionReport& onProgress)
-      : whole_(graph), onProgress_(onProgress), local_(graph.size(), -1), number_(graph.size()) {
+      : whole_(graph),
+        clusters_(clusterNodes(graph)),
+        onProgress_(onProgress),
+        local_(graph.size(), -1),
+        number_(graph.size()),
+        clusterNumber_(clusters_.graph.size(), -1) {
     order_.resize(graph.size());
     Subgraph subgraph{graph, {coordinates.begin(), coordinates.end()}, std::vector<int>(graph.size())};
     std::iota(subgraph.original.begin(), subgraph.original.end(), 0);
@@ -47,16 +81,56 @@ class Dissection {
     const int size = subgraph.graph.size();
     if (size <= kLeafSize) return orderLeaf(subgraph.original);
     reportWork(size);
-    const std::vector<Side> side = findSeparator(subgraph.graph, subgraph.coordinates, [&] { reportWork(0.3 * size); });
+    const std::vector<Side> side = sidesOf(subgraph);
+    const Counts count = countSides(side);
     reportWork(0.4 * size);
-    std::array<int, 3> count = {0, 0, 0};
-    for (Side s : side) ++count[static_cast<int>(s)];
-    if (count[0] == 0 || count[1] == 0 || count[2] > kUselessSeparator * size) return orderByDegree(subgraph);
+    if (!isUseful(count)) return orderByDegree(subgraph);
     placeSeparator(subgraph, side);
     auto [left, right] = divide(subgraph, side, count);
     subgraph = {};
     dissect(std::move(right));
     dissect(std::move(left));
+  }
+
+  std::vector<Side> sidesOf(const Subgraph& subgraph) {
+    const double step = 0.3 * subgraph.graph.size();
+    const auto onStep = [&] { reportWork(step); };
+    if (subgraph.graph.size() > kManyNodes) {
+      std::vector<Side> side = sidesByClusters(subgraph, onStep);
+      if (isUseful(countSides(side))) return side;
+    }
+    return findSeparator(subgraph.graph, subgraph.coordinates, onStep);
+  }
+
+  // A separator of the subgraph's clusters, then the smallest one of nodes near it.
+  std::vector<Side> sidesByClusters(const Subgraph& subgraph, const std::function<void()>& onStep) {
+    const Subgraph clusters = clustersOf(subgraph);
+    std::vector<Side> near = findSeparator(clusters.graph, clusters.coordinates, onStep, kBandOfClusters);
+    for (int layer = 0; layer < kNearbyLayers; ++layer) near = widened(clusters.graph, near);
+    std::vector<Side> side;
+    side.reserve(subgraph.original.size());
+    for (const int v : subgraph.original) side.push_back(near[clusterNumber_[clusters_.ofNode[v]]]);
+    for (const int c : clusters.original) clusterNumber_[c] = -1;
+    shrinkSeparator(subgraph.graph, side);
+    return side;
+  }
+
+  // Each at its first node. Numbers them.
+  Subgraph clustersOf(const Subgraph& subgraph) {
+    Subgraph clusters;
+    for (std::size_t i = 0; i < subgraph.original.size(); ++i) {
+      const int c = clusters_.ofNode[subgraph.original[i]];
+      if (clusterNumber_[c] >= 0) continue;
+      clusterNumber_[c] = static_cast<int>(clusters.original.size());
+      clusters.original.push_back(c);
+      clusters.coordinates.push_back(subgraph.coordinates[i]);
+    }
+    for (const int c : clusters.original) {
+      for (const int other : clusters_.graph.neighbours(c))
+        if (clusterNumber_[other] >= 0) clusters.graph.neighbour.push_back(clusterNumber_[other]);
+      clusters.graph.start.push_back(static_cast<int>(clusters.graph.neighbour.size()));
+    }
+    return clusters;
   }
 
   // Every node is divided off about as often as subgraphs can be halved, each time in two steps: finding, extracting.
@@ -88,8 +162,7 @@ class Dissection {
   }
 
   // The sides, left and right.
-  std::array<Subgraph, 2> divide(const Subgraph& subgraph, const std::vector<Side>& side,
-                                 const std::array<int, 3>& count) {
+  std::array<Subgraph, 2> divide(const Subgraph& subgraph, const std::vector<Side>& side, const Counts& count) {
     const Graph& graph = subgraph.graph;
     std::array<Subgraph, 2> halves;
     std::array<std::size_t, 2> ends = {0, 0};  // of edges, at most
@@ -171,10 +244,12 @@ class Dissection {
   }
 
   const Graph& whole_;
+  const GraphClusters clusters_;
   const FractionReport& onProgress_;
   double work_ = 0, reported_ = 0;
-  std::vector<int> local_;   // of a leaf's nodes and their neighbours while it is ordered, else -1
-  std::vector<int> number_;  // of a subgraph's nodes in their side, while it is divided
+  std::vector<int> local_;          // of a leaf's nodes and their neighbours while it is ordered, else -1
+  std::vector<int> number_;         // of a subgraph's nodes in their side, while it is divided
+  std::vector<int> clusterNumber_;  // of each cluster in a subgraph's, while these are divided, else -1
   std::vector<int> halo_;
   std::vector<int> order_;
   int end_ = 0;  // order_ is filled from here on

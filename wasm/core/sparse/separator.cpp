@@ -12,10 +12,6 @@ namespace shapespline {
 
 namespace {
 
-// A band holds this many times the square root of all nodes on either side of the median: some thirty layers of a
-// mesh. Wider bands shorten separators little (1 % for twice the width) and cost time and balance.
-constexpr double kBandDepth = 24.0;
-constexpr double kBandFraction = 0.18;
 // Times the square root of all nodes, the side of a square subgraph: separators longer than this are worth a try along
 // the diagonals, and along the other axes. The cubes of the largest separators are most of a factorisation's work.
 constexpr double kLongSeparator = 1.1, kVeryLongSeparator = 1.6;
@@ -34,9 +30,9 @@ std::array<Vec3, 3> principalAxes(std::span<const Vec3> points) {
 }
 
 // Left below the band about the median along a direction, Right above it; ties by number.
-std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& direction) {
+std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& direction, const Band& band) {
   const double size = static_cast<double>(coordinates.size());
-  const double halfBand = std::min(kBandFraction * size, kBandDepth * std::sqrt(size));
+  const double halfBand = std::min(band.share * size, band.depth * std::sqrt(size));
   const auto low = static_cast<std::ptrdiff_t>(0.5 * size - halfBand),
              high = static_cast<std::ptrdiff_t>(0.5 * size + halfBand) + 1;
   std::vector<double> place;
@@ -75,8 +71,8 @@ void widenBand(const Graph& graph, std::vector<Side>& side) {
 using OnStep = std::function<void()>;
 
 std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction,
-                                 const OnStep& onStep) {
-  std::vector<Side> side = medianBand(coordinates, direction);
+                                 const Band& band, const OnStep& onStep) {
+  std::vector<Side> side = medianBand(coordinates, direction, band);
   if (onStep) onStep();
   widenBand(graph, side);
   shrinkSeparator(graph, side);
@@ -90,8 +86,9 @@ struct Cut {
   double separator = 0, cost = 0;
 };
 
-Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction, const OnStep& onStep = {}) {
-  Cut cut{separatorAlong(graph, coordinates, direction, onStep)};
+Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& direction, const Band& band,
+             const OnStep& onStep = {}) {
+  Cut cut{separatorAlong(graph, coordinates, direction, band, onStep)};
   const auto count = [&](Side s) { return static_cast<double>(std::count(cut.side.begin(), cut.side.end(), s)); };
   cut.separator = count(Side::Separator);
   cut.cost = std::pow(cut.separator, 3) +
@@ -101,9 +98,10 @@ Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& 
 
 }  // namespace
 
-std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates, const OnStep& onStep) {
+std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordinates, const OnStep& onStep,
+                                const Band& band) {
   const auto [first, second, third] = principalAxes(coordinates);
-  Cut best = cutAlong(graph, coordinates, first, onStep);
+  Cut best = cutAlong(graph, coordinates, first, band, onStep);
   if (onStep) onStep();
   const struct {
     Vec3 direction;
@@ -114,7 +112,7 @@ std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordi
                 {third, kVeryLongSeparator}};
   for (const auto& [direction, worthAbove] : others) {
     if (best.separator <= worthAbove * std::sqrt(graph.size())) break;
-    Cut cut = cutAlong(graph, coordinates, direction);
+    Cut cut = cutAlong(graph, coordinates, direction, band);
     if (cut.cost < best.cost) best = std::move(cut);
   }
   return std::move(best.side);
