@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/sparse/elimination_tree.h"
+#include "core/sparse/graph_clusters.h"
 #include "core/sparse/nested_dissection.h"
 #include "core/sparse/separator.h"
 #include "core/sparse/symbolic.h"
@@ -184,6 +185,48 @@ TEST_CASE("ordering: nested dissection has far less fill than the given order an
   MESSAGE("entries of the factor, nested dissection over minimum degree, " << graph.size() << " vertices: " << ratio);
   CHECK(ratio < 0.9);
   CHECK(nestedDissectionOrder(graph, mesh.positions) == dissected);
+}
+
+TEST_CASE("ordering: clusters hold neighbours, and border on each other as their nodes do") {
+  Random random(9);
+  const PlainMesh sheet = irregularSheet(60, 40, random);
+  for (const Graph& graph : {meshGraph(sheet), randomGraph(400, 300, random), graphFromEdges(3, {}), Graph{}}) {
+    const GraphClusters clusters = clusterNodes(graph);
+    REQUIRE(static_cast<int>(clusters.ofNode.size()) == graph.size());
+    std::set<std::pair<int, int>> bordering, found;
+    std::vector<int> lone(clusters.graph.size(), 0), size(clusters.graph.size(), 0);
+    for (int v = 0; v < graph.size(); ++v) {
+      const int cluster = clusters.ofNode[v];
+      ++size[cluster];
+      bool joined = false;
+      for (const int u : graph.neighbours(v)) {
+        joined = joined || clusters.ofNode[u] == cluster;
+        if (clusters.ofNode[u] != cluster) bordering.emplace(cluster, clusters.ofNode[u]);
+      }
+      if (!joined) ++lone[cluster];
+    }
+    for (int c = 0; c < clusters.graph.size(); ++c) {
+      CHECK(size[c] > 0);
+      CHECK(lone[c] == (size[c] == 1 ? 1 : 0));
+      for (const int other : clusters.graph.neighbours(c)) found.emplace(c, other);
+    }
+    CHECK(found == bordering);
+    CHECK(found.size() == clusters.graph.neighbour.size());
+  }
+  const Graph graph = meshGraph(sheet);
+  CHECK(5 * clusterNodes(graph).graph.size() < graph.size());
+}
+
+TEST_CASE("ordering: nested dissection copes with large graphs that are no meshes") {
+  Random random(8);
+  const int size = 7000;  // divided among clusters first
+  const std::vector<Vec3> same(size, Vec3(1, 2, 3)), scattered = randomPoints(size, random);
+  std::vector<std::pair<int, int>> none, path, star;
+  for (int i = 1; i < size; ++i) path.emplace_back(i - 1, i), star.emplace_back(0, i);
+  for (const auto& edges : {none, path, star})
+    for (const auto& points : {same, scattered})
+      CHECK(isPermutation(nestedDissectionOrder(graphFromEdges(size, edges), points), size));
+  CHECK(isPermutation(nestedDissectionOrder(randomGraph(size, 12000, random), scattered), size));
 }
 
 TEST_CASE("ordering: nested dissection copes with graphs that are no meshes") {

@@ -102,16 +102,18 @@ class Dissection {
     return findSeparator(subgraph.graph, subgraph.coordinates, onStep);
   }
 
-  // A separator of the subgraph's clusters, then the smallest one of nodes near it.
+  // A separator of the subgraph's clusters, then the smallest one of nodes near it; none where there are few clusters.
   std::vector<Side> sidesByClusters(const Subgraph& subgraph, const std::function<void()>& onStep) {
     const Subgraph clusters = clustersOf(subgraph);
-    std::vector<Side> near = findSeparator(clusters.graph, clusters.coordinates, onStep, kBandOfClusters);
-    for (int layer = 0; layer < kNearbyLayers; ++layer) near = widened(clusters.graph, near);
     std::vector<Side> side;
-    side.reserve(subgraph.original.size());
-    for (const int v : subgraph.original) side.push_back(near[clusterNumber_[clusters_.ofNode[v]]]);
+    if (clusters.graph.size() > kLeafSize) {
+      std::vector<Side> near = findSeparator(clusters.graph, clusters.coordinates, onStep, kBandOfClusters);
+      for (int layer = 0; layer < kNearbyLayers; ++layer) near = widened(clusters.graph, near);
+      side.reserve(subgraph.original.size());
+      for (const int v : subgraph.original) side.push_back(near[clusterNumber_[clusters_.ofNode[v]]]);
+      shrinkSeparator(subgraph.graph, side);
+    }
     for (const int c : clusters.original) clusterNumber_[c] = -1;
-    shrinkSeparator(subgraph.graph, side);
     return side;
   }
 
