@@ -34,6 +34,7 @@ export function bendData(mesh: Mesh = bar()): Omit<RequestOf<'create'>, 'motion'
     normals: null,
     encoding: ENCODING_DEFAULTS,
     order: null,
+    sketch: null,
   };
 }
 

@@ -29,6 +29,30 @@ export interface CallOptions {
   onProgress?: (progress: Progress) => void;
 }
 
+/** An approximate shape: 3 x vertices, at a time. */
+export interface SketchFrame {
+  t: number;
+  positions: Float32Array;
+}
+
+/** What is shown of a large motion while it is made: its patches alone, each as a rigid piece, which meets every key. */
+export interface Sketch {
+  /** It plays from this time on, so many units of time a second: from the first key to the last, and on from the first. */
+  time: number;
+  speed: number;
+  /** Back from the last key instead. */
+  bounce?: boolean;
+  /**
+   * Told of a shape now and then, from the moment when there are patches until the sequence is there. Not of small
+   * shapes, which are there at once, nor of motions without patches of their own.
+   */
+  onFrame(frame: SketchFrame): void;
+}
+
+export interface CreateOptions extends CallOptions {
+  sketch?: Sketch;
+}
+
 /** How frames are fetched ahead. */
 export interface AheadOptions {
   /** Previews instead of exact frames. */
@@ -41,7 +65,7 @@ export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
   /** Encodes and factorises in a fresh worker; the old sequence keeps serving until the caller disposes of it. */
-  createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
+  createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CreateOptions): Promise<Sequence>;
   /** Ends every worker. Idempotent. */
   dispose(): void;
 }

@@ -1,10 +1,11 @@
 /** The engine over any kind of worker. A task that fails or is cancelled takes its worker with it. */
-import type { CallOptions, Engine, Keys, Sequence } from '../api/api.ts';
+import type { CallOptions, CreateOptions, Engine, Keys, Sequence, Sketch } from '../api/api.ts';
 import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
+import { LARGE } from '../api/large.ts';
 import { KeysHandle } from './keyframes.ts';
-import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
-import type { Program, WorkerFiles } from '../wire/protocol.ts';
+import { checkCall, checkImportOptions, checkSequenceOptions, checkSketch } from '../api/options.ts';
+import type { Program, SketchPlan, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
 import { orderBeside } from './order-beside.ts';
 import { requestOf, SequenceClient } from './sequence.ts';
@@ -22,8 +23,6 @@ export interface Platform {
   files?: WorkerFiles;
 }
 
-/** Vertices. Below, waking a second thread costs about what it saves. */
-const LARGE = 40_000;
 /** Bytes of a file's vertex, at least; only what is compressed takes less. */
 const VERTEX_BYTES = 12;
 
@@ -61,10 +60,12 @@ export class EngineClient implements Engine {
     return new KeysHandle(imported);
   }
 
-  async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
+  async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CreateOptions): Promise<Sequence> {
     this.checkAlive();
-    checkCall(call);
+    checkCall(call, ['sketch']);
+    const wanted = checkSketch(call?.sketch);
     if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
+    const sketch = wanted && keys.info.report.vertices >= LARGE ? wanted : null;
     const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
     const parts = {
       keys: keys.data,
@@ -77,7 +78,10 @@ export class EngineClient implements Engine {
     const client = large ? this.freshWorker(large) : this.takeWorker();
     try {
       const sequence = await this.task(client, call, () =>
-        SequenceClient.create(parts, client, beside?.order ?? null, { onProgress: call?.onProgress }),
+        SequenceClient.create(parts, client, beside?.order ?? null, sketch && planOf(sketch), {
+          onProgress: call?.onProgress,
+          onSketch: sketch?.onFrame,
+        }),
       );
       this.sequences.add(sequence);
       return sequence;
@@ -138,6 +142,10 @@ export class EngineClient implements Engine {
   private checkAlive(): void {
     if (this.over) throw disposed('engine');
   }
+}
+
+function planOf({ time, speed, bounce = false }: Sketch): SketchPlan {
+  return { time, speed, bounce };
 }
 
 function checkFiles(files: unknown): void {
