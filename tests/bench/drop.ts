@@ -1,7 +1,7 @@
 /**
  * npm run bench -- drop [FACES,...]: the built page in Chromium, from a file that is given to it until its motion is
- * there: when it was read, when its motion is made, when its shape is drawn; and for how long the page does not answer
- * meanwhile.
+ * there: when it was read, when an approximate shape moves, when its motion is made, when its shape is drawn, and when
+ * the graphics card has finished that; and for how long the page does not answer meanwhile.
  */
 import type { Page } from '@playwright/test';
 import { serve } from '../../wasm/toolchain/serve.mjs';
@@ -10,9 +10,9 @@ import { dist, isPageBuilt, startBrowser } from './built-page.ts';
 import { quantile } from './quantile.ts';
 
 const RUNS = 5;
-const COLUMNS = ['read', 'made', 'drawn', 'longest task'] as const;
+const COLUMNS = ['read', 'moves', 'made', 'drawn', 'finished', 'longest task'] as const;
 
-/** Milliseconds after the file was given. */
+/** Milliseconds after the file was given; NaN for what did not happen. */
 type Times = Record<(typeof COLUMNS)[number], number>;
 
 /** Runs in the page, as what it waits for is soon over. */
@@ -33,7 +33,16 @@ function watch(): Promise<Times> {
       // Its first shape was drawn in the frame after this one.
       const end = (): void => {
         const drawn = performance.now() - begin;
-        resolve({ read: after('read'), made: after('made'), drawn, 'longest task': longest });
+        const gl = document.querySelector('canvas')!.getContext('webgl2')!;
+        const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0)!;
+        gl.flush();
+        const poll = (): void => {
+          if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return void setTimeout(poll, 4);
+          const finished = performance.now() - begin;
+          const marks = { read: after('read'), moves: after('moves'), made: after('made') };
+          resolve({ ...marks, drawn, finished, 'longest task': longest });
+        };
+        poll();
       };
       requestAnimationFrame(() => requestAnimationFrame(end));
     };
@@ -68,7 +77,10 @@ export async function benchDrop(faces: readonly number[], meshOf: (faces: number
         runs.push(await drop(await context.newPage(), url, file));
         await context.close();
       }
-      const medians = COLUMNS.map((name) => quantile(runs.map((times) => times[name])).toFixed(0));
+      const medians = COLUMNS.map((name) => {
+        const median = quantile(runs.map((times) => times[name]));
+        return Number.isNaN(median) ? '' : median.toFixed(0);
+      });
       console.log(`| ${[count, ...medians].join(' | ')} |`);
     }
   } finally {

@@ -63,6 +63,9 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     },
     onWorking: feedback.onWorking,
     onRead: (info) => scene.expect(info),
+    onAwaited: (opening) => display.sketch.await(opening),
+    onSketch: (opening, frame) => display.sketch.take(opening, frame),
+    onGivenUp: () => display.sketch.end(),
     onError: feedback.onError,
   });
   const { store, workspace, sequence } = session;
@@ -378,7 +381,7 @@ function followState({ session, display, ways, applyLook, onEdit, onMoved, onOpe
 function testHookOf(
   ready: Promise<void>,
   { store, workspace, sequence, range }: Session,
-  { scene, playback: { frameLoop } }: Display,
+  { scene, sketch, playback: { frameLoop } }: Display,
   files: OpenFiles,
   showMotion: () => void,
 ): TestHook {
@@ -388,6 +391,7 @@ function testHookOf(
     viewer: scene.viewer,
     state: () => store.get(),
     shown: () => frameLoop.shown,
+    sketch: () => sketch.time,
     difference: () => scene.difference?.percent ?? null,
     async seekExactly(t) {
       const time = clampTime(t, range());

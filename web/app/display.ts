@@ -15,6 +15,7 @@ import type { CameraPose } from '../model/camera.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
 import type { Playback } from './playback/playback.ts';
+import { SketchPlayer } from './playback/sketch-player.ts';
 import { readMoving } from '../playback/preview-policy.ts';
 import type { Session } from './session/session.ts';
 
@@ -30,6 +31,7 @@ export interface DisplayParts {
 export interface Display {
   scene: SceneController;
   playback: Playback;
+  sketch: SketchPlayer;
   thumbnails: Thumbnails;
   timePictures: TimePictures;
   marking: Marking;
@@ -47,7 +49,10 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
   };
   const scene = new SceneController(layout.viewport, events, layout.showFilmLabels);
   void scene.viewer.firstSeen.then(() => performance.mark('shapespline seen'));
+  const yields = (): boolean => viewState.get().working !== null;
   const show = async (frames: FrameSet, eased: boolean): Promise<void> => {
+    // What is asked for of what is open is seen.
+    if (sketch.time !== null) sketch.end();
     await scene.show(frames, store.get(), range(), eased && !reducedMotion());
     viewState.change(shownView(frames.frames[0], frames.preview));
   };
@@ -59,19 +64,29 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     blend: () => viewState.get().blend?.weights ?? null,
     screen: {
       show,
-      drawn: () => scene.viewer.drawn(),
-      yields: () => viewState.get().working !== null,
+      // Only then it is known how long the machine was busy with it.
+      drawn: () => (yields() ? scene.viewer.finished() : scene.viewer.drawn()),
+      yields,
       onError: (error) => {
         if (!restart.takesUp(error)) onError(error);
       },
     },
+  });
+  const sketch = new SketchPlayer({
+    show: (opening, frame, shadow) => scene.showSketch(opening, frame, shadow),
+    end: () => scene.endSketch(),
+    finished: () => scene.viewer.finished(),
+    rest: () => playback.rest(),
+    resume: () => playback.resume(),
+    fraction: () => viewState.get().working?.fraction ?? 0,
+    onChange: (sketched) => viewState.change({ sketched }),
   });
   const thumbnails = createThumbnails({
     store,
     workspace,
     scene,
     // Small pictures come after the large one.
-    idle: () => playback.frameLoop.idle().then(() => scene.viewer.drawn()),
+    idle: () => playback.frameLoop.idle().then(() => scene.viewer.finished()),
     has: (pose) => viewState.get().thumbnails.has(pose),
     onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
   });
@@ -92,5 +107,5 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     keyTimes: () => store.get().doc.keys.map(({ time }) => time),
     onWarning: (shownWarning) => viewState.change({ shownWarning }),
   });
-  return { scene, playback, thumbnails, timePictures, marking };
+  return { scene, playback, sketch, thumbnails, timePictures, marking };
 }

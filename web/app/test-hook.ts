@@ -17,6 +17,8 @@ export interface TestHook {
   readonly state: AppState;
   /** The time on the screen, which follows that of the state; `preview` while the frame is one of Sequence.preview. */
   readonly shown: { time: number; preview: boolean };
+  /** The time of the approximate shape that is on the screen instead, of files that are being opened; else null. */
+  readonly sketch: number | null;
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
   /** The engine's own answer for a moment, 3 x vertices, without drawing it. */
@@ -44,6 +46,7 @@ export interface TestHookParts {
   sequence(): Sequence | undefined;
   state(): AppState;
   shown(): { t: number; preview: boolean };
+  sketch(): number | null;
   difference(): Float32Array | null;
   /** Stops what plays and draws the exact shape of a moment. */
   seekExactly(t: number): Promise<void>;
@@ -83,6 +86,9 @@ export function createTestHook(parts: TestHookParts): TestHook {
     get shown() {
       const { t, preview } = parts.shown();
       return { time: t, preview };
+    },
+    get sketch() {
+      return parts.sketch();
     },
     difference: () => parts.difference()?.slice() ?? null,
     positions: (view = 0) => viewer.positions(view),

@@ -100,6 +100,12 @@ export class FrameLoop {
     this.wake();
   }
 
+  /** Nothing plays any more; resolves when nothing is asked for, either. */
+  async rest(): Promise<void> {
+    this.pause();
+    await this.running;
+  }
+
   /** Resolves when what has been asked for so far is drawn exactly; a motion that plays is not waited for. */
   idle(): Promise<void> {
     if (!this.busy) return Promise.resolve();

@@ -19,8 +19,11 @@ const STAGE_WORDS: Readonly<Record<string, string>> = {
   factorising: 'Preparing the motion',
 };
 
-/** The stage, a bar, and a way out; the shape behind it can still be played. */
-export function createProgress(onCancel: () => void): { element: HTMLElement; update(working: Working | null): void } {
+/** The stage, a bar, and a way out; the shape behind it can still be played, or is a sketch of what is being made. */
+export function createProgress(onCancel: () => void): {
+  element: HTMLElement;
+  update(working: Working | null, sketched: boolean): void;
+} {
   const stage = h('span', { class: 'stage', 'data-testid': 'stage' });
   const bar = h('div', { class: 'bar' });
   const meter = h(
@@ -44,10 +47,11 @@ export function createProgress(onCancel: () => void): { element: HTMLElement; up
   );
   return {
     element,
-    update(working) {
+    update(working, sketched) {
       setHidden(element, working === null);
       if (!working) return;
-      setText(stage, STAGE_WORDS[working.stage] ?? working.stage);
+      const words = STAGE_WORDS[working.stage] ?? working.stage;
+      setText(stage, sketched ? `${words}; what moves is approximate` : words);
       setAttribute(meter, 'aria-valuenow', Math.round(working.fraction * 100));
       setStyle(bar, 'width', `${(working.fraction * 100).toFixed(1)}%`);
     },

@@ -35,6 +35,17 @@ export class CameraRig {
     return this.controls.target;
   }
 
+  /** Takes it back to where it is now, and to what it is fitted to. */
+  keep(): () => void {
+    const { extent, whole } = this;
+    const pose = this.pose();
+    return () => {
+      this.setExtent(extent);
+      this.setPose(pose);
+      this.whole = whole;
+    };
+  }
+
   setExtent(extent: Extent): void {
     this.extent = extent;
     this.controls.minDistance = 0.02 * extent.radius;

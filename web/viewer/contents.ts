@@ -3,12 +3,12 @@ import { Group, Layers } from 'three';
 import type { Camera, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
-import { Shape, topologyOf, triangleOf } from './shape.ts';
+import { Shape, plainTopology, topologyOf, triangleOf } from './shape.ts';
 import type { Topology } from './shape.ts';
 import { makePrograms } from './programs.ts';
 import type { Studio } from './studio.ts';
 import { decodeTextures } from './textures.ts';
-import type { Extra, GhostPicture, Look } from './types.ts';
+import type { Extra, GhostPicture, Look, SketchPicture } from './types.ts';
 
 /** How long a shape takes to go over into the exact one. */
 const EASE_MS = 150;
@@ -25,8 +25,18 @@ export const FIRST_EXTRAS = 8;
 /** Layers of shapes and of extras. */
 export const MOST_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
 
+/** The approximate shape of an import that is still being made. */
+interface Sketched {
+  faces: Uint32Array;
+  shape: Shape;
+  colour: string;
+}
+
 export class Contents {
   readonly object = new Group();
+  /** All but the sketch, which is shown alone. */
+  private readonly open = new Group();
+  private sketched: Sketched | null = null;
   /** The import that the topology is of. */
   private of: KeysInfo | null = null;
   private topology: Topology | null = null;
@@ -47,19 +57,21 @@ export class Contents {
   constructor(
     private readonly studio: Studio,
     private readonly onTextures: () => void,
-  ) {}
+  ) {
+    this.object.add(this.open);
+  }
 
   get look(): Look {
     return this.current;
   }
 
   get views(): number {
-    return this.shapes.length;
+    return this.sketched ? 1 : this.shapes.length;
   }
 
   /** Whether a film strip is shown instead of the moving shapes. */
   get isStrip(): boolean {
-    return this.hideShapes;
+    return this.hideShapes && !this.sketched;
   }
 
   get easing(): boolean {
@@ -84,7 +96,28 @@ export class Contents {
 
   /** A new import: fresh buffers. */
   setImport(info: KeysInfo): void {
+    this.endSketch();
     this.prepare(info);
+  }
+
+  /** An approximate shape takes the place of what is shown, which stays as it is. */
+  setSketch({ faces, positions, normals, colour }: SketchPicture): void {
+    if (this.sketched?.faces !== faces) {
+      this.endSketch();
+      const topology = plainTopology(positions.length / 3, faces);
+      this.sketched = { faces, shape: this.addShape(topology, FIRST_SHAPE, this.object), colour };
+      this.open.visible = false;
+    }
+    this.sketched.shape.setFrame(positions, normals);
+    this.sketched.colour = colour;
+    this.applyColours();
+  }
+
+  /** What was shown before is shown again. */
+  endSketch(): void {
+    this.sketched?.shape.dispose();
+    this.sketched = null;
+    this.open.visible = true;
   }
 
   /** Its textures are decoded meanwhile. */
@@ -100,7 +133,7 @@ export class Contents {
 
   /** Whether a shape is in the picture. */
   get isShown(): boolean {
-    return this.shapes.some(({ object }) => object.visible) || this.extras.flat().length > 0;
+    return this.drawn.some(({ object }) => object.visible) || this.extras.flat().length > 0;
   }
 
   /** How many shapes are shown side by side; those that exist keep their frame. */
@@ -190,7 +223,7 @@ export class Contents {
     if (!ghost || !this.ghost?.fits(ghost)) {
       this.ghost?.dispose();
       this.ghost = ghost && new GhostView(ghost, this.studio, FIRST_SHAPE);
-      if (this.ghost) this.object.add(this.ghost.object);
+      if (this.ghost) this.open.add(this.ghost.object);
     }
     if (ghost && shape) this.ghost?.setFrame(ghost, shape.positions, this.current.dark);
   }
@@ -198,25 +231,26 @@ export class Contents {
   setLook(look: Look): void {
     this.current = look;
     for (const shape of this.shapes) shape.setLook(look);
+    this.sketched?.shape.setLook(look);
     for (const shape of this.extras.flat()) shape.setLook(this.lookOf(shape.opacity));
     this.applyColours();
   }
 
   /** Positions drawn in a view now, copied; empty before the first frame. */
   positions(view: number): Float32Array {
-    const shape = this.shapes[view];
+    const shape = this.drawn[view];
     return shape?.object.visible ? shape.positions.slice() : new Float32Array();
   }
 
   /** A vertex of the first view's shape; empty before its first frame. */
   vertex(index: number): Float32Array {
-    const shape = this.shapes[0];
+    const shape = this.drawn[0];
     return shape?.object.visible ? shape.positions.slice(3 * index, 3 * index + 3) : new Float32Array();
   }
 
   /** So many vertices of the first view's shape, or all, or none before its first frame. */
   sample(count: number): Float32Array {
-    const shape = this.shapes[0];
+    const shape = this.drawn[0];
     if (!shape?.object.visible) return new Float32Array();
     const all = shape.positions;
     const step = 3 * Math.max(Math.floor(all.length / 3 / count), 1);
@@ -239,7 +273,7 @@ export class Contents {
   layersOf(view: number): Layers {
     const layers = new Layers();
     layers.enable(FIRST_EXTRAS + view);
-    if (!this.hideShapes) layers.enable(FIRST_SHAPE + view);
+    if (!this.isStrip) layers.enable(FIRST_SHAPE + view);
     return layers;
   }
 
@@ -264,10 +298,16 @@ export class Contents {
   }
 
   dispose(): void {
+    this.endSketch();
     this.clear();
     this.warming?.dispose();
     for (const texture of this.topology?.textures ?? []) texture?.dispose();
     this.topology = null;
+  }
+
+  /** The sketch, or the shapes of the views. */
+  private get drawn(): readonly Shape[] {
+    return this.sketched ? [this.sketched.shape] : this.shapes;
   }
 
   private fits(positions: Float32Array): boolean {
@@ -281,15 +321,16 @@ export class Contents {
     return { ...this.current, colouring: coloured ? 'phase' : colouring, wireframe: false };
   }
 
-  private addShape(topology: Topology, layer: number): Shape {
+  private addShape(topology: Topology, layer: number, into = this.open): Shape {
     const shape = new Shape(topology, this.studio, layer);
     shape.setLook(this.current);
-    this.object.add(shape.object);
+    into.add(shape.object);
     return shape;
   }
 
   private applyColours(): void {
     this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
+    this.sketched?.shape.setColour(this.sketched.colour);
     this.extras.forEach((shapes, view) =>
       shapes.forEach((shape, index) => shape.setColour(this.extraColours[view]?.[index] ?? '#888888')),
     );

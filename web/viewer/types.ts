@@ -21,6 +21,18 @@ export interface Extra {
   offset: number;
 }
 
+/** An approximate shape, without materials. */
+export interface SketchPicture {
+  /** 3 x faces; the same array as long as it is the same mesh. */
+  faces: Uint32Array;
+  /** 3 x vertices each; copied. */
+  positions: Float32Array;
+  normals: Float32Array;
+  colour: string;
+  /** It throws one, which takes as long to draw as the shape itself. */
+  shadow: boolean;
+}
+
 /** The ghost mesh at a moment. */
 export interface GhostPicture {
   /** 3 x ghost faces; the same array as long as it is the same mesh. */

@@ -8,12 +8,13 @@ import { Contents } from './contents.ts';
 import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
 import { Stage } from './stage.ts';
+import type { Extent } from './bounds.ts';
 import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
 import { ownSurface } from './surface.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { sides, tiles } from './tiles.ts';
-import type { Extra, GhostPicture, Look, PixelSize, Ray, Rect } from './types.ts';
+import type { Extra, GhostPicture, Look, PixelSize, Ray, Rect, SketchPicture } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
@@ -30,6 +31,8 @@ export interface ViewerEvents {
 const STRIP_ASPECT = 6;
 /** Vertices that tell whether a shape is seen. */
 const SAMPLED = 300;
+/** Between two looks whether the graphics card has finished. */
+const FENCE_MS = 4;
 /** The largest share of a view's height that is given to what lies over it. */
 const MOST_COVERED = 0.6;
 
@@ -48,6 +51,9 @@ export class Viewer {
   private pictureSize: PixelSize | null = null;
   private split: number | null = null;
   private phase: string | null = null;
+  private bounds: Bounds | null = null;
+  /** Takes camera and floor back to what they were before a sketch. */
+  private leaveSketch: (() => void) | null = null;
   /** Another one whenever what stands on the floor has changed. */
   private version = 0;
   private pending = 0;
@@ -152,15 +158,60 @@ export class Viewer {
     this.change();
   }
 
-  /** A new import; nothing of it is seen until its first frame. */
+  /** A new import; nothing of it is seen until its first frame, but its sketch. */
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
     this.expect(info);
+    this.leaveSketch = null;
+    this.stage.setShadow(true);
     this.contents.setImport(info);
     this.tileAspect = 1;
-    this.stage.setBounds(bounds);
+    this.setBounds(bounds);
     const extent = { points, radius: radiusOf(bounds) };
     this.thumbnails.setExtent(extent);
     this.rig.setExtent(extent);
+  }
+
+  /**
+   * An approximate shape of an import that is about to be set, seen alone and as a whole. What is shown until now stays
+   * as it is: either `endSketch` or `setImport` is to follow.
+   */
+  setSketch(picture: SketchPicture, { bounds, points }: Extent): void {
+    const isFirst = this.leaveSketch === null;
+    this.leaveSketch ??= this.restoring();
+    this.contents.setSketch(picture);
+    this.stage.setPhase(picture.colour);
+    this.stage.setShadow(picture.shadow);
+    if (isFirst) {
+      this.tileAspect = 1;
+      this.setExtent(bounds, points);
+      this.fit('home', false);
+    }
+    this.change();
+  }
+
+  /** Back to the camera and the floor as they are now. */
+  private restoring(): () => void {
+    const restoreCamera = this.rig.keep();
+    const { bounds, tileAspect, phase } = this;
+    const { isStrip } = this.contents;
+    return () => {
+      this.stage.setShadow(true);
+      this.tileAspect = tileAspect;
+      if (bounds) this.setBounds(bounds);
+      this.stage.setPhase(isStrip ? null : phase);
+      this.rig.setAspect(this.aspect());
+      this.rig.setInsets(this.insets());
+      restoreCamera();
+    };
+  }
+
+  endSketch(): void {
+    const leave = this.leaveSketch;
+    if (!leave) return;
+    this.leaveSketch = null;
+    this.contents.endSketch();
+    leave();
+    this.change();
   }
 
   /** Resolves once what is open is seen in its own textures. */
@@ -240,6 +291,11 @@ export class Viewer {
     this.rig.fit(view, eased);
   }
 
+  /** Nobody has moved what is looked at since it was fitted. */
+  get isFitted(): boolean {
+    return this.rig.isFitted;
+  }
+
   /** Other things cover the views now: a shape that nobody has moved takes what is free. */
   refit(eased: boolean): void {
     if (this.rig.isFitted) this.fit(null, eased);
@@ -247,9 +303,14 @@ export class Viewer {
 
   /** Lets light, floor and fitted views follow other shapes than the keys: what is extrapolated, a film strip. */
   setExtent(bounds: Bounds, points: Float32Array): void {
-    this.stage.setBounds(bounds);
+    this.setBounds(bounds);
     this.rig.setExtent({ points, radius: radiusOf(bounds) });
     this.invalidate();
+  }
+
+  private setBounds(bounds: Bounds): void {
+    this.bounds = bounds;
+    this.stage.setBounds(bounds);
   }
 
   cameraPose(): CameraPose {
@@ -422,6 +483,19 @@ export class Viewer {
         this.invalidate();
       });
     } while (this.moving || (this.flooring !== null && !this.floored));
+  }
+
+  /** The same, once the graphics card has done it. */
+  async finished(): Promise<void> {
+    await this.drawn();
+    const context = this.renderer.getContext() as WebGL2RenderingContext;
+    const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    context.flush();
+    while (fence && !context.isContextLost() && !this.over.signal.aborted) {
+      if (context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED) break;
+      await new Promise((resolve) => setTimeout(resolve, FENCE_MS));
+    }
+    context.deleteSync(fence);
   }
 
   /** Draws now and calls `use` before the browser may clear the canvas. */

@@ -1,5 +1,5 @@
 /** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Sequence, SketchFrame } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
@@ -18,6 +18,10 @@ import { filmNames, filmPlaces, filmStrips, filmTimes, onionSkins, onionTimes } 
 import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
 import { extentOf } from '../../viewer/bounds.ts';
+import type { Extent } from '../../viewer/bounds.ts';
+import { coarseMesh, coarsePositions } from './coarse-mesh.ts';
+import type { CoarseMesh } from './coarse-mesh.ts';
+import { vertexNormals } from './vertex-normals.ts';
 import type { HeatMap } from './heat-map.ts';
 import { besideOf, wantsHeat } from './heat-wanted.ts';
 import { measure } from './measures.ts';
@@ -27,6 +31,7 @@ import { pickFace } from './pick-face.ts';
 import { patchColours } from '../../viewer/patch-colours.ts';
 import type { FrameSet, RunningMotion } from '../../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
+import type { Opening } from '../session/workspace.ts';
 
 /**
  * While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then.
@@ -87,15 +92,21 @@ export class SceneController {
   private width = 0;
   /** How far along x the ghost stands beside the shape now. */
   private beside: number | null = null;
+  /** An approximate shape of what is being opened is shown instead. */
+  private sketch: { info: KeysInfo; mesh: CoarseMesh; extent: Extent } | null = null;
 
   constructor(
     host: HTMLElement,
     events: ViewerEvents,
     private readonly onNames: (names: readonly FilmLabel[]) => void,
   ) {
-    this.onCamera = events.onCamera;
+    // Where a sketch is looked at from is not of what is open.
+    this.onCamera = (pose) => {
+      if (!this.sketch) events.onCamera(pose);
+    };
     this.viewer = new Viewer(host, {
       ...events,
+      onCamera: this.onCamera,
       onResize: () => {
         this.place();
         events.onResize();
@@ -105,7 +116,12 @@ export class SceneController {
   }
 
   get colourBar(): ColourBarProps | null {
-    return this.heatMap?.bar ?? null;
+    return (this.sketch ? null : this.heatMap?.bar) ?? null;
+  }
+
+  /** What is written over the views. */
+  get shownLabels(): TileLabel[] {
+    return this.sketch ? [] : this.labels;
   }
 
   /** What the colours of the first view show now, where that is the difference of two motions. */
@@ -126,6 +142,39 @@ export class SceneController {
     this.viewer.expect(info);
   }
 
+  /**
+   * An approximate shape of files that are being opened, alone in the picture; what is open stays as it is. `shadow`:
+   * drawn anew.
+   */
+  showSketch({ info, doc, pool }: Opening, { t, positions }: SketchFrame, shadow: boolean): void {
+    const { keys, motion } = doc;
+    this.sketch ??= {
+      info,
+      mesh: coarseMesh([pool.keys.positions(0), pool.keys.positions(pool.imported - 1)], info.faces),
+      extent: extentOf(pool.poses(pool.imported)),
+    };
+    const range: Range = [keys[0]?.time ?? 0, keys.at(-1)?.time ?? 1];
+    const periodic = motion.boundary === 'periodic';
+    const { kind } = phaseOf({ t, keys, range, periodic, tolerance: PLAYING_TOLERANCE });
+    const { mesh, extent } = this.sketch;
+    const coarse = coarsePositions(mesh, positions);
+    const normals = new Float32Array(coarse.length);
+    vertexNormals(coarse, mesh.faces, normals);
+    this.viewer.setSketch(
+      { faces: mesh.faces, positions: coarse, normals, colour: PHASE_COLOURS[kind], shadow },
+      extent,
+    );
+    this.placeNames();
+  }
+
+  /** What is open is seen again, as it was. */
+  endSketch(): void {
+    if (!this.sketch) return;
+    this.viewer.endSketch();
+    this.sketch = null;
+    this.placeNames();
+  }
+
   /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
   setImport(info: KeysInfo, pool: PosePool, camera: View['camera']): void {
     this.original = null;
@@ -139,13 +188,16 @@ export class SceneController {
     this.beside = null;
     this.labels = [];
     this.heatMap?.clear();
-    const { bounds, points } = extentOf(pool.poses(pool.imported));
+    const sketch = this.sketch?.info === info ? this.sketch : null;
+    this.sketch = null;
+    const { bounds, points } = sketch?.extent ?? extentOf(pool.poses(pool.imported));
+    const looksElsewhere = sketch !== null && !this.viewer.isFitted;
     this.width = bounds.max[0] - bounds.min[0];
     this.base = measure(pool.keys.positions(0), info.faces);
     this.viewer.setImport(info, bounds, points);
     this.viewer.setViews(1);
     if (camera) this.viewer.setCameraPose(camera);
-    else this.viewer.fit('home', false);
+    else if (!looksElsewhere) this.viewer.fit('home', false);
   }
 
   /** Fits the view to the keys and to what is drawn now, which may have left them. */
@@ -245,7 +297,7 @@ export class SceneController {
 
   /** The face under a place of the canvas, in CSS pixels; -1 where there is none. */
   pick(x: number, y: number): number {
-    const at = this.film ? null : this.viewer.rayAt(x, y);
+    const at = this.film || this.sketch ? null : this.viewer.rayAt(x, y);
     return at && this.info ? pickFace(this.viewer.positions(at.view), this.info.faces, at.ray) : -1;
   }
 
@@ -372,7 +424,7 @@ export class SceneController {
 
   /** Names of the shapes of a film strip, where a view has them on the canvas, in its pixels. */
   filmLabels(view: number): FilmLabel[] {
-    const { film } = this;
+    const film = this.sketch ? null : this.film;
     const places = film?.places[view];
     if (!film || !places) return [];
     const at = this.viewer.projectDrawn(places, view);

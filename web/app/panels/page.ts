@@ -211,7 +211,7 @@ export function createPage(parts: PageParts): Page {
       viewState: viewState.get(),
       range: range(),
       theme: theme.theme(),
-      labels: scene.labels,
+      labels: scene.shownLabels,
       split: scene.isSplit,
       outOfView: scene.outOfView,
       colourBar: scene.colourBar,

@@ -33,6 +33,8 @@ export interface ViewState {
   /** Index of the warning whose place is marked on the shape, or null. */
   shownWarning: number | null;
   working: Working | null;
+  /** An approximate shape of what is being opened is shown. */
+  sketched: boolean;
   errorMessage: ErrorMessage | null;
   stats: SequenceStats | null;
   /** Milliseconds of the last exact frame. */
@@ -146,6 +148,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   warnings: [],
   shownWarning: null,
   working: null,
+  sketched: false,
   errorMessage: null,
   stats: null,
   ms: null,

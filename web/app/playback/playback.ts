@@ -23,6 +23,9 @@ export interface PlaybackParts {
 
 export interface Playback {
   frameLoop: FrameLoop;
+  /** What plays stops until `resume`, whatever the state says; resolves when nothing is under way any more. */
+  rest(): Promise<void>;
+  resume(): void;
   /** The state has changed. */
   follow(state: AppState, changed: StateChanges): void;
 }
@@ -37,15 +40,27 @@ export function createPlayback({ store, screen, moving, sequences, range, blend 
     (time, playing) => store.set({ time, play: { ...store.get().play, playing } }),
     () => frameLoop.advance(),
   );
+  let rests = false;
+  const play = (): void => {
+    if (rests) return;
+    frameLoop.play(player);
+    player.start();
+  };
   return {
     frameLoop,
+    rest() {
+      rests = true;
+      player.stop();
+      return frameLoop.rest();
+    },
+    resume() {
+      rests = false;
+      if (store.get().play.playing) play();
+    },
     follow({ time, play: { playing } }, changed) {
       if (changed.drawing) void frameLoop.request(time);
       else if (changed.time && !playing) frameLoop.follow(time);
-      if (changed.started) {
-        frameLoop.play(player);
-        player.start();
-      }
+      if (changed.started) play();
       if (changed.stopped) {
         player.stop();
         frameLoop.pause();

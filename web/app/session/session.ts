@@ -1,5 +1,5 @@
 /** What is open, with the engine that serves it: every edit becomes sequences, or is taken back. */
-import type { Engine, Sequence } from '../../engine/api/api.ts';
+import type { Engine, Sequence, SketchFrame } from '../../engine/api/api.ts';
 import type { KeysInfo, Progress } from '../../engine/api/types.ts';
 import { EMPTY_STATE } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -10,11 +10,17 @@ import { createStore } from './store.ts';
 import type { Store } from './store.ts';
 import { WorkerRestart } from './worker-restart.ts';
 import { Workspace } from './workspace.ts';
+import type { Opening } from './workspace.ts';
 
 export interface SessionEvents {
   onWorking(working: Progress | null): void;
   /** Files are read; their motion is not made yet. */
   onRead(info: KeysInfo): void;
+  /** Approximate shapes of what is being opened are about to come. */
+  onAwaited(opening: Opening): void;
+  onSketch(opening: Opening, frame: SketchFrame): void;
+  /** What was being opened will not be. */
+  onGivenUp(): void;
   /** The sequences follow the document now. */
   onServed(): void;
   /** The engine refused an edit, which is taken back. */
@@ -46,7 +52,7 @@ export interface Session {
 
 export function createSession(
   started: StartedEngine,
-  { onWorking, onRead, onServed, onError, onRestart }: SessionEvents,
+  { onWorking, onRead, onAwaited, onSketch, onGivenUp, onServed, onError, onRestart }: SessionEvents,
 ): Session {
   const store = createStore(EMPTY_STATE);
   const restart = new WorkerRestart(onRestart);
@@ -56,6 +62,9 @@ export function createSession(
   const workspace = new Workspace(engine, {
     onProgress: onWorking,
     onRead,
+    onAwaited,
+    onSketch,
+    onGivenUp,
     onReady() {
       served.note(store.get());
       onServed();

@@ -1,7 +1,8 @@
 /** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
-import type { Engine, Keys } from '../../engine/api/api.ts';
+import type { Engine, Keys, Sketch, SketchFrame } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
+import { LARGE } from '../../engine/api/large.ts';
 import type { Doc } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
@@ -16,10 +17,20 @@ export interface Opened {
   doc: Doc;
 }
 
+/** What is being opened: read, and shown as it will be once its motion is made. */
+export interface Opening extends Opened {
+  pool: PosePool;
+}
+
 export interface WorkspaceEvents {
   onProgress(progress: Progress | null): void;
   /** Files are read; the motion is not made yet. */
   onRead(info: KeysInfo): void;
+  /** The motion of what is being opened takes a while; approximate shapes of it are about to come. */
+  onAwaited(opening: Opening): void;
+  onSketch(opening: Opening, frame: SketchFrame): void;
+  /** It will not be opened. */
+  onGivenUp(): void;
   onReady(plan: SequencePlan): void;
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
@@ -29,6 +40,8 @@ export interface OpeningSteps {
   otherwise?(info: KeysInfo): ImportOptions | null;
   /** May change the document that the files start with. */
   adjust(doc: Doc, pool: PosePool): Doc;
+  /** From where its motion is shown, and how fast, before it is made; null: not at all. */
+  sketch?(opened: Opened): Omit<Sketch, 'onFrame'> | null;
   /** The last moment of what was open before. */
   leave(): void;
 }
@@ -101,7 +114,11 @@ export class Workspace {
    * Reads files and makes the motion; only when both have succeeded does it replace what is open. Resolves to null when
    * it was cancelled or overtaken by another call.
    */
-  async open(source: Input, given: ImportOptions, { otherwise, adjust, leave }: OpeningSteps): Promise<Opened | null> {
+  async open(
+    source: Input,
+    given: ImportOptions,
+    { otherwise, adjust, sketch, leave }: OpeningSteps,
+  ): Promise<Opened | null> {
     this.opening?.abort();
     const abort = new AbortController();
     this.opening = abort;
@@ -130,7 +147,11 @@ export class Workspace {
       this.events.onRead(info);
       const pool = new PosePool(keys);
       const doc = adjust(documentFromImport(info, pool), pool);
-      const set = await this.firstSet(pool, sequencePlan(doc), abort);
+      const plays = sketch?.({ info, doc });
+      const onFrame = (frame: SketchFrame): void => this.events.onSketch(opening, frame);
+      const opening = { info, doc, pool };
+      if (plays && info.report.vertices >= LARGE) this.events.onAwaited(opening);
+      const set = await this.firstSet(pool, sequencePlan(doc), abort, plays ? { ...plays, onFrame } : undefined);
       performance.mark('shapespline made');
       if (this.current) leave();
       this.close();
@@ -138,6 +159,7 @@ export class Workspace {
       return { info, doc };
     } catch (error) {
       keys?.dispose();
+      this.events.onGivenUp();
       if (isCancelled(error) || abort.signal.aborted) return null;
       throw error;
     } finally {
@@ -164,7 +186,12 @@ export class Workspace {
     if (this.opening === abort) this.events.onProgress(progress);
   }
 
-  private async firstSet(pool: PosePool, plan: SequencePlan, abort: AbortController): Promise<SequenceSet> {
+  private async firstSet(
+    pool: PosePool,
+    plan: SequencePlan,
+    abort: AbortController,
+    sketch: Sketch | undefined,
+  ): Promise<SequenceSet> {
     let failure: unknown = null;
     let open = false;
     const set = new SequenceSet(this.engine, pool, {
@@ -182,7 +209,7 @@ export class Workspace {
     });
     const stop = (): void => set.cancel();
     abort.signal.addEventListener('abort', stop);
-    set.want(plan);
+    set.want(plan, sketch);
     await set.idle();
     abort.signal.removeEventListener('abort', stop);
     if (abort.signal.aborted || set.plan === null) {

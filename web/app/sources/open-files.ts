@@ -1,16 +1,18 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
-import type { Engine } from '../../engine/api/api.ts';
+import type { Engine, Sketch } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
 import { orientationStep, reoriented } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
 import type { Doc, Source, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, EMPTY_STATE } from '../../model/state.ts';
+import { DEFAULT_VIEW, EMPTY_STATE, bounces } from '../../model/state.ts';
+import { clamp } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
-import type { Input, Workspace } from '../session/workspace.ts';
+import type { Input, Opened, Workspace } from '../session/workspace.ts';
 import { addPoses, takeTangent } from './add-poses.ts';
 import { readFiles } from './input-files.ts';
 import { Openings } from '../kept/openings.ts';
@@ -66,6 +68,8 @@ export interface OpenFilesParts {
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
   onOpened(opened: OpenedFiles): void;
+  /** The time that a sketch of these files has reached on the screen; null where there is none. */
+  sketched(info: KeysInfo): number | null;
   /** The files were read anew for the same document: what is shown is to be made of them. */
   onRead(): void;
   /** Of reading further poses; an import is told of by the workspace. */
@@ -141,6 +145,7 @@ export function createOpenFiles({
   say,
   onStart,
   onOpened,
+  sketched,
   onRead,
   onWorking,
   onError,
@@ -157,6 +162,13 @@ export function createOpenFiles({
     let initial = EMPTY_STATE.doc;
     let leaving: Work | null = null;
     let stoodUp = false;
+    const sketchOf = (opening: Opened): Omit<Sketch, 'onFrame'> | null => {
+      const { playing, speed, loop, between } = openingPlay(opening, source, link, store.get().play, reducedMotion());
+      const { keys, motion } = opening.doc;
+      const ends: Range = [keys[0]?.time ?? 0, keys.at(-1)?.time ?? 0];
+      const time = clamp(link?.time ?? ends[0], ...ends);
+      return playing && !between ? { time, speed, bounce: bounces(loop, motion.boundary) } : null;
+    };
     const opened = await workspace.open(input, options, {
       otherwise({ warnings }) {
         stoodUp = request.picked === true && warnings.some(({ code }) => code === 'z-up');
@@ -167,6 +179,7 @@ export function createOpenFiles({
         if (left) return restored(left, pool);
         return link ? applyPermalink(initial, link, pool.keys.info.report.components) : initial;
       },
+      sketch: (opening) => (left || request.stays ? null : sketchOf(opening)),
       leave: () => (leaving = currentWork(store, workspace)),
     });
     if (!opened) return false;
@@ -181,8 +194,8 @@ export function createOpenFiles({
           ? before.view
           : openingView(before.view, link);
     const pool = workspace.pool!;
-    const time =
-      left?.state.time ?? openingTime(doc, workspace.range, request.stays ? before.time : (link?.time ?? null));
+    const firstTime = request.stays ? before.time : (sketched(info) ?? link?.time ?? null);
+    const time = left?.state.time ?? openingTime(doc, workspace.range, firstTime);
     const buried = !!link && isBuried(wanted.camera, time, doc, pool, info.faces);
     const view = buried ? { ...wanted, camera: null } : wanted;
     onOpened({
