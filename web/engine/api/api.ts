@@ -35,9 +35,9 @@ export interface SketchFrame {
   positions: Float32Array;
 }
 
-/** What is shown of a large motion while it is made: its patches alone, each as a rigid piece, which meets every key. */
+/** What is shown of a large motion while it is made: its patches alone, as rigid pieces, which meet every key. */
 export interface Sketch {
-  /** It plays from this time on, so many units of time a second: from the first key to the last, and on from the first. */
+  /** It plays from here on, so many units of time a second: from the first key to the last, and on from the first. */
   time: number;
   speed: number;
   /** Back from the last key instead. */
