@@ -34,7 +34,9 @@ void takeSketch(Sketch* now) {
   sketched = {};
 }
 
-std::vector<double> timesIn(const char* request) { return Json::parse(request).at("times").get<std::vector<double>>(); }
+std::vector<double> numbersIn(const char* request, const char* name) {
+  return Json::parse(request).at(name).get<std::vector<double>>();
+}
 
 }  // namespace
 
@@ -102,7 +104,7 @@ EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
 EXPORT const char* shapespline_blend(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {
     auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
-    const Status status = sequence.evaluateBlend(Json::parse(request).at("weights").get<std::vector<double>>(), frame);
+    const Status status = sequence.evaluateBlend(numbersIn(request, "weights"), frame);
     if (!status) return status.error();
     return described(frame);
   });
@@ -133,7 +135,7 @@ EXPORT const char* shapespline_measure(int handle, double t) {
 /// {times} -> {keys, tangents, curve, distance, weights, explained}: feature_curve.h.
 EXPORT const char* shapespline_plane(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {
-    const ShapePlane plane = sequenceOf(handle).shapePlane(timesIn(request));
+    const ShapePlane plane = sequenceOf(handle).shapePlane(numbersIn(request, "times"));
     return Json{{"keys", plane.keys},         {"tangents", plane.tangents}, {"curve", plane.curve},
                 {"distance", plane.distance}, {"weights", plane.weights},   {"explained", plane.explained}};
   });
@@ -155,7 +157,7 @@ EXPORT const char* shapespline_discrete_path(int handle, int samples) {
 /// {times} -> {patch, neighbours, numbers, natural} of a face, or of a patch: feature_curve.h.
 EXPORT const char* shapespline_part_curve(int handle, int index, bool isPatch, const char* request) {
   return callResult([&]() -> Result<Json> {
-    const std::vector<double> times = timesIn(request);
+    const std::vector<double> times = numbersIn(request, "times");
     const auto curve =
         isPatch ? sequenceOf(handle).patchCurve(index, times) : sequenceOf(handle).faceCurve(index, times);
     if (!curve) return curve.error();
@@ -177,7 +179,7 @@ EXPORT const char* shapespline_pace(int handle) {
 /// {times} -> {speed, overshoot}: feature_curve.h.
 EXPORT const char* shapespline_motion_pace(int handle, const char* request) {
   return callResult([&]() -> Result<Json> {
-    const auto times = Json::parse(request).at("times").get<std::vector<double>>();
+    const auto times = numbersIn(request, "times");
     const MotionPace pace = sequenceOf(handle).motionPace(times);
     return Json{{"speed", pace.speed}, {"overshoot", pace.overshoot}};
   });
@@ -185,23 +187,17 @@ EXPORT const char* shapespline_motion_pace(int handle, const char* request) {
 
 /// {times} -> {energy}.
 EXPORT const char* shapespline_bending(int handle, const char* request) {
-  return callResult(
-      [&]() -> Result<Json> { return Json{{"energy", sequenceOf(handle).bendingEnergy(timesIn(request))}}; });
-}
-
-/// {patches}: an int32 per face, belonging to the handle.
-EXPORT const char* shapespline_patches(int handle) {
   return callResult([&]() -> Result<Json> {
-    const std::vector<int>& patches = sequenceOf(handle).patchOfFace();
-    return Json{{"patches", range(patches.data(), patches.size())}};
+    return Json{{"energy", sequenceOf(handle).bendingEnergy(numbersIn(request, "times"))}};
   });
 }
 
-/// {components}: an int32 per face, belonging to the handle.
-EXPORT const char* shapespline_components(int handle) {
+/// {parts}: the patch of each face, or its component, int32, belonging to the handle.
+EXPORT const char* shapespline_parts(int handle, bool arePatches) {
   return callResult([&]() -> Result<Json> {
-    const std::vector<int>& components = sequenceOf(handle).componentOfFace();
-    return Json{{"components", range(components.data(), components.size())}};
+    const Sequence& sequence = sequenceOf(handle);
+    const std::vector<int>& parts = arePatches ? sequence.patchOfFace() : sequence.componentOfFace();
+    return Json{{"parts", range(parts.data(), parts.size())}};
   });
 }
 

@@ -33,12 +33,13 @@ Sketch::Sketch(const PatchedShape& patched, const std::vector<double>& keyTimes,
       embedding_(makePatchPreview(patched)) {}
 
 void Sketch::positions(double t, std::vector<float>& out) {
-  const CurvePoint point = curve_->at(curve_->wrap(t).time);
+  const CurvePoint point = curve_->at(t);
   patches_.at(point, {}, patchScratch_, frames_);
   embedding_->at(poseWeights(point, shape_.roles()), frames_.rotation, scratch_, places_);
-  out.clear();
+  out.resize(3 * weldedOf_.size());
+  float* p = out.data();
   for (const int w : weldedOf_)
-    out.insert(out.end(), &places_[4 * static_cast<std::size_t>(w)], &places_[4 * static_cast<std::size_t>(w) + 3]);
+    for (int k = 0; k < 3; ++k) *p++ = places_[4 * static_cast<std::size_t>(w) + k];
 }
 
 }  // namespace shapespline

@@ -20,7 +20,7 @@ class Sketch {
   static std::unique_ptr<Sketch> create(const PatchedShape& patched, const std::vector<double>& keyTimes,
                                         const MotionOptions& options);
 
-  /// xyz of the input's vertices at time t, which must be finite.
+  /// xyz of the input's vertices at time t, from the first key to the last.
   void positions(double t, std::vector<float>& out);
 
  private:

@@ -225,11 +225,11 @@ export class WasmCore {
   }
 
   patches(handle: number): Int32Array {
-    return this.result<{ patches: Int32Array }>(this.module._shapespline_patches(handle)).patches;
+    return this.parts(handle, true);
   }
 
   components(handle: number): Int32Array {
-    return this.result<{ components: Int32Array }>(this.module._shapespline_components(handle)).components;
+    return this.parts(handle, false);
   }
 
   ghost(handle: number): Ghost | null {
@@ -283,6 +283,10 @@ export class WasmCore {
 
   release(handle: number): void {
     this.module._shapespline_release(handle);
+  }
+
+  private parts(handle: number, arePatches: boolean): Int32Array {
+    return this.result<{ parts: Int32Array }>(this.module._shapespline_parts(handle, arePatches)).parts;
   }
 
   private frame(result: Address, buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {

@@ -33,8 +33,7 @@ export interface WasmModule extends JsImports {
   _shapespline_pace(handle: number): Address;
   _shapespline_motion_pace(handle: number, request: Address): Address;
   _shapespline_bending(handle: number, request: Address): Address;
-  _shapespline_patches(handle: number): Address;
-  _shapespline_components(handle: number): Address;
+  _shapespline_parts(handle: number, arePatches: boolean): Address;
   _shapespline_ghost(handle: number): Address;
   _shapespline_ghost_positions(handle: number, t: number): Address;
   _shapespline_stats(handle: number): Address;
