@@ -116,3 +116,62 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await expect(app.by('pin-0')).toHaveCount(0);
   expect(difference(seen, await app.positionsAt(t1))).toBeLessThan(1e-3 * size);
 });
+
+test('a pin says where it stays, what it does otherwise, and comes into sight when it is placed', async ({ app }) => {
+  await app.open({ sample: 'dachshund' });
+  const keys = (await app.state()).doc.keys.map(({ time }) => time);
+  const [t0, t1] = [keys[0]!, keys[1]!];
+  const at = await foot(app);
+  await app.setTime(t0);
+  // The button is the last that is in sight: what it says, and then the row, come up from below.
+  await app.page.setViewportSize({ width: 1280, height: 800 });
+  await app.by('hold-off').scrollIntoViewIfNeeded();
+  await app.by('pin-place').evaluate((button) => button.scrollIntoView({ block: 'end' }));
+  await app.by('pin-place').click();
+  await expect(app.by('pin-hint')).toBeInViewport({ ratio: 0.9 });
+  const again = await placeOf(app, point(await app.positions(), at.vertex));
+  await app.page.mouse.click(again.x, again.y - 4);
+  await expect(app.by('pin-0-mode')).toBeInViewport({ ratio: 0.9 });
+  await expect(app.by('pin-0-note')).toBeHidden();
+
+  // All of the words are seen.
+  await app.by('pin-0-mode').selectOption({ label: 'As in Key 1' });
+  await expect(app.by('pin-0-mode')).toHaveAttribute('title', 'Pin 1 stays as in Key 1');
+  const needs = await app.by('pin-0-mode').evaluate((field: HTMLSelectElement) => {
+    const style = getComputedStyle(field);
+    const context = document.createElement('canvas').getContext('2d')!;
+    context.font = style.font;
+    const text = context.measureText(field.selectedOptions[0]!.text).width;
+    return text - (field.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight));
+  });
+  expect(needs).toBeLessThanOrEqual(0);
+
+  await app.by('boundary-periodic').check();
+  await expect(app.by('pin-0-note')).toContainText('goes along evenly');
+  await app.by('boundary-natural').check();
+  await expect(app.by('pin-0-note')).toBeHidden();
+
+  // Its key is taken away: it is said, and undone it stays as before.
+  await app.by('key-0-go').focus();
+  await app.page.keyboard.press('Delete');
+  await expect(app.by('pin-0-mode')).toHaveValue('own');
+  await expect(app.by('pin-0-note')).toContainText('was removed');
+  await app.by('undo').click();
+  await expect(app.by('pin-0-note')).toBeHidden();
+  await app.settled();
+
+  // Dragged once it is moved at all times; dragged again a moment later, that is the same key of its path.
+  const t = t0 + 0.5 * (t1 - t0);
+  for (const [time, times] of [
+    [t, '1 time'],
+    [t + 0.004 * (keys.at(-1)! - t0), '1 time'],
+    [t1, '2 times'],
+  ] as const) {
+    await app.setTime(time);
+    await app.by('pin-handle-0').press('Shift+ArrowUp');
+    await app.settled();
+    await expect(app.by('pin-0-path')).toHaveText(`Dragged at ${times}`);
+    if (times === '1 time') await expect(app.by('pin-0-note')).toContainText('at all other times');
+  }
+  await expect(app.by('pin-0-note')).toBeHidden();
+});

@@ -252,7 +252,8 @@ export function createMotionPanel(
     setText(holdHint, HOLD_WORDS[motion.hold].hint);
     setHidden(holding, motion.method !== 'lri' || props.keys.length < 3);
     setHidden(pins.element, motion.method !== 'lri');
-    pins.update({ pins: motion.pins, keys: props.keys, placing: props.placing, disabled: props.disabled });
+    const { keys, placing, disabled } = props;
+    pins.update({ pins: motion.pins, keys, placing, periodic: motion.boundary === 'periodic', disabled });
     setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);
     setHidden(hermite, motion.boundary !== 'hermite');
     setHidden(periodic, motion.boundary !== 'periodic');

@@ -15,6 +15,8 @@ export interface PinListProps {
   keys: readonly KeyRef[];
   /** The next click on the shape places one. */
   placing: boolean;
+  /** The motion is a loop. */
+  periodic: boolean;
   disabled: boolean;
 }
 
@@ -25,7 +27,7 @@ export interface PinListEvents {
 
 interface Row {
   element: HTMLElement;
-  update(pin: Pin, keys: readonly KeyRef[]): void;
+  update(pin: Pin, props: PinListProps): void;
 }
 
 export function createPinList(events: PinListEvents): { element: HTMLElement; update(props: PinListProps): void } {
@@ -58,6 +60,7 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
   return {
     element,
     update(props) {
+      const [before, wasPlacing] = [pins.length, placing];
       ({ pins, placing } = props);
       place.disabled = props.disabled;
       setAttribute(place, 'aria-pressed', String(placing));
@@ -69,7 +72,10 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
         rows.push(row);
         list.append(row.element);
       }
-      rows.forEach((row, index) => row.update(pins[index]!, props.keys));
+      rows.forEach((row, index) => row.update(pins[index]!, props));
+      // What comes next is said and chosen below the button, which may be the last that is in sight.
+      if (placing && !wasPlacing) hint.scrollIntoView({ block: 'nearest' });
+      if (wasPlacing && pins.length > before) rows.at(-1)!.element.scrollIntoView({ block: 'nearest' });
     },
   };
 }
@@ -78,6 +84,14 @@ function hintFor({ placing, pins }: PinListProps): string {
   if (placing) return 'Click the place on the shape that is to be held. Escape ends this.';
   if (pins.length > 0) return 'Drag a pin in the view: where it is let go is where it is at this time.';
   return 'A pinned place follows its own spline, stays as in a key, or goes where you drag it.';
+}
+
+/** What a pin does that nobody would guess from what is chosen. */
+function noteFor({ stay, path }: Pin, { keys, periodic }: PinListProps): string {
+  if (stay !== undefined && !keys.some(({ pose }) => pose === stay))
+    return 'The key in which it stayed was removed: it follows its own spline.';
+  if (path?.length === 1) return 'It is moved as far at all other times, until it is dragged at one of them.';
+  return stay !== undefined && periodic ? 'Where a loop ends elsewhere than it began, it goes along evenly.' : '';
 }
 
 function createRow(
@@ -101,6 +115,7 @@ function createRow(
     onClick: () => change(index, { path: undefined }),
   });
   const pathRow = h('div', { class: 'pin-path' }, path, clear);
+  const note = h('p', { class: 'hint pin-note', 'data-testid': `pin-${index}-note` });
   const element = h(
     'div',
     { class: 'pin-row', role: 'group', 'aria-label': name, 'data-testid': `pin-${index}` },
@@ -114,19 +129,28 @@ function createRow(
       onClick: () => remove(index),
     }),
     pathRow,
+    note,
   );
   return {
     element,
-    update(pin, keys) {
+    update(pin, props) {
+      const { keys } = props;
       mode.fill([
         { value: OWN, label: 'Own spline' },
-        ...keys.map((key, at) => ({ value: String(key.pose), label: `Stays: ${keyLabel(at, key.name)}` })),
+        ...keys.map((key, at) => ({ value: String(key.pose), label: `As in ${keyLabel(at, key.name)}` })),
       ]);
-      setField(mode.field, keys.some(({ pose }) => pose === pin.stay) ? String(pin.stay) : OWN);
+      const stays = keys.findIndex(({ pose }) => pose === pin.stay);
+      setField(mode.field, stays < 0 ? OWN : String(pin.stay));
+      const held = stays < 0 ? 'follows its own spline' : `stays as in ${keyLabel(stays, keys[stays]!.name)}`;
+      setAttribute(mode.field, 'title', `${name} ${held}`);
       setField(size.field, String(pinSize(pin)));
       const count = pin.path?.length ?? 0;
       setHidden(pathRow, count === 0);
       setText(path, `Dragged at ${count} ${count === 1 ? 'time' : 'times'}`);
+      setAttribute(path, 'title', (pin.path ?? []).map(({ time }) => `${Number(time.toPrecision(4))} s`).join(', '));
+      const said = noteFor(pin, props);
+      setText(note, said);
+      setHidden(note, said === '');
     },
   };
 }

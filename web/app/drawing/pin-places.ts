@@ -3,7 +3,7 @@ import type { PathKey } from '../../engine/api/types.ts';
 import type { Pins } from '../../model/pins.ts';
 import { moveAt, withPathKey } from '../../model/pins.ts';
 import type { AppState } from '../../model/state.ts';
-import { SAME_TIME, length } from '../../model/time-scale.ts';
+import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { Place } from '../../ui/pin-handles.ts';
 import type { Viewer } from '../../viewer/viewer.ts';
@@ -34,6 +34,11 @@ export function vertexAt(viewer: Viewer, faces: Uint32Array, face: number, { x, 
   return faces.slice(3 * face, 3 * face + 3).reduce((best, other) => (off(other) < off(best) ? other : best));
 }
 
+/** Nobody means two keys of a path within half a frame of each other, between which it would swing far out. */
+function sameMoment(range: Range): number {
+  return Math.max(length(range) / 1000, Math.min(length(range) / 200, 1 / 60));
+}
+
 /** null where the pin is not drawn. It is moved parallel to the screen. */
 export function startPinDrag(viewer: Viewer, { doc, time }: AppState, range: Range, index: number): PinDrag | null {
   const pin = doc.motion.pins[index];
@@ -48,7 +53,7 @@ export function startPinDrag(viewer: Viewer, { doc, time }: AppState, range: Ran
     pathTo({ x, y }) {
       const to = viewer.beside(from, x, y);
       const move = before.map((way, axis) => way + to[axis]! - from[axis]!) as PathKey['move'];
-      return withPathKey(path, { time: t, move }, 1000 * SAME_TIME * length(range));
+      return withPathKey(path, { time: t, move }, sameMoment(range));
     },
   };
 }
