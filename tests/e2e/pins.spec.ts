@@ -99,8 +99,10 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.settled();
 
   const { download } = await exported(app, async () => {
-    await app.by('export-targets-every').check();
+    await app.by('export-targets-principal').check();
     await expect(app.by('export-dialog')).toContainText('keeps only pins on their own splines');
+    await app.by('export-targets-every').check();
+    await expect(app.by('export-dialog')).not.toContainText('keeps only pins on their own splines');
   });
   const seen = await app.positionsAt(t1);
   const saved = testInfo.outputPath('pinned.glb');
@@ -112,9 +114,12 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.by('file-input').setInputFiles(saved);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   await app.settled();
-  // What it moved is in the poses of the file.
-  await expect(app.by('pin-0')).toHaveCount(0);
+  await expect(app.by('pin-0-path')).toHaveText('Dragged at 1 time');
   expect(difference(seen, await app.positionsAt(t1))).toBeLessThan(1e-3 * size);
+  expect(difference(dragged, await app.positionsAt(t))).toBeLessThan(1e-3 * size);
+  await app.by('pin-0-remove').click();
+  await app.settled();
+  expect(difference(plain, await app.positionsAt(t))).toBeLessThan(1e-3 * size);
 });
 
 test('a pin says where it stays, what it does otherwise, and comes into sight when it is placed', async ({ app }) => {

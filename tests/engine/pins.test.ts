@@ -1,5 +1,6 @@
 /** Pins, through the engine, a project file and the command line. */
 import { expect, it } from 'vitest';
+import type { Sequence } from '../../web/engine/api/api.ts';
 import type { Pin } from '../../web/engine/api/types.ts';
 import { dataFile, hasData } from './support/data.ts';
 import { folderOf, runCli } from './support/cli.ts';
@@ -21,10 +22,12 @@ function tip(): number {
   return Array.from({ length: first.length / 3 }, (_, v) => v).reduce((best, v) => (moved(v) > moved(best) ? v : best));
 }
 
+const shapeAt = async (sequence: Sequence, t: number): Promise<Float32Array> => (await frameAt(sequence, t)).positions;
+
 it('are chosen and taken back by an update, which encodes nothing', async () => {
   const sequence = await engine.createSequence(await engine.importKeyframes(files));
   const before = await sequence.stats();
-  const at = async (t: number): Promise<Float32Array> => (await frameAt(sequence, t)).positions;
+  const at = (t: number): Promise<Float32Array> => shapeAt(sequence, t);
   const [first, last] = sequence.range;
   const t = first + 0.5 * (last - first);
   const plain = await at(t);
@@ -58,11 +61,45 @@ it('are chosen and taken back by an update, which encodes nothing', async () => 
   sequence.dispose();
 });
 
-it('are in the project that an exported file holds, unless its keys hold what they moved', async () => {
+it('are in the project that an exported file holds, with the keys as they were given', async () => {
+  const own: Pin = { vertex: tip(), radius: 0.1 };
+  const other: Pin = { vertex: 0, radius: 0.1 };
+  const pins: Pin[] = [
+    { ...own, stay: 1 },
+    { ...other, path: [{ time: 0.5, move: [0, 0.1, 0] }] },
+  ];
+  const keys = await engine.importKeyframes(files);
+  const sequence = await engine.createSequence(keys, { pins });
+  const size = diagonal(keys.positions(0));
+  const [first, last] = sequence.range;
+  const times = [0, 0.3, 0.5, 1].map((share) => first + share * (last - first));
+  for (const options of [{ frames: 10 }, { range: [first, times[2]!] as [number, number] }]) {
+    const plan = await sequence.planExport(options);
+    const [file] = await sequence.export(options);
+    const again = await engine.importKeyframes([file!]);
+    expect(again.info.project?.pins).toEqual(pins);
+    for (let key = 0; key < files.length; ++key)
+      expect(largestDistance(again.positions(key), keys.positions(key))).toBeLessThan(1e-6 * size);
+    // What plays are the shapes that were seen.
+    const frames = await engine.importKeyframes([file!], { animation: 0, sample: [0, 1] });
+    for (const second of [0, 1])
+      expect(largestDistance(frames.positions(second), await shapeAt(sequence, first + second))).toBeLessThan(
+        1e-6 * size,
+      );
+    expect(plan.targets).toBeGreaterThan(files.length);
+    const opened = await engine.createSequence(again, again.info.project!);
+    for (const t of times)
+      expect(largestDistance(await shapeAt(opened, t), await shapeAt(sequence, t))).toBeLessThan(1e-4 * size);
+    opened.dispose();
+  }
+  sequence.dispose();
+});
+
+it('that move keys are not in a file whose keys are its principal targets', async () => {
   const own: Pin = { vertex: tip(), radius: 0.1 };
   const pins: Pin[] = [own, { ...own, stay: 1 }, { ...own, path: [{ time: 0.5, move: [0, 0.1, 0] }] }];
   const sequence = await engine.createSequence(await engine.importKeyframes(files), { pins });
-  const [file] = await sequence.export({ frames: 10 });
+  const [file] = await sequence.export({ targets: 'principal' });
   const again = await engine.importKeyframes([file!]);
   expect(again.info.project?.pins).toEqual([own]);
   sequence.dispose();

@@ -8,7 +8,14 @@ import { targetNames } from '../../../web/engine/caller/target-names.ts';
 import type { Material, Scene } from '../../../web/engine/api/types.ts';
 
 const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
-const planned = { times: [0, 0.25, 0.5, 1], seconds: [0, 0.25, 0.5, 1], stills: [-1], principal: null, error: 0 };
+const planned = {
+  times: [0, 0.25, 0.5, 1],
+  seconds: [0, 0.25, 0.5, 1],
+  stills: [-1],
+  poses: 0,
+  principal: null,
+  error: 0,
+};
 
 describe('a point cache', () => {
   it('is a PC2 with its header and all positions, little-endian', () => {
@@ -81,6 +88,11 @@ describe('morph targets', () => {
       'bent t=0.5',
       't=1',
       'away t=-1',
+    ]);
+    expect(targetNames(['rest', 'bent'], [0, 1], { ...planned, stills: [], poses: 2 }).slice(-3)).toEqual([
+      'bent t=1',
+      'rest as given',
+      'bent as given',
     ]);
   });
 

@@ -86,10 +86,10 @@ function counted(numbers: ExportNumbers): ExportNumbers {
   );
 }
 
-/** The keys of a file are shapes as pins held them; what moved between them by hand is not found again. */
-function lostPins({ kind, animation }: ExportRequest, { options }: Sequence): string[] {
+/** Among principal targets keys are shapes as pins held them; what moved between them by hand is not found again. */
+function lostPins({ kind, animation, targets }: ExportRequest, { options }: Sequence): string[] {
   const lost = options.pins.some(({ stay, path }) => stay !== undefined || path !== undefined);
-  if (kind !== 'animation' || animation !== 'glb' || !lost) return [];
+  if (kind !== 'animation' || animation !== 'glb' || targets !== 'principal' || !lost) return [];
   return ['Opened here again, it keeps only pins on their own splines: between its keys it moves otherwise.'];
 }
 

@@ -2,10 +2,10 @@
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, EngineError } from '../api/errors.ts';
 import { adaptiveTimes, errorOf, type Motion } from './adaptive-times.ts';
-import { choicesOf, framesOf, isThinned, onTimeLine, type Frames } from './export-plan.ts';
+import { checkWeights, choicesOf, framesOf, isThinned, onTimeLine, type Frames } from './export-plan.ts';
 import { principalTargets, type PrincipalTargets } from './principal-targets.ts';
 import type { ExportSource, PlannedFrames } from './export-source.ts';
-import type { ExportOptions } from '../api/types.ts';
+import type { ExportOptions, SequenceOptions } from '../api/types.ts';
 
 /** Morph targets of a thinned animation. */
 const MOST_TARGETS = 3999;
@@ -16,8 +16,13 @@ const MOST_HELD = 1.5e9;
 /** Tolerance of principal targets that are asked for without one, in percent. */
 const LEAST_TOLERANCE = 0.0001;
 
-export function shapeCount({ principal, times, stills }: PlannedFrames): number {
-  return principal ? principal.shapes.length : times.length + stills.length;
+export function shapeCount({ principal, times, stills, poses }: PlannedFrames): number {
+  return principal ? principal.shapes.length : times.length + stills.length + poses;
+}
+
+/** Whether shapes at the keys are other ones than the keys: a pin has moved something in them. */
+export function movesKeys({ pins }: SequenceOptions): boolean {
+  return pins.some(({ stay, path }) => stay !== undefined || path !== undefined);
 }
 
 interface Chosen {
@@ -47,11 +52,15 @@ export async function planFrames(
   const choose = isThinned(options) ? fewFrames : givenFrames;
   const { frames, error } = await choose(motion, source, options, call);
   const { diagonal } = source.keys.info.report;
-  if (error === null || options.targets !== 'principal')
-    return { ...frames, principal: null, error: error === null ? null : error / diagonal };
+  if (error === null) return { ...frames, poses: 0, principal: null, error };
+  if (options.targets !== 'principal') {
+    const poses = movesKeys(source.options) ? source.keyTimes.length : 0;
+    checkWeights(frames.times.length, frames.times.length + frames.stills.length + poses - 1);
+    return { ...frames, poses, principal: null, error: error / diagonal };
+  }
   const tolerance = toleranceOf(source, options);
   const principal = await principalOf(source, frames.times, Math.max(tolerance - error, tolerance / 2), call);
-  return { ...frames, stills: [], principal, error: (error + principal.error) / diagonal };
+  return { ...frames, stills: [], poses: 0, principal, error: (error + principal.error) / diagonal };
 }
 
 async function givenFrames(motion: Motion, source: ExportSource, options: ExportOptions): Promise<Chosen> {

@@ -131,7 +131,7 @@ export function onTimeLine(times: number[], keyTimes: readonly number[], duratio
   return { times, seconds, stills };
 }
 
-function checkWeights(frames: number, targets: number): void {
+export function checkWeights(frames: number, targets: number): void {
   if (frames * targets <= MOST_WEIGHTS) return;
   throw tooLarge(
     `An animation of ${grouped(frames)} frames could not be opened again: its ${grouped(targets)} morph targets need more than ` +

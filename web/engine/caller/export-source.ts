@@ -6,6 +6,8 @@ import type { PrincipalTargets } from './principal-targets.ts';
 import type { WorkerClient } from './worker-client.ts';
 
 export interface PlannedFrames extends Frames {
+  /** Keys whose poses come along as well, unseen, after the stills: none, or all. */
+  poses: number;
   /** Instead of a target for each time. */
   principal: PrincipalTargets | null;
   /** The largest distance of what plays from the motion, as a share of the diagonal; null where nothing plays. */

@@ -6,7 +6,7 @@ import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
 import { thereAndBack } from './bounce.ts';
 import { checkBytes, exportWarnings, frameWarnings } from './export-plan.ts';
-import { planFrames, shapeCount } from './export-frames.ts';
+import { movesKeys, planFrames, shapeCount } from './export-frames.ts';
 import type { ExportSource, PlannedFrames } from './export-source.ts';
 import { materialFiles, materialLibrary } from './material-library.ts';
 import { PointCache } from './point-cache.ts';
@@ -114,7 +114,13 @@ async function* shapesOf({ source, frames, call: { signal } }: Job): AsyncGenera
       yield { positions: positions.slice(), normals: normals.slice() };
     return;
   }
-  for (const t of [...frames.times, ...frames.stills]) yield await untilAborted(signal, source.frame(t));
+  const frame = (t: number): Promise<Frame> => untilAborted(signal, source.frame(t));
+  for (const t of [...frames.times, ...frames.stills]) yield await frame(t);
+  for (let key = 0; key < frames.poses; ++key) {
+    // Nobody sees how it is shaded.
+    const { normals } = await frame(source.keyTimes[key]!);
+    yield { positions: source.keys.positions[key]!.slice(), normals };
+  }
 }
 
 async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
@@ -134,7 +140,7 @@ async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, und
     faces,
     scene,
     seconds,
-    stills: frames.stills.length,
+    stills: frames.stills.length + frames.poses,
     weights,
     project: projectOf(source, frames),
     name: stemOf(options),
@@ -196,17 +202,21 @@ function sceneOf(format: 'glb' | 'obj' | 'ply', scene: Scene): Scene {
   return format === 'obj' ? { ...scene, colors: null, images: [] } : NO_SCENE;
 }
 
-/** Every key is one of the frames, shown or not; with principal targets they are the first ones. */
+/** Every key is one of the shapes, shown or not: the last ones, where poses come along, with principal targets the first. */
 function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFrames): string {
   const all = [...frames.times, ...frames.stills];
+  const shapeOf = (t: number, key: number): number => {
+    if (frames.poses > 0) return all.length + key;
+    return frames.principal ? key : all.indexOf(t);
+  };
   const { vertices, faces } = keys.info.report;
-  // The file's keys are shapes as they were seen: what a pin has moved in them must not be moved again.
-  const pins = options.pins.filter(({ stay, path }) => stay === undefined && !path);
+  // Keys that are shapes as they were seen: what a pin has moved in them must not be moved again.
+  const pins = frames.poses > 0 ? options.pins : options.pins.filter((pin) => !movesKeys({ ...options, pins: [pin] }));
   return writeProject(
     {
       names: keys.info.names,
       times: keyTimes,
-      frames: keyTimes.map((t, key) => (frames.principal ? key : all.indexOf(t))),
+      frames: keyTimes.map(shapeOf),
     },
     { ...options, pins },
     { vertices, faces, error: frames.error },

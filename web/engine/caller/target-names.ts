@@ -18,13 +18,14 @@ const time = (t: number): string => `t=${Number(t.toFixed(4))}`;
 export function targetNames(
   names: readonly string[],
   keyTimes: readonly number[],
-  { principal, times, stills }: PlannedFrames,
+  { principal, times, stills, poses }: PlannedFrames,
 ): string[] {
   const nameAt = (t: number): string => {
     const key = keyTimes.indexOf(t);
     return key < 0 ? time(t) : named(names[key]!, time(t));
   };
-  if (!principal) return [...times, ...stills].slice(1).map(nameAt);
+  const given = names.slice(0, poses).map((name) => named(name, 'as given'));
+  if (!principal) return [...[...times, ...stills].slice(1).map(nameAt), ...given];
   const corrections = Array.from({ length: principal.corrections }, (_, index) => `in-between ${index + 1}`);
   return [...keyTimes.slice(1).map(nameAt), ...corrections];
 }
