@@ -59,6 +59,8 @@ test('a shape that its side does not show is out of view, unless the divider was
   await app.by('divider').press('End');
   await app.settled();
   await expect(hint).toBeHidden();
+  // Only another address is opened.
+  await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('split=0.98');
   await app.open({ hash: SPLIT });
   const { x, y, width, height } = (await app.by('viewport').boundingBox())!;
   await app.page.mouse.move(x + 0.9 * width, y + 0.3 * height);
