@@ -38,12 +38,21 @@ export function strangeLink(fragment: string): string | null {
   return 'The link names no sample and no page of the tour: it was left out.';
 }
 
+/**
+ * After the first change that is not in the address: further ones do not put it off. It is less than until own files are
+ * kept, so that who comes back to them does not find the sample before them.
+ */
 const WRITE_DELAY_MS = 300;
 
 export function createPageLink({ store, initial, say, onLink, onGuide }: PageLinkParts): PageLink {
   let timer = 0;
   let pinned: string | null = null;
   let listening = false;
+
+  const stopWaiting = (): void => {
+    window.clearTimeout(timer);
+    timer = 0;
+  };
 
   const text = (): string | null => {
     const doc = initial();
@@ -56,7 +65,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   };
 
   const onChange = ({ newURL }: HashChangeEvent): void => {
-    window.clearTimeout(timer); // it would write what was, while the new one is on its way
+    stopWaiting(); // it would write what was, while the new one is on its way
     // What was written into the address since then is not what was asked for.
     const { hash } = new URL(newURL);
     const page = guideLink(hash);
@@ -77,9 +86,9 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
       if (initial()) this.follow();
     },
     follow() {
-      if (!listening) return;
-      window.clearTimeout(timer);
+      if (!listening || timer) return;
       timer = window.setTimeout(() => {
+        timer = 0;
         const link = pinned ?? text();
         history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
       }, WRITE_DELAY_MS);
