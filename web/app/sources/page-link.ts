@@ -39,7 +39,7 @@ export function strangeLink(fragment: string): string | null {
 }
 
 /**
- * After the first change that is not in the address: further ones do not put it off. It is less than until own files are
+ * After the first change that is not in the address: further ones do not put it off. Less than until own files are
  * kept, so that who comes back to them does not find the sample before them.
  */
 const WRITE_DELAY_MS = 300;

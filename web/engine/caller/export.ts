@@ -202,7 +202,10 @@ function sceneOf(format: 'glb' | 'obj' | 'ply', scene: Scene): Scene {
   return format === 'obj' ? { ...scene, colors: null, images: [] } : NO_SCENE;
 }
 
-/** Every key is one of the shapes, shown or not: the last ones, where poses come along, with principal targets the first. */
+/**
+ * Every key is one of the shapes, shown or not: the last ones, where poses come along, with principal targets the
+ * first.
+ */
 function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFrames): string {
   const all = [...frames.times, ...frames.stills];
   const shapeOf = (t: number, key: number): number => {
