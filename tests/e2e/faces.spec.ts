@@ -447,9 +447,16 @@ test('an animation of the same mesh is dropped on the distances, which are from 
   await app.by('method').selectOption('linear');
   await app.by('heat-distance').check({ force: true });
   const drop = async (...files: string[]): Promise<void> => {
-    await app.by('truth-pick').scrollIntoViewIfNeeded();
-    const { x, y, width, height } = (await app.by('truth-pick').boundingBox())!;
-    await app.drop(files, { x: x + width / 2, y: y + height / 2 });
+    // As a hand does: it lets go where the page says what becomes of them, and what is above may grow until then.
+    let at = { x: 0, y: 0 };
+    await expect(async () => {
+      await app.by('truth-pick').scrollIntoViewIfNeeded();
+      const { x, y, width, height } = (await app.by('truth-pick').boundingBox())!;
+      at = { x: x + width / 2, y: y + height / 2 };
+      await app.dragOver(files, at);
+      await expect(app.by('drop-zone')).toHaveText(/is compared with the motion$/, { timeout: 500 });
+    }).toPass();
+    await app.drop(files, at);
   };
   await drop(file('bar.obj', obj(mesh.positions)), file('bar.pc2', cache));
   await expect(app.by('tile-1')).toContainText('The animation');

@@ -1,12 +1,17 @@
 /** Every figure of the panels is enlarged, read as numbers and saved in one way. */
 import { readFileSync } from 'node:fs';
+import type { Download } from '@playwright/test';
 import { type App, expect, test } from './support.ts';
 
 test.use({ sharpness: 1 });
 
 async function saved(app: App, testId: string): Promise<{ name: string; bytes: Buffer }> {
-  const [file] = await Promise.all([app.page.waitForEvent('download'), app.by(testId).click()]);
-  return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };
+  let file: Download | undefined;
+  // Now and then a click on a page that is still being laid out is none.
+  await expect(async () => {
+    [file] = await Promise.all([app.page.waitForEvent('download', { timeout: 15_000 }), app.by(testId).click()]);
+  }).toPass({ timeout: 60_000 });
+  return { name: file!.suggestedFilename(), bytes: readFileSync((await file!.path())!) };
 }
 
 /** What is written in it, names under the mouse apart. */

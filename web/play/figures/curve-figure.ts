@@ -34,6 +34,8 @@ type Point = readonly [number, number];
 export function createCurveFigure(events: CurveFigureEvents): CurveFigure {
   let shown: { state: PlayState; derived: Derived; lit: number } | null = null;
   let axes: Axes | null = null;
+  /** Speeds by keys that came since the page was drawn: each goes on from what the one before has asked for. */
+  let pressed: Partial<Record<End, number>> = {};
   let held: { x: readonly [number, number]; y: readonly [number, number] } | null = null;
   const redraw = (): void => {
     if (shown) draw(shown.state, shown.derived, shown.lit);
@@ -60,8 +62,10 @@ export function createCurveFigure(events: CurveFigureEvents): CurveFigure {
         const step = { ArrowUp: 0.1, ArrowRight: 0.1, ArrowDown: -0.1, ArrowLeft: -0.1 }[event.key];
         if (step === undefined || !shown) return;
         event.preventDefault();
-        const speed = shown.state.speeds[at === 'start' ? 0 : 1] + step * (event.shiftKey ? 10 : 1);
-        events.onSpeed(at, Math.min(Math.max(speed, 0), MOST_SPEED));
+        const from = pressed[at] ?? shown.state.speeds[at === 'start' ? 0 : 1];
+        const speed = Math.min(Math.max(from + step * (event.shiftKey ? 10 : 1), 0), MOST_SPEED);
+        pressed = { ...pressed, [at]: speed };
+        events.onSpeed(at, speed);
       },
       onReset: (at) => events.onSpeed(at, 1),
     });
@@ -110,6 +114,7 @@ export function createCurveFigure(events: CurveFigureEvents): CurveFigure {
   return {
     element,
     update(state, derived, lit) {
+      pressed = {};
       shown = { state, derived, lit };
       redraw();
     },
