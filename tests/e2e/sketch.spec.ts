@@ -19,12 +19,12 @@ test.beforeAll(() => {
 });
 test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-/** From the first shape of a sketch on the engine's work waits, a moment at each of its reports, until it is let go. */
+/** The work on the large mesh waits at its first report until it is let go; its sketch is made by another worker. */
 async function held(app: App): Promise<() => void> {
   let free = false;
   await app.page.route(/engine\.worker.*\.js$/, async (route) => {
     const response = await route.fetch();
-    await route.fulfill({ response, body: `(${waitAtReports.toString()})();\n${await response.text()}` });
+    await route.fulfill({ response, body: `(${waitAtReport.toString()})(${FACES});\n${await response.text()}` });
   });
   await app.page.route('**/may-go-on', (route) => route.fulfill({ body: String(free) }));
   return () => {
@@ -32,31 +32,21 @@ async function held(app: App): Promise<() => void> {
   };
 }
 
-/**
- * In a worker, which makes shapes between its reports only. It leaves out what comes too soon after another one, so that
- * its clock goes on with every look at it.
- */
-function waitAtReports(): void {
-  const now = performance.now.bind(performance);
-  let ahead = 0;
-  performance.now = () => {
-    ahead += 25;
-    return now() + ahead;
-  };
+/** In a worker. */
+function waitAtReport(faces: number): void {
   const post = self.postMessage.bind(self) as (message: { type: string }, options: object) => void;
   let waits = false;
-  const mayGoOn = (): boolean => {
-    const request = new XMLHttpRequest();
-    request.open('GET', new URL('may-go-on', self.location.origin), false);
-    request.send();
-    return request.responseText === 'true';
-  };
+  self.addEventListener('message', ({ data }: MessageEvent<{ type: string; faces?: Uint32Array }>) => {
+    waits ||= data.type === 'create' && data.faces?.length === 3 * faces;
+  });
   self.postMessage = ((message: { type: string }, options: object) => {
     post(message, options);
-    waits ||= message.type === 'sketch';
-    if (!waits || message.type !== 'progress') return;
-    const until = now() + 1000;
-    while (waits && now() < until) waits = !mayGoOn();
+    while (waits && message.type === 'progress') {
+      const request = new XMLHttpRequest();
+      request.open('GET', new URL('may-go-on', self.location.origin), false);
+      request.send();
+      waits = request.responseText !== 'true';
+    }
   }) as typeof self.postMessage;
 }
 

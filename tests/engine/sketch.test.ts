@@ -2,7 +2,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Engine, SketchFrame } from '../../web/engine/api/api.ts';
 import type { SequenceOptions } from '../../web/engine/api/types.ts';
-import { sketchTime } from '../../web/engine/worker/sketcher.ts';
+import { coarseMesh, coarsePositions } from '../../web/engine/caller/coarse-keys.ts';
+import { sketchTime } from '../../web/engine/caller/sketch.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar } from './support/shapes.ts';
 
@@ -40,15 +41,19 @@ describe('a sketch', () => {
     for (const [time, tolerance] of [
       [0, 1e-5],
       [0.5, 1e-5],
-      [0.25, 0.02],
-      [0.8, 0.02],
+      [0.25, 0.005],
+      [0.8, 0.005],
     ] as const) {
       const { keys, sequence, frames } = await made(engine, { time });
       expect(frames.length).toBeGreaterThan(0);
-      const exact = await frameAt(sequence, time);
+      const mesh = coarseMesh([keys.positions(0), keys.positions(2)], keys.info.faces);
+      const exact = coarsePositions(mesh, (await frameAt(sequence, time)).positions);
       for (const frame of frames) {
         expect(frame.t).toBeCloseTo(time, 9);
-        expect(farthest(frame.positions, exact.positions)).toBeLessThan(tolerance * keys.info.report.diagonal);
+        expect(frame.faces.length).toBeLessThan(keys.info.faces.length / 4);
+        expect(frame.faces).toBe(frames[0]!.faces);
+        expect(frame.normals).toHaveLength(frame.positions.length);
+        expect(farthest(frame.positions, exact)).toBeLessThan(tolerance * keys.info.report.diagonal);
       }
       sequence.dispose();
     }
@@ -69,11 +74,21 @@ describe('a sketch', () => {
     expect(Buffer.compare(Buffer.from(one.normals.buffer), Buffer.from(two.normals.buffer))).toBe(0);
   });
 
-  it('is not made of small shapes, of blends of vertices, or of what a ghost leads', async () => {
-    const engine = testEngine();
-    expect((await made(engine, { mesh: bar() })).frames).toEqual([]);
-    expect((await made(engine, { options: { method: 'linear' } })).frames).toEqual([]);
-    expect((await made(engine, { options: { ghostFaces: 2000 } })).frames).toEqual([]);
+  it('is not made of small shapes', async () => {
+    expect((await made(testEngine(), { mesh: bar() })).frames).toEqual([]);
+  });
+
+  it.each<[string, Partial<SequenceOptions>]>([
+    ['linear blends', { method: 'linear' }],
+    ['a loop that stays in place', { boundary: 'periodic', inPlace: true }],
+    ['a ghost mesh', { ghostFaces: 2000 }],
+    [
+      'pins and turns of a component',
+      { pins: [{ vertex: 43_000, radius: 0.1 }], turns: [{ key: 1, turns: 1, component: 0 }] },
+    ],
+    ['tangents', { boundary: 'hermite', startTangent: large.positions }],
+  ])('is made with %s', async (_, options) => {
+    expect((await made(testEngine(), { options })).frames.length).toBeGreaterThan(0);
   });
 
   it.each(['encoding', 'factorising'])('is over with a build that is cancelled while %s', async (at) => {

@@ -7,7 +7,12 @@ beforeEach(() => vi.useFakeTimers());
 afterEach(() => vi.useRealTimers());
 
 const openingOf = (name: string): Opening => ({ info: { name }, doc: {}, pool: {} }) as unknown as Opening;
-const at = (t: number) => ({ t, positions: new Float32Array(3) });
+const at = (t: number) => ({
+  t,
+  positions: new Float32Array(3),
+  normals: new Float32Array(3),
+  faces: new Uint32Array(3),
+});
 
 /** A player on a machine that draws a shape in `ms`, with what it did. */
 function playerOf(ms: number) {
@@ -26,14 +31,14 @@ function playerOf(ms: number) {
 }
 
 describe('a sketch', () => {
-  it('stays four times as long as it took to draw where that is slow, and the newest comes next', async () => {
+  it('stays as long again as it took to draw where that is slow, and the newest comes next', async () => {
     const { player, log } = playerOf(100);
     const opening = openingOf('a');
     player.await(opening);
     player.take(opening, at(0));
     await vi.advanceTimersByTimeAsync(10);
     for (const t of [0.1, 0.2, 0.3]) player.take(opening, at(t));
-    await vi.advanceTimersByTimeAsync(480);
+    await vi.advanceTimersByTimeAsync(180);
     expect(log).toEqual(['rest', 'show 0', 'sketched']);
     await vi.advanceTimersByTimeAsync(20);
     expect(log.slice(3)).toEqual(['show 0.3']);

@@ -25,43 +25,23 @@ Json described(const Frame& frame) {
           {"indefiniteFace", frame.indefiniteFace}};
 }
 
-// Of the sequence that is being made.
-Sketch* sketch = nullptr;
-std::vector<float> sketched;
-
-void takeSketch(Sketch* now) {
-  sketch = now;
-  sketched = {};
-}
-
 std::vector<double> numbersIn(const char* request, const char* name) {
   return Json::parse(request).at(name).get<std::vector<double>>();
 }
 
 }  // namespace
 
-/// {faces, normals, keys: [{name, time, positions}], encoding, motion, sketch} -> {handle, range, warnings}. sketch:
-/// whether shapespline_sketch will be asked while this runs.
+/// {faces, normals, keys: [{name, time, positions}], encoding, motion} -> {handle, range, warnings}.
 EXPORT const char* shapespline_sequence(const char* request) {
   return callResult([&]() -> Result<Json> {
     reportProgress("welding", 0);
     const Json json = Json::parse(request);
-    Result<Sequence> sequence =
-        Sequence::create(keyframesFrom(json), encodingFrom(json.at("encoding")), motionFrom(json.at("motion")),
-                         reportProgress, takeOrder, json.at("sketch").get<bool>() ? takeSketch : nullptr);
+    Result<Sequence> sequence = Sequence::create(keyframesFrom(json), encodingFrom(json.at("encoding")),
+                                                 motionFrom(json.at("motion")), reportProgress, takeOrder);
     if (!sequence) return sequence.error();
     Json described = state(*sequence);
     described["handle"] = handleTable().add(SequenceObject{std::move(*sequence), {}, {}});
     return described;
-  });
-}
-
-/// {positions} of its sketch at t (core/sequence/sketch.h), from within the progress of the sequence that is being made
-/// or while that waits for its order: 3n floats, none where there is no sketch; valid until the next call.
-EXPORT const char* shapespline_sketch(double t) {
-  return callResult([&]() -> Result<Json> {
-    if (sketch) sketch->positions(t, sketched);
-    return Json{{"positions", range(sketched.data(), sketched.size())}};
   });
 }
 

@@ -34,7 +34,6 @@ export function bendData(mesh: Mesh = bar()): Omit<RequestOf<'create'>, 'motion'
     normals: null,
     encoding: ENCODING_DEFAULTS,
     order: null,
-    sketch: null,
   };
 }
 

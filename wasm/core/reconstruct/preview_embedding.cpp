@@ -82,7 +82,7 @@ class PreviewEmbedding::Builder {
 
  private:
   void makeCells() {
-    const int limit = in_.wholeFrames ? out_.vertexCount_ : std::max(cellSize, out_.vertexCount_ / mostCells);
+    const int limit = std::max(cellSize, out_.vertexCount_ / mostCells);
     std::vector<char> isLoose(out_.vertexCount_, 0);
     for (int v : in_.loose) isLoose[v] = 1;
     // What belongs together: same frame and component, or same anchor.

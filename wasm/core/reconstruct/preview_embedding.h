@@ -38,7 +38,6 @@ class PreviewEmbedding {
     std::function<Vec3(int face, int column)> turn;      ///< log(G^T R_f)
     std::vector<EmbeddedPlace> anchors;                  ///< parents before children
     bool logarithmic;                                    ///< lengths are splined by their logarithms, as log S_f is
-    bool wholeFrames = false;                            ///< a cell is all that follows one frame in one component
   };
 
   struct Scratch {

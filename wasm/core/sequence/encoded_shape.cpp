@@ -12,7 +12,7 @@
 namespace shapespline {
 
 Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOptions& options,
-                                         const StageProgress& progress, OrderSource order, PatchesListener* listener) {
+                                         const StageProgress& progress, OrderSource order) {
   const Stage welding{progress, "welding"}, factorising{progress, "factorising"};
   Stopwatch watch;
   const Positions normals = std::move(keyframes.normals);
@@ -20,7 +20,7 @@ Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOpti
   if (!keys) return keys.error();
   EncodedShape encoded(std::move(*keys), options.stretch);
   encoded.stats_.weldMs = watch.lap();
-  if (Status status = encoded.encodePoses(options, order, progress, listener); !status) return status.error();
+  if (Status status = encoded.encodePoses(options, order, progress); !status) return status.error();
   watch.lap();
   encoded.prepareNormals(normals, partOf(factorising, 0.95, 0.97));
   factorising(0.97);
@@ -39,8 +39,7 @@ EncodedShape::EncodedShape(WeldedKeys keys, Stretch stretch)
   stats_.weldedVertices = input_.welding.count;
 }
 
-Status EncodedShape::encodePoses(const EncodingOptions& options, OrderSource order, const StageProgress& progress,
-                                 PatchesListener* listener) {
+Status EncodedShape::encodePoses(const EncodingOptions& options, OrderSource order, const StageProgress& progress) {
   const bool wantsGhost = options.ghostFaces > 0;
   const Stage simplifying{progress, "simplifying"}, encoding{progress, "encoding"};
   Stopwatch joining;
@@ -65,7 +64,6 @@ Status EncodedShape::encodePoses(const EncodingOptions& options, OrderSource ord
     if (!patches) return patches.error();
     patches_ = std::move(*patches);
     stats_.encodeMs += watch.lap();
-    if (listener) listener->onPatches({input_, *shape_, topology, *patches_, stretch_});
   }
   return options.precision == Precision::Single ? makeReconstructor<float>(topology, options, order, progress)
                                                 : makeReconstructor<double>(topology, options, order, progress);

@@ -33,24 +33,6 @@ struct Ghost {
   std::vector<int> ghostFaceOf;    ///< of each face of the input: the ghost face that it follows; -1 without area
 };
 
-/// What is known of a shape as soon as its patches are there: a sketch of its motion can be made of it (sketch.h).
-struct PatchedShape {
-  const InputMesh& input;
-  const WeldedShape& shape;
-  const ShapeTopology& topology;
-  const PatchMotion& patches;
-  Stretch stretch;
-};
-
-/// Is told of it; its parts stay until the building ends.
-class PatchesListener {
- public:
-  virtual void onPatches(const PatchedShape& patched) = 0;
-
- protected:
-  ~PatchesListener() = default;
-};
-
 /// What the frames of a shape are computed in.
 struct FramesScratch {
   PatchMotion::Scratch patches;
@@ -62,11 +44,10 @@ struct FramesScratch {
 class EncodedShape {
  public:
   /// keyframes: freed once they are welded. progress: stages and fractions as in build_progress.h. order: asked once
-  /// the poses are encoded; where it has none, the order is found then. listener: told of the patches, but for those of
-  /// a ghost; or null. Errors: those of weldKeys(), NoArea, and those of the solver.
+  /// the poses are encoded; where it has none, the order is found then. Errors: those of weldKeys(), NoArea, and those
+  /// of the solver.
   static Result<EncodedShape> build(Keyframes keyframes, const EncodingOptions& options,
-                                    const StageProgress& progress = {}, OrderSource order = nullptr,
-                                    PatchesListener* listener = nullptr);
+                                    const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const WeldedShape& shape() const { return *shape_; }  ///< its mesh in canonical order
   const InputMesh& input() const { return input_; }
@@ -129,8 +110,7 @@ class EncodedShape {
   using AnyReconstructor = std::variant<Reconstructor<float>, Reconstructor<double>>;
 
   EncodedShape(WeldedKeys keys, Stretch stretch);
-  Status encodePoses(const EncodingOptions& options, OrderSource order, const StageProgress& progress,
-                     PatchesListener* listener);
+  Status encodePoses(const EncodingOptions& options, OrderSource order, const StageProgress& progress);
   template <class Real>
   Status makeReconstructor(const ShapeTopology& topology, const EncodingOptions& options, OrderSource order,
                            const StageProgress& progress);

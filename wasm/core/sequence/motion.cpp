@@ -42,17 +42,13 @@ CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {
 
 }  // namespace
 
-Result<Curve> fitCurve(const WeldedShape& shape, const std::vector<double>& keyTimes, const MotionOptions& options) {
-  if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
-  return Curve::fit(keyTimes, curveOptions(shape, options));
-}
-
 Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options,
                            const Motion* before) {
-  Result<Curve> curve = fitCurve(encoded.shape(), keyTimes, options);
+  const WeldedShape& shape = encoded.shape();
+  if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
+  if (Status status = checkTurns(options.turns, shape.keys, encoded.componentCount()); !status) return status.error();
+  Result<Curve> curve = Curve::fit(keyTimes, curveOptions(shape, options));
   if (!curve) return curve.error();
-  if (Status status = checkTurns(options.turns, encoded.shape().keys, encoded.componentCount()); !status)
-    return status.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);
   motion.turns_ = encoded.turnsOfPatches(options.turns);
   if (Status status = motion.hold(encoded, before); !status) return status.error();

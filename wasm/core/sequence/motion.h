@@ -14,10 +14,6 @@
 
 namespace shapespline {
 
-/// The curve of these options through a shape's keys. Errors: InvalidOption, NotFinite, TimesNotIncreasing,
-/// TimeCountMismatch.
-Result<Curve> fitCurve(const WeldedShape& shape, const std::vector<double>& keyTimes, const MotionOptions& options);
-
 /// The curve through the keys at their times, what turns are added, and how the whole is moved along. Immutable.
 class Motion {
  public:

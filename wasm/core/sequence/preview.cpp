@@ -1,7 +1,5 @@
 #include "core/sequence/preview.h"
 
-#include <functional>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -9,79 +7,62 @@ namespace shapespline {
 
 namespace {
 
-// Of each vertex the first face with a frame, of loose vertices the one that they are anchored at.
-std::vector<int> facesOfVertices(const WeldedShape& shape, std::span<const int> frameOf,
-                                 const std::vector<LooseVertex>& loose) {
+// Of each vertex the first face with a frame; -1 for loose vertices.
+std::vector<int> facesOfHeldVertices(const WeldedShape& shape, std::span<const int> frameOf) {
   std::vector<int> faceOfVertex(shape.vertexCount(), -1);
   for (int f = 0; f < shape.faceCount(); ++f)
     if (frameOf[f] >= 0)
       for (int v : shape.faces[f])
         if (faceOfVertex[v] < 0) faceOfVertex[v] = f;
-  for (const LooseVertex& l : loose) faceOfVertex[l.vertex] = l.anchorFace;
   return faceOfVertex;
 }
 
 // Where components are attached, with the points that hold them in every column.
-void addAnchors(const std::vector<ComponentPlace>& places, PreviewEmbedding::Input& input) {
-  const WeldedShape& shape = input.shape;
-  for (const ComponentPlace& place : places) {
-    input.anchors.push_back({place.anchorFace, place.contactFace, {}});
+template <class Real>
+std::vector<EmbeddedPlace> anchorsOf(const WeldedShape& shape, const FramePoses& frames,
+                                     const LriCoordinates<Real>& lri) {
+  std::vector<EmbeddedPlace> anchors;
+  for (const ComponentPlace& place : lri.places) {
+    anchors.push_back({place.anchorFace, place.contactFace, {}});
     for (int c = 0; c < shape.columns(); ++c) {
-      const Quaternion anchor = input.frames[c][place.anchorFrame] * expQuaternion(input.turn(place.anchorFace, c));
-      input.anchors.back().pivot.push_back(centroidOf(shape.poses[c], shape.faces[place.anchorFace]) +
-                                           anchor * place.offset[c]);
+      const Quaternion anchor =
+          frames.rotation[c][place.anchorFrame] * expQuaternion(lri.face.rotation(place.anchorFace, c));
+      anchors.back().pivot.push_back(centroidOf(shape.poses[c], shape.faces[place.anchorFace]) +
+                                     anchor * place.offset[c]);
     }
   }
+  return anchors;
 }
 
-// What vertices are embedded by, besides their frames.
-struct Parts {
-  std::span<const int> placeOf, componentOfFace;
-  const std::vector<ComponentPlace>& places;
-  const std::vector<LooseVertex>& loose;
-  std::function<Vec3(int face, int column)> turn;
-  bool logarithmic, wholeFrames;
-};
-
-Result<PreviewEmbedding> embed(const WeldedShape& shape, const FramePoses& frames, Parts parts) {
-  const std::vector<int> faceOfVertex = facesOfVertices(shape, frames.ofFace, parts.loose);
+template <class Real>
+Result<PreviewEmbedding> makePreview(const WeldedShape& shape, const FramePoses& frames,
+                                     const Reconstructor<Real>& reconstructor) {
+  const LriCoordinates<Real>& lri = reconstructor.coordinates();
+  std::vector<int> faceOfVertex = facesOfHeldVertices(shape, frames.ofFace);
   std::vector<int> loose;
-  for (const LooseVertex& l : parts.loose) loose.push_back(l.vertex);
-  PreviewEmbedding::Input input{.shape = shape,
-                                .placeOf = parts.placeOf,
-                                .faceOfVertex = faceOfVertex,
-                                .loose = loose,
-                                .frameOf = frames.ofFace,
-                                .componentOf = parts.componentOfFace,
-                                .frames = frames.rotation,
-                                .turn = std::move(parts.turn),
-                                .anchors = {},
-                                .logarithmic = parts.logarithmic,
-                                .wholeFrames = parts.wholeFrames};
-  addAnchors(parts.places, input);
-  return PreviewEmbedding::create(input);
+  for (const LooseVertex& l : lri.loose) {
+    faceOfVertex[l.vertex] = l.anchorFace;
+    loose.push_back(l.vertex);
+  }
+  return PreviewEmbedding::create({
+      .shape = shape,
+      .placeOf = reconstructor.placeOf(),
+      .faceOfVertex = faceOfVertex,
+      .loose = loose,
+      .frameOf = frames.ofFace,
+      .componentOf = reconstructor.componentOfFace(),
+      .frames = frames.rotation,
+      .turn = [&](int face, int column) { return lri.face.rotation(face, column); },
+      .anchors = anchorsOf(shape, frames, lri),
+      .logarithmic = reconstructor.stretch() == Stretch::Log,
+  });
 }
 
 }  // namespace
 
 Result<PreviewEmbedding> makePreview(const EncodedShape& encoded) {
-  return encoded.withReconstructor([&](const auto& reconstructor) {
-    const auto& lri = reconstructor.coordinates();
-    return embed(encoded.shape(), encoded.framePoses(),
-                 {reconstructor.placeOf(), reconstructor.componentOfFace(), lri.places, lri.loose,
-                  [&](int face, int column) { return lri.face.rotation(face, column); },
-                  reconstructor.stretch() == Stretch::Log, false});
-  });
-}
-
-Result<PreviewEmbedding> makePatchPreview(const PatchedShape& patched) {
-  const FramePoses frames = patched.patches.poses();
-  const CarriedParts carried = encodeCarriedParts(patched.shape, patched.topology, frames, true);
-  std::vector<int> placeOf(patched.shape.vertexCount());
-  std::iota(placeOf.begin(), placeOf.end(), 0);
-  return embed(patched.shape, frames,
-               {placeOf, patched.topology.components.ofFace, carried.places, carried.loose,
-                [](int, int) { return Vec3(Vec3::Zero()); }, patched.stretch == Stretch::Log, true});
+  return encoded.withReconstructor(
+      [&](const auto& reconstructor) { return makePreview(encoded.shape(), encoded.framePoses(), reconstructor); });
 }
 
 }  // namespace shapespline

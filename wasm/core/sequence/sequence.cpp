@@ -25,17 +25,14 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
 }  // namespace
 
 Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
-                                  const StageProgress& progress, OrderSource order, SketchListener onSketch) {
+                                  const StageProgress& progress, OrderSource order) {
   double reached = 0;
   const StageProgress report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
     reached = std::max(reached, wholeProgress(stage, fraction, withGhost));
     if (progress) progress(stage, reached);
   };
   std::vector<double> times = timesOf(keyframes);
-  auto encoded = [&] {
-    SketchShow sketch(times, motion, onSketch);
-    return EncodedShape::build(std::move(keyframes), encoding, report, order, onSketch ? &sketch : nullptr);
-  }();
+  auto encoded = EncodedShape::build(std::move(keyframes), encoding, report, order);
   if (!encoded) return encoded.error();
   auto fitted = Motion::fit(*encoded, std::move(times), motion);
   if (!fitted) return fitted.error();

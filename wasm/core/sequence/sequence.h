@@ -12,7 +12,6 @@
 #include "core/sequence/feature_curve.h"
 #include "core/sequence/motion.h"
 #include "core/sequence/preview.h"
-#include "core/sequence/sketch.h"
 
 namespace shapespline {
 
@@ -22,12 +21,10 @@ class Sequence {
  public:
   /// keyframes: moved in where the caller needs them no more; freed once they are welded. progress: called with a
   /// stage's name and the fraction of the whole work that is done, in [0, 1] and never falling. order: as for
-  /// EncodedShape::build. onSketch: told of a sketch as soon as one can be made, and with null before that ends, which
-  /// is before this returns; frames may be asked of it from progress.
+  /// EncodedShape::build.
   /// Errors: those of EncodedShape::build and of Motion::fit.
   static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
-                                 const StageProgress& progress = {}, OrderSource order = nullptr,
-                                 SketchListener onSketch = nullptr);
+                                 const StageProgress& progress = {}, OrderSource order = nullptr);
 
   /// Another motion through the same keys. Errors: those of Motion::fit; the old motion stays then.
   Status update(const MotionOptions& motion, const std::vector<double>& keyTimes);

@@ -19,9 +19,6 @@ import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
 import { extentOf } from '../../viewer/bounds.ts';
 import type { Extent } from '../../viewer/bounds.ts';
-import { coarseMesh, coarsePositions } from './coarse-mesh.ts';
-import type { CoarseMesh } from './coarse-mesh.ts';
-import { vertexNormals } from './vertex-normals.ts';
 import type { HeatMap } from './heat-map.ts';
 import { besideOf, wantsHeat } from './heat-wanted.ts';
 import { measure } from './measures.ts';
@@ -93,7 +90,7 @@ export class SceneController {
   /** How far along x the ghost stands beside the shape now. */
   private beside: number | null = null;
   /** An approximate shape of what is being opened is shown instead. */
-  private sketch: { info: KeysInfo; mesh: CoarseMesh; extent: Extent } | null = null;
+  private sketch: { info: KeysInfo; extent: Extent } | null = null;
 
   constructor(
     host: HTMLElement,
@@ -146,24 +143,13 @@ export class SceneController {
    * An approximate shape of files that are being opened, alone in the picture; what is open stays as it is. `shadow`:
    * drawn anew.
    */
-  showSketch({ info, doc, pool }: Opening, { t, positions }: SketchFrame, shadow: boolean): void {
+  showSketch({ info, doc, pool }: Opening, { t, ...shape }: SketchFrame, shadow: boolean): void {
     const { keys, motion } = doc;
-    this.sketch ??= {
-      info,
-      mesh: coarseMesh([pool.keys.positions(0), pool.keys.positions(pool.imported - 1)], info.faces),
-      extent: extentOf(pool.poses(pool.imported)),
-    };
+    this.sketch ??= { info, extent: extentOf(pool.poses(pool.imported)) };
     const range: Range = [keys[0]?.time ?? 0, keys.at(-1)?.time ?? 1];
     const periodic = motion.boundary === 'periodic';
     const { kind } = phaseOf({ t, keys, range, periodic, tolerance: PLAYING_TOLERANCE });
-    const { mesh, extent } = this.sketch;
-    const coarse = coarsePositions(mesh, positions);
-    const normals = new Float32Array(coarse.length);
-    vertexNormals(coarse, mesh.faces, normals);
-    this.viewer.setSketch(
-      { faces: mesh.faces, positions: coarse, normals, colour: PHASE_COLOURS[kind], shadow },
-      extent,
-    );
+    this.viewer.setSketch({ ...shape, colour: PHASE_COLOURS[kind], shadow }, this.sketch.extent);
     this.placeNames();
   }
 

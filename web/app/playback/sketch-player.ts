@@ -24,7 +24,7 @@ export interface SketchParts {
 /** Milliseconds of a drawing that takes a processor from the work. */
 const SLOW_MS = 30;
 /** So many times as long as it took to draw, a shape stays then. */
-const STAYS = 4;
+const STAYS = 1;
 /** What comes later would be in the way of the exact shape. */
 const LATE = 0.85;
 
@@ -54,6 +54,7 @@ export class SketchPlayer {
 
   take(opening: Opening, frame: SketchFrame): void {
     if (opening !== this.opening) return;
+    if (!this.newest && !this.shown) performance.mark('shapespline sketched');
     this.newest = frame;
     if (!this.running) void this.run(opening);
   }

@@ -29,13 +29,17 @@ export interface CallOptions {
   onProgress?: (progress: Progress) => void;
 }
 
-/** An approximate shape: 3 x vertices, at a time. */
+/** An approximate shape at a time, of a coarse mesh. */
 export interface SketchFrame {
   t: number;
+  /** 3 x vertices of the coarse mesh. */
   positions: Float32Array;
+  normals: Float32Array;
+  /** 3 vertices for each face; the same array with every shape of a sketch. */
+  faces: Uint32Array;
 }
 
-/** What is shown of a large motion while it is made: its patches alone, as rigid pieces, which meet every key. */
+/** What is shown of a large motion while it is made: the motion of a coarse mesh of the same poses. */
 export interface Sketch {
   /** It plays from here on, so many units of time a second: from the first key to the last, and on from the first. */
   time: number;
@@ -43,8 +47,7 @@ export interface Sketch {
   /** Back from the last key instead. */
   bounce?: boolean;
   /**
-   * Told of a shape now and then, from the moment when there are patches until the sequence is there. Not of small
-   * shapes, which are there at once, nor of motions without patches of their own.
+   * Told of a shape now and then, until the sequence is there. Not of small shapes, which are there at once.
    */
   onFrame(frame: SketchFrame): void;
 }

@@ -3,12 +3,14 @@ import type { CallOptions, CreateOptions, Engine, Keys, Sequence, Sketch } from 
 import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
 import { LARGE } from '../api/large.ts';
+import { coarseKeys, coarseOptions } from './coarse-keys.ts';
 import { KeysHandle } from './keyframes.ts';
 import { checkCall, checkImportOptions, checkSequenceOptions, checkSketch } from '../api/options.ts';
-import type { Program, SketchPlan, WorkerFiles } from '../wire/protocol.ts';
+import type { Program, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
 import { orderBeside } from './order-beside.ts';
-import { requestOf, SequenceClient } from './sequence.ts';
+import { requestOf, SequenceClient, type SequenceParts } from './sequence.ts';
+import { playSketch } from './sketch.ts';
 import type { ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
 
 export interface Platform {
@@ -65,8 +67,8 @@ export class EngineClient implements Engine {
     checkCall(call, ['sketch']);
     const wanted = checkSketch(call?.sketch);
     if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
-    const sketch = wanted && keys.info.report.vertices >= LARGE ? wanted : null;
-    const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
+    const isLarge = keys.info.report.vertices >= LARGE;
+    const large = Boolean(this.platform.threaded) && isLarge;
     const parts = {
       keys: keys.data,
       options: checkSequenceOptions(options),
@@ -76,16 +78,15 @@ export class EngineClient implements Engine {
     // What read the files has the memory for it already.
     const beside = large ? orderBeside(this.takeWorker(), requestOf(parts)) : null;
     const client = large ? this.freshWorker(large) : this.takeWorker();
+    const endSketch = wanted && isLarge ? this.startSketch(parts, wanted) : null;
     try {
       const sequence = await this.task(client, call, () =>
-        SequenceClient.create(parts, client, beside?.order ?? null, sketch && planOf(sketch), {
-          onProgress: call?.onProgress,
-          onSketch: sketch?.onFrame,
-        }),
+        SequenceClient.create(parts, client, beside?.order ?? null, { onProgress: call?.onProgress }),
       );
       this.sequences.add(sequence);
       return sequence;
     } finally {
+      endSketch?.();
       beside?.end();
     }
   }
@@ -96,6 +97,28 @@ export class EngineClient implements Engine {
     for (const sequence of this.sequences) sequence.dispose();
     for (const worker of this.workers) worker.terminate(disposed('engine'));
     this.workers.clear();
+  }
+
+  /** Plays until what is returned is called. Never fails: nothing depends on it. */
+  private startSketch({ keys, options }: Pick<SequenceParts, 'keys' | 'options'>, sketch: Sketch): () => void {
+    const over = new AbortController();
+    const { signal } = over;
+    const play = async (): Promise<void> => {
+      // The worker starts while the mesh is made, and what was asked before comes first.
+      this.warm();
+      await new Promise((resolve) => setTimeout(resolve));
+      const coarse = coarseKeys(keys);
+      if (coarse.mesh.vertices.length >= LARGE) return;
+      const motion = coarseOptions(options, coarse.mesh);
+      const sequence = await this.createSequence(new KeysHandle(coarse.keys), motion, { signal });
+      try {
+        await playSketch(sequence, coarse.mesh.faces, sketch, signal);
+      } finally {
+        sequence.dispose();
+      }
+    };
+    play().catch(() => undefined);
+    return () => over.abort();
   }
 
   private takeWorker(): WorkerClient {
@@ -142,10 +165,6 @@ export class EngineClient implements Engine {
   private checkAlive(): void {
     if (this.over) throw disposed('engine');
   }
-}
-
-function planOf({ time, speed, bounce = false }: Sketch): SketchPlan {
-  return { time, speed, bounce };
 }
 
 function checkFiles(files: unknown): void {

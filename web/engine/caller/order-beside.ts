@@ -11,7 +11,7 @@ export interface OrderBeside {
 }
 
 /** A failure is said by the sequence, which fails as well, or finds the order itself. */
-export function orderBeside(client: WorkerClient, request: Omit<RequestOf<'order'>, 'order'>): OrderBeside {
+export function orderBeside(client: WorkerClient, request: Omit<RequestOf<'create'>, 'order'>): OrderBeside {
   const order = sharedOrder(request.positions[0]!.length / 3);
   const end = (): void => {
     giveUpOrder(order);

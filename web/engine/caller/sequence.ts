@@ -15,7 +15,7 @@ import {
   motionOf,
 } from '../api/options.ts';
 import { FramePool } from './frame-pool.ts';
-import type { CallName, FrameBuffers, KeyData, MotionSpec, RequestOf, ResultOf, SketchPlan } from '../wire/protocol.ts';
+import type { CallName, FrameBuffers, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type { SharedOrder } from '../wire/shared-order.ts';
 import type { WorkerClient, WorkerCall } from './worker-client.ts';
 import { Scheduler, urgency, type Task, type Urgency } from './scheduler.ts';
@@ -84,11 +84,10 @@ export class SequenceClient implements Sequence {
     parts: SequenceParts,
     client: WorkerClient,
     order: SharedOrder | null,
-    sketch: SketchPlan | null,
     call: WorkerCall,
   ): Promise<SequenceClient> {
     const request = requestOf(parts);
-    const state = await client.call('create', { ...request, order, sketch }, call);
+    const state = await client.call('create', { ...request, order }, call);
     return new SequenceClient(parts, client, request.motion, state);
   }
 
@@ -324,7 +323,7 @@ export class SequenceClient implements Sequence {
   private async revive(): Promise<void> {
     this.client = this.parts.freshWorker();
     const request = createRequest(this.parts.keys, this.encoding, this.motion);
-    this.state = await this.client.call('create', { ...request, order: null, sketch: null });
+    this.state = await this.client.call('create', { ...request, order: null });
   }
 
   private async scheduled<K extends CallName>(
@@ -382,7 +381,7 @@ export function requestOf({ keys, options }: Pick<SequenceParts, 'keys' | 'optio
   });
 }
 
-type CreateRequest = Omit<RequestOf<'create'>, 'order' | 'sketch'>;
+type CreateRequest = Omit<RequestOf<'create'>, 'order'>;
 
 function createRequest(
   { info: { names, faces }, positions, normals }: KeyData,

@@ -1,7 +1,6 @@
 /** One worker seen from outside: calls become promises; its end, however it comes, rejects those that are open. */
 import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory } from '../api/errors.ts';
 import type { CallName, FromWorker, Program, RequestOf, ResultOf, ToWorker } from '../wire/protocol.ts';
-import type { SketchFrame } from '../api/api.ts';
 import type { Progress } from '../api/types.ts';
 
 /** What a worker of the browser and one of Node have in common. */
@@ -22,14 +21,12 @@ export type Spawn = (events: PortEvents) => WorkerPort;
 export interface WorkerCall {
   transfer?: Transferable[];
   onProgress?: ((progress: Progress) => void) | undefined;
-  onSketch?: ((frame: SketchFrame) => void) | undefined;
 }
 
 interface Open {
   resolve(value: unknown): void;
   reject(error: EngineError): void;
-  onProgress: WorkerCall['onProgress'];
-  onSketch: WorkerCall['onSketch'];
+  onProgress: ((progress: Progress) => void) | undefined;
   fraction: number;
 }
 
@@ -58,12 +55,12 @@ export class WorkerClient {
   call<K extends CallName>(
     type: K,
     request: RequestOf<K>,
-    { transfer, onProgress, onSketch }: WorkerCall = {},
+    { transfer, onProgress }: WorkerCall = {},
   ): Promise<ResultOf<K>> {
     if (this.ended) return Promise.reject(this.ended);
     const id = ++this.lastId;
     return new Promise<ResultOf<K>>((resolve, reject) => {
-      this.open.set(id, { resolve: resolve as (value: unknown) => void, reject, onProgress, onSketch, fraction: 0 });
+      this.open.set(id, { resolve: resolve as (value: unknown) => void, reject, onProgress, fraction: 0 });
       // The union of all requests cannot be formed from a generic K without this one assertion.
       const message = { ...request, type, id } as unknown as ToWorker;
       void this.started.then(() => this.post(message, transfer ?? []));
@@ -94,7 +91,6 @@ export class WorkerClient {
     const call = this.open.get(message.id);
     if (!call) return;
     if (message.type === 'progress') return this.report(call, message.stage, message.fraction);
-    if (message.type === 'sketch') return call.onSketch?.({ t: message.t, positions: message.positions });
     this.open.delete(message.id);
     if (message.type === 'result') return call.resolve(message.value);
     const error = EngineError.from(message.error);

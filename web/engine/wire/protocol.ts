@@ -1,7 +1,6 @@
 /**
  * The messages between the engine and its workers: plain data, one union in each direction. A worker answers every
- * request exactly once, in order, and reports progress in between, with shapes that move meanwhile where they are
- * wanted.
+ * request exactly once, in order, and reports progress in between.
  */
 import type { SharedOrder } from './shared-order.ts';
 import type { ErrorData } from '../api/errors.ts';
@@ -55,14 +54,6 @@ export interface FrameData extends FrameBuffers {
   indefiniteFace?: number;
 }
 
-/** Which moments of a sketch are shown: those that play from `time` on, `speed` units of time a second. */
-export interface SketchPlan {
-  time: number;
-  speed: number;
-  /** There and back again; else from the first key again. */
-  bounce: boolean;
-}
-
 export type Compression = ExportOptions['compression'];
 
 /** Request and result of every call. */
@@ -73,15 +64,13 @@ export interface Calls {
       Omit<KeyData, 'info'> & {
         encoding: EncodingOptions;
         motion: MotionSpec;
-        /** What is shown meanwhile, or null. */
-        sketch: SketchPlan | null;
         /** Where another worker leaves the order of elimination (shared-order), or null. */
         order: SharedOrder | null;
       };
     result: { range: [number, number]; warnings: Warning[] };
   };
   /** Finds the order of elimination for `create` in another worker. */
-  order: { request: Omit<Calls['create']['request'], 'sketch'> & { order: SharedOrder }; result: null };
+  order: { request: Calls['create']['request'] & { order: SharedOrder }; result: null };
   /** Refits; on an error the motion before stays. */
   update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
   evaluate: {
@@ -180,8 +169,7 @@ export type FromWorker =
   | { type: 'result'; id: number; value: ResultOf<CallName> }
   /** `fatal`: the worker's memory can no longer be trusted; it must be ended. */
   | { type: 'error'; id: number; error: ErrorData; fatal: boolean }
-  | { type: 'progress'; id: number; stage: string; fraction: number }
-  | { type: 'sketch'; id: number; t: number; positions: Float32Array };
+  | { type: 'progress'; id: number; stage: string; fraction: number };
 
 /** The worker now holds the lock that bears its name: it is free again when the worker has ended, however that came. */
 export interface Locked {

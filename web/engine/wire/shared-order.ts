@@ -13,8 +13,6 @@ const state = { notBegun: 0, begun: 1, made: 2, failed: 3 } as const;
 
 /** Milliseconds: far more than the largest order takes. */
 const PATIENCE = 60_000;
-/** Of a wait, before something else is looked after. */
-const SLICE = 15;
 
 export function sharedOrder(vertices: number): SharedOrder {
   return new Int32Array(new SharedArrayBuffer(Int32Array.BYTES_PER_ELEMENT * (HEADER + vertices)));
@@ -40,13 +38,9 @@ export function giveUpOrder(order: SharedOrder): void {
   Atomics.notify(order, STATE);
 }
 
-/**
- * Blocks the worker until it is there, but for what is done `meanwhile`, now and then; null where it failed, or where
- * nobody has even begun with it.
- */
-export function awaitedOrder(order: SharedOrder, meanwhile: () => void = () => undefined): Int32Array | null {
-  const until = performance.now() + PATIENCE;
-  while (Atomics.wait(order, STATE, state.begun, SLICE) === 'timed-out' && performance.now() < until) meanwhile();
+/** Blocks the worker until it is there; null where it failed, or where nobody has even begun with it. */
+export function awaitedOrder(order: SharedOrder): Int32Array | null {
+  Atomics.wait(order, STATE, state.begun, PATIENCE);
   if (Atomics.load(order, STATE) !== state.made) return null;
   return order.subarray(HEADER, HEADER + Atomics.load(order, COUNT));
 }

@@ -10,7 +10,6 @@ import {
   type ErrorData,
 } from '../api/errors.ts';
 import type { SecondThreadStart } from './second-thread.ts';
-import type { OnSketch } from './sketcher.ts';
 import type { Codecs } from './codecs.ts';
 import { compress } from './compress.ts';
 import { importFiles, type Decode } from './import-files.ts';
@@ -48,12 +47,7 @@ export interface HandlerHost {
 }
 
 type Handlers = {
-  [K in CallName]: (
-    core: WasmCore,
-    request: RequestOf<K>,
-    report: OnProgress,
-    onSketch: OnSketch,
-  ) => ResultOf<K> | Promise<ResultOf<K>>;
+  [K in CallName]: (core: WasmCore, request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
 };
 
 export class RequestHandler {
@@ -101,8 +95,6 @@ export class RequestHandler {
   private async serve(request: Request): Promise<void> {
     const { type, id } = request;
     const report: OnProgress = (stage, fraction) => this.host.post({ type: 'progress', id, stage, fraction }, []);
-    const onSketch: OnSketch = (t, positions) =>
-      this.host.post({ type: 'sketch', id, t, positions }, buffersOf(positions));
     try {
       const core = await this.core;
       if (!core) throw crashed('the worker was not started');
@@ -111,9 +103,8 @@ export class RequestHandler {
         core: WasmCore,
         request: Request,
         report: OnProgress,
-        onSketch: OnSketch,
       ) => ResultOf<CallName>;
-      const value = await handler(core, request, report, onSketch);
+      const value = await handler(core, request, report);
       this.host.post({ type: 'result', id, value }, buffersOf(value));
     } catch (reason) {
       const { error, fatal } = describe(reason);
@@ -124,9 +115,9 @@ export class RequestHandler {
   private makeHandlers(): Handlers {
     return {
       import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
-      create: (core, request, report, onSketch) => {
+      create: (core, request, report) => {
         report('welding', 0); // large keys take a moment to be copied and checked
-        const { handle, range, warnings } = core.createSequence(request, report, onSketch);
+        const { handle, range, warnings } = core.createSequence(request, report);
         this.sequence = handle;
         this.motionVersion = request.motion.version;
         return { range, warnings };

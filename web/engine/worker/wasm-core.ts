@@ -23,7 +23,6 @@ import type {
   Warning,
   MeasuresAt,
 } from '../api/types.ts';
-import { Sketcher, type OnSketch } from './sketcher.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
 
 type CallResult<T> = ({ ok: true } & T) | Failure;
@@ -144,20 +143,16 @@ export class WasmCore {
   createSequence(
     request: RequestOf<'create'>,
     onProgress: OnProgress = () => undefined,
-    onSketch: OnSketch = () => undefined,
   ): SequenceState & { handle: number } {
-    const { order, sketch, motion } = request;
-    const range: [number, number] = [motion.keyTimes[0] ?? 0, motion.keyTimes.at(-1) ?? 0];
-    const sketcher = sketch && new Sketcher(sketch, range, (t) => this.sketched(t), onSketch);
-    this.hear(onProgress, () => sketcher?.tick());
+    this.hear(onProgress);
+    const { order } = request;
     this.module.takeOrder = (address, unknowns) => {
-      const made = order && awaitedOrder(order, () => sketcher?.tick());
+      const made = order && awaitedOrder(order);
       if (made?.length !== unknowns) return false;
       new Int32Array(this.module.HEAPU8.buffer, address >>> 0, unknowns).set(made);
       return true;
     };
-    const made = { ...madeOf(request), sketch: sketch !== null };
-    return this.ask(made, (address) => this.module._shapespline_sequence(address));
+    return this.ask(madeOf(request), (address) => this.module._shapespline_sequence(address));
   }
 
   /** In which the unknowns of this sequence are eliminated. */
@@ -299,18 +294,11 @@ export class WasmCore {
     };
   }
 
-  /** Of the sequence that is being made; null where there is no sketch of it. */
-  private sketched(t: number): Float32Array | null {
-    const { positions } = this.rawResult<{ positions: Range }>(this.module._shapespline_sketch(t));
-    return positions.length > 0 ? readFloats(this.module, positions) : null;
-  }
-
   /** The core reports more often than anybody looks, and each message takes its time. */
-  private hear(onProgress: OnProgress, onEvery: () => void = () => undefined): void {
+  private hear(onProgress: OnProgress): void {
     let last: Address = -1;
     let heard = -Infinity;
     this.module.onProgress = (stage, fraction) => {
-      onEvery();
       const now = performance.now();
       if (stage === last && fraction < 1 && now < heard + REPORT_MS) return;
       last = stage;
@@ -354,7 +342,7 @@ export class WasmCore {
   }
 }
 
-function madeOf({ names, faces, positions, normals, encoding, motion }: Omit<RequestOf<'order'>, 'order'>): object {
+function madeOf({ names, faces, positions, normals, encoding, motion }: RequestOf<'create'>): object {
   const keys = positions.map((of, key) => ({ name: names[key], time: motion.keyTimes[key], positions: of }));
   return { faces, normals, keys, encoding, motion: motion.options };
 }

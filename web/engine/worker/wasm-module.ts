@@ -20,7 +20,6 @@ export interface WasmModule extends JsImports {
   _shapespline_import(request: Address): Address;
   _shapespline_import_positions(handle: number, key: number): Address;
   _shapespline_sequence(request: Address): Address;
-  _shapespline_sketch(t: number): Address;
   _shapespline_order(request: Address): Address;
   _shapespline_update(handle: number, request: Address): Address;
   _shapespline_evaluate(handle: number, t: number, preview: number): Address;

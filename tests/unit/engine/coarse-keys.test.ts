@@ -1,6 +1,6 @@
 /** Fewer faces for shapes that are only approximate. */
 import { describe, expect, it } from 'vitest';
-import { coarseMesh, coarsePositions } from '../../web/app/drawing/coarse-mesh.ts';
+import { coarseMesh, coarsePositions } from '../../../web/engine/caller/coarse-keys.ts';
 
 /** A square sheet of n x n quads in the plane z = 0, or as `place` has it. */
 function sheet(n: number, place = (x: number, y: number): [number, number, number] => [x, y, 0]) {

@@ -1,16 +1,45 @@
 /**
- * Fewer faces for shapes that are only approximate: vertices that stay near each other become one of them. Drawing the
- * many faces of a large mesh in software takes the processors from what makes its motion.
+ * Keys of a coarse mesh of the same poses: vertices that stay near each other become one of them. Its motion is there
+ * long before that of the many faces of a large mesh.
  */
+import type { SequenceOptions } from '../api/types.ts';
+import type { KeyData } from '../wire/protocol.ts';
 
 /** Cells along the longest side of a pose. */
-const CELLS = 56;
+const CELLS = 40;
 
 export interface CoarseMesh {
   /** Of each of its vertices, which one of the shape it is. */
   vertices: Uint32Array;
   /** 3 of its vertices for each face. */
   faces: Uint32Array;
+}
+
+export function coarseKeys(keys: KeyData): { keys: KeyData; mesh: CoarseMesh } {
+  const { info, positions } = keys;
+  const mesh = coarseMesh([positions[0]!, positions.at(-1)!], info.faces);
+  const report = { ...info.report, vertices: mesh.vertices.length, faces: mesh.faces.length / 3 };
+  return {
+    mesh,
+    keys: {
+      info: { ...info, report, faces: mesh.faces },
+      positions: positions.map((pose) => coarsePositions(mesh, pose)),
+      normals: null,
+    },
+  };
+}
+
+/** The same motion of a coarse mesh, but for what is said of single vertices and components. */
+export function coarseOptions(options: SequenceOptions, mesh: CoarseMesh): SequenceOptions {
+  const { startTangent, endTangent } = options;
+  return {
+    ...options,
+    startTangent: startTangent && coarsePositions(mesh, startTangent),
+    endTangent: endTangent && coarsePositions(mesh, endTangent),
+    pins: [],
+    turns: options.turns.filter(({ component }) => component === undefined),
+    ghostFaces: 0,
+  };
 }
 
 /** `poses`: in each of them vertices that become one are in the same cell of a grid. 3 x vertices each. */
