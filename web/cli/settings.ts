@@ -179,9 +179,11 @@ const STRAIGHT: readonly Method[] = ['geodesic', 'linear'];
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
-  const { method, boundary } = options;
-  if (boundary === 'hermite' && method !== undefined && STRAIGHT.includes(method))
+  const { method = 'lri', boundary, hold = 'off', pins = [] } = options;
+  if (boundary === 'hermite' && STRAIGHT.includes(method))
     throw new UsageError(`--boundary hermite sets speeds at the ends: --method ${method} is straight from key to key`);
+  if (method !== 'lri' && (hold !== 'off' || pins.length > 0))
+    throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} is of --method lri: ${method} holds nothing`);
   return options;
 }
 

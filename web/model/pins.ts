@@ -9,9 +9,9 @@ type Point = PathKey['move'];
 /** How much a pin holds. */
 export const PIN_SIZES = [
   { radius: 0, label: 'Patch' },
-  { radius: PIN_RADIUS / 2, label: 'Small ball' },
-  { radius: PIN_RADIUS, label: 'Ball' },
-  { radius: 2 * PIN_RADIUS, label: 'Large ball' },
+  { radius: PIN_RADIUS / 2, label: 'Small' },
+  { radius: PIN_RADIUS, label: 'Medium' },
+  { radius: 2 * PIN_RADIUS, label: 'Large' },
 ] as const;
 
 /** The size that is nearest to a pin's. */

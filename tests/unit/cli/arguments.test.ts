@@ -105,6 +105,14 @@ describe('the values of options', () => {
       expect(sequenceOptions(parse('--boundary=hermite', '--method', method))).toEqual({ boundary: 'hermite', method });
   });
 
+  it('refuse to hold anything with methods that hold nothing', () => {
+    for (const method of ['geodesic', 'linear', 'cubic-vertex'])
+      for (const held of ['--hold=contact', '--pin=3'])
+        expect(() => sequenceOptions(parse(held, '--method', method))).toThrow(/--method lri/);
+    expect(sequenceOptions(parse('--hold=off', '--method=linear'))).toEqual({ hold: 'off', method: 'linear' });
+    expect(sequenceOptions(parse('--hold=contact', '--method=lri'))).toEqual({ hold: 'contact', method: 'lri' });
+  });
+
   it.each([
     ['--reference=0'],
     ['--turns=1:1'],
