@@ -21,7 +21,11 @@ export function createDivider(onMove: (share: number) => void): {
   update(props: DividerProps): void;
 } {
   let now = 0.5;
-  const move = (share: number): void => onMove(Math.min(Math.max(share, LEAST_SHARE), 1 - LEAST_SHARE));
+  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  const move = (share: number): void => {
+    now = Math.min(Math.max(share, LEAST_SHARE), 1 - LEAST_SHARE);
+    onMove(now);
+  };
   const element = h(
     'div',
     {
