@@ -26,7 +26,7 @@ async function expectPage(app: App, step: GuidePage): Promise<void> {
   expect(time).toBe(link.time);
   expect(doc.motion.boundary).toBe(link.motion.boundary ?? 'natural');
   if (link.keys) expect(doc.keys.map(({ pose, time: at }) => [pose, at])).toEqual(link.keys);
-  expect(fragment(app)).toBe(`#${step.link}`);
+  await expect.poll(() => fragment(app)).toBe(`#${step.link}`);
 }
 
 const expectStep = (app: App, index: number): Promise<void> => expectPage(app, TOUR[index]!);
