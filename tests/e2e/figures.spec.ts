@@ -7,7 +7,7 @@ test.use({ sharpness: 1 });
 
 async function saved(app: App, testId: string): Promise<{ name: string; bytes: Buffer }> {
   let file: Download | undefined;
-  // Now and then a click on a page that is still being laid out is none.
+  // Twice no download came on a busy machine; why is not known.
   await expect(async () => {
     [file] = await Promise.all([app.page.waitForEvent('download', { timeout: 15_000 }), app.by(testId).click()]);
   }).toPass({ timeout: 60_000 });

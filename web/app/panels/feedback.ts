@@ -14,22 +14,13 @@ export interface Feedback {
   onError(error: unknown): void;
 }
 
-/** Milliseconds: drawing the page more often takes the processors from the work, where that is done in software. */
-const PROGRESS_MS = 150;
-
 export function createFeedback(viewState: ViewStateHolder): Feedback {
   const toast = createToast();
-  let said: { stage: string; at: number } | null = null;
   return {
     toast: toast.element,
     say: toast.say,
     onStart: () => viewState.change({ errorMessage: null }),
-    onWorking(working) {
-      const at = performance.now();
-      if (working && working.stage === said?.stage && at < said.at + PROGRESS_MS) return;
-      said = working && { stage: working.stage, at };
-      viewState.change({ working });
-    },
+    onWorking: (working) => viewState.change({ working }),
     onError(error) {
       if (!isCancelled(error)) viewState.change({ errorMessage: errorMessageOf(error) });
     },

@@ -23,8 +23,6 @@ export interface SketchParts {
 
 /** Milliseconds of a drawing that takes a processor from the work. */
 const SLOW_MS = 30;
-/** So many times as long as it took to draw, a shape stays then. */
-const STAYS = 1;
 /** What comes later would be in the way of the exact shape. */
 const LATE = 0.85;
 
@@ -88,7 +86,8 @@ export class SketchPlayer {
     await this.rested;
     while (this.opening === opening && this.newest && this.parts.fraction() < LATE) {
       const tookMs = await this.draw(opening, this.newest, this.tookMs < SLOW_MS);
-      if (tookMs > SLOW_MS) await new Promise((resolve) => setTimeout(resolve, STAYS * tookMs));
+      // As long again: half of the time is the work's.
+      if (tookMs > SLOW_MS) await new Promise((resolve) => setTimeout(resolve, tookMs));
       if (this.opening === opening) this.tookMs = tookMs;
     }
     this.running = false;

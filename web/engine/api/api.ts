@@ -46,9 +46,7 @@ export interface Sketch {
   speed: number;
   /** Back from the last key instead. */
   bounce?: boolean;
-  /**
-   * Told of a shape now and then, until the sequence is there. Not of small shapes, which are there at once.
-   */
+  /** Told of a shape now and then, until the sequence is there. Not of small shapes, which are there at once. */
   onFrame(frame: SketchFrame): void;
 }
 
