@@ -5,14 +5,11 @@ const repository = fileURLToPath(new URL('..', import.meta.url));
 
 // `unit` needs no wasm, `engine` runs the built module in Node, `tools` hands what it makes to the programs that people
 // use, `package` is a page author with the tarball.
-const project = (name: string, testTimeout: number, more: { globalSetup?: string; retry?: number } = {}) => ({
+const project = (name: string, testTimeout: number, more: { globalSetup?: string } = {}) => ({
   extends: true as const,
   // What is prepared before tests, such as a browser that starts, may take as long as a test.
   test: { name, include: [`tests/${name}/**/*.test.ts`], testTimeout, hookTimeout: testTimeout, ...more },
 });
-
-// As for the end-to-end tests: software drawing on a busy machine now and then keeps a page from answering in time.
-const inBrowser = { retry: process.env.CI ? 2 : 0 };
 
 export default defineConfig({
   root: repository,
@@ -24,8 +21,8 @@ export default defineConfig({
     projects: [
       project('unit', 10_000),
       project('engine', 120_000),
-      project('tools', 300_000, inBrowser),
-      project('package', 240_000, { globalSetup: 'tests/package/support/setup.ts', ...inBrowser }),
+      project('tools', 300_000),
+      project('package', 240_000, { globalSetup: 'tests/package/support/setup.ts' }),
     ],
   },
 });

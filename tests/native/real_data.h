@@ -20,10 +20,11 @@ inline std::filesystem::path dataFolder() {
   return std::filesystem::path(SHAPESPLINE_SOURCE_DIR).parent_path() / "shared" / "data";
 }
 
-/// Whether the folder, and the files of it that are named, are there. Where not, it says so, and the running case is
-/// counted as skipped (main.cpp): it should return.
+/// Whether the folder and the named files in it are there. If not, the case should return: it counts as skipped
+/// (main.cpp), or fails where SHAPESPLINE_DATA_REQUIRED is set.
 inline bool hasData(const std::vector<std::string>& paths = {}) {
   const auto skip = [](const std::filesystem::path& missing) {
+    REQUIRE_MESSAGE(!std::getenv("SHAPESPLINE_DATA_REQUIRED"), missing.string());
     MESSAGE("SKIPPED: " << missing.string() << " is not there");
     return false;
   };

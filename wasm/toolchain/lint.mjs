@@ -1,4 +1,4 @@
-// `npm run lint` and `npm run format`: clang-format and clang-tidy for C++, Biome for TypeScript and the scripts here.
+// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here.
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { nothing, sum } from './counts.mjs';
@@ -7,8 +7,7 @@ import { step } from './log.mjs';
 import { inParallel } from './parallel.mjs';
 import { inRoot } from './paths.mjs';
 import { prepareSystem } from './prepare.mjs';
-import { forLinting } from './requirements.mjs';
-import { tidy } from './tidy.mjs';
+import { forFormatting } from './requirements.mjs';
 
 const sources = (folder) =>
   readdirSync(inRoot(folder), { recursive: true })
@@ -30,14 +29,13 @@ async function each(tools) {
 
 /** Whether everything is formatted and no rule is broken; what is not is named. */
 export async function lint() {
-  await prepareSystem(forLinting);
+  await prepareSystem(forFormatting);
   step('format and lint rules (npm run format mends the format)');
-  const style = await each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]);
-  return sum([style, await tidy()]);
+  return each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]);
 }
 
 export async function format() {
-  await prepareSystem(forLinting);
+  await prepareSystem(forFormatting);
   step('formatting');
   await each([cpp('-i'), biome('format', '--write')]);
 }

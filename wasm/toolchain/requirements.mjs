@@ -108,7 +108,8 @@ export const forWasm = ['emscripten', 'headers', 'cmake', 'ninja'];
 export const forNative = ['headers', 'cmake', 'ninja', 'sanitizers'];
 export const forBench = [...forWasm, 'compiler'];
 export const forBrowser = ['chromium'];
-export const forLinting = ['formatter', 'tidy', ...forNative];
+export const forFormatting = ['formatter'];
+export const forTidying = ['tidy', ...forNative];
 export const forFuzzing = ['headers', 'cmake', 'ninja', 'fuzzer'];
 
 /** The requirements among `names` that are not met. */

@@ -7,7 +7,7 @@ import { step } from './log.mjs';
 import { root } from './paths.mjs';
 import { digest, filesBelow, isStamped, stamp } from './stamps.mjs';
 
-const runner = ['test', 'unchanged', 'doctest', 'counts', 'parallel', 'exec'].map(
+const runner = ['test', 'suites', 'unchanged', 'doctest', 'counts', 'parallel', 'exec'].map(
   (name) => `wasm/toolchain/${name}.mjs`,
 );
 const read = ['tests/fuzz/corpus', 'tests/uri-cases.json', ...runner];

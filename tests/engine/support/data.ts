@@ -1,4 +1,7 @@
-/** Real inputs that are not part of the repository: tests over them are skipped where the folder is missing. */
+/**
+ * Real inputs that are not part of the repository. Tests that use them are skipped where the folder is missing, and fail
+ * there where SHAPESPLINE_DATA_REQUIRED is set.
+ */
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -6,7 +9,13 @@ import type { InputFile } from '../../../web/engine/api/types.ts';
 
 const folder = process.env.SHAPESPLINE_DATA ?? fileURLToPath(new URL('../../../../shared/data', import.meta.url));
 
-export const hasData = existsSync(folder);
+function isThere(file: string): boolean {
+  if (existsSync(file)) return true;
+  if (process.env.SHAPESPLINE_DATA_REQUIRED) throw new Error(`${file} is missing`);
+  return false;
+}
+
+export const hasData = isThere(folder);
 
 export function dataFile(name: string): InputFile {
   return { name, bytes: readFileSync(path.join(folder, name)) };
@@ -15,7 +24,7 @@ export function dataFile(name: string): InputFile {
 /** Paths below the data folder of all files in one of its folders; none where it is missing. */
 export function dataFiles(inside: string): string[] {
   const start = path.join(folder, inside);
-  if (!existsSync(start)) return [];
+  if (!isThere(start)) return [];
   const all = readdirSync(start, { recursive: true }).map((name) => path.join(inside, name.toString()));
   return all.filter((name) => statSync(path.join(folder, name)).isFile()).sort();
 }

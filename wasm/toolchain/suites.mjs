@@ -1,0 +1,211 @@
+// The suites of `npm test`: what each needs, makes and runs. Each uses all cores.
+import { existsSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { installBlender } from './blender.mjs';
+import { buildNative, buildWasm, nodeBundle, npmPackage, page, wasmModule } from './build.mjs';
+import { nothing, reports, runReported, sum } from './counts.mjs';
+import { runDoctest } from './doctest.mjs';
+import { run, which } from './exec.mjs';
+import { lint } from './lint.mjs';
+import { whileLocked } from './lock.mjs';
+import { step } from './log.mjs';
+import { inParallel } from './parallel.mjs';
+import { buildDir, inRoot } from './paths.mjs';
+import { forBrowser, forFormatting, forNative, forTidying, forWasm } from './requirements.mjs';
+import { freePort } from './serve.mjs';
+import { tidy } from './tidy.mjs';
+import { unlessUnchanged } from './unchanged.mjs';
+
+const node = process.execPath;
+const bin = (...parts) => inRoot('node_modules', ...parts);
+
+/** Whether a folder has files with this ending. */
+export function hasFiles(folder, ending) {
+  return (
+    existsSync(inRoot(folder)) && readdirSync(inRoot(folder), { recursive: true }).some((name) => name.endsWith(ending))
+  );
+}
+
+async function typecheck() {
+  const folders = ['web', 'tests'].filter((folder) => hasFiles(folder, '.ts'));
+  const tasks = folders.map((folder) => async () => {
+    step(`checking the types of ${folder}`);
+    // The compiler's notes from the last run spare it unchanged files.
+    const kept = ['--incremental', '--tsBuildInfoFile', path.join(buildDir, 'types', `${folder}.tsbuildinfo`)];
+    const args = [bin('typescript/bin/tsc'), '-p', folder, ...kept];
+    const { code } = await run(node, args, { show: 'after', allowFailure: true });
+    return code === 0 ? { ...nothing, passed: 1 } : { ...nothing, failed: 1, names: [`the types of ${folder}`] };
+  });
+  return sum(await inParallel(tasks));
+}
+
+const compileNative =
+  (...targets) =>
+  () =>
+    whileLocked(() => buildNative(targets));
+const compileWasm = () => whileLocked(() => buildWasm(['shapespline_tests']));
+
+// ThreadSanitizer needs addresses that are not randomised much.
+const atFixedAddresses = (program) => (which('setarch') ? ['setarch', '-R', program] : [program]);
+
+const cases = (name, programs, words, runAll) =>
+  words.length > 0 ? runAll() : unlessUnchanged(name, programs, runAll);
+
+function native(words, folder) {
+  const program = path.join(folder, 'shapespline_tests');
+  return cases('native', [program], words, () => {
+    step('native tests, under AddressSanitizer and UBSan');
+    return runDoctest('native', [program], words);
+  });
+}
+
+function threads(words, folder) {
+  const program = path.join(folder, 'shapespline_thread_tests');
+  return cases('threads', [program], words, () => {
+    step('native tests of code that two threads share, under ThreadSanitizer');
+    return runDoctest('threads', atFixedAddresses(program), words);
+  });
+}
+
+function wasm(words, folder) {
+  const [script, module] = ['js', 'wasm'].map((ending) => path.join(folder, `shapespline_tests.${ending}`));
+  return cases('wasm', [script, module], words, () => {
+    step('the native tests as wasm, in Node');
+    return runDoctest('wasm', [node, script], words);
+  });
+}
+
+function countVitest(report) {
+  const brokenFiles = report.testResults.filter(
+    (file) => file.status === 'failed' && file.assertionResults.length === 0,
+  );
+  return {
+    passed: report.numPassedTests,
+    failed: report.numFailedTests + brokenFiles.length,
+    skipped: report.numPendingTests + report.numTodoTests,
+    names: [
+      ...brokenFiles.map(({ name }) => path.basename(name)),
+      ...report.testResults.flatMap(({ name, assertionResults }) =>
+        assertionResults
+          .filter(({ status }) => status === 'failed')
+          .map(({ fullName }) => `${path.basename(name)}: ${fullName}`),
+      ),
+    ],
+  };
+}
+
+const vitest = (project) => async (words) => {
+  step(`${project} tests`);
+  const args = (report) => [
+    bin('vitest/vitest.mjs'),
+    'run',
+    '--config',
+    'tests/vitest.config.ts',
+    '--project',
+    project,
+    '--reporter=default',
+    '--reporter=json',
+    `--outputFile.json=${report}`,
+    ...words,
+  ];
+  return runReported(project, node, args, { count: countVitest });
+};
+
+const specsOf = ({ suites = [], specs = [] }) => [...specs, ...suites.flatMap(specsOf)];
+
+function countPlaywright({ suites, stats, errors }) {
+  return {
+    passed: stats.expected,
+    failed: stats.unexpected + stats.flaky + errors.length,
+    skipped: stats.skipped,
+    names: [
+      ...errors.map(({ message }) => message),
+      ...specsOf({ suites })
+        .filter(({ ok, tests }) => !ok || tests.some(({ status }) => status === 'flaky'))
+        .map(({ file, title }) => `${file}: ${title}`),
+    ],
+  };
+}
+
+async function endToEnd(words) {
+  step('end-to-end tests in Chromium, on the development server and on the built page');
+  const args = () => [
+    bin('@playwright/test/cli.js'),
+    'test',
+    '--config',
+    'tests/e2e',
+    '--reporter=list,json',
+    ...words,
+  ];
+  const env = {
+    PLAYWRIGHT_JSON_OUTPUT_NAME: path.join(reports, 'e2e.json'),
+    SHAPESPLINE_DEV_PORT: String(await freePort()),
+    SHAPESPLINE_BUILT_PORT: String(await freePort()),
+    SHAPESPLINE_ISOLATED_PORT: String(await freePort()),
+  };
+  return runReported('e2e', node, args, { count: countPlaywright, env });
+}
+
+/**
+ * In the order they run. A suite without `files` is skipped. `requirements`, `steps` and `compile(words)` bring what it
+ * needs; `run(words, compiled)` runs it. The words come from the command line; plain `npm test` runs a suite with its
+ * own `words`, and leaves out suites that are `onlyInAll`.
+ */
+export const suites = {
+  lint: { run: lint, files: ['web', '.ts'], requirements: forFormatting, steps: [] },
+  typecheck: { run: typecheck, files: ['web', '.ts'], requirements: forWasm, steps: [wasmModule] },
+  unit: { run: vitest('unit'), files: ['tests/unit', '.test.ts'], requirements: [], steps: [] },
+  native: {
+    run: native,
+    files: ['tests/native', '_test.cpp'],
+    requirements: forNative,
+    steps: [],
+    compile: compileNative('shapespline_tests'),
+  },
+  engine: {
+    run: vitest('engine'),
+    files: ['tests/engine', '.test.ts'],
+    requirements: forWasm,
+    steps: [wasmModule, nodeBundle],
+  },
+  tools: {
+    run: vitest('tools'),
+    files: ['tests/tools', '.test.ts'],
+    requirements: [...forWasm, ...forBrowser],
+    steps: [wasmModule, nodeBundle],
+    compile: (words) => (words.length > 0 ? null : installBlender()),
+    words: ['gltf-transform', 'players'],
+  },
+  package: {
+    run: vitest('package'),
+    files: ['tests/package', '.test.ts'],
+    requirements: [...forWasm, ...forBrowser],
+    steps: [wasmModule, npmPackage],
+    words: ['package/node', 'package/pages'],
+  },
+  e2e: {
+    run: endToEnd,
+    files: ['tests/e2e', '.spec.ts'],
+    requirements: [...forWasm, ...forBrowser],
+    steps: [wasmModule, page],
+    words: ['--grep-invert=@all'],
+  },
+  tidy: { run: tidy, files: ['wasm', '.cpp'], requirements: forTidying, steps: [], onlyInAll: true },
+  threads: {
+    run: threads,
+    files: ['tests/native', '_test.cpp'],
+    requirements: forNative,
+    steps: [],
+    // The benchmark is compiled as well, so that a change that breaks it is noticed.
+    compile: compileNative('shapespline_thread_tests', 'shapespline_bench_native'),
+    onlyInAll: true,
+  },
+  wasm: {
+    run: wasm,
+    files: ['tests/native', '_test.cpp'],
+    requirements: forWasm,
+    steps: [],
+    compile: compileWasm,
+    onlyInAll: true,
+  },
+};
