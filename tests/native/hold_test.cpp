@@ -11,6 +11,7 @@
 #include "core/hold/vertex_path.h"
 #include "core/mesh/measures.h"
 #include "core/mesh/weld.h"
+#include "dense.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
@@ -534,7 +535,7 @@ MotionOptions comparedMotion(int column) {
 
 }  // namespace
 
-TEST_CASE("held motions against captured ones") {
+TEST_CASE("held motions against captured ones" * dense) {
   const std::vector<std::string> files = {"skin/CesiumMan.glb", "skin/Fox.glb", "skin/Soldier.glb"};
   if (!hasData(files)) return;
   struct Run {

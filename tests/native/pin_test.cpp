@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "core/hold/pin_region.h"
+#include "dense.h"
 #include "pins.h"
 #include "real_data.h"
 #include "sequences.h"
@@ -208,7 +209,7 @@ TEST_CASE("patches do not spin where the shape walks far away from what is held"
   CHECK(sweep(s, {20, 4, 8}).growth <= 4);
 }
 
-TEST_CASE("pins on real shapes: keys, rigid motions, fading, purity") {
+TEST_CASE("pins on real shapes: keys, rigid motions, fading, purity" * dense) {
   ImportOptions walk;
   walk.sampleCount = 6;
   walk.sampleAsked = true;

@@ -8,8 +8,10 @@
 #include <Eigen/Dense>
 
 #include "core/patches/patch_motion.h"
+#include "dense.h"
 
 using namespace shapespline;
+using namespace shapespline::test;
 
 namespace {
 
@@ -203,7 +205,7 @@ TEST_CASE("patch rotations: connections that agree are met, others change nothin
 
 // Where the maps disagree around the ring between the keys, a minimum followed to convergence is lost and another one
 // taken.
-TEST_CASE("a ring of patches that turn by 170 degrees against each other turns without a jump") {
+TEST_CASE("a ring of patches that turn by 170 degrees against each other turns without a jump" * dense) {
   double worst = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     std::mt19937 random(seed);

@@ -13,6 +13,7 @@
 #include "core/rotation/rigid_fit.h"
 #include "core/sequence/gram_matrix.h"
 #include "core/sequence/mesh_report.h"
+#include "dense.h"
 #include "io/import.h"
 #include "samples/bench_mesh.h"
 #include "samples/bench_parts.h"
@@ -25,6 +26,7 @@
 #include "samples/skin.h"
 
 using namespace shapespline;
+using namespace shapespline::test;
 
 namespace {
 
@@ -65,7 +67,7 @@ double largestDistance(const Positions& a, const Positions& b) {
 
 }  // namespace
 
-TEST_CASE("samples: every sample is small, closed, well shaped and keeps its volume") {
+TEST_CASE("samples: every sample is small, closed, well shaped and keeps its volume" * dense) {
   for (const SampleMaker& maker : sampleMakers()) {
     CAPTURE(maker.id);
     const Sample sample = maker.make();
@@ -103,7 +105,7 @@ TEST_CASE("samples: every sample is small, closed, well shaped and keeps its vol
   }
 }
 
-TEST_CASE("samples: a paw of the dachshund that is planted moves with the ground") {
+TEST_CASE("samples: a paw of the dachshund that is planted moves with the ground" * dense) {
   // Half a stride of 0.22 either way in 0.62 of the cycle, as the generator has it.
   constexpr double ground = 2 * 0.22 / 0.62;
   struct Paw {
@@ -128,7 +130,7 @@ TEST_CASE("samples: a paw of the dachshund that is planted moves with the ground
   }
 }
 
-TEST_CASE("samples: a paw that is planted on the way across the floor stays where it is") {
+TEST_CASE("samples: a paw that is planted on the way across the floor stays where it is" * dense) {
   const Keyframes stroll = makeStroll().keyframes;
   REQUIRE(stroll.keyCount() == 9);
   constexpr double way = 2 * 0.22 / 0.62 / 4;  // from key to key

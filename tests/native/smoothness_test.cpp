@@ -2,6 +2,7 @@
 // steps.
 #include <doctest/doctest.h>
 
+#include "dense.h"
 #include "one_sided.h"
 #include "pins.h"
 #include "real_data.h"
@@ -223,8 +224,8 @@ TEST_CASE("smooth: with quick Hermite ends, steps halve with time at the end of 
 }
 
 TEST_CASE("sweep: cactus") { checkRealSet({"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}); }
-TEST_CASE("sweep: horse, morph targets") { checkRealSet({"morph/Horse.glb"}); }
-TEST_CASE("sweep: sphere, morph targets") {
+TEST_CASE("sweep: horse, morph targets" * dense) { checkRealSet({"morph/Horse.glb"}); }
+TEST_CASE("sweep: sphere, morph targets" * dense) {
   checkRealSet({"morph/AnimatedMorphSphere.gltf", "morph/AnimatedMorphSphere.bin"});
 }
 TEST_CASE("sweep: stress test, morph targets") { checkRealSet({"morph/MorphStressTest.gltf"}); }
@@ -234,11 +235,11 @@ TEST_CASE("sweep: man, skin") {
   options.sampleAsked = true;
   checkRealSet({"skin/CesiumMan.glb"}, options);
 }
-TEST_CASE("sweep: fox, skin, Survey") { checkRealSet({"skin/Fox.glb"}, sampled("Survey")); }
-TEST_CASE("sweep: fox, skin, Walk") { checkRealSet({"skin/Fox.glb"}, sampled("Walk")); }
+TEST_CASE("sweep: fox, skin, Survey" * dense) { checkRealSet({"skin/Fox.glb"}, sampled("Survey")); }
+TEST_CASE("sweep: fox, skin, Walk" * dense) { checkRealSet({"skin/Fox.glb"}, sampled("Walk")); }
 TEST_CASE("sweep: fox, skin, Run") { checkRealSet({"skin/Fox.glb"}, sampled("Run")); }
-TEST_CASE("sweep: soldier, skin, Run") { checkRealSet({"skin/Soldier.glb"}, sampled("Run", 5)); }
-TEST_CASE("sweep: soldier, skin, Walk") { checkRealSet({"skin/Soldier.glb"}, sampled("Walk", 5)); }
+TEST_CASE("sweep: soldier, skin, Run" * dense) { checkRealSet({"skin/Soldier.glb"}, sampled("Run", 5)); }
+TEST_CASE("sweep: soldier, skin, Walk" * dense) { checkRealSet({"skin/Soldier.glb"}, sampled("Walk", 5)); }
 TEST_CASE("sweep: soldier, skin, Idle") { checkRealSet({"skin/Soldier.glb"}, sampled("Idle", 5)); }
 TEST_CASE("sweep: wolf") { checkRealSet(wolfPoses); }
 TEST_CASE("sweep: low-poly cat") {
@@ -269,7 +270,7 @@ TEST_CASE("sweep: plate, rolled one way") {
 TEST_CASE("sweep: plate, rolled the other way") {
   checkRealSet({"turns/plate/plate121.ply", "turns/plate/plate121_rolledB.ply"});
 }
-TEST_CASE("sweep: cat with turns of 170 degrees") {
+TEST_CASE("sweep: cat with turns of 170 degrees" * dense) {
   checkRealSet({"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"});
 }
 TEST_CASE("sweep: lion with turns of 175 degrees") { checkRealSet(lionPoses); }

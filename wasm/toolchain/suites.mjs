@@ -48,8 +48,11 @@ const compileWasm = () => whileLocked(() => buildWasm(['shapespline_tests']));
 // ThreadSanitizer needs addresses that are not randomised much.
 const atFixedAddresses = (program) => (which('setarch') ? ['setarch', '-R', program] : [program]);
 
-const cases = (name, programs, words, runAll) =>
-  words.length > 0 ? runAll() : unlessUnchanged(name, programs, runAll);
+const NOT_DENSE = '--test-suite-exclude=dense';
+const cases = (name, programs, words, runAll) => {
+  if (words.length === 0) return unlessUnchanged(name, programs, runAll);
+  return words.join() === NOT_DENSE ? unlessUnchanged(`${name}-thin`, programs, runAll) : runAll();
+};
 
 function native(words, folder) {
   const program = path.join(folder, 'shapespline_tests');
@@ -161,6 +164,7 @@ export const suites = {
     requirements: forNative,
     steps: [],
     compile: compileNative('shapespline_tests'),
+    words: [NOT_DENSE],
   },
   engine: {
     run: vitest('engine'),
