@@ -25,10 +25,12 @@ async function run([command, ...words]: string[]): Promise<string> {
   const args = parseArguments(words, known);
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
-  if (command === 'measure') return measure(args);
-  const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${oneLine(text)}\n`));
+  const { text, warnings } =
+    command === 'measure'
+      ? await measure(args)
+      : await complete(args, (said) => process.stderr.write(`${oneLine(said)}\n`));
   for (const warning of warnings) process.stderr.write(`warning: ${oneLine(warning)}\n`);
-  return summary;
+  return text;
 }
 
 function exitCodeOf(error: unknown): number {

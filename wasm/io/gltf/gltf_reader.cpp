@@ -178,7 +178,8 @@ struct KeyReader {
     const bool ownTimes = options.sampleTimes.empty() && animations.size() == 1 && animation.weightsOnly &&
                           !options.sampleAsked && animation.keyTimes.size() >= 2 &&
                           animation.keyTimes.size() <= kMostOwnKeys;
-    if (ownTimes) return animation.keyTimes;
+    const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
+    if (ownTimes || everyFrame) return animation.keyTimes;
     if (options.oneKeyWillDo && animation.keyTimes.size() == 1) return animation.keyTimes;
     return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
                        doc.where + ": the animation " + inQuotes(animation.name), out.warnings);
