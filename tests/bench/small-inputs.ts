@@ -88,6 +88,11 @@ const OBJ_INPUTS: SmallInput[] = [
     (i, pose) => `v ${i} 0 0\nv ${i} 1 0\nv ${i} 0 ${1 + pose}\nf -3 -2 -1\n`,
   ),
   obj(
+    'triangles of the same three places in one pose',
+    () => '',
+    (i, pose) => `v ${i * pose} 0 0\nv ${1 + i * pose} 0 0\nv ${i * pose} 1 0\nf -3 -2 -1\n`,
+  ),
+  obj(
     'tetrahedra beside each other, alike',
     () => '',
     (i, pose) =>
@@ -221,6 +226,8 @@ const points = (count: number, pose: number): number[] =>
 const bytesOf = (...lists: readonly (readonly number[])[]): Uint8Array => Uint8Array.from(lists.flat());
 const repeated = (count: number, of: (index: number) => readonly number[]): number[] =>
   Array.from({ length: count }, (_, i) => of(i)).flat();
+/** The length of a list, little endian. */
+const counted = (count: number): number[] => [0, 8, 16, 24].map((shift) => (count >> shift) & 255);
 const vertexElement = (count: number): string => `element vertex ${count}\n${XYZ}`;
 const faceElement = (count: number): string => `element face ${count}\nproperty list uchar uchar vertex_indices\n`;
 const faces = (of: (index: number) => readonly number[], count = 12_000) => {
@@ -258,9 +265,9 @@ const PLY_INPUTS: SmallInput[] = [
     (pose) =>
       bytesOf(
         [0, 0, 0, 9, 0, 0, 0, 9, pose],
-        [0x50, 0xc3 - 5, 0, 0],
-        repeated(49_000 + 752, (i) => [i % 3]),
-      ).subarray(0, HALF - 200),
+        counted(49_000),
+        repeated(49_000, (i) => [i % 3]),
+      ),
   ),
   ply(
     'a strip of all points',
@@ -268,16 +275,16 @@ const PLY_INPUTS: SmallInput[] = [
     (pose) =>
       bytesOf(
         points(200, pose),
-        [0x80, 0xbb, 0, 0],
+        counted(48_000),
         repeated(48_000, (i) => [(i * 37) % 200]),
       ),
   ),
   ply(
     'properties',
-    `format ascii 1.0\nelement vertex 3\n${repeatedText(2400, (i) => `property char p${i}\n`)}${XYZ}${faceElement(1)}`,
+    `format ascii 1.0\nelement vertex 3\n${repeatedText(1900, (i) => `property char p${i}\n`)}${XYZ}${faceElement(1)}`,
     (pose) =>
       new TextEncoder().encode(
-        `${'0 '.repeat(2400)}0 0 0\n${'0 '.repeat(2400)}1 0 0\n${'0 '.repeat(2400)}0 1 ${pose}\n3 0 1 2\n`.slice(
+        `${'0 '.repeat(1900)}0 0 0\n${'0 '.repeat(1900)}1 0 0\n${'0 '.repeat(1900)}0 1 ${pose}\n3 0 1 2\n`.slice(
           0,
           HALF,
         ),
@@ -294,7 +301,7 @@ const PLY_INPUTS: SmallInput[] = [
   ply('one polygon', `${LITTLE}${vertexElement(200)}element face 1\nproperty list int uchar vertex_indices\n`, (pose) =>
     bytesOf(
       points(200, pose),
-      [0x80, 0xbb, 0, 0],
+      counted(48_000),
       repeated(48_000, (i) => [i % 200]),
     ),
   ),
@@ -354,7 +361,7 @@ const OFF_INPUTS: SmallInput[] = [
   off(
     'one polygon',
     () => [4, 1],
-    (pose) => `${OFF_TRIANGLE(pose)}1 1 0\n24000`,
+    (pose) => `${OFF_TRIANGLE(pose)}1 1 0\n19000`,
     (i) => ` ${i % 4}`,
     24_000,
   ),
