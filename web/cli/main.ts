@@ -6,7 +6,7 @@ import { parseArguments, UsageError } from './arguments.ts';
 import { complete, inspect } from './commands.ts';
 import { measure } from './measure.ts';
 import { COMPLETE, HELP, INSPECT, MEASURE } from './settings.ts';
-import { oneLine, writeTo } from './terminal.ts';
+import { sayError, writeTo } from './terminal.ts';
 
 const COMMANDS = new Map([
   ['inspect', INSPECT],
@@ -25,11 +25,8 @@ async function run([command, ...words]: string[]): Promise<string> {
   const args = parseArguments(words, known);
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
-  const { text, warnings } =
-    command === 'measure'
-      ? await measure(args)
-      : await complete(args, (said) => process.stderr.write(`${oneLine(said)}\n`));
-  for (const warning of warnings) process.stderr.write(`warning: ${oneLine(warning)}\n`);
+  const { text, warnings } = command === 'measure' ? await measure(args) : await complete(args, sayError);
+  for (const warning of warnings) sayError(`warning: ${warning}`);
   return text;
 }
 
@@ -41,6 +38,6 @@ function exitCodeOf(error: unknown): number {
 try {
   await writeTo(process.stdout, await run(process.argv.slice(2)));
 } catch (error) {
-  process.stderr.write(`shapespline: ${oneLine(messageOf(error))}\n`);
+  sayError(`shapespline: ${messageOf(error)}`);
   process.exitCode = exitCodeOf(error);
 }
