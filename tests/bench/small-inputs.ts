@@ -90,7 +90,7 @@ const OBJ_INPUTS: SmallInput[] = [
   obj(
     'triangles of the same three places in one pose',
     () => '',
-    (i, pose) => `v ${i * pose} 0 0\nv ${1 + i * pose} 0 0\nv ${i * pose} 1 0\nf -3 -2 -1\n`,
+    (i, pose) => `v ${9000 - i * pose} 0 0\nv ${9001 - i * pose} 0 0\nv ${9000 - i * pose} 1 0\nf -3 -2 -1\n`,
   ),
   obj(
     'tetrahedra beside each other, alike',
@@ -206,7 +206,7 @@ const OBJ_INPUTS: SmallInput[] = [
     (pose) => `${one(pose)}f 1 2 3`,
     () => '\\\n',
   ),
-  obj('long numbers', one, () => `v ${'1'.repeat(120)} 0 0\n`),
+  obj('long numbers', one, () => `v 0.${'1'.repeat(120)} 0 0\n`),
   obj('lines and points', one, () => 'l 1 2\n'),
 ];
 
@@ -222,7 +222,7 @@ function ply(name: string, header: string, body: (pose: number) => Uint8Array): 
 const XYZ = 'property uchar x\nproperty uchar y\nproperty uchar z\n';
 const LITTLE = 'format binary_little_endian 1.0\n';
 const points = (count: number, pose: number): number[] =>
-  Array.from({ length: count }, (_, i) => [(i * 7) % 250, (i * 11) % 240, pose * (i % 5)]).flat();
+  Array.from({ length: count }, (_, i) => [(i * 7) % 250, (i * i) % 240, pose * (i % 5)]).flat();
 const bytesOf = (...lists: readonly (readonly number[])[]): Uint8Array => Uint8Array.from(lists.flat());
 const repeated = (count: number, of: (index: number) => readonly number[]): number[] =>
   Array.from({ length: count }, (_, i) => of(i)).flat();
@@ -346,9 +346,9 @@ const OFF_INPUTS: SmallInput[] = [
   ),
   off(
     'vertices at one place',
-    (n) => [n + 3, 0],
+    (n) => [n + 2, 1],
     OFF_TRIANGLE,
-    () => '0 0 0\n',
+    (i) => (i === 7999 ? '3 0 1 2\n' : '0 0 0\n'),
     8000,
   ),
   off(
@@ -508,7 +508,7 @@ function cache(name: string, frames: number, pointCount: number, kind: 'pc2' | '
     for (let f = 0; f < frames; f += 1) view.setFloat32(8 + 4 * f, f / 24);
   }
   for (let i = 0; i < 3 * frames * pointCount; i += 1) view.setFloat32(header + 4 * i, (i * 7) % 100, kind === 'pc2');
-  const vertices = repeatedText(pointCount, (i) => `v ${i % 9} ${i % 7} 0\n`);
+  const vertices = repeatedText(pointCount, (i) => `v ${i % 9} ${(i * i) % 7} 0\n`);
   const shape = `${vertices}${repeatedText(Math.min(pointCount - 2, 100), () => 'f 1 2 3\n')}`;
   return {
     name: `${kind.toUpperCase()}: ${name}`,

@@ -132,7 +132,7 @@ struct KeyReader {
 
   Status takeMorphTargets() {
     const int targets = morphTargets();
-    if (Status size = checkSize(targets + 1); !size) return size;
+    if (Status size = checkTargets(targets + 1, shape.vertexCount, doc.bufferBytes, doc.where); !size) return size;
     // A second from one to the next, as of poses that are files of their own.
     const auto keys = static_cast<std::size_t>(targets) + 1;
     for (int t = -1; t < targets; ++t)

@@ -289,9 +289,10 @@ struct ObjReader {
     const auto isFile = [&](std::string_view name) { return bool(resolveUri(name, file.name, files, where)); };
     if (isFile(text)) return readLibrary(text);
     int words = 0;
-    for (std::string_view name = text, rest = text; !takeWord(rest).empty();) {
+    std::string_view name = text, rest = text;
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
       const std::string_view read = name.substr(0, name.size() - rest.size());
-      const bool ends = trimmed(rest).empty() || extensionOf(read) == "mtl" || (++words <= kMostWords && isFile(read));
+      const bool ends = rest.empty() || extensionOf(word) == "mtl" || (++words <= kMostWords && isFile(read));
       if (!ends) continue;
       readLibrary(read);
       name = rest = trimmed(rest);
