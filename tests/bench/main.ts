@@ -13,6 +13,7 @@ import { exportTable } from './exports.ts';
 import { benchDrop } from './drop.ts';
 import { benchGhostInBrowser } from './ghost-browser.ts';
 import { benchGhost } from './ghost.ts';
+import { benchInputs } from './inputs.ts';
 import { FEW_KEYS, MANY_KEYS } from './key-counts.ts';
 import { withNative } from './native.ts';
 import { nodeRunner } from './node-runner.ts';
@@ -99,7 +100,7 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
   return results;
 }
 
-function save(text: string, kind: '' | '-browser' | '-exports' | '-hold'): void {
+function save(text: string, kind: '' | '-browser' | '-exports' | '-hold' | '-inputs'): void {
   const { version } = JSON.parse(readFileSync(path.join(repository, 'package.json'), 'utf8')) as { version: string };
   const file = path.join(repository, 'tests/bench/results', `${version}${kind}.md`);
   mkdirSync(path.dirname(file), { recursive: true });
@@ -147,6 +148,12 @@ async function benchHold({ files, save: wanted }: Wanted): Promise<void> {
   if (wanted) save(`# Motions that hold what rests: ${machine()}\n\n${text}\n`, '-hold');
 }
 
+async function benchAllInputs({ files, save: wanted }: Wanted): Promise<void> {
+  const text = await benchInputs(files, say);
+  console.log(text);
+  if (wanted) save(`# Small inputs that ask for much work: ${machine()}\n\n${text}\n`, '-inputs');
+}
+
 const benches: Record<Wanted['what'], (wanted: Wanted) => Promise<void>> = {
   stages: bench,
   threads: benchThreads,
@@ -157,6 +164,7 @@ const benches: Record<Wanted['what'], (wanted: Wanted) => Promise<void>> = {
   start: benchStart,
   drop: ({ sizes }) => benchDrop(sizes?.map(({ faces }) => faces) ?? [332_000], meshOf),
   hold: benchHold,
+  inputs: benchAllInputs,
 };
 const wanted = benchArguments(process.argv.slice(2));
 await benches[wanted.what](wanted);

@@ -191,3 +191,31 @@ test('two poses of the open mesh that come together become keys, also of real fi
   await expect(app.by('key-editor')).toBeHidden();
   await app.expectNoProblems();
 });
+
+// Only here do the files that were picked, the question and what is opened then meet.
+test('of two numbered sequences one is asked for, in the order of its signed numbers, or all are keys', async ({
+  app,
+}) => {
+  const run = [0, 1].map((i) => given(`run_000${i}.obj`, QUAD(0.1 * i)));
+  const sim = [-1, -2, 0].map((i) => given(`sim.${i}.obj`, QUAD(0.5 + 0.1 * i)));
+  await app.open();
+  await app
+    .by('file-input')
+    .setInputFiles([...run, ...sim, given('Thumbs.db', 'x'), given('scene.blend', 'BLENDER-v405')]);
+  await expect(app.by('pose-offer')).toContainText('There are 2 numbered sequences.');
+  await expect(app.by('pose-offer-accept')).toHaveText('run_0000.obj to run_0001.obj (2 files)');
+  expect((await app.state()).source.kind).toBe('sample');
+  await app.by('pose-offer-other-0').click();
+  await expect
+    .poll(() => keys(app))
+    .toEqual([
+      ['sim.-2', 0],
+      ['sim.-1', 1],
+      ['sim.0', 2],
+    ]);
+  await expect(app.by('pose-offer')).toBeHidden();
+  await app.settled();
+  await app.by('file-input').setInputFiles([...run, ...sim]);
+  await app.by('pose-offer-other-1').click();
+  await expect.poll(async () => (await keys(app)).length).toBe(5);
+});

@@ -532,6 +532,44 @@ describe('bad input', () => {
   });
 });
 
+describe('a folder as people have it', () => {
+  const pose = (name: string, height: number) => ({
+    name,
+    bytes: new TextEncoder().encode(`v 0 0 0\nv 1 0 0\nv 0 1 ${height}\nf 1 2 3\n`),
+  });
+  const keysOf = (stdout: string): string[] =>
+    (JSON.parse(stdout) as { keys: { name: string }[] }).keys.map(({ name }) => name);
+  const junk = (name: string) => ({ name, bytes: Uint8Array.of(0, 5, 22, 7) });
+
+  it('has frames below zero, and what systems leave behind', async () => {
+    const left = ['._sim.-1.obj', '.DS_Store', 'Thumbs.db', 'desktop.ini'].map(junk);
+    const frames = [1, 0, -1, -2].map((number) => pose(`sim.${number}.obj`, number));
+    const place = await folderOf([...frames, ...left]);
+    for (const given of [
+      ['.'],
+      ['sim.-2.obj', ...left.map(({ name }) => name), 'sim.-1.obj', 'sim.0.obj', 'sim.1.obj'],
+    ]) {
+      const { code, stdout } = await runCli(place, 'inspect', ...given);
+      expect([code, code === 0 && keysOf(stdout)]).toEqual([0, ['sim.-2', 'sim.-1', 'sim.0', 'sim.1']]);
+    }
+  });
+
+  it('with two numbered sequences is refused, and both are named with what to do', async () => {
+    const sequence = (name: string, count: number) =>
+      Array.from({ length: count }, (_, i) => pose(`${name}_000${i + 1}.obj`, i));
+    const place = await folderOf([...sequence('walk', 3), ...sequence('run', 2)]);
+    const { code, stderr } = await runCli(place, 'inspect', '.');
+    expect(code).toBe(1);
+    expect(stderr).toMatch(
+      /2 numbered sequences: run_0001\.obj to run_0002\.obj \(2 files\), walk_0001\.obj to walk_0003\.obj/,
+    );
+    expect(stderr).toMatch(/such as run_\*\.obj/);
+    const all = await runCli(place, 'inspect', 'run_0001.obj', 'run_0002.obj', 'walk_0001.obj', 'walk_0002.obj');
+    expect(keysOf(all.stdout)).toHaveLength(4);
+    expect(all.stdout).toContain('several-sequences');
+  });
+});
+
 describe('help and version', () => {
   it('go to stdout with exit code 0', async () => {
     expect(await runCli(folder, '--version')).toEqual({ code: 0, stdout: `${packageJson.version}\n`, stderr: '' });

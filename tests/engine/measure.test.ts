@@ -1,5 +1,5 @@
 /** `measure`: the table of several methods, and how far each is off an animation. */
-import { readFile } from 'node:fs/promises';
+import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { folderOf, runCli } from './support/cli.ts';
@@ -64,6 +64,94 @@ describe('shapespline measure', () => {
     const written = await runCli(folder, 'measure', file, '--frames', '3', '--output', 'table.csv');
     expect([written.code, written.stdout]).toEqual([0, 'table.csv: 3 rows\n']);
     expect(read(await readFile(path.join(folder, 'table.csv'), 'utf8')).rows).toHaveLength(3);
+  });
+
+  describe('against what complete wrote from the same keys', () => {
+    /** A bar along z, turned by more from pose to pose. */
+    const pose = (turn: number): Uint8Array => {
+      const lines: string[] = [];
+      for (let k = 0; k <= 6; k += 1)
+        for (const [x, y] of [
+          [1, 1],
+          [-1, 1],
+          [-1, -1],
+          [1, -1],
+        ] as const) {
+          const angle = (turn * k) / 6;
+          const [c, s] = [Math.cos(angle), Math.sin(angle)];
+          lines.push(`v ${x * c - y * s} ${x * s + y * c} ${k}`);
+        }
+      for (let k = 0; k < 6; k += 1)
+        for (let c = 0; c < 4; c += 1)
+          lines.push(`f ${4 * k + c + 1} ${4 * k + ((c + 1) % 4) + 1} ${4 * k + ((c + 1) % 4) + 5} ${4 * k + c + 5}`);
+      return text(`${lines.join('\n')}\n`);
+    };
+    const KEYS = ['p0.obj', 'p1.obj', 'p2.obj'];
+    const percent = (stdout: string): number => Number(/^# lri: KG error ([\d.e-]+) %/m.exec(stdout)?.[1]);
+
+    it.each([
+      ['as they are', []],
+      ['z up, with another unit, at other times', ['--up', 'z', '--unit', '0.01', '--key-times', '3,3.5,7']],
+    ])('the error is nothing: keys %s', { timeout: 300_000 }, async (_, options) => {
+      const folder = await folderOf(KEYS.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
+      for (const [output, args, against] of [
+        ['m.glb', [], ['m.glb']],
+        ['slow.glb', ['--duration', '9'], ['slow.glb']],
+        ['bounce.glb', ['--bounce'], ['bounce.glb']],
+        ['frames/', ['--frames', '13'], ['frames']],
+        ['beyond/', ['--frames', '21', '--range=-1:9'], ['beyond']],
+        ['uneven/', ['--at', options.length > 0 ? '3,3.1,4,5.5,7' : '0,0.1,0.7,1.6,2'], ['uneven']],
+        ['c.pc2', ['--fps', '10'], ['c.pc2', '--against', 'c.obj']],
+        ['c.mdd', ['--frames', '9', '--duration', '20'], ['c.mdd', '--against', 'c.obj']],
+      ] as const) {
+        const made = await runCli(folder, 'complete', ...KEYS, ...options, ...args, '--output', output);
+        expect([output, made.code]).toEqual([output, 0]);
+        const result = await runCli(folder, 'measure', ...KEYS, ...options, '--against', ...against);
+        expect([output, result.code]).toEqual([output, 0]);
+        expect(`${output} ${percent(result.stdout) < 0.001}`, result.stdout.slice(0, 900)).toBe(`${output} true`);
+        if (!['beyond/', 'uneven/'].includes(output)) expect([output, result.stderr]).toEqual([output, '']);
+      }
+      const { rows } = read((await runCli(folder, 'measure', ...KEYS, ...options, '--against', 'frames')).stdout);
+      expect(rows, 'at its own frames').toHaveLength(13);
+    });
+
+    it('a cache without times is spread over the keys, and what makes no sense is said first', {
+      timeout: 200_000,
+    }, async () => {
+      const folder = await folderOf(KEYS.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
+      expect((await runCli(folder, 'complete', ...KEYS, '--output', 'c.pc2', '--frames', '25')).code).toBe(0);
+      // As another program writes it: without a word of its own.
+      const obj = await readFile(path.join(folder, 'c.obj'), 'utf8');
+      await writeFile(path.join(folder, 'c.obj'), obj.replace(/^#.*\n/gm, ''));
+      const cache = ['--against', 'c.pc2', '--against', 'c.obj'];
+      const spread = await runCli(folder, 'measure', ...KEYS, ...cache);
+      expect(percent(spread.stdout)).toBeLessThan(0.001);
+      expect(spread.stdout).toContain('25, spread from the first key to the last');
+
+      const alike = await runCli(folder, 'measure', ...KEYS, '--up', 'z', ...cache);
+      expect([percent(alike.stdout) < 0.001, alike.stderr]).toEqual([true, '']);
+      const turned = await runCli(folder, 'measure', ...KEYS, '--up', 'z', ...cache, '--against-up', 'y');
+      expect(percent(turned.stdout)).toBeGreaterThan(1);
+      expect(turned.stdout.indexOf('# warning: ')).toBeLessThan(turned.stdout.indexOf('KG error'));
+      expect(turned.stderr).toMatch(/^warning: .*--against-up z/);
+      const small = await runCli(folder, 'measure', ...KEYS, ...cache, '--against-unit', '0.001');
+      expect(small.stderr).toMatch(/--against-unit 1\b/);
+
+      expect((await runCli(folder, 'complete', ...KEYS, '--output', 'm.glb')).code).toBe(0);
+      const other = await runCli(folder, 'measure', ...KEYS, '--key-times', '0,0.5,1', '--against', 'm.glb');
+      expect(other.stderr).toMatch(/the keys run from 0 to 1, and the animation from 0 to 2/);
+      expect((await runCli(folder, 'measure', ...KEYS, '--against-up', 'z')).code).toBe(2);
+    });
+
+    it('no name becomes a formula of a spreadsheet', { timeout: 60_000 }, async () => {
+      const names = ['=1+1.obj', 'a,=2.obj', 'b;@c "x".obj'];
+      const folder = await folderOf(names.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
+      const { stdout, code } = await runCli(folder, 'measure', ...names, '--frames', '2');
+      expect(code).toBe(0);
+      const cells = stdout.split(/[,;\t\r\n]/).map((cell) => cell.replace(/^[\s"']+/, ''));
+      expect(cells.filter((cell) => /^[=+@-]/.test(cell) && !/^-?[\d.e-]+$/.test(cell))).toEqual([]);
+      expect(JSON.parse(/^# files (.*)$/m.exec(stdout)![1]!)).toEqual(names);
+    });
   });
 
   it('refuses what it cannot use in a sentence', { timeout: 60_000 }, async () => {

@@ -58,6 +58,9 @@ describe('the words behind npm run bench --', () => {
     });
     expect(benchArguments(['embed', '1000'])).toMatchObject({ what: 'embed', sizes: [{ faces: 1000 }] });
     expect(() => benchArguments(['embed', '--browser'])).toThrow();
+    expect(benchArguments(['inputs'])).toMatchObject({ what: 'inputs', files: [], save: false });
+    expect(benchArguments(['inputs', '7'])).toMatchObject({ what: 'inputs', files: ['7'] });
+    expect(() => benchArguments(['inputs', 'all'])).toThrow();
     expect(benchArguments(['start'])).toMatchObject({ what: 'start', sizes: null, save: false });
     expect(() => benchArguments(['start', '1000'])).toThrow();
     expect(benchArguments(['drop', '1000'])).toMatchObject({ what: 'drop', sizes: [{ faces: 1000 }] });

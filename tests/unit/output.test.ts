@@ -112,7 +112,7 @@ describe('results', () => {
     expect(listed()).toEqual(before);
   });
 
-  it('that are stopped on the way leave nothing behind', async () => {
+  it.each(['SIGINT', 'SIGTERM', 'SIGHUP'] as const)('that %s stops on the way leave nothing behind', async (by) => {
     execFileSync('mkfifo', [at('pipe')]);
     const script = path.join(folder, 'script.mjs');
     await build({ entryPoints: ['web/cli/output.ts'], bundle: true, platform: 'node', format: 'esm', outfile: script });
@@ -121,8 +121,8 @@ describe('results', () => {
     const before = listed();
     const writer = spawn(process.execPath, ['--input-type=module', '-e', code]);
     await expect.poll(() => listed().some((name) => name.endsWith('a.obj')), { timeout: 30_000 }).toBe(true);
-    writer.kill('SIGINT');
-    expect(await new Promise((resolve) => writer.on('close', (_code, signal) => resolve(signal)))).toBe('SIGINT');
+    writer.kill(by);
+    expect(await new Promise((resolve) => writer.on('close', (_code, signal) => resolve(signal)))).toBe(by);
     expect(listed()).toEqual(before);
   });
 });

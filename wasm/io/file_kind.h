@@ -17,6 +17,9 @@ constexpr bool isCache(FileKind kind) { return kind == FileKind::Pc2 || kind == 
 /// Whether a file of this name only accompanies mesh files: buffers, images, OBJ materials, read-me files.
 bool isCompanion(std::string_view name);
 
+/// Whether the name promises a mesh or its motion.
+bool isMeshName(std::string_view name);
+
 /// Errors: EmptyFile, NotRecognised with what the file seems to be (a web page, an archive, another 3D format).
 Result<FileKind> fileKind(const NamedBytes& file, const std::string& where);
 

@@ -22,20 +22,39 @@ namespace shapespline {
 
 namespace {
 
-Result<std::vector<MeshFile>> meshFiles(std::span<const NamedBytes> files) {
+struct FoundFiles {
   std::vector<MeshFile> meshes;
+  std::vector<Error> others;  // files of other kinds that lie among them
+};
+
+Result<FoundFiles> findMeshes(std::span<const NamedBytes> files) {
+  FoundFiles found;
   for (const NamedBytes& file : files) {
     if (isCompanion(file.name)) continue;
-    const int key = static_cast<int>(meshes.size());
-    const auto kind = fileKind(file, placeName(file, key, files.size()));
-    if (!kind) {
-      Error error = kind.error();
-      if (files.size() > 1) error.key = key;
-      return error;
+    const int key = static_cast<int>(found.meshes.size());
+    const bool isNamed = isMeshName(file.name);
+    const auto kind = fileKind(file, isNamed ? placeName(file, key, files.size()) : std::string(baseName(file.name)));
+    if (kind) {
+      found.meshes.push_back({&file, *kind});
+      continue;
     }
-    meshes.push_back({&file, *kind});
+    Error error = kind.error();
+    if (files.size() > 1) error.key = key;
+    if (isNamed) return error;
+    found.others.push_back(std::move(error));
   }
-  return meshes;
+  return found;
+}
+
+// Each is said, but of many only the first ones.
+void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnings) {
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < others.size() && i < most; ++i)
+    warnings.push_back({"left-out-file", "A file is left out: " + others[i].message, 1});
+  if (others.size() > most)
+    warnings.push_back({"left-out-file",
+                        grouped(static_cast<std::int64_t>(others.size() - most)) + " more such files are left out.",
+                        static_cast<int>(others.size() - most)});
 }
 
 // A lone OBJ, PLY or OFF cannot be enough, but what is wrong in it comes first.
@@ -67,6 +86,11 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, std::span<const 
     auto import = importPoses(meshes, files, options, progress);
     if (import && series && meshes.size() > static_cast<std::size_t>(options.sampleCount))
       import->animations = {infoOf({series->name, series->seconds, {}})};
+    if (const std::string sequences = sequencesAmong(meshes); import && !sequences.empty())
+      import->warnings.push_back({"several-sequences",
+                                  "The files belong to several numbered sequences, which became keys of one motion: " +
+                                      sequences + ". Give the files of one of them if that is not meant.",
+                                  static_cast<int>(meshes.size())});
     return import;
   }
   if (areAll(meshes, FileKind::Gltf)) return importAnimations(meshes, files, options, progress);
@@ -154,16 +178,20 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
                              const StageProgress& progress) {
   if (!(options.unit > 0) || !std::isfinite(options.unit))
     return Error{ErrorCode::InvalidOption, "The unit must be a positive number of metres."};
-  const auto meshes = meshFiles(files);
-  if (!meshes) return meshes.error();
+  const auto found = findMeshes(files);
+  if (!found) return found.error();
   if (Status like = checkLike(options); !like) return like.error();
-  auto read = readKeys(*meshes, files, options, progress);
+  const std::vector<MeshFile>& meshes = found->meshes;
+  auto read = readKeys(meshes, files, options, progress);
+  // The keys that are missing may be in what was left out.
+  if (!read && read.error().code == ErrorCode::TooFewKeys && !found->others.empty()) return found->others[0];
   if (!read) return read;
   auto keys = likeTheMesh(std::move(*read), options);
   if (!keys) return keys;
-  checkOrientation(*meshes, options, keys->warnings);
+  warnOfOthers(found->others, keys->warnings);
+  checkOrientation(meshes, options, keys->warnings);
   if (Status times = setTimes(keys->keyframes, options.keyTimes); !times) return times.error();
-  if (Status valid = validate(keys->keyframes); !valid) return withFile(valid.error(), *meshes, keys->keyframes);
+  if (Status valid = validate(keys->keyframes); !valid) return withFile(valid.error(), meshes, keys->keyframes);
   return keys;
 }
 

@@ -109,13 +109,13 @@ int standsRather(const Positions& positions, const std::vector<Triangle>& faces)
   return z > kStable && y < 0 ? 1 : y > kStable && z < 0 ? -1 : 0;
 }
 
-// Stands on the floor of its world, z = 0, and not on y = 0.
-bool isOnFloorOfZ(const Positions& positions) {
+// Stands on the floor of its world, where this axis is 0, and the other one's is not.
+bool isOnFloorOf(const Positions& positions, int axis, int other) {
   const Positions* one = &positions;
   const double near = 0.03 * boundingDiagonal({&one, 1});
-  double y = positions[0][1], z = positions[0][2];
-  for (const Vec3& p : positions) y = std::min(y, p[1]), z = std::min(z, p[2]);
-  return std::abs(z) <= near && std::abs(y) > near;
+  double least = positions[0][axis], leastOther = positions[0][other];
+  for (const Vec3& p : positions) least = std::min(least, p[axis]), leastOther = std::min(leastOther, p[other]);
+  return std::abs(least) <= near && std::abs(leastOther) > near;
 }
 
 }  // namespace
@@ -135,24 +135,35 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
   }
 }
 
-bool standOnZ(const Keyframes& keyframes, bool clearly) {
-  if (keyframes.keys.empty()) return false;
-  if (!clearly && hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces)) return true;
-  int votes = 0;
+Standing standingOf(const Keyframes& keyframes, bool flat) {
+  int alongZ = 0, alongY = 0;
+  bool onZ = true, onY = true;
   for (const Key& key : keyframes.keys) {
     if (key.positions.empty()) continue;
     const int vote = standsRather(key.positions, keyframes.faces);
-    if (clearly && (vote < 0 || !isOnFloorOfZ(key.positions))) return false;
-    votes += vote;
+    alongZ += vote > 0, alongY += vote < 0;
+    onZ = onZ && isOnFloorOf(key.positions, 2, 1), onY = onY && isOnFloorOf(key.positions, 1, 2);
   }
-  return votes > 0;
+  flat = flat && !keyframes.keys.empty() && hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces);
+  if (onZ && (alongZ > 0 || flat) && alongY == 0) return Standing::AlongZ;
+  if (onY && alongY > 0 && alongZ == 0) return Standing::AlongY;
+  return flat || alongZ > alongY ? Standing::PerhapsAlongZ : Standing::Unknown;
 }
 
-Warning zUpWarning(const std::string& where, bool byBlender) {
-  const std::string why = byBlender ? " was written by Blender, whose files of this kind have Z up."
-                                    : " does not say which axis is up, and its shapes seem to stand along Z.";
-  return {"z-up",
-          where + why + " If the shape lies on its back, choose Z as the up axis (on the command line, --up z).", 1};
+Warning zUpWarning(const std::string& where, bool clearly) {
+  const std::string seem = clearly ? "seem to" : "may";
+  return {clearly ? "z-up" : "z-up-unclear",
+          where + " does not say which axis is up, and its shapes " + seem +
+              " stand along Z. If the shape lies on its back, choose Z as the up axis (on the command line, --up z).",
+          1};
+}
+
+Warning blenderWarning(const std::string& where, bool clearly) {
+  return {clearly ? "z-up" : "z-up-unclear",
+          where +
+              " was written by Blender, whose files of this kind have Z up. If the shape lies on its back, choose Z as "
+              "the up axis (on the command line, --up z).",
+          1};
 }
 
 }  // namespace shapespline

@@ -18,12 +18,18 @@ struct FileFacts {
 /// Warns of neighbouring keys that are one pose: which, why that happens, and what to do.
 void warnOfSamePoses(const FileFacts& facts, Import& import);
 
-/// Whether poses that are taken to have y up seem to stand along z: the first one on a flat base, or more of them on
-/// feet that they would tip over from along y than the other way round. `clearly`: only where no pose stands the other
-/// way round, and all of them on the plane z = 0; for files that mostly have y up.
-bool standOnZ(const Keyframes& keyframes, bool clearly);
+/// Which way shapes stand that are taken to have y up.
+enum class Standing { AlongY, AlongZ, PerhapsAlongZ, Unknown };
 
-/// Of a PLY, OFF or OBJ file that was read with y up. `byBlender`: the file says that it was written there.
-Warning zUpWarning(const std::string& where, bool byBlender);
+/// Along an axis: some pose would tip over along the other one, none the other way round, and all of them stand on that
+/// axis' own floor and not on the other's. Perhaps along z: the first pose has a flat base there, or more poses would
+/// tip over along y than along z. `flat`: a flat base on the floor is enough, too; not for files that mostly have y up.
+Standing standingOf(const Keyframes& keyframes, bool flat);
+
+/// Of files that do not say which axis is up, and seem to have z up, clearly or perhaps.
+Warning zUpWarning(const std::string& where, bool clearly);
+
+/// Of a file that says that Blender wrote it; `clearly`: its shapes do not stand along y.
+Warning blenderWarning(const std::string& where, bool clearly);
 
 }  // namespace shapespline

@@ -122,8 +122,11 @@ Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string
 void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, const std::string& where,
                   Import& import) {
   const bool obj = kind == FileKind::Obj, silent = obj || kind == FileKind::Ply || kind == FileKind::Off;
-  if (silent && !options.zUp && (writtenZUp || standOnZ(import.keyframes, obj)))
-    import.warnings.push_back(zUpWarning(where, writtenZUp));
+  if (!silent || options.zUp) return;
+  const Standing standing = standingOf(import.keyframes, !obj);
+  if (writtenZUp) import.warnings.push_back(blenderWarning(where, standing != Standing::AlongY));
+  else if (standing == Standing::AlongZ) import.warnings.push_back(zUpWarning(where, true));
+  else if (standing == Standing::PerhapsAlongZ && !obj) import.warnings.push_back(zUpWarning(where, false));
 }
 
 void setTimesInSeconds(Keyframes& keyframes) {

@@ -78,24 +78,31 @@ std::vector<Entry> sortedEntries(int count, EntryOf entryOf) {
 // How often other faces say that a point of the mesh is one of the pose.
 class Votes {
  public:
-  explicit Votes(const Match& match)
-      : match_(match), all_(sortedEntries(match.cornerCount(), [&](int c) {
-          return Entry{match.meshPoint(c), match.posePoint(c), c};
-        })) {}
+  explicit Votes(const Match& match) : match_(match) {
+    for (const Entry& entry :
+         sortedEntries(match.cornerCount(), [&](int c) { return Entry{match.meshPoint(c), match.posePoint(c), 0}; })) {
+      if (counts_.empty() || counts_.back()[0] != entry[0] || counts_.back()[1] != entry[1]) counts_.push_back(entry);
+      ++counts_.back()[2];
+    }
+  }
 
   // Without what faces f and g say themselves.
   int of(int corner, int stands, int f, int g) const {
     const int p = match_.meshPoint(corner), q = pointOf(match_.pose, stands);
-    int count = 0;
-    for (auto it = std::lower_bound(all_.begin(), all_.end(), Entry{p, q, 0});
-         it != all_.end() && (*it)[0] == p && (*it)[1] == q; ++it)
-      count += (*it)[2] / 3 != f && (*it)[2] / 3 != g;
-    return count;
+    const auto it = std::lower_bound(counts_.begin(), counts_.end(), Entry{p, q, 0});
+    if (it == counts_.end() || (*it)[0] != p || (*it)[1] != q) return 0;
+    return (*it)[2] - saidBy(f, p, q) - (f != g ? saidBy(g, p, q) : 0);
   }
 
  private:
+  int saidBy(int face, int p, int q) const {
+    int count = 0;
+    for (int c = 3 * face; c < 3 * face + 3; ++c) count += match_.meshPoint(c) == p && match_.posePoint(c) == q;
+    return count;
+  }
+
   const Match& match_;
-  std::vector<Entry> all_;
+  std::vector<Entry> counts_;  // of each pair of points, in their order
 };
 
 // Marks the faces of all corners whose first number comes with several second ones.

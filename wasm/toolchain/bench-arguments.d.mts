@@ -5,7 +5,7 @@ export interface Size {
 }
 
 export interface Wanted {
-  what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'embed' | 'start' | 'drop' | 'hold';
+  what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'embed' | 'start' | 'drop' | 'hold' | 'inputs';
   /** null: the usual ones. */
   sizes: Size[] | null;
   /** Animations, for `hold`. */

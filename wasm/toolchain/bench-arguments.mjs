@@ -12,12 +12,14 @@ const USAGE = [
   '       npm run bench -- start',
   '       npm run bench -- drop [FACES,...]',
   '       npm run bench -- hold FILE... [--save]',
+  '       npm run bench -- inputs [NUMBER] [--save]',
   'with 64 to 4000000 faces and 2 to 100 keys',
 ].join('\n');
 
 /** What is measured, on which sizes (null: the usual ones) or files, and where. */
 export function benchArguments(words) {
   if (words[0] === 'hold') return withFiles(words);
+  if (words[0] === 'inputs') return ofInputs(words);
   const what = ['threads', 'exports', 'embed', 'start', 'drop'].includes(words[0])
     ? words[0]
     : words[0] !== 'ghost'
@@ -48,6 +50,16 @@ function withFiles([what, ...words]) {
     positionals: files,
   } = parsed(words);
   if (files.length === 0 || browser) throw new Explained(USAGE);
+  return { what, sizes: null, files, browser, save };
+}
+
+/** All of them, or one by its number. */
+function ofInputs([what, ...words]) {
+  const {
+    values: { browser = false, save = false },
+    positionals: files,
+  } = parsed(words);
+  if (browser || files.length > 1 || !files.every((number) => /^\d+$/.test(number))) throw new Explained(USAGE);
   return { what, sizes: null, files, browser, save };
 }
 

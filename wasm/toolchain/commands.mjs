@@ -51,7 +51,7 @@ async function bench(args) {
   const inBrowser = browser || ['ghost browser', 'exports', 'embed', 'start', 'drop'].includes(what);
   await prepare(
     [...forBench, ...(inBrowser ? forBrowser : [])],
-    [wasmModule, benchPrograms, benchBundle, ...(what === 'embed' ? [npmPackage] : [])],
+    [wasmModule, ...(what === 'inputs' ? [] : [benchPrograms]), benchBundle, ...(what === 'embed' ? [npmPackage] : [])],
   );
   await runBundle(inRoot('build/node/bench.mjs'), args);
 }

@@ -54,7 +54,8 @@ export async function inspect(args: Arguments): Promise<string> {
 }
 
 export interface Completed {
-  summary: string;
+  /** One line that says what was written. */
+  text: string;
   /** Sentences that say where, counted from 1. */
   warnings: string[];
 }
@@ -125,7 +126,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     const off = plan.error === null ? '' : `, off by at most ${errorText(plan.error)} between them`;
     const others = beside.length === 0 ? '' : `; beside it ${beside.join(', ')}`;
     return {
-      summary: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes${others}\n`,
+      text: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes${others}\n`,
       warnings: warnings.map(({ message }) => message),
     };
   });

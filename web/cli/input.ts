@@ -8,15 +8,22 @@ import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseGltf } from '../engine/api/gltf-json.ts';
 import { checkImportSize } from '../engine/api/import-size.ts';
-import { CACHES, beside, decodedUri, extensionOf, isExternal, isModel, resourceUris } from '../engine/api/paths.ts';
+import { inNaturalOrder, sequenceText, sequencesIn } from '../engine/api/numbered-names.ts';
+import {
+  COMPANIONS,
+  beside,
+  decodedUri,
+  extensionOf,
+  isExternal,
+  isMeantInFolder,
+  resourceUris,
+} from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 
 /** Bytes that were read of all files together. */
 interface Total {
   bytes: number;
 }
-
-const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
 
 /** Folders stand for the models in them, in natural order of their names; no deeper. */
 async function withoutFolders(names: string[]): Promise<string[]> {
@@ -27,14 +34,34 @@ async function withoutFolders(names: string[]): Promise<string[]> {
         () => false,
       );
       if (!isFolder) return [name];
-      const inside = (await readdir(name)).filter((one) => isModel(one) || CACHES.includes(extensionOf(one)));
+      const inside = (await readdir(name)).filter(
+        (one) => isMeantInFolder(one) && !COMPANIONS.includes(extensionOf(one)),
+      );
       if (inside.length === 0)
         throw new EngineError('missing-file', `${name}: there is no model in this folder.`, { file: name });
-      return inside.sort(naturally.compare).map((one) => path.join(name, one));
+      checkOneSequence(name, inside);
+      return inNaturalOrder(inside.map((one) => ({ name: one }))).map((one) => path.join(name, one.name));
     }),
   );
   return lists.flat();
 }
+
+/** Several numbered sequences in one folder are hardly one motion. */
+function checkOneSequence(folder: string, inside: string[]): void {
+  const sequences = sequencesIn(inNaturalOrder(inside.map((name) => ({ name }))).map(({ name }) => name));
+  const [first] = sequences;
+  if (!first || sequences.length === 1) return;
+  const shown = sequences.slice(0, MOST_SHOWN).map(sequenceText);
+  const more = sequences.length > shown.length ? [`${sequences.length - shown.length} more`] : [];
+  throw new EngineError(
+    'several-sequences',
+    `${folder} holds ${sequences.length} numbered sequences: ${[...shown, ...more].join(', ')}. ` +
+      `Give the files of one by their names, such as ${path.join(folder, `${first.start}*.${first.extension}`)}.`,
+    { file: folder },
+  );
+}
+
+const MOST_SHOWN = 5;
 
 export async function readInputs(given: string[]): Promise<InputFile[]> {
   const files: InputFile[] = [];
@@ -58,7 +85,9 @@ export async function readInputs(given: string[]): Promise<InputFile[]> {
  * there.
  */
 async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<string[]> {
-  const libraries = namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib');
+  const libraries: string[] = [];
+  for (const text of namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib'))
+    libraries.push(...(await libraryNames(text, async (one) => (await readBeside(name, one, total)) !== null)));
   const images = await Promise.all(
     libraries.map(async (library) => {
       const text = (await readBeside(name, library, total)) ?? new Uint8Array(0);
@@ -70,18 +99,41 @@ async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<st
 
 const OBJ_HEAD = 1 << 16;
 
+/** Words of one name that it is looked for by. */
+const MOST_WORDS = 8;
+
+/** One name, which may hold blanks, or several: one ends where it names a file, or in .mtl. As `wasm/io/polygon` does. */
+export async function libraryNames(text: string, isFile: (name: string) => Promise<boolean>): Promise<string[]> {
+  if (!/[ \t]/.test(text) || (await isFile(text))) return [text];
+  const names: string[] = [];
+  let [start, words] = [0, 0];
+  for (const { 0: word, index } of text.matchAll(/[^ \t]+/g)) {
+    if (words === 0) start = index;
+    words += 1;
+    const end = index + word.length;
+    const name = text.slice(start, end);
+    if (end < text.length && extensionOf(word) !== 'mtl' && !(words <= MOST_WORDS && (await isFile(name)))) continue;
+    names.push(name);
+    words = 0;
+  }
+  return names;
+}
+
 /**
  * What the lines that begin with a keyword name, each once. Read line by line: a pattern would try every blank of a
  * long one.
  */
 export function namedIn(bytes: Uint8Array, keyword: string): string[] {
-  const lines = new TextDecoder().decode(bytes).split('\n');
+  const lines = new TextDecoder().decode(bytes).replace(CONTINUED, ' ').split('\n');
   const named = lines
     .map((line) => line.trim())
     .filter((line) => line.startsWith(keyword) && /[ \t]/.test(line.charAt(keyword.length)))
     .map((line) => line.slice(keyword.length).trim());
   return [...new Set(named)];
 }
+
+/** A line that goes on in the next one. */
+const CONTINUED = /\\[ \t]{0,100}\r?\n/g;
 
 const OPTION = /-\w+[ \t]+/y;
 const OPTION_VALUE = /(?:[-+]?[.\d][^ \t]*|on|off)[ \t]+/y;

@@ -6,7 +6,7 @@ import { parseArguments, UsageError } from './arguments.ts';
 import { complete, inspect } from './commands.ts';
 import { measure } from './measure.ts';
 import { COMPLETE, HELP, INSPECT, MEASURE } from './settings.ts';
-import { oneLine, writeTo } from './terminal.ts';
+import { sayError, writeTo } from './terminal.ts';
 
 const COMMANDS = new Map([
   ['inspect', INSPECT],
@@ -25,10 +25,9 @@ async function run([command, ...words]: string[]): Promise<string> {
   const args = parseArguments(words, known);
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
-  if (command === 'measure') return measure(args);
-  const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${oneLine(text)}\n`));
-  for (const warning of warnings) process.stderr.write(`warning: ${oneLine(warning)}\n`);
-  return summary;
+  const { text, warnings } = command === 'measure' ? await measure(args) : await complete(args, sayError);
+  for (const warning of warnings) sayError(`warning: ${warning}`);
+  return text;
 }
 
 function exitCodeOf(error: unknown): number {
@@ -39,6 +38,6 @@ function exitCodeOf(error: unknown): number {
 try {
   await writeTo(process.stdout, await run(process.argv.slice(2)));
 } catch (error) {
-  process.stderr.write(`shapespline: ${oneLine(messageOf(error))}\n`);
+  sayError(`shapespline: ${messageOf(error)}`);
   process.exitCode = exitCodeOf(error);
 }

@@ -1,41 +1,52 @@
 /** What `measure` does: numbers of a motion by several methods, and their errors against an animation, as a table. */
 import { version } from '../../package.json';
-import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
-import type { Method } from '../engine/api/types.ts';
-import { EngineError } from '../engine/api/errors.ts';
-import { isMismatch } from '../engine/api/read-poses.ts';
+import type { Sequence } from '../engine/api/api.ts';
+import type { ExportOptions, Method } from '../engine/api/types.ts';
 import { withEngine } from '../engine/node.ts';
-import { MEASURE_UNITS, columnsOf, measureMotion, tableOf } from '../study/motion-measures.ts';
+import { MEASURE_UNITS, columnsOf, measureMotion, tableJson, tableOf } from '../study/motion-measures.ts';
 import type { Column } from '../study/motion-measures.ts';
 import { MotionError } from '../study/motion-error.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
+import { doubtsOfPlace, doubtsOfTime } from './doubts.ts';
 import { readInputs } from './input.ts';
 import { writeOutputs } from './output.ts';
-import { importOptions, measuredMethods, measuredTimes, sequenceOptions } from './settings.ts';
+import { againstOptions, importOptions, measuredMethods, measuredTimes, sequenceOptions } from './settings.ts';
+import { noFrames, readTruth } from './truth.ts';
+import type { Truth } from './truth.ts';
 
 /** Frames that are held at once. */
 const AT_ONCE = 16;
 
 const ERROR_UNITS = '# distance: of the vertices from the animation, % of the diagonal of the keys';
 
-/** The table, or where it was written. */
-export async function measure(args: Arguments): Promise<string> {
+export interface Measured {
+  /** The table, or where it was written. */
+  text: string;
+  warnings: string[];
+}
+
+export async function measure(args: Arguments): Promise<Measured> {
   if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');
   const methods = measuredMethods(args);
   const against = args.values.get('against')?.split(BETWEEN_VALUES) ?? [];
+  const own = againstOptions(args);
+  if (against.length === 0 && Object.keys(own).length > 0)
+    throw new UsageError('--against-up and --against-unit are for --against');
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);
     const sequence = await engine.createSequence(keys, { ...keys.info.project, ...options, method: methods[0]! });
-    const { times } = await sequence.planExport({ format: 'obj', ...wanted });
-    const truth = against.length > 0 ? await readTruth(engine, keys, against, times, args) : null;
+    const truth = against.length > 0 ? await readTruth(engine, keys, await readInputs(against), imported, own) : null;
+    const compared = truth && (await comparedTimes(sequence, truth, wanted, against[0]!));
+    const times = compared?.times ?? (await sequence.planExport({ format: 'obj', ...wanted })).times;
+    const warnings = compared ? await doubtsOf(sequence, compared, truth) : [];
     const columns: Column[] = [];
-    const comments: string[] = [];
+    const comments: string[] = truth ? [`# frames of the animation: ${truth.times.length}, ${truth.placed}`] : [];
     for (const method of methods) {
       await sequence.update({ method });
       columns.push(...columnsOf(await measureMotion(sequence, { method }, times)));
-      if (!truth) continue;
-      const error = await compare(sequence, times, truth, keys.info.report.diagonal);
+      if (!compared) continue;
+      const error = await compare(sequence, compared, keys.info.report.diagonal);
       columns.push(
         { name: `${method} distance largest`, values: error.over.largest },
         { name: `${method} distance mean`, values: error.over.mean },
@@ -44,13 +55,14 @@ export async function measure(args: Arguments): Promise<string> {
     }
     const lines = [
       `# shapespline ${version}`,
-      `# files ${JSON.stringify(args.files)}`,
-      `# options ${JSON.stringify({ import: imported, sequence: options, keyTimes: sequence.keyTimes })}`,
-      ...(truth ? [`# against ${JSON.stringify(against)}`, ...comments, ERROR_UNITS] : []),
+      `# files ${tableJson(args.files)}`,
+      `# options ${tableJson({ import: imported, sequence: options, keyTimes: sequence.keyTimes })}`,
+      ...warnings.map((warning) => `# warning: ${warning}`),
+      ...(truth ? [`# against ${tableJson(against)}`, ...comments, ERROR_UNITS] : []),
       MEASURE_UNITS,
       ...tableOf(times, 1, columns),
     ];
-    return handOut(args, `${lines.join('\n')}\n`, times.length);
+    return { text: await handOut(args, `${lines.join('\n')}\n`, times.length), warnings };
   });
 }
 
@@ -61,53 +73,70 @@ async function handOut(args: Arguments, table: string, rows: number): Promise<st
   return `${output}: ${rows} rows\n`;
 }
 
-/** The animation at those of the times that it has. */
-interface Truth {
-  keys: Keys;
-  /** Index of its pose by time; null beyond its ends. */
-  poses: (number | null)[];
+/** The times of the table, and for each the animation's frame; null where the animation is not. */
+interface Compared {
+  times: number[];
+  frames: (Float32Array | null)[];
 }
 
-async function readTruth(
-  engine: Engine,
-  keys: Keys,
-  files: string[],
-  times: readonly number[],
-  args: Arguments,
-): Promise<Truth> {
-  const { up, unit, objects, animation } = importOptions(args);
-  const input = await readInputs(files);
-  const like = { like: keys.info.faces, likePose: keys.positions(0) };
-  const { info } = await engine
-    .importKeyframes(input, { up, unit, objects, animation, ...like })
-    .catch((error: unknown) => {
-      if (!isMismatch(error)) throw error;
-      throw new EngineError(error.code, `--against: ${files[0]} is of another mesh than the keys.`, error.place);
-    });
-  const span = info.animations[Math.max(info.animation, 0)];
-  if (!span) throw new UsageError(`--against: ${files[0]} holds no animation`);
-  const inside = times.filter((t) => t >= span.start && t <= span.end);
-  if (inside.length < 2)
-    throw new UsageError(
-      `--against: give at least two times from ${span.start} to ${span.end} s, where the animation is`,
-    );
-  const truth = await engine.importKeyframes(input, { up, unit, objects, animation, ...like, sample: inside });
-  return { keys: truth, poses: times.map((t) => (inside.includes(t) ? inside.indexOf(t) : null)) };
-}
+/** Of the range: a frame at its end may be rounded. */
+const AT_END = 1e-6;
 
-async function compare(
+/** The frames that the animation has, within the range of the keys; or the times that were asked for. */
+async function comparedTimes(
   sequence: Sequence,
-  times: readonly number[],
-  { keys, poses }: Truth,
-  diagonal: number,
-): Promise<MotionError> {
+  truth: Truth,
+  wanted: Partial<ExportOptions>,
+  file: string,
+): Promise<Compared> {
+  const [start, end] = sequence.range;
+  const span = [truth.times[0]!, truth.times.at(-1)!] as const;
+  const near = AT_END * (end - start);
+  if (Object.keys(wanted).length === 0) {
+    const inside = truth.times.flatMap((t, frame) => (t >= start - near && t <= end + near ? [{ t, frame }] : []));
+    if (inside.length < 2) throw noFrames(file, span);
+    return {
+      times: inside.map(({ t }) => Math.min(Math.max(t, start), end)),
+      frames: inside.map(({ frame }) => truth.frame(frame)),
+    };
+  }
+  const { times } = await sequence.planExport({ format: 'obj', ...wanted });
+  const inside = times.filter((t) => t >= span[0] - near && t <= span[1] + near);
+  if (inside.length < 2) throw noFrames(file, span);
+  const sampled = await truth.at(inside);
+  return { times, frames: times.map((t) => (inside.includes(t) ? sampled.frame(inside.indexOf(t)) : null)) };
+}
+
+/** Frames that are looked at for another size or axis. */
+const LOOKED_AT = 5;
+
+async function doubtsOf(sequence: Sequence, { times, frames }: Compared, truth: Truth): Promise<string[]> {
+  const found = frames.flatMap((animation, index) => (animation ? [{ animation, t: times[index]! }] : []));
+  const step = Math.max(1, Math.floor(found.length / LOOKED_AT));
+  const looked = found.filter((_, index) => index % step === 0);
+  const motions = await sequence.evaluateMany(looked.map(({ t }) => t));
+  const pairs = looked.map(({ animation }, index) => ({ animation, motion: motions[index]!.positions }));
+  const [first, last] = [sequence.keyTimes[0]!, sequence.keyTimes.at(-1)!];
+  const doubts = [
+    ...doubtsOfTime({
+      keys: [first, last],
+      animation: [truth.times[0]!, truth.times.at(-1)!],
+      frames: truth.times.length,
+      compared: found.length,
+    }),
+    ...doubtsOfPlace(pairs, truth.lies),
+  ];
+  for (const motion of motions) motion.release();
+  return doubts;
+}
+
+async function compare(sequence: Sequence, { times, frames }: Compared, diagonal: number): Promise<MotionError> {
   const error = new MotionError(diagonal);
   for (let from = 0; from < times.length; from += AT_ONCE) {
-    const frames = await sequence.evaluateMany(times.slice(from, from + AT_ONCE));
-    frames.forEach((frame, index) => {
-      const pose = poses[from + index] ?? null;
-      error.add(pose === null ? null : keys.positions(pose), frame.positions);
-      frame.release();
+    const shapes = await sequence.evaluateMany(times.slice(from, from + AT_ONCE));
+    shapes.forEach((shape, index) => {
+      error.add(frames[from + index] ?? null, shape.positions);
+      shape.release();
     });
   }
   return error;

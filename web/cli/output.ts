@@ -36,7 +36,7 @@ export async function writeOutputs(outputs: Output[]): Promise<void> {
     // No exit of our own: it would wait for a pipe that nobody reads.
     process.kill(process.pid, signal);
   };
-  const signals = ['SIGINT', 'SIGTERM'] as const;
+  const signals = ['SIGINT', 'SIGTERM', 'SIGHUP', 'SIGQUIT'] as const;
   for (const signal of signals) process.once(signal, leave);
   try {
     await move(outputs, partial, made);

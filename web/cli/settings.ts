@@ -98,7 +98,7 @@ const momentFlags = exportFlags.filter(({ name }) => MOMENTS.includes(name));
 const shownFlags = motionFlags.filter(({ name }) => name !== 'method');
 export const MEASURE = known(
   [...importFlags, ...shownFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape'), ...momentFlags],
-  ['output', 'methods', 'against'],
+  ['output', 'methods', 'against', 'against-up', 'against-unit'],
   ['against'],
 );
 
@@ -143,7 +143,9 @@ OUT ending in .glb is one file with an animation, in .obj or .ply one shape (wit
 Keys are counted from 1, animations from 0, and everything in a report from 0. Times are in any unit you like.
 
 ${line('  --methods M,M,...', 'measure: each of these methods; default: lri')}
-${line('  --against FILE', 'measure: how far each method is off this animation of the same mesh, at the times that it has; several times for a file with its companions')}
+${line('  --against FILE', 'measure: how far each method is off this animation of the same mesh, at its own frames unless --at, --frames, --fps or --range say otherwise; several times for a file with its companions. Files without times are spread from the first key to the last')}
+${line('  --against-up y|z', 'measure: axis that points up in that animation; default: as the file says, else as --up')}
+${line('  --against-unit METRES', 'measure: metres per unit of that animation; default: as the file says, else as --unit')}
 ${line('  --report R.json', 'options, timings, counts, warnings, volume and area')}
 ${helpOn(importFlags)}
 
@@ -234,6 +236,15 @@ export function measuredMethods(args: Arguments): Method[] {
   if (text === undefined) return [MOTION.method.default];
   const methods = text.split(',').map((word) => read.oneOf(...MOTION.method.choices)(word, '--methods') as Method);
   return [...new Set(methods)];
+}
+
+/** Of `measure`: how the animation lies that is compared with. */
+export function againstOptions(args: Arguments): Pick<ImportOptions, 'up' | 'unit'> {
+  const [up, unit] = ['against-up', 'against-unit'].map((name) => args.values.get(name));
+  return {
+    ...(up !== undefined && { up: read.oneOf('y', 'z')(up, '--against-up') }),
+    ...(unit !== undefined && { unit: read.positive(unit, '--against-unit') }),
+  };
 }
 
 /** Of `measure`: when. */

@@ -13,6 +13,22 @@ export function printable(text: string): string {
 
 export const oneLine = (text: string): string => printable(text.replace(/\s+/g, ' ').trim());
 
+/** Whether a terminal shows UTF-8, as the variables of its locale say. */
+export function showsUtf8({ LC_ALL, LC_CTYPE, LANG }: NodeJS.ProcessEnv, platform: string): boolean {
+  return platform === 'win32' || /utf-?8/i.test(LC_ALL || LC_CTYPE || LANG || '');
+}
+
+/** Names that a terminal cannot show are escaped, too; files and pipes get them as they are. */
+export function shownIn({ isTTY }: { isTTY?: boolean }, text: string): string {
+  if (!isTTY || showsUtf8(process.env, process.platform)) return printable(text);
+  return printable(text).replace(/[^\n -~]/g, (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, '0')}`);
+}
+
+/** One line to the terminal's errors. */
+export const sayError = (text: string): void => {
+  process.stderr.write(`${shownIn(process.stderr, oneLine(text))}\n`);
+};
+
 /**
  * Resolves when all of it is written; rejects with a sentence where it cannot be. A reader that has gone wants no more.
  */
@@ -23,7 +39,7 @@ export function writeTo(stream: NodeJS.WriteStream, text: string): Promise<void>
       else reject(new Error(`The output cannot be written to its place (${messageOf(error)}).`));
     };
     stream.once('error', failed);
-    stream.write(printable(text), (error) => {
+    stream.write(shownIn(stream, text), (error) => {
       if (error) return failed(error);
       stream.off('error', failed);
       resolve();

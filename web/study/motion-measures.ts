@@ -83,6 +83,16 @@ export function tableOf(times: readonly number[], speed: number, columns: readon
   return [['time', 'seconds', ...columns.map(({ name }) => name)].join(','), ...rows];
 }
 
+/**
+ * The JSON of a value for a comment line of a table. Names in it have no separators and begin with no sign: a
+ * spreadsheet takes none for a formula. It reads back as the same value.
+ */
+export function tableJson(value: unknown): string {
+  return JSON.stringify(value).replace(/"(?:[^"\\]|\\.)*"/g, (name) =>
+    name.replace(/[,;]|(?<=^")[=+@-]/g, (mark) => `\\u00${mark.charCodeAt(0).toString(16)}`),
+  );
+}
+
 function cell(value: number): string {
   return Number.isNaN(value) ? '' : String(rounded(value, DIGITS));
 }

@@ -3,7 +3,7 @@
  * out.
  */
 
-import { CACHES, COMPANIONS, MODELS, extensionOf, isModel } from '../engine/api/paths.ts';
+import { CACHES, COMPANIONS, MODELS, isMeantInFolder, isModel } from '../engine/api/paths.ts';
 
 export interface PickedFile {
   /** Path relative to what was dropped. */
@@ -51,7 +51,7 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
     if (entry.isDirectory) {
       for (const child of await childrenOf(entry as FileSystemDirectoryEntry, name))
         await walk(child, `${name}/`, true);
-    } else if (!inFolder || belongs(entry.name)) {
+    } else if (!inFolder || isMeantInFolder(name)) {
       found.push({ name, file: await fileOf(entry as FileSystemFileEntry, name) });
     }
   };
@@ -61,11 +61,6 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
       `There is no model in ${entries[0]?.name ?? 'what was dropped'}. Drop a folder with glTF, OBJ, PLY or OFF files.`,
     );
   return found;
-}
-
-/** Names with a dot in front are what systems leave behind beside other files. */
-function belongs(name: string): boolean {
-  return !name.startsWith('.') && [...MODELS, ...CACHES, ...COMPANIONS].includes(extensionOf(name));
 }
 
 async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promise<FileSystemEntry[]> {

@@ -1,14 +1,9 @@
 /** Files from a drop anywhere on the page or from the system's picker, folders included, in natural order of name. */
+import { inNaturalOrder } from '../engine/api/numbered-names.ts';
 import { ACCEPTED, droppedFiles } from './dropped-files.ts';
 import type { PickedFile } from './dropped-files.ts';
 import { h, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
-
-const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
-
-export function inNaturalOrder<T extends { name: string }>(files: readonly T[]): T[] {
-  return [...files].sort((a, b) => naturally.compare(a.name, b.name));
-}
 
 /** Where on the page something was dropped, in its pixels. */
 export interface DropPoint {

@@ -105,6 +105,8 @@ export interface Offer {
   /** What can be done about it; absent where it is only said. */
   action?: string;
   onAccept?(): void;
+  /** What can be done instead. */
+  others?: readonly { action: string; onAccept(): void }[];
   /** It was put off. */
   onDecline?(): void;
 }
@@ -129,6 +131,23 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
     kind: 'plain',
     onClick: accept,
   });
+  const others = h('div', { class: 'offer-others', hidden: true });
+  const showOthers = (offered: Offer['others'] = []): void => {
+    const buttons = offered.map(({ action, onAccept }, index) =>
+      button({
+        label: action,
+        testId: `${testId}-other-${index}`,
+        text: action,
+        kind: 'plain',
+        onClick: () => {
+          show(null);
+          onAccept();
+        },
+      }),
+    );
+    others.replaceChildren(...buttons);
+    setHidden(others, offered.length === 0);
+  };
   const decline = (): void => {
     const declined = current;
     show(null);
@@ -140,6 +159,7 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
     { class: 'card offer', role: 'status', 'data-testid': testId, hidden: true },
     message,
     action,
+    others,
     later,
   );
   return {
@@ -150,6 +170,7 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
         setHidden(action, now.action === undefined);
         setText(action, now.action ?? '');
         setAttribute(action, 'aria-label', now.action ?? '');
+        showOthers(now.others);
       }
       show(now);
     },

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { isBelow, namedIn, withoutOptions } from '../../../web/cli/input.ts';
+import { isBelow, libraryNames, namedIn, withoutOptions } from '../../../web/cli/input.ts';
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
@@ -7,6 +7,21 @@ describe('what an OBJ and its materials name', () => {
   it('is the rest of a line behind its keyword, each once', () => {
     const text = 'mtllib a.mtl\r\n# mtllib no.mtl\nmtllibs no.mtl\n\tmtllib\tb c.mtl  \nmtllib a.mtl\nmtllib\nmtllib  ';
     expect(namedIn(bytes(text), 'mtllib')).toEqual(['a.mtl', 'b c.mtl']);
+  });
+
+  it.each([
+    ['a.mtl b.mtl', [], ['a.mtl', 'b.mtl']],
+    ['my paint.mtl\tother.MTL', [], ['my paint.mtl', 'other.MTL']],
+    ['my paint.mtl', ['my paint.mtl'], ['my paint.mtl']],
+    ['paint library', ['paint', 'library'], ['paint', 'library']],
+    ['not there', [], ['not there']],
+  ])('of a line of libraries %j, where %j are files, are %j', async (text, files, names) => {
+    expect(await libraryNames(text, (name) => Promise.resolve(files.includes(name)))).toEqual(names);
+  });
+
+  it('is the rest of a line that goes on in the next ones', async () => {
+    const [line = ''] = namedIn(bytes('mtllib a.mtl \\ \r\n b.mtl\\\nc.mtl\nv 0 0 0\n'), 'mtllib');
+    expect(await libraryNames(line, () => Promise.resolve(false))).toEqual(['a.mtl', 'b.mtl', 'c.mtl']);
   });
 
   it.each([

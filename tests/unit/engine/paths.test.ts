@@ -1,6 +1,16 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { beside, decodedUri, modelName, resolveUri, resourceUris, uriError } from '../../../web/engine/api/paths.ts';
+import {
+  beside,
+  decodedUri,
+  isMeantInFolder,
+  isModel,
+  modelName,
+  withoutLeftovers,
+  resolveUri,
+  resourceUris,
+  uriError,
+} from '../../../web/engine/api/paths.ts';
 
 interface UriCases {
   sentences: Record<'external' | 'outside' | 'missing', string>;
@@ -20,6 +30,20 @@ describe('paths', () => {
     expect(decodedUri('100%25 a%20b%C3%A4')).toBe('100% a bä');
     expect(decodedUri('50% off%zz.png')).toBe('50% off%zz.png');
     expect(decodedUri('broken%FF.png')).toBe('broken%FF.png');
+  });
+
+  it('are not meant where systems left them, unless there is nothing else', () => {
+    const left = ['._a.obj', 'x/._a.glb', '.DS_Store', 'Thumbs.db', 'thumbs.db', 'desktop.ini', '__MACOSX/a.obj'];
+    expect(left.filter(isModel)).toEqual([]);
+    expect(left.filter(isMeantInFolder)).toEqual([]);
+    const names = (of: string[]): string[] => withoutLeftovers(of.map(file)).map(({ name }) => name);
+    expect(names([...left, 'a.obj', 'thumbs.obj', 'a.blend'])).toEqual(['a.obj', 'thumbs.obj', 'a.blend']);
+    expect(names(['Thumbs.db'])).toEqual(['Thumbs.db']);
+    expect(['.hidden.obj', 'notes.txt', 'a.PLY', 'a.mdd', 'a.mtl'].filter(isMeantInFolder)).toEqual([
+      'a.PLY',
+      'a.mdd',
+      'a.mtl',
+    ]);
   });
 
   it('name a model by its own word', () => {

@@ -30,7 +30,8 @@ int inSteps(double squaredLength) {
 // From face to face, breadth first. A side 3 f + c runs from corner c of face f to the next.
 class Walk {
  public:
-  explicit Walk(const std::vector<int>& nextAlongEdge) : next_(nextAlongEdge), seen_(nextAlongEdge.size() / 3, 0) {}
+  explicit Walk(const std::vector<int>& nextAlongEdge)
+      : next_(nextAlongEdge), seen_(nextAlongEdge.size() / 3, 0), crossed_(nextAlongEdge.size(), 0) {}
 
   bool hasSeen(int face) const { return seen_[face] != 0; }
   /// Over which side each face was entered.
@@ -41,7 +42,9 @@ class Walk {
   // All faces are new again.
   void forget() {
     for (int side : queue_) seen_[side / 3] = 0;
+    for (int side : crowded_) crossed_[side] = 0;
     queue_.clear();
+    crowded_.clear();
     served_ = 0;
   }
 
@@ -49,14 +52,24 @@ class Walk {
   int step() {
     if (served_ == queue_.size()) return -1;
     const int entry = queue_[served_++];
-    for (int i = 0, side = entry; i < 3; ++i, side = sideAfter(side))
-      for (int other = next_[side]; other != side; other = next_[other]) meet(other);
+    for (int i = 0, side = entry; i < 3; ++i, side = sideAfter(side)) cross(side);
     return entry;
   }
 
   static int sideAfter(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
  private:
+  // Where many sides run along one edge, all of their faces are met from the first one.
+  void cross(int side) {
+    const bool crowded = next_[next_[side]] != side;
+    if (crowded && crossed_[side]) return;
+    for (int other = next_[side]; other != side; other = next_[other]) {
+      meet(other);
+      if (crowded) crossed_[other] = 1, crowded_.push_back(other);
+    }
+    if (crowded) crossed_[side] = 1, crowded_.push_back(side);
+  }
+
   void meet(int side) {
     if (seen_[side / 3]) return;
     seen_[side / 3] = 1;
@@ -65,6 +78,8 @@ class Walk {
 
   const std::vector<int>& next_;
   std::vector<char> seen_;
+  std::vector<char> crossed_;  // sides along edges of three faces or more
+  std::vector<int> crowded_;   // those that are
   std::vector<int> queue_;
   std::size_t served_ = 0;
 };

@@ -22,10 +22,16 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
   return times;
 }
 
+// Every key has a weight at every other one: numbers and work grow with the square.
+constexpr int mostKeys = 2000;
+
 }  // namespace
 
 Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                   const StageProgress& progress, OrderSource order) {
+  if (keyframes.keyCount() > mostKeys)
+    return Error{ErrorCode::TooLarge, "There are " + grouped(keyframes.keyCount()) + " keys; a motion passes through " +
+                                          grouped(mostKeys) + " at most. Take fewer keys."};
   double reached = 0;
   const StageProgress report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
     reached = std::max(reached, wholeProgress(stage, fraction, withGhost));

@@ -26,6 +26,20 @@ std::string extensionOf(std::string_view path) {
   return extension;
 }
 
+bool isUtf16(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 8) return false;
+  if ((bytes[0] == 0xff && bytes[1] == 0xfe) || (bytes[0] == 0xfe && bytes[1] == 0xff)) return true;
+  // Of ASCII characters every other byte is 0; a name in another script may stand between them.
+  constexpr std::size_t looked = 256;
+  const auto isText = [](std::uint8_t c) { return (c >= ' ' && c < 127) || c == '\t' || c == '\r' || c == '\n'; };
+  std::size_t pairs = 0, little = 0, big = 0;
+  for (std::size_t i = 0; i + 1 < bytes.size() && i < looked; i += 2, ++pairs) {
+    little += isText(bytes[i]) && bytes[i + 1] == 0;
+    big += bytes[i] == 0 && isText(bytes[i + 1]);
+  }
+  return 4 * little >= 3 * pairs || 4 * big >= 3 * pairs;
+}
+
 std::string inQuotes(std::string_view text) {
   constexpr std::size_t longest = 80;
   std::string out = "\"";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,11 @@ std::string_view baseName(std::string_view path);
 
 /// The lower-case extension without its dot, or "".
 std::string extensionOf(std::string_view path);
+
+/// Says so of a file, and what to do.
+constexpr const char* kUtf16 = " is text in UTF-16, which is not supported. Save it as UTF-8.";
+/// Whether the bytes are text in UTF-16, with a byte order mark or without.
+bool isUtf16(std::span<const std::uint8_t> bytes);
 
 /// Text of a hostile file made fit for a sentence: at most 80 bytes, control and non-ASCII bytes as '?'.
 std::string inQuotes(std::string_view text);

@@ -17,6 +17,7 @@ struct ImportOptions {
   std::vector<double> sampleTimes;  ///< seconds on the animation's own timeline; wins over sampleCount
   int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
   bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
+  bool everyFrame = false;   ///< each frame of the animation is a key; wins over sampleCount
   bool oneKeyWillDo = false;     ///< an animation with one key time is a pose: the file is one of several
   std::vector<double> keyTimes;  ///< default: the animation's own times, else evenly over [0, 1]
   bool zUp = false;              ///< OBJ, PLY and OFF only
@@ -28,7 +29,7 @@ struct ImportOptions {
   std::vector<std::string> objects;  ///< the objects of each file that are taken; empty for all of them
 
   bool animationAsked() const {
-    return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked;
+    return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked || everyFrame;
   }
 };
 

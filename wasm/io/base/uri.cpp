@@ -120,7 +120,7 @@ const NamedBytes* findFile(std::string_view path, std::string_view from, std::sp
   const std::string_view folder = from.substr(0, from.size() - baseName(from).size());
   const std::string joined = normalised(std::string(folder) + std::string(path)).text;
   for (const NamedBytes& file : files)
-    if (normalised(file.name).text == joined) return &file;
+    if (baseName(file.name) == baseName(joined) && normalised(file.name).text == joined) return &file;
   if (normalised(path).leaves) return nullptr;
   const NamedBytes* byName = nullptr;  // dropped without its folder
   for (const NamedBytes& file : files) {

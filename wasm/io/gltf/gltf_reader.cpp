@@ -132,7 +132,7 @@ struct KeyReader {
 
   Status takeMorphTargets() {
     const int targets = morphTargets();
-    if (Status size = checkSize(targets + 1); !size) return size;
+    if (Status size = checkTargets(targets + 1, shape.vertexCount, doc.bufferBytes, doc.where); !size) return size;
     // A second from one to the next, as of poses that are files of their own.
     const auto keys = static_cast<std::size_t>(targets) + 1;
     for (int t = -1; t < targets; ++t)
@@ -178,7 +178,8 @@ struct KeyReader {
     const bool ownTimes = options.sampleTimes.empty() && animations.size() == 1 && animation.weightsOnly &&
                           !options.sampleAsked && animation.keyTimes.size() >= 2 &&
                           animation.keyTimes.size() <= kMostOwnKeys;
-    if (ownTimes) return animation.keyTimes;
+    const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
+    if (ownTimes || everyFrame) return animation.keyTimes;
     if (options.oneKeyWillDo && animation.keyTimes.size() == 1) return animation.keyTimes;
     return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
                        doc.where + ": the animation " + inQuotes(animation.name), out.warnings);

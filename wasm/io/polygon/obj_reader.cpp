@@ -26,10 +26,18 @@ float linear(double srgb) {
 
 // More say nothing new.
 constexpr std::size_t kMostWarnings = 100;
+// Material libraries of one file, and words of a name that one is looked for by.
+constexpr std::size_t kMostLibraries = 256;
+constexpr int kMostWords = 8;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
+}
+
+void warnOfMaterials(const std::string& why, PolygonMesh& mesh) {
+  if (mesh.warnings.size() < kMostWarnings)
+    mesh.warnings.push_back({"missing-materials", "Materials are left out: " + why, 1});
 }
 
 // The materials of an MTL file: colour, opacity and colour texture.
@@ -80,7 +88,9 @@ struct MtlReader {
   }
 
   void read(std::span<const std::uint8_t> bytes) {
+    if (isUtf16(bytes)) return warnOfMaterials(std::string(baseName(from)) + kUtf16, mesh);
     LineReader lines(bytes);
+    bool hasCommas = false;
     Material* current = nullptr;
     for (std::string_view line; lines.next(line);) {
       const std::string_view word = takeWord(line);
@@ -96,6 +106,7 @@ struct MtlReader {
       if (!current) continue;
       double value;
       if (word == "Kd") {
+        hasCommas |= hasDecimalComma(line);
         for (int c = 0; c < 3 && takeNumber(line, value); ++c) current->baseColor[c] = linear(value);
       } else if ((word == "d" || word == "Tr") && takeNumber(line, value)) {
         const double opacity = word == "d" ? value : 1 - value;
@@ -106,6 +117,7 @@ struct MtlReader {
         readImage(line, *current);
       }
     }
+    if (hasCommas) warnOfMaterials(decimalComma(std::string(baseName(from))).message, mesh);
   }
 };
 
@@ -141,6 +153,7 @@ struct ObjReader {
     double value[6];
     int count = 0;
     while (count < 6 && takeNumber(text, value[count])) ++count;
+    if (hasDecimalComma(text)) return decimalComma(where + ", line " + grouped(line));
     if (count < 3) return malformed("a vertex needs three numbers");
     if (mesh.positions.size() >= kMostElements)
       return Error{ErrorCode::TooLarge,
@@ -271,15 +284,30 @@ struct ObjReader {
     for (int& corner : mesh.corners) corner = vertexOf[corner];
   }
 
+  // One name, which may hold blanks, or several: one ends where it names a file, or in .mtl.
+  void readLibraries(std::string_view text) {
+    const auto isFile = [&](std::string_view name) { return bool(resolveUri(name, file.name, files, where)); };
+    if (isFile(text)) return readLibrary(text);
+    int words = 0;
+    std::string_view name = text, rest = text;
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+      const std::string_view read = name.substr(0, name.size() - rest.size());
+      const bool ends = rest.empty() || extensionOf(word) == "mtl" || (++words <= kMostWords && isFile(read));
+      if (!ends) continue;
+      readLibrary(read);
+      name = rest = trimmed(rest);
+      words = 0;
+    }
+  }
+
   void readLibrary(std::string_view name) {
-    if (!libraries.emplace(name).second) return;
+    if (libraries.size() >= kMostLibraries || !libraries.emplace(name).second) return;
     const auto found = resolveUri(name, file.name, files, where);
     const std::string folder = file.name.substr(0, file.name.size() - baseName(file.name).size());
     if (found && !librariesAt.insert(found->bytes.data()).second) return;
     if (found)
       return MtlReader{folder + std::string(name), files, where, mesh, materialOf, imageOf, imageAt}.read(found->bytes);
-    if (mesh.warnings.size() < kMostWarnings)
-      mesh.warnings.push_back({"missing-materials", "Materials are left out: " + found.error().message, 1});
+    warnOfMaterials(found.error().message, mesh);
   }
 
   Status readLine(std::string_view text) {
@@ -290,17 +318,19 @@ struct ObjReader {
     if (word == "vt") {
       Coordinate coordinate{};
       for (int c = 0; c < 2 && takeNumber(text, value); ++c) coordinate[c] = static_cast<float>(value);
+      if (hasDecimalComma(text)) return decimalComma(where + ", line " + grouped(line));
       coordinates.push_back(coordinate);
     } else if (word == "vn") {
       Vec3 normal = Vec3::Zero();
       for (int c = 0; c < 3 && takeNumber(text, value); ++c) normal[c] = value;
+      if (hasDecimalComma(text)) return decimalComma(where + ", line " + grouped(line));
       normals.push_back(normal);
     } else if (word == "o" || word == "g") {
       startRun(word == "o" ? objects : groups, trimmed(text));
     } else if (word == "usemtl") {
       useMaterial(trimmed(text));
     } else if (word == "mtllib") {
-      readLibrary(trimmed(text));
+      readLibraries(trimmed(text));
     } else if (word == "l" || word == "p" || word == "curv" || word == "curv2" || word == "surf") {
       ++leftOut;
     }
@@ -314,8 +344,10 @@ struct ObjReader {
     for (std::string_view text; lines.next(text);) {
       line = lines.lineNumber();
       reportLine(onLine, lines, file.bytes.size());
-      if (text.ends_with('\\')) {  // goes on in the next line
-        joined.append(text.substr(0, text.size() - 1)).push_back(' ');
+      const std::string_view line = trimmed(text);
+      if (!joined.empty() && line.empty() && !lines.rest().empty()) continue;    // as where ends of line were doubled
+      if (line.ends_with('\\') && !(joined.empty() && line.starts_with('#'))) {  // goes on in the next line
+        joined.append(line.substr(0, line.size() - 1)).push_back(' ');
         continue;
       }
       const Status read = readLine(joined.empty() ? text : std::string_view(joined.append(text)));
@@ -397,6 +429,12 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
                          " (counted from 0), but there are " + grouped(n) + " vertices. Export the mesh again.",
                      -1, mesh.corners[c], p};
   return {};
+}
+
+Error decimalComma(const std::string& place) {
+  return {
+      ErrorCode::MalformedFile,
+      place + ": a number has a decimal comma. Export the file with decimal points, or replace the commas by points."};
 }
 
 void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {

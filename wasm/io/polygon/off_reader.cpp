@@ -74,7 +74,9 @@ struct OffReader {
     double value[6];
     const int wanted = hasNormals ? 6 : 3;
     for (int c = 0; c < wanted; ++c)
-      if (!takeNumber(line, value[c])) return malformed("a vertex needs " + std::to_string(wanted) + " numbers");
+      if (!takeNumber(line, value[c]))
+        return hasDecimalComma(line) ? decimalComma(where + ", line " + grouped(lines.lineNumber()))
+                                     : malformed("a vertex needs " + std::to_string(wanted) + " numbers");
     mesh.positions.emplace_back(value);
     if (hasNormals) mesh.normals.push_back(Vec3(value + 3).normalized());
     return {};

@@ -26,6 +26,11 @@ class ValueReader {
 
   std::size_t left() const { return rest_.size(); }
 
+  // Where the last value could not be read: whether that was for its decimal comma.
+  bool stoppedAtComma() const {
+    return format_ == PlyFormat::Ascii && hasDecimalComma(rest_.substr(0, rest_.find_first_of("\r\n")));
+  }
+
   // Bytes that any value takes at least.
   std::size_t least(PlyType type) const { return format_ == PlyFormat::Ascii ? 1 : plyTypeBytes(type); }
 
@@ -35,9 +40,9 @@ class ValueReader {
     if (start == std::string_view::npos) return false;
     rest_.remove_prefix(start);
     const std::size_t end = std::min(rest_.find_first_of(" \t\r\n"), rest_.size());
-    const bool isNumber = parseNumber(rest_.substr(0, end), value);
+    if (!parseNumber(rest_.substr(0, end), value)) return false;
     rest_.remove_prefix(end);
-    return isNumber;
+    return true;
   }
 
   template <class T>
@@ -93,6 +98,7 @@ struct PlyReader {
   int leftOut = 0;
 
   Error cutOff(const PlyElement& element, std::int64_t have) const {
+    if (values.stoppedAtComma()) return decimalComma(where);
     return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) +
                                           " of element " + inQuotes(element.name) + " but ends in number " +
                                           grouped(have) + ". Copy or export it again."};
@@ -198,20 +204,72 @@ struct PlyReader {
     }
   }
 
+  static bool isCorners(const PlyProperty& p) {
+    return p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
+  }
+
+  static int vertexOf(double value) { return value >= 0 && value < 0x7fffffff ? static_cast<int>(value) : -1; }
+
+  Status checkCorners() const {
+    if (mesh.corners.size() <= 0x7fffffff / 2) return {};
+    return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
+  }
+
   Status readFaces(const PlyElement& element) {
     for (std::int64_t i = 0; i < element.count; ++i) {
       reportRow(i);
       const std::size_t start = mesh.corners.size();
       for (const PlyProperty& p : element.properties) {
-        const bool isCorners = p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
         const bool read = readProperty(p, [&](double value) {
-          if (isCorners) mesh.corners.push_back(value >= 0 && value < 0x7fffffff ? static_cast<int>(value) : -1);
+          if (isCorners(p)) mesh.corners.push_back(vertexOf(value));
         });
         if (!read) return cutOff(element, i);
       }
       finishFace(start);
-      if (mesh.corners.size() > 0x7fffffff / 2)
-        return Error{ErrorCode::TooLarge, where + " has too many faces. Simplify the mesh first."};
+      if (Status count = checkCorners(); !count) return count;
+    }
+    return {};
+  }
+
+  // Every corner of a strip from the third on makes a triangle with the two before it.
+  struct Strip {
+    int length = 0;
+    int before[2] = {-1, -1};
+  };
+
+  // -1 ends a strip; types without it write their largest number.
+  bool endsStrip(PlyType type, double value) const {
+    if (value == -1) return true;
+    const double largest = type == PlyType::UInt32   ? 0xffffffff
+                           : type == PlyType::UInt16 ? 0xffff
+                           : type == PlyType::UInt8  ? 0xff
+                                                     : -1;
+    return value == largest && value >= static_cast<double>(mesh.positions.size());
+  }
+
+  // Every other triangle is turned over. Those that name a vertex twice only lead from one part to the next.
+  void addToStrip(Strip& strip, int vertex) {
+    const auto [a, b] = strip.before;
+    if (++strip.length >= 3 && (vertex < 0 || (a != b && b != vertex && vertex != a))) {
+      const bool turned = strip.length % 2 == 0;
+      mesh.corners.insert(mesh.corners.end(), {turned ? b : a, turned ? a : b, vertex});
+      mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
+    }
+    strip.before[0] = b, strip.before[1] = vertex;
+  }
+
+  Status readStrips(const PlyElement& element) {
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      for (const PlyProperty& p : element.properties) {
+        Strip strip;
+        const bool read = readProperty(p, [&](double value) {
+          if (!isCorners(p)) return;
+          if (endsStrip(p.type, value)) strip = {};
+          else addToStrip(strip, vertexOf(value));
+        });
+        if (!read) return cutOff(element, i);
+      }
+      if (Status count = checkCorners(); !count) return count;
     }
     return {};
   }
@@ -229,9 +287,10 @@ struct PlyReader {
     for (const PlyElement& element : header.elements) {
       if (element.properties.empty() && element.name != "vertex") continue;  // any number of nothing
       if (Status count = checkCount(element); !count) return count.error();
-      Status status = element.name == "vertex" ? readVertices(element)
-                      : element.name == "face" ? readFaces(element)
-                                               : skip(element);
+      Status status = element.name == "vertex"      ? readVertices(element)
+                      : element.name == "face"      ? readFaces(element)
+                      : element.name == "tristrips" ? readStrips(element)
+                                                    : skip(element);
       if (!status) return status.error();
     }
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();

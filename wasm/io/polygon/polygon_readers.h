@@ -19,7 +19,7 @@ Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> 
                             const std::vector<std::string>& objects, const std::string& where,
                             const FractionReport& onProgress = {});
 
-/// Stanford PLY 1.0: ascii, binary little and big endian; elements vertex and face.
+/// Stanford PLY 1.0: ascii, binary little and big endian; elements vertex, face and tristrips.
 /// Errors: MalformedFile, TruncatedFile, IndexOutOfRange, NoTriangles, TooLarge.
 Result<PolygonMesh> readPly(const NamedBytes& file, const std::string& where, const FractionReport& onProgress = {});
 
@@ -29,6 +29,9 @@ Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where, co
 
 /// Checks that every corner names a vertex and that there is a face; the last step of every reader.
 Status checkPolygons(const PolygonMesh& mesh, const std::string& where);
+
+/// A number is written with a decimal comma; `place`: the file, and the line where that is known.
+Error decimalComma(const std::string& place);
 
 /// Says so where faces of fewer than three corners were left out.
 void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where);

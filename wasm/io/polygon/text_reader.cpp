@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 namespace shapespline {
 
@@ -85,6 +86,16 @@ bool takeNumber(std::string_view& text, double& value) {
   if (!parseNumber(takeWord(rest), value)) return false;
   text = rest;
   return true;
+}
+
+bool hasDecimalComma(std::string_view text) {
+  const std::string_view word = takeWord(text);
+  const std::size_t comma = word.find(',');
+  if (comma == std::string_view::npos || comma + 1 == word.size() || word.size() > 64) return false;
+  std::string pointed(word);
+  pointed[comma] = '.';
+  double value;
+  return parseNumber(pointed, value);
 }
 
 bool takeInteger(std::string_view& text, std::int64_t& value) {

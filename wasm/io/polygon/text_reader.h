@@ -43,6 +43,9 @@ bool takeNumber(std::string_view& text, double& value);
 /// Takes a whole number at the very front of `text`, up to the first byte that is no digit.
 bool takeInteger(std::string_view& text, std::int64_t& value);
 
+/// Whether the next word is a number with a decimal comma.
+bool hasDecimalComma(std::string_view text);
+
 /// Whether a whole word is one number, and which.
 bool parseNumber(std::string_view word, double& value);
 

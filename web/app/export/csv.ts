@@ -2,7 +2,7 @@
  * The plotted numbers as a table: comment lines with version, options and units first, then one row per frame or face.
  */
 import type { Doc, KeyRef } from '../../model/state.ts';
-import { MEASURE_UNITS, columnsOf, tableOf } from '../../study/motion-measures.ts';
+import { MEASURE_UNITS, columnsOf, tableJson, tableOf } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 
 /** `speed`: how many times faster than on the timeline what is exported plays. */
@@ -32,10 +32,5 @@ function preamble(doc: Doc, version: string): string[] {
 function keyText({ name, time, shaping }: KeyRef): string {
   // 12 digits, as in the table.
   const numbers = JSON.stringify({ time: Number(time.toPrecision(12)), ...shaping });
-  return `{"name":${quoted(name)},${numbers.slice(1)}`;
-}
-
-/** A JSON string without separators: no spreadsheet takes what follows one for a formula. */
-function quoted(name: string): string {
-  return JSON.stringify(name).replace(/[,;]/g, (mark) => `\\u00${mark.charCodeAt(0).toString(16)}`);
+  return `{"name":${tableJson(name)},${numbers.slice(1)}`;
 }

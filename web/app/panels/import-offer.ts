@@ -17,6 +17,12 @@ export function importOffer(opened: OpenedFiles, files: OpenFiles, onLoop: () =>
       action: 'Lay it back',
       onAccept: () => void files.reorient({ ...orientation, up: 'y' }),
     };
+  if (orientation?.up === 'y' && message('z-up-unclear'))
+    return {
+      message: 'The files do not say which axis is up. If the shape lies on its back, stand it up.',
+      action: 'Stand it up',
+      onAccept: () => void files.reorient({ ...orientation, up: 'z' }),
+    };
   const open = source.kind === 'files' && doc.motion.boundary === 'natural';
   if (open && isClosed(doc, pool))
     return { message: 'The last pose is the first again.', action: 'Make it a loop', onAccept: onLoop };

@@ -3,6 +3,7 @@
  * motion, which waits for the next.
  */
 import { EngineError } from '../../engine/api/errors.ts';
+import { sequenceText, sequencesIn } from '../../engine/api/numbered-names.ts';
 import { fileName, isModel } from '../../engine/api/paths.ts';
 import { isMismatch } from '../../engine/api/read-poses.ts';
 import type { Offer } from '../../ui/messages.ts';
@@ -105,13 +106,35 @@ export function createTakeFiles({ store, files, say, onOffer, onPick }: TakeFile
     return open(picked);
   };
 
+  /** Of several numbered sequences one is meant, or the files are keys after all. */
+  const askWhich = (picked: readonly PickedFile[], place: number | null): boolean => {
+    const sequences = sequencesIn(picked.map(({ name }) => name));
+    if (sequences.length < 2) return false;
+    const open = (chosen: PickedFile[]): void => void files.run(chosen, (taken) => take(taken, place));
+    const choices = sequences.slice(0, MOST_CHOICES).map((sequence) => ({
+      action: sequenceText(sequence),
+      onAccept: () => open(picked.filter(({ name }) => !isModel(name) || sequence.names.includes(name))),
+    }));
+    const all = { action: 'All of them', onAccept: () => open([...picked]) };
+    const [first, ...others] = [...choices, all];
+    const more = sequences.length > choices.length ? `, of which ${choices.length} are shown` : '';
+    onOffer({
+      message: `There are ${sequences.length} numbered sequences${more}. Which one do you want to open?`,
+      ...first,
+      others,
+    });
+    return true;
+  };
+
   return {
     forget,
     async take(picked, place = null) {
-      await files.run(picked, (taken) => take(taken, place));
+      await files.run(picked, async (taken) => !askWhich(taken, place) && take(taken, place));
     },
   };
 }
+
+const MOST_CHOICES = 4;
 
 /** More numbered files than this are an animation. */
 const MOST_POSES = 32;

@@ -396,6 +396,8 @@ export const IMPORT = {
       `at these times of it, in seconds, or at N evenly spaced ones (default: ${SAMPLED_KEYS}); also of a PC2 or MDD ` +
       'given with its OBJ, and of numbered .obj or .ply files (24 a second), of which up to 32 frames are all keys',
   },
+  /** Every frame of the animation, instead of samples of it. */
+  everyFrame: { kind: 'flag', flag: 'every-frame', help: 'or at every frame that it has' },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
     kind: 'choice',

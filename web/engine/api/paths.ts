@@ -12,6 +12,8 @@ export const CACHES: readonly string[] = ['pc2', 'mdd'];
 /** Files that a model may need. */
 export const COMPANIONS: readonly string[] = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
 
+const MEANT: readonly string[] = [...MODELS, ...CACHES, ...COMPANIONS];
+
 /** Characters of a hostile file's text in a sentence. */
 const LONGEST_QUOTE = 80;
 
@@ -23,7 +25,22 @@ export const fileName = (path: string): string => path.slice(nameStart(path));
 /** In lower case, without the dot; '' where there is none. */
 export const extensionOf = (path: string): string => /\.([^./\\]*)$/.exec(path)?.[1]?.toLowerCase() ?? '';
 
-export const isModel = (path: string): boolean => MODELS.includes(extensionOf(path));
+/** What systems leave beside the files of people, under names of models even: ._walk.obj, Thumbs.db. */
+export const isLeftover = (path: string): boolean =>
+  /^(\._.*|\.ds_store|\.localized|(eh)?thumbs\.db|desktop\.ini|icon\r)$/is.test(fileName(path)) ||
+  /(^|[/\\])__MACOSX[/\\]/.test(path);
+
+/** Leftovers are never meant, unless there is nothing else. */
+export function withoutLeftovers<T extends { name: string }>(files: readonly T[]): T[] {
+  const meant = files.filter(({ name }) => !isLeftover(name));
+  return meant.length > 0 ? meant : [...files];
+}
+
+export const isModel = (path: string): boolean => MODELS.includes(extensionOf(path)) && !isLeftover(path);
+
+/** Whether a file in a given folder is meant: a model, its motion, or what it may need. Hidden files are not. */
+export const isMeantInFolder = (path: string): boolean =>
+  !fileName(path).startsWith('.') && !isLeftover(path) && MEANT.includes(extensionOf(path));
 
 /** A model's name without folders and extension: the user's own word for it. */
 export function modelName(path: string): string {

@@ -190,6 +190,8 @@ export interface KeysInfo {
   project: Partial<SequenceOptions> | null;
   /** How many times faster than its times say a project file plays; null where a file does not say. */
   speed: number | null;
+  /** From which time of its keys to which a project file plays; null where a file does not say. */
+  played: [number, number] | null;
 }
 
 /** The coarse mesh that leads the motion (Fig. 6), and how the shape belongs to it. */

@@ -5,6 +5,7 @@ import { checkImportSize } from '../api/import-size.ts';
 import { LARGE } from '../api/large.ts';
 import { coarseKeys, coarseOptions } from './coarse-keys.ts';
 import { KeysHandle } from './keyframes.ts';
+import { withoutLeftovers } from '../api/paths.ts';
 import { checkCall, checkImportOptions, checkSequenceOptions, checkSketch } from '../api/options.ts';
 import type { Program, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
@@ -47,11 +48,12 @@ export class EngineClient implements Engine {
     this.idle ??= this.freshWorker();
   }
 
-  async importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys> {
+  async importKeyframes(given: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys> {
     this.checkAlive();
     checkCall(call);
     const checked = checkImportOptions(options);
-    checkFiles(files);
+    checkFiles(given);
+    const files = withoutLeftovers(given);
     checkImportSize(bytesOf(files));
     if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.(); // to be there when the keys are
     const client = this.takeWorker();

@@ -5,6 +5,7 @@
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
 import { thereAndBack } from './bounce.ts';
+import { withNote } from '../api/export-note.ts';
 import { checkBytes, exportWarnings, frameWarnings } from './export-plan.ts';
 import { movesKeys, planFrames, shapeCount } from './export-frames.ts';
 import type { ExportSource, PlannedFrames } from './export-source.ts';
@@ -158,7 +159,7 @@ async function* writePoses(job: Job): AsyncGenerator<ExportedFile, void, undefin
   const many = frames.times.length > 1;
   for (const [index, t] of frames.times.entries()) {
     const frame = await untilAborted(signal, source.frame(t));
-    const bytes = await writePose(job, frame);
+    const bytes = withNote(options.format, await writePose(job, frame), options.blend ? [] : [t]);
     frame.release();
     report(job, index + 1);
     const name = many || options.pose === null ? String(index).padStart(4, '0') : stemOf(options);
@@ -192,7 +193,7 @@ async function* writePointCache(job: Job): AsyncGenerator<ExportedFile, void, un
     report(job, index + 1);
   }
   yield { name: `${stemOf(options)}.${options.format}`, bytes: cache.bytes };
-  yield { name: `${stemOf(options)}.obj`, bytes: obj! };
+  yield { name: `${stemOf(options)}.obj`, bytes: withNote('obj', obj!, frames.times) };
   yield* materialFiles(stemOf(options), source.keys.info.scene);
 }
 
@@ -223,7 +224,11 @@ function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFra
     },
     { ...options, pins },
     { vertices, faces, error: frames.error },
-    (frames.times.at(-1)! - frames.times[0]!) / frames.seconds.at(-1)!,
+    {
+      speed: (frames.times.at(-1)! - frames.times[0]!) / frames.seconds.at(-1)!,
+      start: frames.times[0]!,
+      end: frames.times.at(-1)!,
+    },
   );
 }
 

@@ -3,7 +3,7 @@ import type { ExportedFile } from '../api/types.ts';
 import type { PlannedFrames } from './export-source.ts';
 
 /** A cell of a table; no spreadsheet takes a name for a formula. */
-const cell = (name: string): string => `"${name.replaceAll('"', '""').replace(/^[=+@-]/, "'$&")}"`;
+const cell = (name: string): string => `"${name.replaceAll('"', '""').replace(/^[=+@\t\r\n-]/, "'$&")}"`;
 
 function rowsOf({ principal }: PlannedFrames, count: number): number[][] {
   const { weights } = principal!;

@@ -24,17 +24,27 @@ export interface ProjectMesh {
   error: number | null;
 }
 
-/**
- * JSON holds shapes as base64 of little-endian float32. `speed`: how many times faster than its keys' times say the
- * animation plays.
- */
-export function writeProject(keys: ProjectKeys, options: SequenceOptions, mesh: ProjectMesh, speed = 1): string {
+/** How many times faster the animation plays than its keys' times say, and from which of their times to which. */
+export interface ProjectPlay {
+  speed: number;
+  start: number;
+  end: number;
+}
+
+/** JSON holds shapes as base64 of little-endian float32. */
+export function writeProject(
+  keys: ProjectKeys,
+  options: SequenceOptions,
+  mesh: ProjectMesh,
+  play: Partial<ProjectPlay> = {},
+): string {
   const shapes = SHAPES.map((name) => [name, options[name] && toBase64(options[name])]);
   return JSON.stringify({
     version: VERSION,
     keys,
     mesh,
-    speed,
+    speed: 1,
+    ...play,
     options: { ...options, ...Object.fromEntries(shapes) },
   });
 }
@@ -55,6 +65,17 @@ export function readSpeed(text: string): number | null {
   try {
     const { speed } = record(JSON.parse(text));
     return typeof speed === 'number' && speed > 0 && Number.isFinite(speed) ? speed : null;
+  } catch {
+    return null;
+  }
+}
+
+/** null where the text says nothing of it, as in files of earlier versions. */
+export function readPlayed(text: string): [start: number, end: number] | null {
+  try {
+    const { start, end } = record(JSON.parse(text));
+    const areTimes = typeof start === 'number' && typeof end === 'number' && Number.isFinite(end - start);
+    return areTimes && start < end ? [start, end] : null;
   } catch {
     return null;
   }

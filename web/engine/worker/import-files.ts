@@ -2,7 +2,7 @@
 import type { ImportedInfo, OnProgress, WasmCore } from './wasm-core.ts';
 import { jsonOf } from './gltf-text.ts';
 import { drawnImages } from './image-size.ts';
-import { readMesh, readOptions, readSpeed } from '../wire/project.ts';
+import { readMesh, readOptions, readPlayed, readSpeed } from '../wire/project.ts';
 import { SHAPES } from '../api/option-table.ts';
 import type { KeyData } from '../wire/protocol.ts';
 import { NO_PLACE } from '../api/types.ts';
@@ -70,6 +70,7 @@ export async function importFiles(
       ],
       project,
       speed: info.project === '' ? null : readSpeed(info.project),
+      played: info.project === '' ? null : readPlayed(info.project),
     },
   };
 }

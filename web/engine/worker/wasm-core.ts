@@ -37,7 +37,7 @@ interface Failure {
 }
 
 /** The core's JSON of an import: of KeysInfo the project is still a text, and nobody has looked into the images. */
-export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene'> & {
+export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene' | 'played'> & {
   project: string;
   scene: Omit<Scene, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
 };
@@ -112,12 +112,13 @@ export class WasmCore {
     onProgress: OnProgress = () => undefined,
   ): Omit<KeyData, 'info'> & { info: ImportedInfo } {
     this.hear(onProgress);
-    const { animation, sample, keyTimes, up, unit, objects, like, likePose } = options;
+    const { animation, sample, everyFrame, keyTimes, up, unit, objects, like, likePose } = options;
     const request = {
       files,
       options: {
         animation: animation ?? null,
         sampleTimes: Array.isArray(sample) ? sample : [],
+        everyFrame: everyFrame === true,
         sampleCount: typeof sample === 'number' ? sample : null,
         keyTimes: keyTimes ?? [],
         zUp: (up ?? IMPORT.up.default) === 'z',

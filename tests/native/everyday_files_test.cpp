@@ -1,0 +1,271 @@
+// Files as people have them: read where they are meant, refused with advice where they are something else.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "files.h"
+#include "io/numbered_files.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+Import imported(const Files& files, const ImportOptions& options = {}) {
+  auto result = files.import(options);
+  REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+  return std::move(*result);
+}
+
+bool says(const Import& import, const std::string& code, const std::string& text = "") {
+  return std::any_of(import.warnings.begin(), import.warnings.end(), [&](const Warning& warning) {
+    return warning.code == code && warning.message.find(text) != std::string::npos;
+  });
+}
+
+std::string squareObj(double bend = 0) { return "v 0 0 0\nv 1 0 0\nv 1 1 " + std::to_string(bend) + "\nv 0 1 0\n"; }
+const std::string kFace = "f 1 2 3 4\n";
+
+Files twoSquares() {
+  return Files().add("a.obj", bytesOf(squareObj() + kFace)).add("b.obj", bytesOf(squareObj(1) + kFace));
+}
+
+std::vector<Triangle> facesOf(const std::string& name, const Bytes& bytes) {
+  return imported(Files().add(name, bytes).add("second-" + name, bytes)).keyframes.faces;
+}
+
+// Of ASCII text.
+Bytes utf16(const std::string& text, bool bigEndian, bool marked) {
+  Bytes out;
+  const auto add = [&](int high, int low) {
+    out.push_back(static_cast<std::uint8_t>(bigEndian ? high : low));
+    out.push_back(static_cast<std::uint8_t>(bigEndian ? low : high));
+  };
+  if (marked) add(0xfe, 0xff);
+  for (char c : text) add(0, c);
+  return out;
+}
+
+void checkRefused(const std::string& name, const Bytes& bytes, const std::string& text) {
+  CAPTURE(name);
+  const auto alone = Files().add(name, bytes).import();
+  REQUIRE(!alone.ok());
+  CAPTURE(alone.error().message);
+  CHECK(alone.error().message.find(text) != std::string::npos);
+  CHECK(alone.error().message.starts_with(name));
+}
+
+template <class T>
+void append(Bytes& bytes, T value, bool bigEndian) {
+  for (std::size_t i = 0; i < sizeof value; ++i)
+    bytes.push_back(static_cast<std::uint8_t>(value >> 8 * (bigEndian ? sizeof value - 1 - i : i)));
+}
+
+const std::string kPlyVertices =
+    "element vertex 6\nproperty uchar x\nproperty uchar y\nproperty uchar z\nelement tristrips 2\n";
+// Two strips in the first row, one of them started anew, with a corner named twice to turn; one in the second.
+const std::vector<std::vector<int>> kStrips{{0, 1, 2, 3, -1, 2, 3, 4, 4, 5}, {5, 4, 3}};
+const std::vector<Triangle> kStripFaces{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {5, 4, 3}};
+const std::vector<std::vector<int>> kStripPoints{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 1}};
+
+Bytes binaryStrips(const std::string& type, int width, bool bigEndian) {
+  Bytes bytes = bytesOf(std::string("ply\nformat binary_") + (bigEndian ? "big" : "little") + "_endian 1.0\n" +
+                        kPlyVertices + "property list uchar " + type + " vertex_indices\nend_header\n");
+  for (const auto& point : kStripPoints)
+    for (int c : point) bytes.push_back(static_cast<std::uint8_t>(c));
+  for (const auto& strip : kStrips) {
+    bytes.push_back(static_cast<std::uint8_t>(strip.size()));
+    for (int v : strip) {
+      if (width == 1) append(bytes, static_cast<std::uint8_t>(v), bigEndian);
+      else if (width == 2) append(bytes, static_cast<std::uint16_t>(v), bigEndian);
+      else append(bytes, static_cast<std::uint32_t>(v), bigEndian);
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("OBJ: a line goes on behind its backslash, whatever blanks and ends of line stand there") {
+  for (const std::string end : {"\\\n", "\\ \n", "\\\t\n", "\\\r\n", "\\ \t \r\n", "\\\r", "\\\r\r\n"}) {
+    CAPTURE(end);
+    CHECK(facesOf("a.obj", bytesOf(squareObj() + "f 1 2 " + end + "3" + end + " 4\n")) ==
+          std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+    CHECK(facesOf("a.obj", bytesOf("v " + end + "0 0 0\nv 1 0" + end + " 0\nv 1 1 0\nv 0 1 0\n" + kFace)).size() == 2);
+  }
+  // A path in a comment ends it all the same.
+  CHECK(facesOf("a.obj", bytesOf("# from C:\\shapes\\\n" + squareObj() + kFace)).size() == 2);
+}
+
+TEST_CASE("OBJ: a line names several material libraries, whose names may hold blanks") {
+  const std::string faces = "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n";
+  const auto colours = [&](const std::string& named, const std::string& first, const std::string& second) {
+    Files files;
+    for (const char* name : {"a.obj", "b.obj"})
+      files.add(name, bytesOf("mtllib " + named + "\n" + squareObj() + faces));
+    files.add(first, bytesOf("newmtl red\nKd 1 0 0\n")).add(second, bytesOf("newmtl blue\nKd 0 0 1\n"));
+    const Import import = imported(files);
+    CAPTURE(named);
+    CHECK(!says(import, "missing-materials"));
+    REQUIRE(import.scene.materials.size() == 2);
+    REQUIRE(import.scene.groups.size() == 2);
+    CHECK(import.scene.materials[import.scene.groups[0].material].baseColor[0] == 1);
+    CHECK(import.scene.materials[import.scene.groups[1].material].baseColor[2] == 1);
+  };
+  colours("a.mtl b.mtl", "a.mtl", "b.mtl");
+  colours("a.mtl\tb.MTL  ", "a.mtl", "b.MTL");
+  colours("my paint.mtl other paint.mtl", "my paint.mtl", "other paint.mtl");
+  colours("paint library", "paint", "library");
+  colours("a.mtl \\ \n b.mtl", "a.mtl", "b.mtl");
+
+  Files missing = Files().add("a.obj", bytesOf("mtllib a.mtl not there.mtl\n" + squareObj() + kFace));
+  missing.add("b.obj", bytesOf(squareObj(1) + kFace)).add("a.mtl", bytesOf("newmtl red\n"));
+  CHECK(says(imported(missing), "missing-materials", "\"not there.mtl\""));
+}
+
+TEST_CASE("PLY: strips of triangles, started anew at -1, every other triangle turned") {
+  const auto check = [&](const Bytes& bytes) { CHECK(facesOf("a.ply", bytes) == kStripFaces); };
+  std::string text = "ply\nformat ascii 1.0\n" + kPlyVertices + "property list int int vertex_index\nend_header\n";
+  const auto addRow = [&](const std::vector<int>& row) {
+    for (int value : row) text += std::to_string(value) + " ";
+    text += "\n";
+  };
+  for (const auto& point : kStripPoints) addRow(point);
+  for (const auto& strip : kStrips) text += std::to_string(strip.size()) + " ", addRow(strip);
+  check(bytesOf(text));
+  for (bool bigEndian : {false, true})
+    for (const auto& [type, width] :
+         {std::pair{"char", 1}, {"uchar", 1}, {"short", 2}, {"ushort", 2}, {"int", 4}, {"uint", 4}}) {
+      CAPTURE(type);
+      check(binaryStrips(type, width, bigEndian));
+    }
+  Bytes bad = binaryStrips("int", 4, false);
+  bad[bad.size() - 4] = 99;
+  checkRefused("a.ply", bad, "names vertex 99");
+  bad.resize(bad.size() - 3);
+  checkRefused("a.ply", bad, "cut off");
+}
+
+TEST_CASE("text in UTF-16 is refused with what to do, with a mark and without") {
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\n";
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", squareObj() + kFace},
+                                   {"a.ply", ply},
+                                   {"a.off", "OFF\n4 1 0\n"},
+                                   {"a.gltf", "{\"asset\": {\"version\": \"2.0\"}}"}})
+    for (bool bigEndian : {false, true})
+      for (bool marked : {false, true})
+        checkRefused(name, utf16(text, bigEndian, marked), "UTF-16, which is not supported. Save it as UTF-8.");
+  Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + kFace));
+  files.add("b.obj", bytesOf(squareObj(1) + kFace)).add("a.mtl", utf16("newmtl red\nKd 1 0 0\n", false, true));
+  CHECK(says(imported(files), "missing-materials", "UTF-16"));
+}
+
+TEST_CASE("decimal commas are refused with the line and what to do") {
+  const std::string says = "a number has a decimal comma. Export the file with decimal points";
+  checkRefused("a.obj", bytesOf("v 0,5 1,2 3\n"), "line 1: " + says);
+  checkRefused("a.obj", bytesOf("v 0 0 0\nv 1 2 3,5e-2\n"), "line 2: " + says);
+  checkRefused("a.obj", bytesOf("v 0 0 0 0,5 1 1\n"), says);
+  checkRefused("a.obj", bytesOf("v 0 0 0\nvt 0,25 1\n"), "line 2: " + says);
+  checkRefused("a.obj", bytesOf("v 0 0 0\nvn 0 0,7 1\n"), "line 2: " + says);
+  const std::string header =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  checkRefused("a.ply", bytesOf("ply\nformat ascii 1.0\n" + header + "0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), says);
+  checkRefused("a.ply", bytesOf("ply\nformat ascii 1.0\n" + header + "0 0 0\n1 0 -1,5\n0 1 0\n3 0 1 2\n"), says);
+  checkRefused("a.off", bytesOf("OFF\n3 1 0\n0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n"), "line 4: " + says);
+  checkRefused("a.obj", bytesOf("v 1, 2, 3\n"), "a vertex needs three numbers");
+  Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + kFace));
+  files.add("b.obj", bytesOf(squareObj(1) + kFace)).add("a.mtl", bytesOf("newmtl red\nKd 0,8 0 0\n"));
+  CHECK(::says(imported(files), "missing-materials", "decimal comma"));
+}
+
+TEST_CASE("files of other programs are refused with what they are and what to do") {
+  for (const auto& [name, text, says] : std::vector<std::array<std::string, 3>>{
+           {"shot.abc", "Ogawa\xff", "Alembic file, which is not supported. Export its frames"},
+           {"shot.ABC", "\x89HDF", "Alembic"},
+           {"a.usd", "PXR-USDC", "USD file, which is not supported. Export it as glTF"},
+           {"a.usda", "#usda 1.0\n", "USD file"},
+           {"a.usdc", "PXR-USDC", "USD file"},
+           {"a.usdz", "PK\x03\x04", "USD file"},
+           {"a.obj", "#usda 1.0\n", "USD file"},
+           {"a.fbx", "; FBX 7.4.0 project file", "FBX"},
+           {"a.blend", "BLENDER-v405", "Blender file"},
+           {"a.blend", "\x28\xb5\x2f\xfd", "Blender file"},
+           {"a.stl", std::string(84, '\x01'), "which triangles share a vertex"},
+           {"a.dae", "<?xml version=\"1.0\"?>", "COLLADA"},
+           {"a.3ds", "MM", "3DS"},
+           {"a.max", "\xd0\xcf", "3ds Max"},
+           {"a.ma", "//Maya ASCII 2024", "Maya"},
+           {"a.mb", "FOR8", "Maya"},
+           {"a.c4d", "QC4D", "Cinema 4D"},
+           {"a.step", "ISO-10303-21;", "CAD"},
+           {"a.bvh", "HIERARCHY", "without a mesh"},
+           {"scan.e57", "ASTM-E57", "points without faces"},
+           {"a.zip", "PK\x03\x04", "ZIP archive. Unpack it"}})
+    checkRefused(name, bytesOf(text), says);
+}
+
+TEST_CASE("a file of another kind among poses is left out with a word, unless a key is missing then") {
+  const Import import = imported(twoSquares().add("scene.blend", bytesOf("BLENDER-v405")).add("n.dat", bytesOf("x")));
+  CHECK(import.keyframes.keyCount() == 2);
+  CHECK(says(import, "left-out-file", "scene.blend is a Blender file"));
+  CHECK(says(import, "left-out-file", "n.dat is not a supported 3D file"));
+  const auto lone = Files().add("a.obj", bytesOf(squareObj() + kFace)).add("b.fbx", bytesOf("Kaydara FBX")).import();
+  REQUIRE(!lone.ok());
+  CHECK(lone.error().message.starts_with("b.fbx is an FBX file"));
+  // A pose that is broken is not another kind.
+  CHECK(!twoSquares().add("c.obj", bytesOf("<html>")).import().ok());
+  CHECK(!twoSquares().add("c.obj", {}).import().ok());
+  Files many = twoSquares();
+  for (int i = 0; i < 40; ++i) many.add("n" + std::to_string(i) + ".dat", bytesOf("x"));
+  CHECK(says(imported(many), "left-out-file", "30 more such files"));
+}
+
+TEST_CASE("numbers in names may be negative; whether a hyphen is a sign, all names together say") {
+  std::ifstream file(SHAPESPLINE_SOURCE_DIR "/tests/numbered-names.json");
+  for (const auto& one : nlohmann::json::parse(file)) {
+    std::vector<NamedBytes> files;
+    for (const auto& name : one.at("order")) files.push_back({name.get<std::string>(), {}});
+    CAPTURE(files[0].name);
+    std::vector<MeshFile> meshes;
+    for (const NamedBytes& named : files)
+      meshes.push_back({&named, named.name.ends_with("ply") ? FileKind::Ply : FileKind::Obj});
+    const auto series = numberedFiles(meshes);
+    CHECK(series.has_value() == !one.at("frames").is_null());
+    for (std::size_t i = 0; series && i < files.size(); ++i) {
+      const int frame = one.at("frames")[i], first = one.at("frames")[0];
+      CHECK(series->seconds[i] == doctest::Approx((frame - first) / 24.0));
+    }
+    CHECK(sequencesAmong(meshes).empty() == (one.value("sequences", 1) < 2));
+  }
+}
+
+TEST_CASE("two numbered sequences that become keys of one motion are named in a warning") {
+  Files files;
+  for (const char* name : {"run_1.obj", "run_2.obj", "walk_1.obj", "walk_2.obj", "walk_3.obj"})
+    files.add(name, bytesOf(squareObj(static_cast<double>(files.names.size())) + kFace));
+  const Import import = imported(files);
+  CHECK(import.keyframes.keyCount() == 5);
+  CHECK(says(import, "several-sequences", "\"run\" (2 files), \"walk\" (3 files)"));
+  CHECK(!says(imported(twoSquares()), "several-sequences"));
+}
+
+TEST_CASE("faces that are all equal or share an edge are matched and ordered in as many steps as there are faces") {
+  constexpr int count = 20'000;
+  std::string equal = squareObj(), book = squareObj() + "v 2 0 0\nv 3 1 1\n", later = squareObj(1);
+  for (int i = 0; i < count; ++i) {
+    equal += "f 1 2 3\n";
+    later += i % 2 ? "f 1 2 3\n" : "f 2 3 1\n";
+    book += "f 1 2 " + std::to_string(3 + i % 4) + "\n";
+  }
+  for (const auto& [a, b] : {std::pair{equal, later}, {book, book}}) {
+    const Import import = imported(Files().add("a.obj", bytesOf(a)).add("b.obj", bytesOf(b)));
+    CHECK(import.keyframes.faceCount() == count);
+  }
+}

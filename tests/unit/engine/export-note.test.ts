@@ -1,0 +1,52 @@
+import { describe, expect, it } from 'vitest';
+import { readNote, withNote } from '../../../web/engine/api/export-note.ts';
+
+const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+const text = (of: Uint8Array): string => new TextDecoder().decode(of);
+
+const OBJ = 'mtllib a.mtl\nv 0 0 0\n';
+const PLY = 'ply\nformat binary_little_endian 1.0\nelement vertex 0\nend_header\n';
+
+describe('what an exported file says of itself', () => {
+  it('stands in comments: in front of an OBJ, in the header of a PLY', () => {
+    expect(text(withNote('obj', bytes(OBJ), [0.25]))).toBe(`# shapespline: Y up, metres\n# times 0.25\n${OBJ}`);
+    expect(text(withNote('ply', bytes(PLY), []))).toBe(
+      PLY.replace('1.0\n', '1.0\ncomment shapespline: Y up, metres\n'),
+    );
+    expect(withNote('glb', bytes('glTF'), [1])).toEqual(bytes('glTF'));
+  });
+
+  it.each([[[0.5]], [[0, 0.1, 0.7]], [[-1, 2]], [[0, 1 / 3, 2 / 3, 1]], [[1, 0.5, 0.25]]])(
+    'are the times %j',
+    (times) => {
+      for (const [format, file] of [
+        ['obj', OBJ],
+        ['ply', PLY],
+      ] as const) {
+        const read = readNote(withNote(format, bytes(file), times))?.times;
+        expect(read).toHaveLength(times.length);
+        times.forEach((t, i) => expect(read![i]).toBeCloseTo(t, 12));
+      }
+    },
+  );
+
+  it('is little, also for many frames', () => {
+    const times = Array.from({ length: 90_000 }, (_, i) => 3 + (2 * i) / 89_999);
+    const noted = withNote('obj', bytes(OBJ), times);
+    expect(noted.length).toBeLessThan(150);
+    expect(readNote(noted)!.times).toHaveLength(90_000);
+    const uneven = withNote(
+      'obj',
+      bytes(OBJ),
+      times.map((t) => t * t),
+    );
+    expect(uneven.length).toBeLessThan(150);
+    expect(readNote(uneven)).toEqual({ times: null });
+  });
+
+  it('is believed in nothing that it does not say in this way', () => {
+    expect(readNote(bytes(OBJ))).toBeNull();
+    expect(readNote(bytes('# shapespline: Y up, metres\n# times 0 x 1\n'))).toEqual({ times: null });
+    expect(readNote(bytes('# shapespline: Y up, metres\n# frames 999999999 from 0 to 1\n'))).toEqual({ times: null });
+  });
+});

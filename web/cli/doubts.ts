@@ -1,0 +1,103 @@
+/** What makes the comparison of a motion with an animation meaningless, in sentences that say what to do. */
+
+/** Of two sizes, or two errors, of which one is suspected. */
+const OTHER_SIZE = 3;
+const BETTER = 0.25;
+/** Fewer frames say little of a motion. */
+const FEW_FRAMES = 5;
+/** Of the length of the keys. */
+const SAME_SPAN = 1e-3;
+
+export interface Spans {
+  keys: readonly [number, number];
+  animation: readonly [number, number];
+  /** Frames of the animation, and those that are compared. */
+  frames: number;
+  compared: number;
+}
+
+export function doubtsOfTime({ keys, animation, frames, compared }: Spans): string[] {
+  const doubts: string[] = [];
+  const [first, last] = keys;
+  const [start, end] = animation;
+  if (Math.abs(start - first) + Math.abs(end - last) > SAME_SPAN * (last - first))
+    doubts.push(
+      `the keys run from ${text(first)} to ${text(last)}, and the animation from ${text(start)} to ${text(end)}: ` +
+        `${compared === frames ? 'all' : `${compared} of its ${frames}`} frames are compared at their own times. ` +
+        'If both are the same motion, give its times with --key-times',
+    );
+  if (compared < FEW_FRAMES) doubts.push(`only ${compared} frames are compared, which says little of the motion`);
+  return doubts;
+}
+
+/** One moment of both, 3 x vertices. */
+export interface Pair {
+  motion: Float32Array;
+  animation: Float32Array;
+}
+
+export interface Lying {
+  /** How the animation was read; null where its files say that y is up. */
+  up: 'y' | 'z' | null;
+  unit: number;
+}
+
+export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): string[] {
+  const ratio = sizeOf(pairs, 'animation') / sizeOf(pairs, 'motion');
+  if (ratio > OTHER_SIZE || ratio < 1 / OTHER_SIZE)
+    return [
+      `the animation is ${text(ratio)} times as large as the keys: if they have other units, give ` +
+        `--against-unit ${text(unit / ratio)}`,
+    ];
+  const own = offBy(pairs, (x, y, z) => [x, y, z]);
+  const stoodUp = offBy(pairs, (x, y, z) => [x, z, -y]);
+  const laidBack = offBy(pairs, (x, y, z) => [x, -z, y]);
+  if (Math.min(stoodUp, laidBack) < BETTER * own) {
+    const animation = up === null ? null : stoodUp < laidBack ? (up === 'y' ? 'z' : null) : up === 'z' ? 'y' : null;
+    const keys = stoodUp < laidBack ? 'y' : 'z';
+    return [
+      `the animation fits the keys far better with another axis up: give ` +
+        (animation ? `--against-up ${animation}` : `--up ${keys}`),
+    ];
+  }
+  const away = centreDistance(pairs[0]) / sizeOf(pairs, 'motion');
+  return away > 1 ? [`the animation lies ${text(away)} times the shape's size away from the keys`] : [];
+}
+
+const text = (value: number): string => String(Number(value.toPrecision(3)));
+
+function sizeOf(pairs: readonly Pair[], which: keyof Pair): number {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (const pair of pairs)
+    pair[which].forEach((value, i) => {
+      low[i % 3] = Math.min(low[i % 3]!, value);
+      high[i % 3] = Math.max(high[i % 3]!, value);
+    });
+  return Math.hypot(...high.map((value, axis) => value - low[axis]!));
+}
+
+type Turn = (x: number, y: number, z: number) => readonly [number, number, number];
+
+/** Squared distances of the motion from the turned animation. */
+function offBy(pairs: readonly Pair[], turn: Turn): number {
+  let sum = 0;
+  for (const { motion, animation } of pairs)
+    for (let i = 0; i < motion.length; i += 3) {
+      const [x, y, z] = turn(animation[i]!, animation[i + 1]!, animation[i + 2]!);
+      sum += (x - motion[i]!) ** 2 + (y - motion[i + 1]!) ** 2 + (z - motion[i + 2]!) ** 2;
+    }
+  return sum;
+}
+
+function centreDistance(pair: Pair | undefined): number {
+  if (!pair) return 0;
+  const [a, b] = [pair.motion, pair.animation].map(centre) as [number[], number[]];
+  return Math.hypot(...a.map((value, axis) => value - b[axis]!));
+}
+
+function centre(positions: Float32Array): number[] {
+  const sum = [0, 0, 0];
+  positions.forEach((value, i) => (sum[i % 3]! += value));
+  return sum.map((value) => (3 * value) / positions.length);
+}

@@ -1,0 +1,149 @@
+/** The animation that `measure` compares with: its frames, and where they lie on the timeline of the keys. */
+import type { CallOptions, Engine, Keys } from '../engine/api/api.ts';
+import { EngineError } from '../engine/api/errors.ts';
+import { readNote } from '../engine/api/export-note.ts';
+import { CACHES, extensionOf } from '../engine/api/paths.ts';
+import { isMismatch } from '../engine/api/read-poses.ts';
+import type { ImportOptions, InputFile, KeysInfo } from '../engine/api/types.ts';
+import { UsageError } from './arguments.ts';
+import type { Lying } from './doubts.ts';
+
+/** Where there are more frames than memory holds. */
+const EVEN_FRAMES = 240;
+/** Of a length: two spans that differ by less are the same. */
+const SAME = 1e-3;
+
+export interface TruthOptions {
+  up?: 'y' | 'z';
+  unit?: number;
+}
+
+export interface Truth {
+  /** Of each frame, on the timeline of the keys. */
+  times: number[];
+  /** 3 x vertices. */
+  frame(index: number): Float32Array;
+  /** How the frames were placed in time. */
+  placed: string;
+  lies: Lying;
+  /** The same animation at these times of the timeline. */
+  at(times: readonly number[]): Promise<Truth>;
+  dispose(): void;
+}
+
+/**
+ * `own`: how this animation lies where the files do not say it; by default as the keys do. Files of our own say that y
+ * is up, in metres, and when their frames are.
+ */
+export async function readTruth(
+  engine: Engine,
+  keys: Keys,
+  input: InputFile[],
+  given: ImportOptions,
+  own: TruthOptions,
+): Promise<Truth> {
+  const [{ name } = { name: '' }] = input;
+  const note = noteIn(input);
+  const lies = note ? {} : { up: given.up, unit: given.unit };
+  const { objects, animation } = given;
+  const like = { like: keys.info.faces, likePose: keys.positions(0) };
+  const options: ImportOptions = { ...lies, ...own, objects, animation, ...like };
+  const read = (change: ImportOptions, call?: CallOptions): Promise<Keys> =>
+    engine.importKeyframes(input, { ...options, ...change }, call).catch((error: unknown) => {
+      if (isMismatch(error))
+        throw new EngineError(error.code, `--against: ${name} is of another mesh than the keys.`, error.place);
+      if (error instanceof EngineError && error.code === 'too-few-keys')
+        throw new EngineError(error.code, `--against: ${name} holds no animation. ${error.message}`, error.place);
+      throw error;
+    });
+  const played = await playOf(engine, input, options);
+  const frames = await read({ everyFrame: true }).catch((error: unknown) => {
+    if (!(error instanceof EngineError) || error.code !== 'too-large') throw error;
+    return read({ sample: EVEN_FRAMES });
+  });
+  const inFile = frames.info.times;
+  const { times, placed } = placeFrames(frames.info, keys.info, input, note?.times ?? null, played);
+  const truthOf = (held: Keys, at: number[], said: string): Truth => ({
+    times: at,
+    frame: (index) => held.positions(index),
+    placed: said,
+    lies: {
+      up: note && !own.up ? null : isGltf(input) ? null : (options.up ?? 'y'),
+      unit: options.unit ?? 1,
+    },
+    dispose: () => held.dispose(),
+    async at(wanted) {
+      const sampled = await read({ sample: wanted.map((t) => interpolated(t, times, inFile)) });
+      return truthOf(sampled, [...wanted], said);
+    },
+  });
+  return truthOf(frames, times, placed);
+}
+
+/** Of the first file that has one; frames of a series each say their own time. */
+function noteIn(input: InputFile[]): { times: number[] | null } | null {
+  const notes = input
+    .filter(({ name }) => ['obj', 'ply'].includes(extensionOf(name)))
+    .map(({ bytes }) => readNote(bytes as Uint8Array));
+  if (notes.length === 0 || notes.some((note) => note === null)) return null;
+  if (notes.length === 1) return notes[0]!;
+  const times = notes.flatMap((note) => note?.times ?? []);
+  return { times: times.length === notes.length ? times : null };
+}
+
+const isGltf = (input: InputFile[]): boolean => input.some(({ name }) => ['glb', 'gltf'].includes(extensionOf(name)));
+
+/** How fast a project of ours plays, and which of its times; null for other files. */
+async function playOf(
+  engine: Engine,
+  input: InputFile[],
+  { objects }: ImportOptions,
+): Promise<{ speed: number; span: [number, number] } | null> {
+  if (!isGltf(input)) return null;
+  const project = await engine.importKeyframes(input, { objects }).catch(() => null);
+  const { speed = null, played = null } = project?.info ?? {};
+  project?.dispose();
+  return speed !== null && played !== null ? { speed, span: played } : null;
+}
+
+function placeFrames(
+  { times, names }: KeysInfo,
+  keys: KeysInfo,
+  input: InputFile[],
+  noted: number[] | null,
+  played: { speed: number; span: [number, number] } | null,
+): { times: number[]; placed: string } {
+  if (noted?.length === names.length && isIncreasing(noted))
+    return { times: noted, placed: 'at the times that its files state' };
+  const [start, end] = [times[0]!, times.at(-1)!];
+  if (played) {
+    const { speed, span } = played;
+    const there = times.filter((t) => span[0] + t * speed <= span[1] + SAME * (span[1] - span[0]));
+    return { times: there.map((t) => span[0] + t * speed), placed: 'at the times of its project' };
+  }
+  const [first, last] = [keys.times[0]!, keys.times.at(-1)!];
+  const ofKeys = keys.animations[keys.animation];
+  const isSameSpan = ofKeys && Math.abs(ofKeys.start - start) + Math.abs(ofKeys.end - end) <= SAME * (end - start);
+  const timeless = input.some(({ name }) => ['pc2', 'obj', 'ply'].includes(extensionOf(name)));
+  const hasTimes = input.some(({ name }) => CACHES.includes(extensionOf(name)) && extensionOf(name) !== 'pc2');
+  if (!timeless || hasTimes || isSameSpan) return { times: [...times], placed: 'at its own times' };
+  const scale = (last - first) / (end - start);
+  return {
+    times: times.map((t, i) => (i === times.length - 1 ? last : first + (t - start) * scale)),
+    placed: 'spread from the first key to the last, because its files do not say when its frames are',
+  };
+}
+
+const isIncreasing = (times: readonly number[]): boolean => times.every((t, i) => i === 0 || t > times[i - 1]!);
+
+/** The value at t, straight between the places; beyond both ends it stays. */
+function interpolated(t: number, places: readonly number[], values: readonly number[]): number {
+  const next = places.findIndex((place) => place > t);
+  if (next < 0) return values.at(-1)!;
+  if (next === 0) return values[0]!;
+  const share = (t - places[next - 1]!) / (places[next]! - places[next - 1]!);
+  return values[next - 1]! + share * (values[next]! - values[next - 1]!);
+}
+
+export const noFrames = (file: string, [first, last]: readonly [number, number]): UsageError =>
+  new UsageError(`--against: give at least two times from ${first} to ${last}, where ${file} has frames`);

@@ -1,0 +1,66 @@
+/**
+ * What our OBJ and PLY files say of themselves in comments: the axis that points up, the unit, and the times of the
+ * frames that they hold or, beside a point cache, name. Neither format has a place for it.
+ */
+
+const MARK = 'shapespline: Y up, metres';
+/** Uneven times that are listed. */
+const MOST_LISTED = 4000;
+/** A note comes first in its file. */
+const HEAD = 1 << 16;
+/** Of the length that the times lie in. */
+const EVEN = 1e-9;
+
+export interface ExportNote {
+  /** On the timeline of the keys; null where they are not said. */
+  times: number[] | null;
+}
+
+const evenly = (count: number, first: number, last: number): number[] =>
+  Array.from({ length: count }, (_, i) => (i === count - 1 ? last : first + ((last - first) * i) / (count - 1)));
+
+function timesText(times: readonly number[]): string | null {
+  const [first, last] = [times[0]!, times.at(-1)!];
+  const even = evenly(times.length, first, last);
+  if (times.length > 2 && times.every((t, i) => Math.abs(t - even[i]!) <= EVEN * Math.abs(last - first)))
+    return `frames ${times.length} from ${first} to ${last}`;
+  return times.length > 0 && times.length <= MOST_LISTED ? `times ${times.join(' ')}` : null;
+}
+
+/** The same file with the note; `times`: of its frames, none where it has none. */
+export function withNote(format: string, bytes: Uint8Array, times: readonly number[]): Uint8Array {
+  if (format !== 'obj' && format !== 'ply') return bytes;
+  const said = timesText(times);
+  const start = format === 'obj' ? '# ' : 'comment ';
+  const note = new TextEncoder().encode(
+    [MARK, ...(said === null ? [] : [said])].map((line) => `${start}${line}\n`).join(''),
+  );
+  const at = format === 'obj' ? 0 : endOfLine(bytes, endOfLine(bytes, 0)); // a PLY begins with its mark and format
+  const result = new Uint8Array(bytes.length + note.length);
+  result.set(bytes.subarray(0, at));
+  result.set(note, at);
+  result.set(bytes.subarray(at), at + note.length);
+  return result;
+}
+
+const endOfLine = (bytes: Uint8Array, from: number): number => bytes.indexOf(10, from) + 1;
+
+/** null where a file has no note of ours. */
+export function readNote(bytes: Uint8Array): ExportNote | null {
+  const lines = new TextDecoder()
+    .decode(bytes.subarray(0, HEAD))
+    .split('\n')
+    .flatMap((line) => /^(?:#|comment) (.*?)\r?$/.exec(line)?.[1] ?? []);
+  if (!lines.includes(MARK)) return null;
+  const listed = lines.find((line) => line.startsWith('times '));
+  const even = lines.map((line) => /^frames (\d+) from (\S+) to (\S+)$/.exec(line)).find((match) => match !== null);
+  const times = listed
+    ? listed.split(' ').slice(1).map(Number)
+    : even && Number(even[1]) <= MOST_EVEN
+      ? evenly(Number(even[1]), Number(even[2]), Number(even[3]))
+      : null;
+  return { times: times?.every(Number.isFinite) ? times : null };
+}
+
+/** More frames than an export has. */
+const MOST_EVEN = 100_000;
