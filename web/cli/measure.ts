@@ -77,7 +77,7 @@ async function readTruth(
 ): Promise<Truth> {
   const { up, unit, objects, animation } = importOptions(args);
   const input = await readInputs(files);
-  const like = { like: keys.info.faces, likePose: keys.positions(0) };
+  const like = { like: keys.info.faces, likePose: keys.positions(0), offset: keys.info.offset };
   const { info } = await engine
     .importKeyframes(input, { up, unit, objects, animation, ...like })
     .catch((error: unknown) => {

@@ -5,7 +5,7 @@
  */
 import { SHAPES } from '../api/option-table.ts';
 import { checkSequenceOptions } from '../api/options.ts';
-import type { SequenceOptions } from '../api/types.ts';
+import type { Point, SequenceOptions } from '../api/types.ts';
 
 const VERSION = 1;
 
@@ -24,17 +24,27 @@ export interface ProjectMesh {
   error: number | null;
 }
 
-/**
- * JSON holds shapes as base64 of little-endian float32. `speed`: how many times faster than its keys' times say the
- * animation plays.
- */
-export function writeProject(keys: ProjectKeys, options: SequenceOptions, mesh: ProjectMesh, speed = 1): string {
+export interface ProjectPlace {
+  /** How many times faster than its keys' times say the animation plays. */
+  speed: number;
+  /** That positions, of shapes among the options as well, are relative to. */
+  offset: Point;
+}
+
+/** JSON holds shapes as base64 of little-endian float32. */
+export function writeProject(
+  keys: ProjectKeys,
+  options: SequenceOptions,
+  mesh: ProjectMesh,
+  { speed, offset }: ProjectPlace = { speed: 1, offset: [0, 0, 0] },
+): string {
   const shapes = SHAPES.map((name) => [name, options[name] && toBase64(options[name])]);
   return JSON.stringify({
     version: VERSION,
     keys,
     mesh,
     speed,
+    ...(offset.some((value) => value !== 0) && { offset }),
     options: { ...options, ...Object.fromEntries(shapes) },
   });
 }
