@@ -123,7 +123,9 @@ describe('a shape far from the origin', () => {
     }));
     const { info } = await engine.importKeyframes(stored);
     const warning = info.warnings.find(({ code }) => code === 'rounded-positions');
-    expect(warning?.message).toMatch(/^0\.glb \(key 1\) stores positions .* by up to 0\.2[5-9]\d* \(\d+\.?\d* % of its size\)/);
+    expect(warning?.message).toMatch(
+      /^0\.glb \(key 1\) stores positions .* by up to 0\.2[5-9]\d* \(\d+\.?\d* % of its size\)/,
+    );
   });
 });
 
