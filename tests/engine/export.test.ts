@@ -337,7 +337,7 @@ describe('an animated GLB', () => {
   });
 
   it('in place has no motion of the whole', async () => {
-    const centre = (positions: Float32Array): number =>
+    const centre = (positions: Float64Array): number =>
       positions.reduce((sum, value, i) => (i % 3 === 1 ? sum + value : sum), 0);
     const keys = bend.keys.arrange([0, 0], [0, 1]);
     const lifted = keys.withPose(

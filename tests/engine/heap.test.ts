@@ -48,12 +48,13 @@ describe('the heap', () => {
       name: '',
       targetNames: [],
       compression: 'none' as const,
-      diagonal: 1,
+      offset: [0, 0, 0] as const,
     };
     const cycle = (): void => {
       core.importKeys(files, IMPORT_DEFAULTS);
       expect(() => core.importKeys(bad, IMPORT_DEFAULTS)).toThrow(EngineError);
-      core.writePose({ format: 'ply', faces: mesh.indices, scene, pose, library: { file: '', names: [] } });
+      const alone = { library: { file: '', names: [] }, offset: [1, 2, 3] as const, local: false };
+      core.writePose({ format: 'ply', faces: mesh.indices, scene, pose, ...alone });
       core.writeAnimation([pose, pose], { ...animation, faces: mesh.indices, scene });
       core.principalOffsets({ frames: [pose.positions, pose.normals], tolerance: 0, most: 2 });
     };

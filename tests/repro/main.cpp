@@ -16,7 +16,7 @@ bool writePose(const fs::path& path, const Positions& positions, const std::vect
   std::vector<float> xyz;
   for (const Vec3& p : positions)
     for (const double x : p) xyz.push_back(static_cast<float>(x));
-  const std::vector<std::uint8_t> bytes = writeObj(xyz, faces, {});
+  const std::vector<std::uint8_t> bytes = *writeObj(xyz, faces, {});
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   return file.flush().good();

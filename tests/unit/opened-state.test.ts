@@ -1,6 +1,10 @@
 /** What is shown first of what was opened. */
 import { expect, it } from 'vitest';
-import { ofFiles } from '../../web/app/sources/opened-state.ts';
+import { PosePool } from '../../web/app/session/pose-pool.ts';
+import { ofFiles, restored } from '../../web/app/sources/opened-state.ts';
+import { KeysHandle } from '../../web/engine/caller/keyframes.ts';
+import type { KeyData } from '../../web/engine/wire/protocol.ts';
+import type { Remembered } from '../../web/app/kept/project-shelf.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
 const animations = [
@@ -18,4 +22,18 @@ it('moments of an animation are held where they rest; poses, projects and two ke
   expect([hold(8, 0), hold(8, 1), hold(3, 0)]).toEqual(['contact', 'contact', 'contact']);
   // An animation of morph targets whose keys are these poses, poses without any, a project, and two moments.
   expect([hold(4, 1), hold(8, -1), hold(8, 0, {}), hold(2, 0)]).toEqual(['off', 'off', 'off', 'off']);
+});
+
+it.each([
+  ['of an earlier version, which knew no offset', undefined, [1001, 2, -497]],
+  ['kept with another offset', [992, 0, -496], [9, 2, -1]],
+  ['kept with the same offset', [1000, 0, -500], [1, 2, 3]],
+] as const)('a pose that was added to far files stays where it was: %s', (_, offset, kept) => {
+  const info = { names: ['a', 'b'], times: [0, 1], offset: [1000, 0, -500] };
+  const files = { info, positions: [new Float32Array(3), new Float32Array(3)], normals: null };
+  const pool = new PosePool(new KeysHandle(files as unknown as KeyData));
+  const state = { doc: docOfKeys(keyRef(0, 'a', 0), keyRef(2, 'added', 1)) };
+  const poses = [{ name: 'added', positions: Float32Array.from(kept) }];
+  restored({ poses, ...(offset && { offset }), state } as unknown as Remembered, pool);
+  expect([...pool.keys.positions(2)]).toEqual([1, 2, 3]);
 });

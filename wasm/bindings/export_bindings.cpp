@@ -16,16 +16,17 @@ Json keepBytes(Bytes bytes) {
 }
 
 Result<Bytes> writePose(const std::string& format, std::span<const float> positions, std::span<const float> normals,
-                        const std::vector<Triangle>& faces, const Scene& scene, const MaterialLibrary& library) {
-  if (format == "obj") return writeObj(positions, faces, scene, normals, library);
-  if (format == "ply") return writePly(positions, faces);
-  return writePoseGlb(positions, normals, faces, scene);
+                        const std::vector<Triangle>& faces, const Scene& scene, const MaterialLibrary& library,
+                        const MeshOffset& offset) {
+  if (format == "obj") return writeObj(positions, faces, scene, normals, library, offset);
+  if (format == "ply") return writePly(positions, faces, offset);
+  return writePoseGlb(positions, normals, faces, scene, offset.value);
 }
 
 }  // namespace
 
-/// {faces, scene, vertices, seconds, stills, weights, project, name, targetNames} -> {handle, bytes}; asks JavaScript
-/// for one frame after the other.
+/// {faces, scene, vertices, seconds, stills, weights, project, offset, name, targetNames} -> {handle, bytes}; asks
+/// JavaScript for one frame after the other.
 EXPORT const char* shapespline_write_animation(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
@@ -40,6 +41,7 @@ EXPORT const char* shapespline_write_animation(const char* request) {
     const auto weights = elements<float>(json.at("weights"));
     source.weights.assign(weights.begin(), weights.end());
     source.project = json.at("project");
+    source.offset = vec3From(json.at("offset"));
     source.name = json.at("name");
     source.targetNames = json.at("targetNames").get<std::vector<std::string>>();
     source.frame = [&](int frame, std::vector<float>& positions, std::vector<float>& normals) -> Status {
@@ -66,14 +68,16 @@ EXPORT const char* shapespline_animation_size(const char* request) {
   });
 }
 
-/// {format: 'glb' | 'obj' | 'ply', positions, normals, faces, scene, library: {file, names}} -> {handle, bytes}.
+/// {format: 'glb' | 'obj' | 'ply', positions, normals, faces, scene, library: {file, names}, offset, local} ->
+/// {handle, bytes}. `local`: an OBJ names the offset instead of adding it.
 EXPORT const char* shapespline_write_pose(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
     const auto faces = trianglesFrom(elements<std::int32_t>(json.at("faces")));
     const MaterialLibrary library{json.at("library").at("file"), json.at("library").at("names")};
-    Result<Bytes> bytes = writePose(json.at("format"), elements<float>(json.at("positions")),
-                                    elements<float>(json.at("normals")), faces, sceneFrom(json.at("scene")), library);
+    Result<Bytes> bytes =
+        writePose(json.at("format"), elements<float>(json.at("positions")), elements<float>(json.at("normals")), faces,
+                  sceneFrom(json.at("scene")), library, {vec3From(json.at("offset")), !json.at("local").get<bool>()});
     if (!bytes) return bytes.error();
     return keepBytes(std::move(*bytes));
   });

@@ -33,6 +33,7 @@ Json describe(const ImportObject& object) {
           {"animations", toJson(import.animations)},
           {"animation", import.animation},
           {"objects", import.objects},
+          {"offset", {import.offset.x(), import.offset.y(), import.offset.z()}},
           {"project", import.project}};
 }
 

@@ -91,8 +91,7 @@ Pin pinFrom(const Json& json) {
   if (json.contains("stay")) pin.key = json.at("stay");
   if (!json.contains("path")) return pin;
   for (const Json& key : json.at("path")) {
-    const auto move = key.at("move").get<std::vector<double>>();
-    pin.path.push_back({key.at("time"), Vec3(move.at(0), move.at(1), move.at(2))});
+    pin.path.push_back({key.at("time"), vec3From(key.at("move"))});
   }
   return pin;
 }
@@ -106,6 +105,8 @@ Positions positionsFrom(std::span<const float> numbers) {
   }
   return positions;
 }
+
+Vec3 vec3From(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
 std::vector<float> floatsFrom(const Positions& positions) {
   std::vector<float> numbers;
@@ -179,6 +180,7 @@ ImportOptions importOptionsFrom(const Json& json) {
   options.unit = json.at("unit");
   options.like = trianglesFrom(elements<std::int32_t>(json.at("like")));
   options.likePose = positionsFrom(elements<float>(json.at("likePose")));
+  if (!json.at("offset").is_null()) options.offset = vec3From(json.at("offset"));
   options.objects = json.at("objects").get<std::vector<std::string>>();
   return options;
 }

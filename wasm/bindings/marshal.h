@@ -37,6 +37,7 @@ std::span<const T> elements(const Json& json) {
 }
 
 Positions positionsFrom(std::span<const float> numbers);
+Vec3 vec3From(const Json& json);  ///< of three numbers
 std::vector<float> floatsFrom(const Positions& positions);
 std::vector<Triangle> trianglesFrom(std::span<const std::int32_t> indices);
 

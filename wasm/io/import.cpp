@@ -9,6 +9,7 @@
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
 #include "io/base/sample_times.h"
+#include "io/far_offset.h"
 #include "io/file_kind.h"
 #include "io/frame_source.h"
 #include "io/gltf/gltf_reader.h"
@@ -186,12 +187,14 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   // The keys that are missing may be in what was left out.
   if (!read && read.error().code == ErrorCode::TooFewKeys && !found->others.empty()) return found->others[0];
   if (!read) return read;
+  if (Status local = subtractOffset(*read, options); !local) return withFile(local.error(), meshes, read->keyframes);
   auto keys = likeTheMesh(std::move(*read), options);
   if (!keys) return keys;
   warnOfOthers(found->others, keys->warnings);
   checkOrientation(meshes, options, keys->warnings);
   if (Status times = setTimes(keys->keyframes, options.keyTimes); !times) return times.error();
   if (Status valid = validate(keys->keyframes); !valid) return withFile(valid.error(), meshes, keys->keyframes);
+  warnOfRounding(*keys);
   return keys;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/format.h"
 #include "core/mesh/mesh.h"
 #include "io/base/byte_text.h"
+#include "io/base/stored_rounding.h"
 #include "io/cache/point_cache.h"
 #include "io/frame_source.h"
 #include "io/gltf/gltf_reader.h"
@@ -24,6 +25,12 @@ bool sameKeys(const Keyframes& a, const Keyframes& b) {
 }
 
 using Axes = Mat3;
+
+Positions movedBy(const Vec3& way, Positions positions) {
+  if (way == Vec3::Zero()) return positions;
+  for (Vec3& p : positions) p += way;
+  return positions;
+}
 
 // In which axes the cache shows the mesh: programs write them as they are, or with y and z exchanged.
 Axes axesOf(const PointCache& cache, const Positions& mesh) {
@@ -62,6 +69,7 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, std::span<c
       out = std::move(*import);
       continue;
     }
+    out->noteRounding(import->rounding, where);
     if (sameKeys(first, import->keyframes)) {
       ++repeated;
       continue;
@@ -88,16 +96,18 @@ Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedF
                             const StageProgress& progress) {
   Import out;
   PoseReader reader{files, options};
-  auto mesh = reader.read(meshes[0], placeName(*meshes[0].file, 0, meshes.size()));
+  const std::string first = placeName(*meshes[0].file, 0, meshes.size());
+  auto mesh = reader.read(meshes[0], first);
   if (!mesh) return atKey(mesh.error(), 0);
   const bool writtenZUp = mesh->writtenZUp;
-  if (Status added = addPose(std::move(*mesh), "mesh", out, ""); !added) return added.error();
+  if (Status added = addPose(std::move(*mesh), "mesh", out, first); !added) return added.error();
   hintAtUpAxis(meshes[0].kind, writtenZUp, options, std::string(baseName(meshes[0].file->name)), out);
   const auto n = out.keyframes.vertexCount();
   const auto frame = [&](std::size_t index) -> Result<Positions> {
     const std::string where = placeName(*meshes[index].file, static_cast<int>(index), meshes.size());
     auto pose = reader.read(meshes[index], where);
     if (!pose) return pose.error();
+    out.noteRounding(pose->rounding, where);
     const std::size_t count = pose->positions.size();
     Import one;
     one.keyframes = {out.keyframes.faces, {out.keyframes.keys[0]}, {}};
@@ -136,17 +146,20 @@ Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, std::spa
                      " vertices. Export both from the same object, with the same modifiers."};
   Import out;
   const bool writtenZUp = pose->writtenZUp;
+  const Vec3 offset = pose->offset;
   if (Status added = addPose(std::move(*pose), "mesh", out, where); !added) return added.error();
   hintAtUpAxis(mesh.kind, writtenZUp, options, where, out);
-  const Axes axes = axesOf(*cache, out.keyframes.keys[0].positions);
+  out.rounding = 0;  // of the mesh itself, of which only the faces are taken
+  const Axes axes = axesOf(*cache, movedBy(-offset, out.keyframes.keys[0].positions));
   const bool own = axes == Axes::Identity();
   const auto frame = [&](std::size_t index) -> Result<Positions> {
     Positions positions = cache->frame(index);
+    out.noteRounding(options.unit * storedRounding(positions), place);
     // In axes of its own it is seen as the mesh lies now, else it goes with the mesh.
     if (own) orient(positions, options.zUp, options.unit);
     else
       for (Vec3& p : positions) p = axes * p;
-    return positions;
+    return movedBy(offset, std::move(positions));
   };
   const FrameSource source{keyName(*moves.file), cache->seconds, frame};
   if (Status sampled = sampleFrames(source, options, place, out, progress); !sampled) return sampled.error();

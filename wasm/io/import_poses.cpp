@@ -109,6 +109,7 @@ Error atKey(Error error, int key) {
 
 // Of the poses after the first only one is held beside the keys.
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where) {
+  out.noteRounding(pose.rounding, where);
   if (out.keyframes.keyCount() > 0)
     return hintAtObjects(KeyJoiner(out).add(pose.faces, {{std::move(name), 0, std::move(pose.positions)}}, where),
                          pose.objects, out.objects);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/base/objects.h"
+#include "io/base/stored_rounding.h"
 #include "io/polygon/polygon_readers.h"
 
 namespace shapespline {
@@ -26,6 +27,9 @@ Result<PoseFile> PoseReader::read(const MeshFile& mesh, const std::string& where
   if (mesh.kind == FileKind::Gltf) return readGltfPose(*mesh.file, files, options, where, onProgress);
   auto polygons = readPolygons(mesh, files, options, where, partOf(onProgress, 0, 0.8));
   if (!polygons) return polygons.error();
+  const double rounding = options.unit * storedRounding(polygons->positions);
+  if (polygons->offset != Vec3::Zero())
+    for (Vec3& p : polygons->positions) p += polygons->offset;
   orient(polygons->positions, options.zUp, options.unit);
   orient(polygons->normals, options.zUp, 1);
   if (!cuts) cuts = options.like.empty() ? cutPolygons(*polygons) : cutPolygonsLike(*polygons, options.like);
@@ -42,6 +46,10 @@ Result<PoseFile> PoseReader::read(const MeshFile& mesh, const std::string& where
   pose.warnings = std::move(polygons->warnings);
   pose.objects = std::move(polygons->objects);
   pose.writtenZUp = polygons->writtenZUp;
+  Positions offset = {polygons->offset};
+  orient(offset, options.zUp, options.unit);
+  pose.offset = offset[0];
+  pose.rounding = rounding;
   return pose;
 }
 

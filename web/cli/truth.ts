@@ -46,7 +46,7 @@ export async function readTruth(
   const note = noteIn(input);
   const lies = note ? {} : { up: given.up, unit: given.unit };
   const { objects, animation } = given;
-  const like = { like: keys.info.faces, likePose: keys.positions(0) };
+  const like = { like: keys.info.faces, likePose: keys.positions(0), offset: keys.info.offset };
   const options: ImportOptions = { ...lies, ...own, objects, animation, ...like };
   const read = (change: ImportOptions, call?: CallOptions): Promise<Keys> =>
     engine.importKeyframes(input, { ...options, ...change }, call).catch((error: unknown) => {

@@ -1,21 +1,36 @@
 /** How files are read that do not say it themselves: which of their axes is up, and how long a unit is in metres. */
-import type { ImportOptions } from '../engine/api/types.ts';
+import type { ImportOptions, Point } from '../engine/api/types.ts';
 
 export type Orientation = Required<Pick<ImportOptions, 'up' | 'unit'>>;
 
-/** Positions that were read in one way, as if they had been read in another. */
-export function reoriented(positions: Float32Array, from: Orientation, to: Orientation): Float32Array {
+const NOWHERE: Point = [0, 0, 0];
+
+/**
+ * Positions that were read in one way, as if they had been read in another; `offsets`: that they are and will be
+ * relative to.
+ */
+export function reoriented(
+  positions: Float32Array,
+  from: Orientation,
+  to: Orientation,
+  [before, after]: readonly [Point, Point] = [NOWHERE, NOWHERE],
+): Float32Array {
   const scale = to.unit / from.unit;
   // From files with z up, (x, y, z) becomes (x, z, -y).
   const turn = Number(to.up === 'z') - Number(from.up === 'z');
   const turned = new Float32Array(positions.length);
   for (let i = 0; i + 2 < positions.length; i += 3) {
-    const [y, z] = [positions[i + 1]!, positions[i + 2]!];
-    turned[i] = scale * positions[i]!;
-    turned[i + 1] = scale * (turn === 0 ? y : turn * z);
-    turned[i + 2] = scale * (turn === 0 ? z : -turn * y);
+    const [y, z] = [positions[i + 1]! + before[1], positions[i + 2]! + before[2]];
+    turned[i] = scale * (positions[i]! + before[0]) - after[0];
+    turned[i + 1] = scale * (turn === 0 ? y : turn * z) - after[1];
+    turned[i + 2] = scale * (turn === 0 ? z : -turn * y) - after[2];
   }
   return turned;
+}
+
+/** Positions relative to one offset, as they are relative to another. */
+export function relativeTo(positions: Float32Array, before: Point, after: Point): Float32Array {
+  return positions.map((value, i) => value + (before[i % 3]! - after[i % 3]!));
 }
 
 /** What was done, as undo names it. */

@@ -6,7 +6,8 @@ export interface Player {
   duration: number;
   /** Times of the weight animation's key frames, in seconds. */
   times: number[];
-  positionsAt(seconds: number): Float32Array;
+  /** In double precision, as nodes may stand far away. */
+  positionsAt(seconds: number): Float64Array;
 }
 
 /** Images cannot be decoded in Node; they matter nothing here. */
@@ -44,12 +45,12 @@ export async function threePlayer(bytes: Uint8Array): Promise<Player> {
   action.clampWhenFinished = true;
   action.play();
   const size = Math.max(...meshes.map((mesh) => 1 + Math.max(...numbersOf(mesh))));
-  const positionsAt = (seconds: number): Float32Array => {
+  const positionsAt = (seconds: number): Float64Array => {
     action.reset();
     mixer.setTime(seconds);
     scene.updateMatrixWorld(true);
     const point = new Vector3();
-    const result = new Float32Array(3 * size).fill(NaN);
+    const result = new Float64Array(3 * size).fill(NaN);
     for (const mesh of meshes) {
       for (const [i, vertex] of numbersOf(mesh).entries()) {
         mesh

@@ -6,6 +6,7 @@
 
 #include "core/base/format.h"
 #include "core/sequence/build_progress.h"
+#include "core/sequence/uneven_times.h"
 
 namespace shapespline {
 
@@ -43,7 +44,16 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
   auto fitted = Motion::fit(*encoded, std::move(times), motion);
   if (!fitted) return fitted.error();
   report("factorising", 1);
-  return Sequence(std::move(*encoded), std::move(*fitted));
+  Sequence sequence(std::move(*encoded), std::move(*fitted));
+  sequence.collectWarnings();
+  return sequence;
+}
+
+void Sequence::collectWarnings() {
+  warnings_ = motion_.warnings();
+  const auto shapeAt = [this](double t, Positions& shape) { return evaluate(t, shape); };
+  const std::vector<Warning> uneven = unevenTimesWarnings(encoded_, motion_, shapeAt);
+  warnings_.insert(warnings_.end(), uneven.begin(), uneven.end());
 }
 
 Status Sequence::update(const MotionOptions& options, const std::vector<double>& keyTimes) {
@@ -51,6 +61,7 @@ Status Sequence::update(const MotionOptions& options, const std::vector<double>&
   if (!motion) return motion.error();
   motion_ = std::move(*motion);
   sliding_.reset();
+  collectWarnings();
   return {};
 }
 

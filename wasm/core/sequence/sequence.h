@@ -65,7 +65,8 @@ class Sequence {
   /// Of the input.
   const std::vector<Triangle>& faces() const { return encoded_.input().faces; }
   SequenceStats stats() const { return {encoded_.stats(), evaluator_.stats()}; }
-  const std::vector<Warning>& warnings() const { return motion_.warnings(); }
+  /// Of the shape and the motion, and where its times carry it far from its keys (uneven_times.h).
+  const std::vector<Warning>& warnings() const { return warnings_; }
 
   /// First and last time at which the curve is defined by keys (for periodic: one whole period).
   std::pair<double, double> range() const { return motion_.range(); }
@@ -95,11 +96,13 @@ class Sequence {
  private:
   Sequence(EncodedShape encoded, Motion motion) : encoded_(std::move(encoded)), motion_(std::move(motion)) {}
   Status preparePreview();
+  void collectWarnings();
   FeatureCurve featureCurve();
 
   EncodedShape encoded_;
   Motion motion_;
   Evaluator evaluator_;
+  std::vector<Warning> warnings_;
   // Made when they are first asked for.
   std::optional<PreviewEmbedding> preview_;
   Eigen::MatrixXd gram_;

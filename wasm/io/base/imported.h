@@ -1,6 +1,7 @@
 // What an import is asked for, and what it gives: keyframes and the scene around them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,6 +27,7 @@ struct ImportOptions {
   /// in its vertices where the pose is given.
   std::vector<Triangle> like;
   Positions likePose;
+  std::optional<Vec3> offset;        ///< subtracted from all positions (far_offset.h); default: as it is needed
   std::vector<std::string> objects;  ///< the objects of each file that are taken; empty for all of them
 
   bool animationAsked() const {
@@ -46,6 +48,15 @@ struct Import {
   int animation = -1;                ///< which one the keys were taken from
   std::vector<std::string> objects;  ///< names of what may be left out: those of the first file, each once
   std::vector<Warning> warnings;
+  /// What was subtracted from all positions in double, in metres with Y up: position + offset is where a vertex lies.
+  /// From a reader: what a saved project says of it.
+  Vec3 offset = Vec3::Zero();
+  double rounding = 0;    ///< how far single precision may have moved the positions that the files store, in metres
+  std::string roundedIn;  ///< the file where that is most, as messages call it
+
+  void noteRounding(double distance, const std::string& where) {
+    if (distance > rounding) rounding = distance, roundedIn = where;
+  }
   /// JSON of extras.shapespline where the keys were taken from a saved project, else empty.
   std::string project;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "io/base/stored_rounding.h"
 #include "io/gltf/gltf_accessor.h"
 
 namespace shapespline {
@@ -128,6 +129,21 @@ Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape,
     normals->insert(normals->end(), turned.begin(), turned.end());
   }
   return out;
+}
+
+double storedRounding(const GltfShape& shape, const SceneState& state) {
+  const auto world = worldTransforms(shape.graph, state.local);
+  const auto scaleOf = [](const Eigen::Affine3d& m) { return m.linear().colwise().norm().maxCoeff(); };
+  std::vector<Matrices> ofSkins(shape.skins.size());
+  double largest = 0;
+  for (const GltfPart& part : shape.parts) {
+    const PartTransforms transforms = partTransforms(part, shape, world, ofSkins);
+    largest = std::max(largest, storedRounding(part.positions) * scaleOf(transforms.matrices[0]));
+  }
+  for (const GltfSkin& skin : shape.skins)
+    for (std::size_t j = 0; j < skin.joints.size(); ++j)
+      largest = std::max(largest, storedRounding({skin.inverseBind[j].translation()}) * scaleOf(world[skin.joints[j]]));
+  return largest;
 }
 
 }  // namespace shapespline

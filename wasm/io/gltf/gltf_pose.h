@@ -22,4 +22,7 @@ SceneState restState(const GltfDocument& doc, const GltfShape& shape);
 Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state,
                                 Positions* normals = nullptr, const FractionReport& onProgress = {});
 
+/// How far single precision may have moved what the file stores: vertices, and where skins bind them.
+double storedRounding(const GltfShape& shape, const SceneState& state);
+
 }  // namespace shapespline

@@ -150,6 +150,7 @@ struct KeyReader {
       if (Status added = addKey(key.name, key.time, state, project.keys.size(), animation); !added) return added;
     }
     out.project = doc.project;
+    out.offset = project.offset;
     return {};
   }
 
@@ -222,6 +223,7 @@ struct KeyReader {
     animations = std::move(*read);
     out.animations = infosOf(animations);
     if (Status keys = takeKeys(); !keys) return keys;
+    out.noteRounding(storedRounding(shape, restState(doc, shape)), doc.where);
     out.objects = std::move(shape.objects);
     out.scene = readLook(doc, shape);
     out.keyframes.faces = std::move(shape.faces);
@@ -250,6 +252,7 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   auto positions = posedVertices(*doc, *shape, rest, &out.normals, partOf(onProgress, 0.6, 1));
   if (!positions) return positions.error();
   out.positions = std::move(*positions);
+  out.rounding = storedRounding(*shape, rest);
   out.animations = animationsOf(*doc, *shape);
   out.skinned = std::any_of(shape->parts.begin(), shape->parts.end(), [](auto& part) { return part.influences > 0; });
   out.objects = std::move(shape->objects);

@@ -25,6 +25,8 @@ struct PoseFile {
   std::vector<AnimationInfo> animations;  ///< of the file's own, which the pose does not show
   bool skinned = false;                   ///< bones pose it
   bool writtenZUp = false;                ///< its program writes this format with z up
+  Vec3 offset = Vec3::Zero();             ///< that the file says its numbers are relative to; the positions include it
+  double rounding = 0;                    ///< as Import::rounding
 };
 
 /// The scene as the file itself poses it. `where` is how messages call the file.

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/base/format.h"
+#include "io/base/finite_shape.h"
 #include "io/base/limits.h"
 #include "io/gltf/glb_builder.h"
 #include "io/gltf/gltf_mesh_writer.h"
@@ -55,16 +56,6 @@ void makeUnit(std::vector<float>& normals) {
     normals[i + 1] = usable ? static_cast<float>(y / length) : 0;
     normals[i + 2] = usable ? static_cast<float>(z / length) : 1;
   }
-}
-
-Status checkFinite(std::span<const float> values, int frame) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
-      return Error{ErrorCode::NotFinite,
-                   "Frame " + std::to_string(frame) + " has a vertex that is not finite (" +
-                       grouped(std::int64_t(i / 3)) + "). Choose a range closer to the keys.",
-                   frame, static_cast<int>(i / 3)};
-  return {};
 }
 
 struct AnimationWriter {
@@ -234,6 +225,7 @@ struct AnimationWriter {
     glb.doc["meshes"].push_back(addMesh());
     json node = {{"mesh", 0}};
     if (!source.name.empty()) node["name"] = source.name;
+    if (source.offset != Vec3::Zero()) node["translation"] = {source.offset.x(), source.offset.y(), source.offset.z()};
     glb.doc["nodes"].push_back(std::move(node));
     glb.doc["scenes"] = {{{"nodes", {0}}}};
     glb.doc["scene"] = 0;
@@ -284,8 +276,10 @@ GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int fr
 }
 
 Result<std::vector<std::uint8_t>> writePoseGlb(std::span<const float> positions, std::span<const float> normals,
-                                               const std::vector<Triangle>& faces, const Scene& scene) {
+                                               const std::vector<Triangle>& faces, const Scene& scene,
+                                               const Vec3& offset) {
   AnimationSource source;
+  source.offset = offset;
   source.faces = &faces;
   source.scene = &scene;
   source.seconds = {0};

@@ -30,6 +30,7 @@ struct AnimationSource {
   /// "keys": {"times": [...], "names": [...], "frames": [...]}, frames counted as above ("seconds" on this timeline do
   /// as well where all keys are played), and hands the whole back.
   std::string project{};
+  Vec3 offset = Vec3::Zero();              ///< of all positions: becomes the node's translation
   std::string name{};                      ///< of the node and its mesh, or empty
   std::vector<std::string> targetNames{};  ///< of every frame but the first, or empty
 
@@ -54,8 +55,9 @@ struct GlbSize {
 /// `frames` counts stills too.
 GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int frames, const Scene& scene);
 
-/// One pose. positions: 3n; normals: 3n or empty.
+/// One pose. positions: 3n; normals: 3n or empty; offset: as of an animation.
 Result<std::vector<std::uint8_t>> writePoseGlb(std::span<const float> positions, std::span<const float> normals,
-                                               const std::vector<Triangle>& faces, const Scene& scene);
+                                               const std::vector<Triangle>& faces, const Scene& scene,
+                                               const Vec3& offset = Vec3::Zero());
 
 }  // namespace shapespline

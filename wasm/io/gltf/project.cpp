@@ -46,6 +46,9 @@ Result<Project> parseProject(const std::string& text, int morphTargets, bool ani
   if (!frames && !seconds) return ignored("it does not say which frames are its keys");
 
   Project project;
+  if (const json* offset = list(document, "offset", 3, isNumber))
+    for (int c = 0; c < 3; ++c) project.offset[c] = (*offset)[c].get<double>();
+  if (!project.offset.allFinite()) project.offset.setZero();
   for (std::size_t k = 0; k < count; ++k) {
     ProjectKey key;
     key.time = (*times)[k].get<double>();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/status.h"
+#include "core/base/types.h"
 
 namespace shapespline {
 
@@ -19,10 +20,12 @@ struct ProjectKey {
 /// The part of the project that import needs; the rest of the JSON (options) is handed on as it came.
 struct Project {
   std::vector<ProjectKey> keys;  ///< two or more, times increasing
+  Vec3 offset = Vec3::Zero();    ///< that its shapes were computed relative to (io/far_offset.h); finite
 };
 
-/// Reads {"keys": {"times": [...], "names": [...], "frames": [...], "seconds": [...]}, ...}: lists of one length. Names
-/// may be missing, and either frames or seconds. Error: MalformedFile with a sentence that works as a warning.
+/// Reads {"keys": {"times": [...], "names": [...], "frames": [...], "seconds": [...]}, "offset": [x, y, z], ...}: lists
+/// of one length. Names and the offset may be missing, and either frames or seconds. Error: MalformedFile with a
+/// sentence that works as a warning.
 Result<Project> parseProject(const std::string& json, int morphTargets, bool animated);
 
 }  // namespace shapespline

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
+
+#include "io/base/finite_shape.h"
 
 namespace shapespline {
 
@@ -23,7 +26,40 @@ struct TextSink {
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
     out.insert(out.end(), buffer, end);
   }
+
+  // With so many decimals at most: below 2^53 all digits are right. A table for doubles' shortest texts would be larger
+  // than all of this.
+  void decimal(double value, int decimals) {
+    const double scaled = std::round(std::abs(value) * std::pow(10.0, decimals));
+    if (scaled == 0) return text("0");
+    if (!(scaled < 0x1p63)) return number(static_cast<float>(value));
+    char digits[32];
+    char* end = std::to_chars(digits, digits + sizeof digits, static_cast<std::uint64_t>(scaled)).ptr;
+    if (value < 0) text("-");
+    if (end - digits <= decimals) {
+      text("0.");
+      for (auto zeros = decimals - (end - digits); zeros > 0; --zeros) text("0");
+      while (end > digits + 1 && end[-1] == '0') --end;
+      return text({digits, end});
+    }
+    char* const point = end - decimals;
+    while (end > point && end[-1] == '0') --end;
+    text({digits, point});
+    if (end > point) text("."), text({point, end});
+  }
 };
+
+// As many as tell numbers apart that differ by `step`, where doubles as large as `largest` still do.
+int decimalsFor(double step, double largest) {
+  const auto most = static_cast<int>(std::floor(std::log10(0x1p53 / largest)));
+  return std::max(0, step > 0 ? std::min(static_cast<int>(std::ceil(-std::log10(step))), most) : most);
+}
+
+double largestOf(std::span<const float> values) {
+  double largest = 0;
+  for (float value : values) largest = std::max<double>(largest, std::abs(value));
+  return largest;
+}
 
 template <class T>
 void appendBytes(std::vector<std::uint8_t>& out, T value) {
@@ -75,6 +111,30 @@ struct ObjWriter {
     }
   }
 
+  void positions(std::span<const float> values, const MeshOffset& offset) {
+    if (offset.value == Vec3::Zero() || !offset.added) return vectors("v", values);
+    const double local = largestOf(values);
+    int decimals[3];
+    for (int c = 0; c < 3; ++c) decimals[c] = decimalsFor(local * 0x1p-24, local + std::abs(offset.value[c]));
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
+      sink.text("v");
+      for (int c = 0; c < 3; ++c) {
+        sink.text(" ");
+        if (offset.value[c] == 0) sink.number(values[i + c]);
+        else sink.decimal(offset.value[c] + values[i + c], decimals[c]);
+      }
+      sink.text("\n");
+    }
+  }
+
+  void comment(const MeshOffset& offset) {
+    if (offset.value == Vec3::Zero() || offset.added) return;
+    sink.text("# Positions here and in the point cache are relative to this offset: add it to them.\n");
+    sink.text("# shapespline offset");
+    for (double value : offset.value) sink.text(" "), sink.decimal(value, decimalsFor(0, std::abs(value) + 1));
+    sink.text("\n");
+  }
+
   void coordinates() {
     for (std::size_t i = 0; i + 1 < scene.uvs.size(); i += 2) {
       sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" ");
@@ -119,9 +179,10 @@ struct ObjWriter {
     }
   }
 
-  void write(std::span<const float> positions, std::span<const float> normals) {
+  void write(std::span<const float> values, std::span<const float> normals, const MeshOffset& offset) {
+    comment(offset);
     if (!library.file.empty()) sink.text("mtllib "), sink.text(library.file), sink.text("\n");
-    vectors("v", positions);
+    positions(values, offset);
     coordinates();
     vectors("vn", normals);
     const std::span<const Triangle> drawn(hasSeams() ? scene.seams.faces : faces);
@@ -141,24 +202,35 @@ struct ObjWriter {
 
 }  // namespace
 
-std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
-                                   const Scene& scene, std::span<const float> normals, const MaterialLibrary& library) {
+Result<std::vector<std::uint8_t>> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
+                                           const Scene& scene, std::span<const float> normals,
+                                           const MaterialLibrary& library, const MeshOffset& offset) {
+  if (Status finite = checkFinite(positions, -1); !finite) return finite.error();
   std::vector<std::uint8_t> out;
   out.reserve(positions.size() * 12 + normals.size() * 12 + scene.uvs.size() * 12 + faces.size() * 45);
-  ObjWriter{{out}, faces, scene, library, !normals.empty()}.write(positions, normals);
+  ObjWriter{{out}, faces, scene, library, !normals.empty()}.write(positions, normals, offset);
   return out;
 }
 
-std::vector<std::uint8_t> writePly(std::span<const float> positions, const std::vector<Triangle>& faces) {
+Result<std::vector<std::uint8_t>> writePly(std::span<const float> positions, const std::vector<Triangle>& faces,
+                                           const MeshOffset& offset) {
+  if (Status finite = checkFinite(positions, -1); !finite) return finite.error();
+  const bool far = offset.value != Vec3::Zero();
+  const std::string_view type = far ? "double" : "float";
   std::vector<std::uint8_t> out;
-  out.reserve(300 + positions.size() * 4 + faces.size() * 13);
+  out.reserve(300 + positions.size() * (far ? 8 : 4) + faces.size() * 13);
   TextSink sink{out};
   sink.text("ply\nformat binary_little_endian 1.0\nelement vertex ");
   sink.number(positions.size() / 3);
-  sink.text("\nproperty float x\nproperty float y\nproperty float z\nelement face ");
+  for (std::string_view axis : {"x", "y", "z"})
+    sink.text("\nproperty "), sink.text(type), sink.text(" "), sink.text(axis);
+  sink.text("\nelement face ");
   sink.number(faces.size());
   sink.text("\nproperty list uchar int vertex_indices\nend_header\n");
-  for (float value : positions) appendBytes(out, value);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (far) appendBytes(out, offset.value[static_cast<int>(i % 3)] + positions[i]);
+    else appendBytes(out, positions[i]);
+  }
   for (const Triangle& face : faces) {
     out.push_back(3);
     for (int v : face) appendBytes(out, static_cast<std::int32_t>(v));

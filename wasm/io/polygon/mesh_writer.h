@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/status.h"
 #include "core/base/types.h"
 #include "io/base/scene.h"
 
@@ -17,12 +18,20 @@ struct MaterialLibrary {
   std::vector<std::string> names;  ///< of every material of the scene, without blanks
 };
 
+/// What the positions are relative to (io/far_offset.h).
+struct MeshOffset {
+  Vec3 value = Vec3::Zero();
+  bool added = true;  ///< to the numbers that are written; else an OBJ names it in a comment, which its reader knows
+};
+
 /// Of the scene: texture coordinates, polygons as they came in, materials where there is a library. Normals: 3n unit
-/// vectors, or empty.
-std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
-                                   const Scene& scene, std::span<const float> normals = {},
-                                   const MaterialLibrary& library = {});
-std::vector<std::uint8_t> writePly(std::span<const float> positions,
-                                   const std::vector<Triangle>& faces);  ///< binary little endian
+/// vectors, or empty. Error: NotFinite.
+Result<std::vector<std::uint8_t>> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
+                                           const Scene& scene, std::span<const float> normals = {},
+                                           const MaterialLibrary& library = {}, const MeshOffset& offset = {});
+
+/// Binary little endian; of double precision where there is an offset. Error: NotFinite.
+Result<std::vector<std::uint8_t>> writePly(std::span<const float> positions, const std::vector<Triangle>& faces,
+                                           const MeshOffset& offset = {});
 
 }  // namespace shapespline

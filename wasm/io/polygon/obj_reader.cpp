@@ -310,11 +310,20 @@ struct ObjReader {
     warnOfMaterials(found.error().message, mesh);
   }
 
+  // "# shapespline offset X Y Z" of an OBJ beside a point cache (mesh_writer.h).
+  void readComment(std::string_view text) {
+    Vec3 offset;
+    if (takeWord(text) != "shapespline" || takeWord(text) != "offset") return;
+    if (takeNumber(text, offset[0]) && takeNumber(text, offset[1]) && takeNumber(text, offset[2]) && offset.allFinite())
+      mesh.offset = offset;
+  }
+
   Status readLine(std::string_view text) {
     const std::string_view word = takeWord(text);
     double value;
     if (word == "v") return readVertex(text);
     if (word == "f") return readFace(text);
+    if (word == "#") readComment(text);
     if (word == "vt") {
       Coordinate coordinate{};
       for (int c = 0; c < 2 && takeNumber(text, value); ++c) coordinate[c] = static_cast<float>(value);

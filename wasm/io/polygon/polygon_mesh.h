@@ -21,6 +21,7 @@ struct PolygonMesh {
   Scene scene;                       ///< its groups count polygons
   std::vector<std::string> objects;  ///< names, each once
   bool writtenZUp = false;           ///< by a program whose files of this kind have z up
+  Vec3 offset = Vec3::Zero();        ///< that a comment says the positions are relative to
   std::vector<Warning> warnings;
 
   int polygonCount() const { return static_cast<int>(ends.size()); }

@@ -4,7 +4,7 @@
  */
 import { createStore, promisifyRequest } from 'idb-keyval';
 import type { Pose } from '../../engine/api/read-poses.ts';
-import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile, Point } from '../../engine/api/types.ts';
 import type { AppState } from '../../model/state.ts';
 
 /** What changes while files are open. */
@@ -12,6 +12,8 @@ export interface Changing {
   options: ImportOptions;
   /** Poses that are not of the files: taken from shapes, or from further files. */
   poses: Pose[];
+  /** That these are relative to; absent: nothing, as in earlier versions. */
+  offset?: Point;
   state: AppState;
 }
 
@@ -145,8 +147,9 @@ export function readProject(id: string): Promise<{ remembered: Remembered; versi
   return atomically(async (store) => {
     const [project, files] = [await projectOn(store, id), await stored(store, FILES + id)];
     if (!project || !files) return null;
-    const { options, poses, state, version } = project;
-    return { remembered: { files: files as InputFile[], options, poses, state }, version };
+    const { options, poses, offset, state, version } = project;
+    const place = offset && { offset };
+    return { remembered: { files: files as InputFile[], options, poses, ...place, state }, version };
   });
 }
 

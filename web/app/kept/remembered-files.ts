@@ -148,12 +148,12 @@ export function createRememberedFiles({
   const write = async (id: string): Promise<void> => {
     const work = currentWork(store, workspace);
     if (!work || own() !== id || dropped.has(id)) return;
-    const { files, options, poses, state } = work;
+    const { files, options, poses, offset, state } = work;
     const text = JSON.stringify(state);
     const before = kept.get(id);
     if (before?.files === files) {
       if (before.state === text && newest === id) return;
-      const version = await updateProject(id, before.version, { options, poses, state });
+      const version = await updateProject(id, before.version, { options, poses, offset, state });
       if (version !== null) {
         kept.set(id, { version, poses: poses.length, files, state: text });
         newest = id;
@@ -167,7 +167,7 @@ export function createRememberedFiles({
       }
       return;
     }
-    const version = await keepProject(id, { files, options, poses, state });
+    const version = await keepProject(id, { files, options, poses, offset, state });
     if (dropped.has(id)) return forgetProject(id);
     kept.set(id, { version, poses: poses.length, files, state: text });
     newest = id;

@@ -15,7 +15,8 @@ export function currentWork(store: Store, workspace: Workspace): Work | null {
     name: pool.keys.info.names[pose] ?? '',
     positions: pool.keys.positions(pose),
   }));
-  return { files: input, options, poses, state: store.get(), history: store.history() };
+  const { offset } = pool.keys.info;
+  return { files: input, options, poses, offset, state: store.get(), history: store.history() };
 }
 
 export function bytesOf({ files, poses }: Remembered): number {

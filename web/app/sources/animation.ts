@@ -74,7 +74,8 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
     read?.motion.dispose();
     read = null;
     const { vertices } = info.report;
-    const motion = await readReference(engine, input, animation, span, vertices, options, { signal });
+    const own = { ...options, offset: info.offset };
+    const motion = await readReference(engine, input, animation, span, vertices, own, { signal });
     read = { input, animation, motion };
     return motion;
   };
@@ -85,7 +86,8 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
   const readTruth = async (files: InputFile[], pool: PosePool, signal: AbortSignal): Promise<ReferenceMotion> => {
     const { up, unit, objects } = workspace.options;
     const { info } = pool.keys;
-    const options = { up, unit, objects, like: info.faces, likePose: pool.keys.positions(0) };
+    const like = { like: info.faces, likePose: pool.keys.positions(0), offset: info.offset };
+    const options = { up, unit, objects, ...like };
     const found = await engine.importKeyframes(files, options, { signal });
     const at = Math.max(found.info.animation, 0);
     const span = found.info.animations[at];

@@ -335,8 +335,11 @@ export function createOpenFiles({
       adjust(fresh, pool) {
         if (!present) return fresh;
         // Poses that are not of the files lie as they do.
-        for (let pose = present.imported + pool.count - pool.imported; pose < present.count; pose += 1)
-          pool.add(present.keys.info.names[pose] ?? '', reoriented(present.keys.positions(pose), before, orientation));
+        const offsets = [present.keys.info.offset, pool.keys.info.offset] as const;
+        for (let pose = present.imported + pool.count - pool.imported; pose < present.count; pose += 1) {
+          const positions = reoriented(present.keys.positions(pose), before, orientation, offsets);
+          pool.add(present.keys.info.names[pose] ?? '', positions);
+        }
         return doc;
       },
       link: null,

@@ -9,6 +9,7 @@ import type { Doc, Play, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { clampTime, length } from '../../model/time-scale.ts';
+import { relativeTo } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { Remembered } from '../kept/project-shelf.ts';
 import { motionRange } from '../session/motion-range.ts';
@@ -18,8 +19,9 @@ import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 
 /** The poses that are not of the files come back first: the document's keys name them by their place. */
-export function restored({ poses, state }: Remembered, pool: PosePool): Doc {
-  for (const { name, positions } of poses.slice(pool.count - pool.imported)) pool.add(name, positions);
+export function restored({ poses, offset = [0, 0, 0], state }: Remembered, pool: PosePool): Doc {
+  for (const { name, positions } of poses.slice(pool.count - pool.imported))
+    pool.add(name, relativeTo(positions, offset, pool.keys.info.offset));
   return keptDoc(state.doc);
 }
 

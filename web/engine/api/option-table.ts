@@ -67,6 +67,7 @@ interface Values {
   sample: number[] | number;
   /** 3 x faces. */
   faces: Uint32Array;
+  point: readonly [x: number, y: number, z: number];
   names: string[];
   text: string;
 }
@@ -433,6 +434,11 @@ export const IMPORT = {
   likePose: {
     kind: 'shape',
     help: 'positions of that mesh; the keys come in its vertices then, however the files split theirs',
+  },
+  /** Of keys that these poses belong to (`info.offset`); default: zero, or for shapes far from the origin their middle. */
+  offset: {
+    kind: 'point',
+    help: 'what is subtracted from all positions in double: of further poses, the offset of the keys; default: as needed',
   },
 } as const satisfies OptionTable;
 

@@ -128,6 +128,7 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   animation: (v) => (typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index"),
   sample,
   faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
+  point: (v) => (Array.isArray(v) && v.length === 3 && v.every(isNumber) ? null : 'must be three numbers'),
   names: (v) => (Array.isArray(v) && v.every((one) => typeof one === 'string') ? null : 'must be an array of names'),
   text: (v) =>
     typeof v === 'string' && v !== '' && v.length <= LONGEST_NAME && !/[/\\\p{C}]/u.test(v)

@@ -21,7 +21,7 @@ export async function readPoses(
   { up, unit, objects }: ImportOptions = {},
 ): Promise<Pose[]> {
   const file = fileName(files[0]?.name ?? 'The file');
-  const like = { like: keys.info.faces, likePose: keys.positions(0) };
+  const like = { like: keys.info.faces, likePose: keys.positions(0), offset: keys.info.offset };
   const { poses, count } = await importAny(engine, files, { up, unit, objects, ...like }).catch((error: unknown) => {
     if (!isMismatch(error)) throw error;
     // The core knows the pose by its name alone.

@@ -171,6 +171,8 @@ export interface Scene {
   images: TextureImage[];
 }
 
+export type Point = readonly [x: number, y: number, z: number];
+
 /** What an import found, with everything needed to list and draw its keys. */
 export interface KeysInfo {
   names: string[];
@@ -185,6 +187,11 @@ export interface KeysInfo {
   objects: string[];
   /** 3 x faces, of vertices. */
   faces: Uint32Array;
+  /**
+   * Where positions are relative to, in metres with y up: far from the origin they are kept near it, as single precision
+   * could not tell them apart. Exports add it.
+   */
+  offset: Point;
   scene: Scene;
   /** Options that a project file brought along; null for other files. */
   project: Partial<SequenceOptions> | null;

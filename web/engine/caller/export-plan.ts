@@ -4,7 +4,7 @@ import { EngineError, invalidOption } from '../api/errors.ts';
 import { MOST_FRAMES, USUAL_FRAMES } from '../api/option-table.ts';
 import { NO_PLACE } from '../api/types.ts';
 import { SAME_FRAME, frameCount, frameTimes } from '../api/whole-frames.ts';
-import type { ExportOptions, Warning } from '../api/types.ts';
+import type { ExportOptions, Point, Warning } from '../api/types.ts';
 
 /**
  * Bytes of one target at one vertex: three.js and Babylon.js hold position and normal as four floats each in a texture,
@@ -175,6 +175,18 @@ export function frameWarnings(
       count: off.length,
     },
   ];
+}
+
+/** What says where the vertices are, apart from the faces. */
+export const isPointCache = ({ format }: ExportOptions): boolean => format === 'pc2' || format === 'mdd';
+
+/** Single precision holds a cache near the origin only. */
+export function localWarnings(options: ExportOptions, offset: Point): Warning[] {
+  if (!isPointCache(options) || offset.every((value) => value === 0)) return [];
+  const message =
+    `Positions in the ${options.format.toUpperCase()} and the OBJ beside it are relative to ${offset.join(', ')} (y up). ` +
+    'Move the object there in the other program; opened here, both are put back.';
+  return [{ ...NO_PLACE, code: 'local-positions', message, count: 0 }];
 }
 
 /** `vertices`: of all primitives together. */

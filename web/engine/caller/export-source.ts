@@ -20,7 +20,7 @@ export interface ExportSource {
   options: SequenceOptions;
   range: readonly [number, number];
   /** What was planned last, and for what: planning may cost as much as exporting. */
-  planned: { latest: { for: string; frames: PlannedFrames } | null };
+  planned: { latest: { for: string; frames: PlannedFrames; rounding: number | null } | null };
   freshWorker(): WorkerClient;
   frame(t: number): Promise<Frame>;
   /** Of an animated GLB without its images: its bytes, and the vertices of its primitives. */

@@ -6,13 +6,14 @@ import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
 import { thereAndBack } from './bounce.ts';
 import { withNote } from '../api/export-note.ts';
-import { checkBytes, exportWarnings, frameWarnings } from './export-plan.ts';
+import { checkBytes, exportWarnings, frameWarnings, isPointCache, localWarnings } from './export-plan.ts';
 import { movesKeys, planFrames, shapeCount } from './export-frames.ts';
 import type { ExportSource, PlannedFrames } from './export-source.ts';
 import { materialFiles, materialLibrary } from './material-library.ts';
 import { PointCache } from './point-cache.ts';
 import { sliderFiles } from './slider-files.ts';
 import { targetNames } from './target-names.ts';
+import { GridFit, mostWeight, roundingError } from '../wire/position-grid.ts';
 import { writeProject } from '../wire/project.ts';
 import type { FrameBuffers } from '../wire/protocol.ts';
 import type { WorkerClient } from './worker-client.ts';
@@ -29,12 +30,39 @@ const LEFT = { none: 1, quantized: 0.8, meshopt: 0.5 };
 /** Share of the progress that goes to planning, where that has not been done before. */
 const PLANNING = 0.4;
 
+interface Planned {
+  frames: PlannedFrames;
+  /** What plays is off at most, rounding included; null where nothing plays. */
+  error: number | null;
+}
+
+async function planOnce(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<Planned> {
+  const frames = await framesOnce(source, options, call);
+  const latest = source.planned.latest!;
+  if (frames.error === null || options.compression === 'none') return { frames, error: frames.error };
+  latest.rounding ??= await roundingOf(source, frames, call);
+  return { frames, error: frames.error + latest.rounding };
+}
+
+/** How far the grid of a compressed file moves a vertex at most, at the keys, too: as a share of the diagonal. */
+async function roundingOf(source: ExportSource, frames: PlannedFrames, { signal }: CallOptions): Promise<number> {
+  const fit = new GridFit();
+  let base: Float32Array | null = null;
+  for await (const { positions } of shapesOf(source, frames, signal)) {
+    base ??= positions;
+    if (base === positions) fit.addBase(base);
+    else fit.addTarget(positions, base);
+  }
+  const weight = mostWeight(frames.principal?.weights ?? null, frames.times.length);
+  return roundingError(fit.grid, weight) / source.keys.info.report.diagonal;
+}
+
 async function framesOnce(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<PlannedFrames> {
   const { compression: _, name: __, ...rest } = options;
   const mine = JSON.stringify([rest, source.keyTimes, source.options]);
   if (source.planned.latest?.for === mine) return source.planned.latest.frames;
   const frames = await planFrames(source, options, call);
-  source.planned.latest = { for: mine, frames };
+  source.planned.latest = { for: mine, frames, rounding: null };
   return frames;
 }
 
@@ -43,17 +71,18 @@ export async function planExport(
   options: ExportOptions,
   call: CallOptions = {},
 ): Promise<ExportPlan> {
-  const frames = await framesOnce(source, options, call);
+  const { frames, error } = await planOnce(source, options, call);
   const size = await estimate(source, options, shapeCount(frames));
   checkBytes(options, size.bytes);
   return {
     times: options.blend ? [] : frames.times,
     targets: options.format === 'glb' ? shapeCount(frames) - 1 : 0,
-    error: frames.error,
+    error,
     bytes: size.bytes,
     warnings: [
       ...exportWarnings(options, shapeCount(frames) - 1, size.vertices),
       ...frameWarnings(options, source.keyTimes, options.range ?? source.range),
+      ...localWarnings(options, source.keys.info.offset),
     ],
   };
 }
@@ -72,13 +101,13 @@ export async function* exportFiles(
       call.onProgress?.({ stage, fraction: PLANNING * fraction });
     },
   });
-  const frames = await framesOnce(source, options, call);
+  const { frames, error } = await planOnce(source, options, call);
   const writer = source.freshWorker();
   const stop = (): void => writer.terminate(cancelled());
   if (call.signal?.aborted) stop();
   call.signal?.addEventListener('abort', stop, { once: true });
   try {
-    yield* writerOf(options, frames)({ source, options, frames, writer, call, start });
+    yield* writerOf(options, frames)({ source, options, frames, error, writer, call, start });
     call.onProgress?.({ stage: 'writing', fraction: 1 });
   } finally {
     call.signal?.removeEventListener('abort', stop);
@@ -86,15 +115,14 @@ export async function* exportFiles(
   }
 }
 
-function writerOf({ format }: ExportOptions, { times }: PlannedFrames) {
-  if (format === 'pc2' || format === 'mdd') return writePointCache;
-  return format === 'glb' && times.length > 1 ? writeAnimation : writePoses;
+function writerOf(options: ExportOptions, { times }: PlannedFrames) {
+  if (isPointCache(options)) return writePointCache;
+  return options.format === 'glb' && times.length > 1 ? writeAnimation : writePoses;
 }
 
-interface Job {
+interface Job extends Planned {
   source: ExportSource;
   options: ExportOptions;
-  frames: PlannedFrames;
   writer: WorkerClient;
   call: CallOptions;
   /** How far the progress is. */
@@ -109,7 +137,11 @@ function report({ call, frames, start }: Job, done: number): void {
 const stemOf = ({ name }: ExportOptions): string => name ?? 'shapespline';
 
 /** The shapes of an animation: frames at their times, or targets that were worked out before. */
-async function* shapesOf({ source, frames, call: { signal } }: Job): AsyncGenerator<FrameBuffers, void, undefined> {
+async function* shapesOf(
+  source: ExportSource,
+  frames: PlannedFrames,
+  signal: AbortSignal | undefined,
+): AsyncGenerator<FrameBuffers, void, undefined> {
   if (frames.principal) {
     for (const { positions, normals } of frames.principal.shapes)
       yield { positions: positions.slice(), normals: normals.slice() };
@@ -127,13 +159,13 @@ async function* shapesOf({ source, frames, call: { signal } }: Job): AsyncGenera
 async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
   const { source, options, frames, writer } = job;
   let done = 0;
-  for await (const { positions, normals } of shapesOf(job)) {
+  for await (const { positions, normals } of shapesOf(source, frames, job.call.signal)) {
     const transfer = [positions.buffer, normals.buffer] as ArrayBuffer[];
     await writer.call('addFrame', { positions, normals }, { transfer });
     done += 1;
     report(job, done);
   }
-  const { faces, scene } = source.keys.info;
+  const { faces, scene, offset } = source.keys.info;
   const oneWay = { seconds: frames.seconds, weights: frames.principal?.weights ?? null };
   const { seconds, weights } = options.bounce ? thereAndBack(oneWay, shapeCount(frames) - 1) : oneWay;
   const names = targetNames(source.keys.info.names, source.keyTimes, frames);
@@ -143,11 +175,11 @@ async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, und
     seconds,
     stills: frames.stills.length + frames.poses,
     weights,
-    project: projectOf(source, frames),
+    project: projectOf(job),
+    offset,
     name: stemOf(options),
     targetNames: names,
     compression: options.compression,
-    diagonal: source.keys.info.report.diagonal,
   });
   yield { name: `${stemOf(options)}.glb`, bytes };
   if (frames.principal) yield* sliderFiles(stemOf(options), names, frames);
@@ -177,6 +209,8 @@ function writePose({ source, options, writer }: Job, frame: Frame): Promise<Uint
     scene: sceneOf(format, info.scene),
     pose: { positions: frame.positions, normals: frame.normals },
     library: materialLibrary(stemOf(options), info.scene),
+    offset: info.offset,
+    local: isPointCache(options),
   });
 }
 
@@ -207,7 +241,7 @@ function sceneOf(format: 'glb' | 'obj' | 'ply', scene: Scene): Scene {
  * Every key is one of the shapes, shown or not: the last ones, where poses come along, with principal targets the
  * first.
  */
-function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFrames): string {
+function projectOf({ source: { keys, keyTimes, options }, frames, error }: Job): string {
   const all = [...frames.times, ...frames.stills];
   const shapeOf = (t: number, key: number): number => {
     if (frames.poses > 0) return all.length + key;
@@ -223,12 +257,13 @@ function projectOf({ keys, keyTimes, options }: ExportSource, frames: PlannedFra
       frames: keyTimes.map(shapeOf),
     },
     { ...options, pins },
-    { vertices, faces, error: frames.error },
+    { vertices, faces, error },
     {
       speed: (frames.times.at(-1)! - frames.times[0]!) / frames.seconds.at(-1)!,
       start: frames.times[0]!,
       end: frames.times.at(-1)!,
     },
+    keys.info.offset,
   );
 }
 

@@ -42,6 +42,13 @@ export class PointCache {
   }
 
   add(positions: Float32Array): void {
+    const broken = positions.findIndex((value) => !Number.isFinite(value));
+    if (broken >= 0)
+      throw new EngineError(
+        'not-finite',
+        `A frame has a vertex that is not finite (${Math.floor(broken / 3)}). Choose a range closer to the keys.`,
+        { vertex: Math.floor(broken / 3) },
+      );
     for (const value of positions) {
       this.view.setFloat32(this.next, value, this.littleEndian);
       this.next += 4;

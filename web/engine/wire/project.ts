@@ -5,7 +5,7 @@
  */
 import { SHAPES } from '../api/option-table.ts';
 import { checkSequenceOptions } from '../api/options.ts';
-import type { SequenceOptions } from '../api/types.ts';
+import type { Point, SequenceOptions } from '../api/types.ts';
 
 const VERSION = 1;
 
@@ -37,6 +37,7 @@ export function writeProject(
   options: SequenceOptions,
   mesh: ProjectMesh,
   play: Partial<ProjectPlay> = {},
+  offset: Point = [0, 0, 0],
 ): string {
   const shapes = SHAPES.map((name) => [name, options[name] && toBase64(options[name])]);
   return JSON.stringify({
@@ -45,6 +46,7 @@ export function writeProject(
     mesh,
     speed: 1,
     ...play,
+    ...(offset.some((value) => value !== 0) && { offset }),
     options: { ...options, ...Object.fromEntries(shapes) },
   });
 }

@@ -14,6 +14,7 @@ import type {
   InputFile,
   KeysInfo,
   MotionOptions,
+  Point,
   PreviewError,
   Scene,
   SequenceStats,
@@ -116,11 +117,11 @@ export interface Calls {
       /** A row for each time, with a weight for each target; null: each target is shown alone at its time. */
       weights: Float32Array | null;
       project: string;
+      /** Of all positions: becomes the node's translation. */
+      offset: Point;
       name: string;
       targetNames: string[];
       compression: Compression;
-      /** Of the bounding box of all keys. */
-      diagonal: number;
     };
     result: Uint8Array;
   };
@@ -132,6 +133,9 @@ export interface Calls {
       pose: FrameBuffers;
       /** The file of materials beside an OBJ, '' for none, and what it calls them. */
       library: { file: string; names: string[] };
+      /** Of all positions; `local`: an OBJ names it in a comment instead of adding it. */
+      offset: Point;
+      local: boolean;
     };
     result: Uint8Array;
   };

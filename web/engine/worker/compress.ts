@@ -2,46 +2,34 @@
  * A GLB of ours with smaller numbers: KHR_mesh_quantization, and EXT_meshopt_compression of what that leaves, by
  * glTF-Transform's own functions, which are loaded when the first export asks for them.
  */
-import type { Document } from '@gltf-transform/core';
+import type { Accessor, Document } from '@gltf-transform/core';
 import type { Codecs } from './codecs.ts';
+import { GridFit, STEPS } from '../wire/position-grid.ts';
 import type { Compression } from '../wire/protocol.ts';
 
-/** glTF's own attributes; numbers of vertices stay exact. */
-const QUANTIZED = /^(POSITION|NORMAL|TANGENT|TEXCOORD_\d+|COLOR_\d+)$/;
-const POSITION_BITS = 16;
+/** glTF's own attributes besides positions, which have a grid of their own; numbers of vertices stay exact. */
+const QUANTIZED = /^(NORMAL|TANGENT|TEXCOORD_\d+|COLOR_\d+)$/;
 const NORMAL_BITS = 12;
-/** Steps of a normalised 16-bit number on either side of 0. */
-const STEPS = 32767;
-
-export interface Compressed {
-  compression: Exclude<Compression, 'none'>;
-  /** Of the bounding box of all keys. */
-  diagonal: number;
-  /** The largest sum of the weights at any time. */
-  weight: number;
-}
 
 export async function compress(
   codecs: Codecs,
   bytes: Uint8Array,
-  { compression, diagonal, weight }: Compressed,
+  compression: Exclude<Compression, 'none'>,
 ): Promise<Uint8Array> {
-  const [{ Logger, PropertyType, WebIO }, { ALL_EXTENSIONS }, { prune, quantize }] = await Promise.all([
-    codecs.core(),
-    codecs.extensions(),
-    codecs.functions(),
-  ]);
+  const [{ Logger, PropertyType, WebIO }, { ALL_EXTENSIONS, KHRMeshQuantization }, { prune, quantize }] =
+    await Promise.all([codecs.core(), codecs.extensions(), codecs.functions()]);
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
   const document = (await io.readBinary(bytes as Uint8Array<ArrayBuffer>)).setLogger(
     new Logger(Logger.Verbosity.SILENT),
   );
   if (compression === 'meshopt') await orderForMeshopt(codecs, document, io);
+  document.createExtension(KHRMeshQuantization).setRequired(true);
+  quantizePositions(document);
   const attach = detachLongNormals(document);
   await document.transform(
     quantize({
       pattern: QUANTIZED,
-      patternTargets: /^(POSITION|NORMAL)$/,
-      quantizePosition: POSITION_BITS,
+      patternTargets: /^NORMAL$/,
       quantizeNormal: NORMAL_BITS,
       quantizeTexcoord: 16,
       quantizeColor: 16,
@@ -50,8 +38,34 @@ export async function compress(
   );
   attach();
   await document.transform(prune({ propertyTypes: [PropertyType.ACCESSOR], keepAttributes: true, keepIndices: true }));
-  noteError(document, diagonal, weight);
   return io.writeBinary(document);
+}
+
+/**
+ * Positions on a grid around the shape; the node's translation and scale take them back. glTF-Transform's own grid
+ * reaches to the origin where there are targets.
+ */
+function quantizePositions(document: Document): void {
+  const node = document.getRoot().listNodes()[0]!;
+  const primitives = node.getMesh()!.listPrimitives();
+  const bases = new Set(primitives.map((primitive) => primitive.getAttribute('POSITION')!));
+  const targets = new Set(
+    primitives.flatMap((primitive) => primitive.listTargets()).map((target) => target.getAttribute('POSITION')!),
+  );
+  const fit = new GridFit();
+  for (const base of bases) fit.addBase(base.getArray()!);
+  for (const target of targets) fit.addDifference(target.getArray()!);
+  const { centre, scale } = fit.grid;
+  const round = (accessor: Accessor, around: readonly number[]): void => {
+    const steps = Int16Array.from(accessor.getArray() as Float32Array, (value, i) =>
+      Math.round(((value - around[i % 3]!) / scale) * STEPS),
+    );
+    accessor.setArray(steps).setNormalized(true);
+  };
+  for (const base of bases) round(base, centre);
+  for (const target of targets) round(target, [0, 0, 0]);
+  const [x, y, z] = node.getTranslation();
+  node.setTranslation([x + centre[0], y + centre[1], z + centre[2]]).setScale([scale, scale, scale]);
 }
 
 interface Registers {
@@ -90,19 +104,4 @@ function detachLongNormals(document: Document): () => void {
   return () => {
     for (const attach of long) attach();
   };
-}
-
-/** Half a step of the base and of every target that is added to it, along each axis. */
-function noteError(document: Document, diagonal: number, weight: number): void {
-  const root = document.getRoot();
-  const extras = root.getExtras() as { shapespline?: { mesh?: { error?: number | null } } };
-  const mesh = extras.shapespline?.mesh;
-  const scale = root.listNodes()[0]?.getScale()[0] ?? 0;
-  if (mesh) mesh.error = (mesh.error ?? 0) + roundingError(scale, weight) / diagonal;
-  root.setExtras(extras);
-}
-
-/** The largest distance that rounding moves a vertex, of a shape that reaches `scale` from its middle. */
-export function roundingError(scale: number, weight: number): number {
-  return (Math.sqrt(3) * scale * (1 + weight)) / 2 / STEPS;
 }

@@ -155,9 +155,8 @@ export class RequestHandler {
       principalOffsets: (core, request) => core.principalOffsets(request),
       writeAnimation: async (core, request) => {
         const bytes = core.writeAnimation(this.frames.splice(0), request);
-        const { compression, diagonal } = request;
-        if (compression === 'none') return bytes;
-        return compress(this.host.codecs, bytes, { compression, diagonal, weight: mostWeight(request) });
+        const { compression } = request;
+        return compression === 'none' ? bytes : compress(this.host.codecs, bytes, compression);
       },
       writePose: (core, request) => core.writePose(request),
     };
@@ -215,17 +214,6 @@ export class RequestHandler {
 
 // What the core says of itself leaves it sound, but for memory that ran out in the middle and its own defects. Anything
 // else that arrives here is a trap.
-/** The largest sum of an animation's weights at any time. */
-function mostWeight({ weights, seconds }: RequestOf<'writeAnimation'>): number {
-  if (!weights) return 1;
-  const targets = weights.length / seconds.length;
-  return Math.max(
-    ...seconds.map((_, i) =>
-      weights.subarray(i * targets, (i + 1) * targets).reduce((sum, weight) => sum + Math.abs(weight), 0),
-    ),
-  );
-}
-
 function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
   const error = reason instanceof EngineError ? reason : trapped(messageOf(reason));
   const fatal = error !== reason || ['out-of-memory', 'internal', 'crashed', 'not-loaded'].includes(error.code);

@@ -112,7 +112,7 @@ export class WasmCore {
     onProgress: OnProgress = () => undefined,
   ): Omit<KeyData, 'info'> & { info: ImportedInfo } {
     this.hear(onProgress);
-    const { animation, sample, everyFrame, keyTimes, up, unit, objects, like, likePose } = options;
+    const { animation, sample, everyFrame, keyTimes, up, unit, objects, like, likePose, offset } = options;
     const request = {
       files,
       options: {
@@ -126,6 +126,7 @@ export class WasmCore {
         objects: objects ?? [],
         like: like ?? null,
         likePose: likePose ?? null,
+        offset: offset ?? null,
       },
     };
     return this.lend((scope) => {
@@ -245,10 +246,7 @@ export class WasmCore {
   }
 
   /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */
-  writeAnimation(
-    frames: FrameBuffers[],
-    { compression: _, diagonal: __, ...request }: RequestOf<'writeAnimation'>,
-  ): Uint8Array {
+  writeAnimation(frames: FrameBuffers[], { compression: _, ...request }: RequestOf<'writeAnimation'>): Uint8Array {
     this.module.takeFrame = (index, positions, normals) => {
       const frame = frames[index];
       if (!frame) return false;

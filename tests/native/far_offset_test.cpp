@@ -1,0 +1,329 @@
+// Shapes far from the origin: read in double, computed near the origin, written back where they were.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+
+#include "files.h"
+#include "gltf_maker.h"
+#include "io/export.h"
+#include "shapes.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+const Vec3 kUtm(432'100, 5, 5'412'345);
+const Shape kBar = box(0.6, 2, 0.6, 1, 4, 1);
+
+Positions poseAt(const Vec3& where, double angle) {
+  return mapped(kBar.positions, [&](const Vec3& p) -> Vec3 { return where + bend(angle, 2)(p); });
+}
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+std::string row(const Vec3& p) { return number(p.x()) + " " + number(p.y()) + " " + number(p.z()) + "\n"; }
+
+Bytes objOf(const Positions& positions) {
+  std::string text;
+  for (const Vec3& p : positions) text += "v " + row(p);
+  for (const Triangle& f : kBar.faces)
+    text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
+  return bytesOf(text);
+}
+
+Bytes offOf(const Positions& positions) {
+  std::string text = "OFF\n" + std::to_string(positions.size()) + " " + std::to_string(kBar.faces.size()) + " 0\n";
+  for (const Vec3& p : positions) text += row(p);
+  for (const Triangle& f : kBar.faces)
+    text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
+  return bytesOf(text);
+}
+
+template <class T>
+void appendNumber(Bytes& out, T value, bool bigEndian) {
+  std::uint8_t bytes[sizeof value];
+  std::memcpy(bytes, &value, sizeof value);
+  if (bigEndian) std::reverse(bytes, bytes + sizeof value);
+  out.insert(out.end(), bytes, bytes + sizeof value);
+}
+
+template <class T>
+Bytes plyOf(const Positions& positions, bool bigEndian) {
+  const std::string type = sizeof(T) == 8 ? "double" : "float";
+  Bytes out = bytesOf(std::string("ply\nformat binary_") + (bigEndian ? "big" : "little") +
+                      "_endian 1.0\nelement vertex " + std::to_string(positions.size()) + "\nproperty " + type +
+                      " x\nproperty " + type + " y\nproperty " + type + " z\nelement face " +
+                      std::to_string(kBar.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n");
+  for (const Vec3& p : positions)
+    for (double x : p) appendNumber(out, static_cast<T>(x), bigEndian);
+  for (const Triangle& f : kBar.faces) {
+    out.push_back(3);
+    for (int v : f) appendNumber(out, v, bigEndian);
+  }
+  return out;
+}
+
+Bytes asciiPlyOf(const Positions& positions) {
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(positions.size()) +
+                     "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                     std::to_string(kBar.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Vec3& p : positions) text += row(p);
+  for (const Triangle& f : kBar.faces)
+    text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
+  return bytesOf(text);
+}
+
+Import imported(const Files& files, const ImportOptions& options = {}) {
+  auto import = files.import(options);
+  REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+  return std::move(*import);
+}
+
+// What the engine computes with: single precision.
+Positions asComputed(const Import& import, int key) {
+  Positions out = import.keyframes.keys[key].positions;
+  for (Vec3& p : out) p = p.cast<float>().cast<double>() + import.offset;
+  return out;
+}
+
+double diagonalOf(const Positions& positions) {
+  const Positions* one = &positions;
+  return boundingDiagonal({&one, 1});
+}
+
+bool warns(const Import& import, const std::string& code) {
+  return std::any_of(import.warnings.begin(), import.warnings.end(), [&](const Warning& w) { return w.code == code; });
+}
+
+std::vector<float> floats(const Positions& positions) {
+  std::vector<float> out;
+  for (const Vec3& p : positions)
+    for (double x : p) out.push_back(static_cast<float>(x));
+  return out;
+}
+
+struct Format {
+  const char* name;
+  Bytes (*write)(const Positions&);
+};
+
+const Format kFormats[] = {{"obj", objOf},
+                           {"off", offOf},
+                           {"ply", asciiPlyOf},
+                           {"ply", [](const Positions& p) { return plyOf<double>(p, false); }},
+                           {"ply", [](const Positions& p) { return plyOf<double>(p, true); }}};
+
+Bytes glbAt(const Vec3& local, const Vec3& offset, const std::vector<double>& angles) {
+  AnimationSource source;
+  const Scene scene;
+  source.faces = &kBar.faces;
+  source.scene = &scene;
+  source.offset = offset;
+  for (std::size_t k = 0; k < angles.size(); ++k) source.seconds.push_back(static_cast<double>(k));
+  source.frame = [&](int k, std::vector<float>& p, std::vector<float>& n) {
+    p = floats(poseAt(local, angles[k]));
+    n.clear();
+    return Status();
+  };
+  auto glb = writeAnimatedGlb(source);
+  REQUIRE(glb.ok());
+  return std::move(*glb);
+}
+
+}  // namespace
+
+TEST_CASE("keys of survey coordinates are as exact as at the origin, whatever the format, axis and unit") {
+  for (const Format& format : kFormats)
+    for (bool zUp : {false, true})
+      for (double unit : {1.0, 0.001, 0.3048}) {
+        const Positions first = poseAt(kUtm, 0), second = poseAt(kUtm + Vec3(0.5, 0, 0.25), 0.7);
+        const std::string name = std::string(".") + format.name;
+        ImportOptions options;
+        options.zUp = zUp;
+        options.unit = unit;
+        const Import import =
+            imported(Files().add("a" + name, format.write(first)).add("b" + name, format.write(second)), options);
+        CHECK(import.offset != Vec3::Zero());
+        CHECK(!warns(import, "distant-keys"));
+        CHECK(!warns(import, "rounded-positions"));
+        for (int key = 0; key < 2; ++key) {
+          Positions expected = key == 0 ? first : second;
+          for (Vec3& p : expected) p = unit * (zUp ? Vec3(p.x(), p.z(), -p.y()) : p);
+          CHECK(largestDistance(asComputed(import, key), expected) < 3e-7 * ::diagonalOf(expected));
+        }
+      }
+}
+
+TEST_CASE("shapes near the origin have no offset and keep every bit") {
+  for (double distance : {0.0, 1.0, 10.0, 30.0}) {
+    const Positions first = poseAt(Vec3(distance, 0, 0), 0), second = poseAt(Vec3(distance, 0, 0), 0.7);
+    const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
+    CHECK(import.offset == Vec3::Zero());
+    CHECK(import.keyframes.keys[0].positions == first);
+    CHECK(import.keyframes.keys[1].positions == second);
+  }
+}
+
+TEST_CASE("the offset is a power of two times a whole number, so that subtracting and adding it is exact") {
+  for (double scale : {1e-4, 1.0, 37.0, 1e5})
+    for (double distance : {50.0, 1118.0, 455'000.0}) {
+      Positions first = poseAt(Vec3(distance, 1, -distance), 0), second = poseAt(Vec3(distance, 1, -distance), 0.7);
+      for (Positions* pose : {&first, &second})
+        for (Vec3& p : *pose) p *= scale;
+      const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
+      const double step = std::exp2(std::floor(std::log2(::diagonalOf(first))));
+      for (double x : import.offset) CHECK(std::fmod(x, step) == 0);
+      for (std::size_t v = 0; v < first.size(); ++v)
+        CHECK(import.keyframes.keys[0].positions[v] + import.offset == first[v]);
+    }
+}
+
+TEST_CASE("a further pose takes the offset of the open shape") {
+  const Import open = imported(Files().add("a.obj", objOf(poseAt(kUtm, 0))).add("b.obj", objOf(poseAt(kUtm, 0.7))));
+  const Positions far = poseAt(kUtm + Vec3(30, 0, 9), 0.3);
+  ImportOptions options;
+  options.like = open.keyframes.faces;
+  options.likePose = open.keyframes.keys[0].positions;
+  options.offset = open.offset;
+  const Import further =
+      imported(Files().add("c.ply", plyOf<double>(far, true)).add("d.ply", plyOf<double>(far, true)), options);
+  CHECK(further.offset == open.offset);
+  for (std::size_t v = 0; v < far.size(); ++v)
+    CHECK((further.keyframes.keys[0].positions[v] + open.offset - far[v]).norm() < 1e-8);
+  options.offset = Vec3::Zero();  // as of a shape that was opened near the origin
+  CHECK(imported(Files().add("c.obj", objOf(far)).add("d.obj", objOf(far)), options).offset == Vec3::Zero());
+}
+
+TEST_CASE("exported shapes stand where they were: OBJ, PLY and the node of a GLB") {
+  const Positions first = poseAt(kUtm, 0), second = poseAt(kUtm, 0.7);
+  const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
+  const std::vector<float> a = floats(import.keyframes.keys[0].positions),
+                           b = floats(import.keyframes.keys[1].positions);
+  const MeshOffset offset{import.offset};
+  const auto check = [&](const Files& files) {
+    const Import again = imported(files);
+    CHECK(again.offset == import.offset);
+    CHECK(largestDistance(asComputed(again, 0), first) < 3e-7);
+    CHECK(largestDistance(asComputed(again, 1), second) < 3e-7);
+  };
+  check(Files()
+            .add("a.obj", *writeObj(a, kBar.faces, {}, {}, {}, offset))
+            .add("b.obj", *writeObj(b, kBar.faces, {}, {}, {}, offset)));
+  check(Files().add("a.ply", *writePly(a, kBar.faces, offset)).add("b.ply", *writePly(b, kBar.faces, offset)));
+  check(Files()
+            .add("a.glb", *writePoseGlb(a, {}, kBar.faces, {}, import.offset))
+            .add("b.glb", *writePoseGlb(b, {}, kBar.faces, {}, import.offset)));
+}
+
+TEST_CASE("numbers of an OBJ are as long as single precision needs") {
+  Positions pose = poseAt(Vec3::Zero(), 0);
+  pose[0] = {0.1, 0.2, -0.3};
+  const auto text = [&](const Vec3& offset) {
+    const Bytes bytes = *writeObj(floats(pose), kBar.faces, {}, {}, {}, {offset});
+    const std::string all(bytes.begin(), bytes.end());
+    return all.substr(0, all.find('\n'));
+  };
+  CHECK(text({500'000, 0, -5'000'000}) == "v 500000.1 0.2 -5000000.3");
+  CHECK(text({-0.0625, 1e15, 0}) == "v 0.0375 1000000000000000 -0.3");
+}
+
+TEST_CASE("the OBJ beside a point cache stays near the origin and names the offset, which puts both back") {
+  const Positions first = poseAt(kUtm, 0), second = poseAt(kUtm, 0.7);
+  const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
+  const std::vector<float> a = floats(import.keyframes.keys[0].positions),
+                           b = floats(import.keyframes.keys[1].positions);
+  const Bytes obj = *writeObj(a, kBar.faces, {}, {}, {}, {import.offset, false});
+  CHECK(std::string(obj.begin(), obj.end()).find("# shapespline offset 432100 4 5412344\n") != std::string::npos);
+  Bytes cache = bytesOf(std::string_view("POINTCACHE2\0", 12));
+  for (std::uint32_t word : {1u, static_cast<std::uint32_t>(first.size())}) appendNumber(cache, word, false);
+  appendNumber(cache, 0.f, false), appendNumber(cache, 1.f, false), appendNumber(cache, 2u, false);
+  for (float x : a) appendNumber(cache, x, false);
+  for (float x : b) appendNumber(cache, x, false);
+  const Import again = imported(Files().add("a.obj", obj).add("a.pc2", cache));
+  CHECK(again.offset == import.offset);
+  CHECK(largestDistance(asComputed(again, 0), first) < 3e-7);
+  CHECK(largestDistance(asComputed(again, 1), second) < 3e-7);
+}
+
+TEST_CASE("a GLB whose node stands far away loses nothing; far positions in single precision are a warning") {
+  const Vec3 far(500'000, 0, 5'000'000);
+  const Import exact = imported(Files().add("a.glb", glbAt(Vec3::Zero(), far, {0, 0.5, 0.9})));
+  CHECK(exact.offset != Vec3::Zero());
+  CHECK(!warns(exact, "rounded-positions"));
+  CHECK(largestDistance(asComputed(exact, 2), poseAt(far, 0.9)) < 4e-7);
+  const Import rounded = imported(Files().add("a.glb", glbAt(far, Vec3::Zero(), {0, 0.5, 0.9})));
+  CHECK(warns(rounded, "rounded-positions"));
+  const Positions pose = poseAt(far, 0);
+  const Import single =
+      imported(Files().add("a.ply", plyOf<float>(pose, true)).add("b.ply", plyOf<float>(poseAt(far, 0.7), true)));
+  CHECK(warns(single, "rounded-positions"));
+  CHECK(!warns(imported(Files().add("a.glb", glbAt(Vec3(300, 0, 0), Vec3::Zero(), {0, 1}))), "rounded-positions"));
+}
+
+TEST_CASE("the offset of a saved project comes back, unless its keys lie elsewhere now") {
+  const auto project = [&](const Vec3& saved) {
+    AnimationSource source;
+    const Scene scene;
+    source.faces = &kBar.faces;
+    source.scene = &scene;
+    source.offset = kUtm;
+    source.seconds = {0, 1};
+    source.project = R"({"version": 1, "keys": {"times": [0, 1], "names": ["a", "b"], "frames": [0, 1]}, "offset": [)" +
+                     number(saved.x()) + "," + number(saved.y()) + "," + number(saved.z()) + "]}";
+    source.frame = [&](int k, std::vector<float>& p, std::vector<float>&) {
+      p = floats(poseAt(Vec3::Zero(), 0.5 * k));
+      return Status();
+    };
+    return imported(Files().add("a.glb", *writeAnimatedGlb(source))).offset;
+  };
+  const Vec3 odd = kUtm + Vec3(3, 1, -2);
+  CHECK(project(odd) == odd);
+  CHECK((project(Vec3(9e5, 0, 0)) - kUtm).norm() < 4);
+  CHECK((project(Vec3::Zero()) - kUtm).norm() < 4);
+}
+
+TEST_CASE("keys that lie far from each other are a warning with the key") {
+  const Import import = imported(
+      Files().add("a.obj", objOf(poseAt(Vec3::Zero(), 0))).add("b.obj", objOf(poseAt(Vec3(455'000.37, 0, 0), 0.7))));
+  CHECK(import.offset == Vec3::Zero());
+  CHECK(import.keyframes.keys[0].positions == poseAt(Vec3::Zero(), 0));
+  REQUIRE(warns(import, "distant-keys"));
+  CHECK(import.warnings.back().key == 1);
+}
+
+TEST_CASE("coordinates that cannot be computed with are refused in one sentence") {
+  for (double large : {1.5e18, 3e38, 1e39, 1e308}) {
+    Positions first = poseAt(Vec3::Zero(), 0);
+    first[3].x() = large;
+    for (const Format& format : kFormats) {
+      const std::string name = std::string(".") + format.name;
+      const auto import = Files().add("a" + name, format.write(first)).add("b" + name, format.write(first)).import();
+      REQUIRE(!import.ok());
+      CHECK(import.error().code == ErrorCode::TooLarge);
+      CHECK(import.error().vertex == 3);
+      CHECK(import.error().message.find("farther away than can be computed with") != std::string::npos);
+    }
+  }
+  ImportOptions options;
+  options.unit = 1e9;
+  Positions pose = poseAt(Vec3::Zero(), 0);
+  for (Vec3& p : pose) p *= 1e300;
+  CHECK(!Files().add("a.obj", objOf(pose)).add("b.obj", objOf(pose)).import(options).ok());
+}
+
+TEST_CASE("shapes that are not finite are not written") {
+  std::vector<float> positions = floats(poseAt(Vec3::Zero(), 0));
+  positions[4] = std::numeric_limits<float>::infinity();
+  CHECK(writeObj(positions, kBar.faces, {}).error().code == ErrorCode::NotFinite);
+  CHECK(writePly(positions, kBar.faces).error().code == ErrorCode::NotFinite);
+  CHECK(writePoseGlb(positions, {}, kBar.faces, {}).error().code == ErrorCode::NotFinite);
+}

@@ -1,0 +1,13 @@
+// Whether a shape can be written at all.
+#pragma once
+
+#include <span>
+
+#include "core/base/status.h"
+
+namespace shapespline {
+
+/// `frame`: of a motion, or -1. Error: NotFinite with the frame as `key`, and the vertex.
+Status checkFinite(std::span<const float> positions, int frame);
+
+}  // namespace shapespline
