@@ -1,7 +1,7 @@
 /** Where the keys come from, and their bytes. */
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseGltf } from '../engine/api/gltf-json.ts';
-import { beside, decodedUri, extensionOf, fileName, isExternal, isModel, resourceUris } from '../engine/api/paths.ts';
+import { beside, decodedUri, extensionOf, fileName, isModel, resourceUris, urlBeside } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 import type { Making } from './shared.ts';
 
@@ -81,13 +81,13 @@ async function fetchModel(url: URL, key: number, signal: AbortSignal): Promise<I
   const model = { name: nameOf(fileName(decodedUri(url.pathname)), key), bytes };
   if (extensionOf(model.name) !== 'gltf') return [model];
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
-  // Its own folder is asked, and no other host.
-  const named = [...new Set([...buffers, ...images])].filter((uri) => !isExternal(uri));
-  const resources = named.map(async (uri) => ({
-    name: beside(model.name, decodedUri(uri)),
-    bytes: await fetchBytes(new URL(uri, url), key, signal),
-  }));
-  return [model, ...(await Promise.all(resources))];
+  // Its own folder is asked, and nothing else: the engine says what is left out.
+  const resources = [...new Set([...buffers, ...images])].flatMap((uri) => {
+    const resource = urlBeside(uri, url);
+    return resource === null ? [] : [{ name: beside(model.name, decodedUri(uri)), resource }];
+  });
+  const read = resources.map(async ({ name, resource }) => ({ name, bytes: await fetchBytes(resource, key, signal) }));
+  return [model, ...(await Promise.all(read))];
 }
 
 async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<Uint8Array> {
