@@ -18,7 +18,7 @@ export interface Sources {
 export function listOf(given: unknown): readonly KeySource[] | null {
   if (given === null || given === undefined) return null;
   if (Array.isArray(given)) return given as KeySource[];
-  return given instanceof FileList ? [...given] : [given as KeySource];
+  return globalThis.FileList && given instanceof FileList ? [...given] : [given as KeySource];
 }
 
 /** The property `keys` comes before `src`, and that before children. */
@@ -94,7 +94,9 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
   const response = await fetch(url, { signal }).catch((error: unknown) => {
     if (signal.aborted) throw error;
     const reason =
-      url.origin === location.origin ? messageOf(error) : 'that site may not allow it: it must send the CORS headers';
+      url.origin === globalThis.location?.origin
+        ? messageOf(error)
+        : 'that site may not allow it: it must send the CORS headers';
     throw refused('not-found', `${url.href} could not be fetched (${reason}).`, url, key);
   });
   const { status, statusText } = response;

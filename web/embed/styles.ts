@@ -41,11 +41,11 @@ const CSS = `
 
 const sheets = new WeakMap<Document, CSSStyleSheet>();
 
-/** One for all elements of a document; null for a document that nobody sees. */
+/** One for all elements of a document; null for a document without a window, or without sheets that script makes. */
 export function styleSheet(of: Document): CSSStyleSheet | null {
   const known = sheets.get(of);
   const view = of.defaultView;
-  if (known || !view) return known ?? null;
+  if (known || !view?.CSSStyleSheet?.prototype.replaceSync) return known ?? null;
   const sheet = new view.CSSStyleSheet();
   sheet.replaceSync(CSS);
   sheets.set(of, sheet);

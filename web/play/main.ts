@@ -27,6 +27,9 @@ themeButton.update(theme.theme());
 // As a part of another page it leaves out what that page has.
 if (window !== window.parent) document.documentElement.dataset['framed'] = '';
 document.getElementById('play')?.replaceChildren(page.element);
-registerServiceWorker((reload) => {
-  newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+registerServiceWorker({
+  onNewVersion(reload) {
+    newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+  },
+  onRepaired: (message) => problem.offer({ message }),
 });
