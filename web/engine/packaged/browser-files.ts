@@ -61,7 +61,7 @@ const start = (address: string, name: string): StartedWorker =>
 function waysFrom(url: URL): (() => string)[] {
   const text = `import ${JSON.stringify(url.href)};`;
   const importing = [() => blobAddress(text), () => dataAddress(text)];
-  return url.origin === globalThis.location?.origin ? [() => url.href, ...importing] : importing;
+  return url.origin === globalThis.origin ? [() => url.href, ...importing] : importing;
 }
 
 /** Some sites refuse `blob:`; there the file beside the script may do. */
