@@ -80,7 +80,7 @@ it('says that such a frame needs the CORS headers of the models, too', async () 
 it('works where the page has no observers and knows no preferences', async () => {
   const page = await openElements(ONE.replace('loading="eager"', ''), {
     before: () => {
-      for (const name of ['IntersectionObserver', 'MutationObserver', 'ResizeObserver', 'matchMedia'])
+      for (const name of ['IntersectionObserver', 'ResizeObserver', 'matchMedia'])
         delete (globalThis as Record<string, unknown>)[name];
     },
   });
