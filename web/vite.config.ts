@@ -5,7 +5,7 @@ import type { Plugin } from 'vite';
 import { offline } from './offline/plugin.ts';
 import { NOTICES, notices, packageOf } from '../wasm/toolchain/notices.mjs';
 import { withoutPixels } from '../wasm/toolchain/pixels.mjs';
-import { guards } from '../wasm/toolchain/serve.mjs';
+import { developmentGuards } from '../wasm/toolchain/serve.mjs';
 import { preload } from './offline/preload.ts';
 import { unusedShaders } from './viewer/unused-shaders.ts';
 
@@ -63,5 +63,5 @@ export default defineConfig({
   worker: { format: 'es', plugins: () => [collectsPackages()] },
   // The worker's packages, too, are bundled before the first request: finding one later would reload the page.
   optimizeDeps: { entries: ['**/*.html', 'engine/worker/*.worker.ts'] },
-  server: { fs: { allow: [repository] }, headers: guards },
+  server: { fs: { allow: [repository] }, headers: developmentGuards },
 });

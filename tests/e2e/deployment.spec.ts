@@ -184,3 +184,38 @@ test('nothing is kept under a file name but that file', async ({ app }, info) =>
     host.close();
   }
 });
+
+/** Only a browser has a service worker, its cache and scripts that come from there. */
+test('what is damaged in the cache is fetched again, with a word', async ({ app }, info) => {
+  test.skip(info.project.name === 'dev', 'the development server has no service worker');
+  const host = new Host();
+  try {
+    const url = await host.listen();
+    await open(app, url);
+    await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    await app.page.evaluate(async () => {
+      for (const name of await caches.keys()) {
+        const cache = await caches.open(name);
+        for (const [i, request] of (await cache.keys()).entries()) {
+          const bytes = await (await cache.match(request))!.arrayBuffer();
+          const type = request.url.endsWith('.js') ? 'text/javascript' : 'text/css';
+          const damaged = [
+            new Response(bytes.slice(1), { headers: { 'content-type': type } }),
+            new Response('', { headers: { 'content-type': type } }),
+            new Response('<!doctype html>', { headers: { 'content-type': 'text/html' } }),
+            new Response(bytes),
+          ];
+          if (request.url.includes('/assets/')) await cache.put(request, damaged[i % damaged.length]!);
+        }
+      }
+    });
+    await open(app, url);
+    await expect(app.by('toast')).toContainText('damaged. It was fetched again.');
+    await opensAnotherSample(app);
+    await open(app, url);
+    await app.settled();
+    await expect(app.by('toast')).not.toContainText('damaged');
+  } finally {
+    host.close();
+  }
+});

@@ -47,13 +47,18 @@ it.each([
   expect(await message.isVisible()).toBe(false);
 });
 
-it('a web page instead of WebAssembly', async () => {
-  write('cdn.js', readFileSync(`${packageIn(inject('installed'))}/cdn.js`));
+it('a web page instead of WebAssembly, until it is put right', async () => {
+  const copy = (name: string): void => write(name, readFileSync(`${packageIn(inject('installed'))}/${name}`));
+  for (const name of ['cdn.js', 'codecs.js', 'draco_decoder_gltf.wasm']) copy(name);
   write('shapespline.wasm', '<!doctype html><title>Home</title>');
   const page = await openElements(`${shown(KEYS)}<script type="module" src="cdn.js"></script>`, { script: 'none' });
   const detail = await when(page, 'error');
   expect(detail).toMatchObject({ code: 'not-loaded', key: -1 });
   expect(detail!.message).toMatch(/shapespline\.wasm answered with .*configure\(\{ wasmUrl \}\)/);
+  copy('shapespline.wasm');
+  await page.locator('#a [part=retry]').click();
+  await when(page, 'load');
+  expect(await page.locator('#a [part=message]').isVisible()).toBe(false);
 });
 
 const LACKING: [what: string, before: () => void, policy: string, code: string, words: RegExp][] = [

@@ -6,10 +6,12 @@ import { installPackages, whyNoInstall } from './apt.mjs';
 import { capture, run, which } from './exec.mjs';
 import { whileHolding } from './lock.mjs';
 import { Explained, step } from './log.mjs';
-import { toolchainDir } from './paths.mjs';
+import { inRoot, toolchainDir } from './paths.mjs';
 
-/** Blender's last release with long-term support, and the only Python that it has modules for. */
-const VERSION = '4.5.15';
+/** Blender's last release with long-term support and all that it needs, by the digests of what is installed. */
+const requirements = inRoot('wasm/toolchain/blender-requirements.txt');
+const VERSION = /^bpy==(\S+)/m.exec(readFileSync(requirements, 'utf8'))[1];
+/** The only Python that it has modules for. */
 const PYTHON = '3.11';
 
 const folder = path.join(toolchainDir, 'blender');
@@ -43,7 +45,8 @@ async function install() {
   step(`installing Blender ${VERSION} as a Python module (about 350 MB)`);
   rmSync(folder, { recursive: true, force: true });
   await run(base, ['-m', 'venv', folder]);
-  await run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', `bpy==${VERSION}`]);
+  const checked = ['--require-hashes', '--only-binary=:all:', '--requirement', requirements];
+  await run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', ...checked]);
   if (capture(python, ['-c', 'import bpy']) === null && !whyNoInstall()) await installPackages(debianPackages);
   await run(python, ['-c', 'import bpy']);
   writeFileSync(ready, VERSION);

@@ -5,4 +5,5 @@ export function serve(
   options?: { port?: number; prefix?: string; tries?: number; isolated?: boolean },
 ): Promise<{ url: string; server: Server }>;
 export const guards: Record<string, string>;
+export const developmentGuards: Record<string, string>;
 export function freePort(): Promise<number>;

@@ -23,8 +23,27 @@ const types = {
   '.txt': 'text/plain; charset=utf-8',
 };
 
-/** No file is taken for another type than is said, and no page of another host shows this one in a frame. */
-export const guards = { 'x-content-type-options': 'nosniff', 'content-security-policy': "frame-ancestors 'self'" };
+const noFrames = "frame-ancestors 'self'";
+/** What index.html says of itself in a <meta>, for the workers as well, which go by the header of their script alone. */
+const policy = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "connect-src 'self'",
+  "frame-src 'self'",
+  "img-src 'self' blob: data:",
+  "style-src 'self' 'unsafe-inline'",
+  "media-src 'self' blob:",
+  "manifest-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
+  noFrames,
+].join('; ');
+const nosniff = { 'x-content-type-options': 'nosniff' };
+/** No file is taken for another type than is said, none does more than the page needs, no other host frames it. */
+export const guards = { ...nosniff, 'content-security-policy': policy };
+/** The development server connects to itself in ways of its own. */
+export const developmentGuards = { ...nosniff, 'content-security-policy': noFrames };
 const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
 
 // null for what is not there, and for a file asked for as if it were a folder (ENOTDIR).

@@ -274,9 +274,15 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     )
     .catch(feedback.onError);
   installTestHook(testHookOf(ready, session, display, files, onMoved));
-  registerServiceWorker((reload) => {
-    newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
-  }, shown);
+  registerServiceWorker(
+    {
+      onNewVersion(reload) {
+        newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+      },
+      onRepaired: feedback.say,
+    },
+    shown,
+  );
   applyLook();
   redraw();
 }

@@ -17,10 +17,23 @@ async function start(element: HTMLElement): Promise<void> {
     startApp(element, started);
   } catch (error) {
     // Before there are components nothing else can say it.
-    const message = document.createElement('p');
-    message.setAttribute('role', 'alert');
-    message.textContent = `This page needs WebGL 2, which is not available in this browser. Try another browser, or turn hardware acceleration on. (${error instanceof Error ? error.message : String(error)})`;
-    message.style.cssText = 'max-width: 60ch; margin: 20vh auto; padding: 0 24px';
-    element.replaceChildren(message);
+    element.replaceChildren(notStarted(error instanceof Error ? error.message : String(error)));
   }
+}
+
+function notStarted(reason: string): HTMLElement {
+  const message = document.createElement('p');
+  message.textContent = /webgl/i.test(reason)
+    ? `This page needs WebGL 2, which is not available in this browser. Try another browser, or turn hardware acceleration on. (${reason})`
+    : `This page could not start. Check the connection and try again. (${reason})`;
+  const retry = document.createElement('button');
+  retry.className = 'button plain';
+  retry.textContent = 'Try again';
+  retry.onclick = () => location.reload();
+  const box = document.createElement('div');
+  box.setAttribute('role', 'alert');
+  box.style.cssText =
+    'max-width: 60ch; margin: 20vh auto; padding: 0 24px; display: grid; gap: 16px; justify-items: start';
+  box.append(message, retry);
+  return box;
 }

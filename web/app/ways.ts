@@ -15,6 +15,7 @@ import type { Session } from './session/session.ts';
 import type { Animation } from './sources/animation.ts';
 import { createAnimationDoor } from './sources/animation-door.ts';
 import { createOpenFiles } from './sources/open-files.ts';
+import { reopening } from './sources/open-first.ts';
 import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
@@ -132,7 +133,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
   const openOwn = async (project: string): Promise<void> => {
     const left = files.openings.all.find(({ state }) => state.project === project);
     if (left) await files.again(left);
-    else await remembered.reopen(project, files.again).catch(onError);
+    else await remembered.reopen(project, reopening(files)).catch(onError);
   };
   return { files, remembered, undo, animation, openOwn, link, exporting };
 }

@@ -1,6 +1,6 @@
 /** A motion in a box of a page: it is drawn, played and turned. Knows no attributes and no files; usable alone. */
 import type { Keys } from '../engine/api/api.ts';
-import { EngineError, isCancelled } from '../engine/api/errors.ts';
+import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
 import { directionOfOrbit } from '../model/camera-words.ts';
 import type { CameraOrbit } from '../model/camera-words.ts';
 import type { Play } from '../model/state.ts';
@@ -274,6 +274,7 @@ function surfaceOfPage(): Surface {
   try {
     return sharedSurface();
   } catch (cause) {
-    throw new EngineError('no-webgl', 'This browser cannot draw the shape: it has no WebGL 2.', {}, cause);
+    const reason = document.createElement('canvas').getContext('webgl2') ? messageOf(cause) : 'it has no WebGL 2';
+    throw new EngineError('no-webgl', `This browser cannot draw the shape: ${reason}.`, {}, cause);
   }
 }

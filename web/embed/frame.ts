@@ -1,5 +1,5 @@
 /** What stands in the element: viewport, poster, progress, message and controls, with their slots and parts. */
-import { h, setAttribute, setHidden, setStyle, setText } from '../ui/dom.ts';
+import { h, setAttribute, setHidden, setStyle } from '../ui/dom.ts';
 import { icon, setIcon } from '../ui/icons.ts';
 import { drag, leaveScrolling } from '../ui/pointer.ts';
 import { clamp, formatTime, length, snap } from '../model/time-scale.ts';
@@ -104,9 +104,11 @@ export class Frame {
     setStyle(this.bar, 'scale', `${fraction ?? 0} 1`);
   }
 
-  setMessage(text: string | null): void {
+  /** `onRetry`: another try may help. */
+  setMessage(text: string | null, onRetry?: () => void): void {
     setHidden(this.message, text === null);
-    setText(this.message, text ?? '');
+    const retry = onRetry && h('button', { part: 'retry', type: 'button', onclick: onRetry }, 'Try again');
+    this.message.replaceChildren(text ?? '', ...(retry ? [retry] : []));
   }
 
   setPlaying(playing: boolean): void {

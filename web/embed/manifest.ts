@@ -77,6 +77,7 @@ const PARTS = {
   name: 'The name of a method under its view, where several are compared.',
   progress: 'The bar at the top while it is fetched and computed.',
   message: 'What is wrong, in words.',
+  retry: 'The button in the message that loads again, where that may help.',
 };
 const STYLES = {
   key: 'Colour of a key, on the timeline and, with `colour="phase"`, of the shape.',

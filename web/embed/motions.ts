@@ -22,6 +22,17 @@ function pageEngine(): Engine {
   return engine;
 }
 
+/** An engine whose files did not load never works: the next one who asks gets another. */
+async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
+  const used = pageEngine();
+  try {
+    return await work(used);
+  } catch (error) {
+    if ((error as { code?: unknown }).code === 'not-loaded' && engine === used && sequences.size === 0) engine = null;
+    throw error;
+  }
+}
+
 const imports = new Shared<Keys>((keys) => keys.dispose(), GRACE_MS);
 const sequences = new Shared<Sequence>((sequence) => sequence.dispose(), GRACE_MS);
 
@@ -54,10 +65,8 @@ export function takeKeys(
         ...making,
         report: ({ stage, fraction }) => making.report({ stage, fraction: fraction / 2 }),
       });
-      return pageEngine().importKeyframes(files, all, {
-        signal: making.signal,
-        onProgress: ({ stage, fraction }) => making.report({ stage, fraction: (1 + fraction) / 2 }),
-      });
+      const onProgress = ({ stage, fraction }: Stage): void => making.report({ stage, fraction: (1 + fraction) / 2 });
+      return withEngine((one) => one.importKeyframes(files, all, { signal: making.signal, onProgress }));
     },
     onProgress,
   );

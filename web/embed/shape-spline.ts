@@ -583,7 +583,8 @@ export class ShapeSplineElement extends Base {
   #fail(error: unknown): void {
     const { code, place } = error as Partial<EngineError>;
     this.#frame!.setProgress(null);
-    this.#frame!.setMessage(messageOf(error));
+    const retry = code === 'not-loaded' ? () => this.#change('source') : undefined;
+    this.#frame!.setMessage(messageOf(error), retry);
     this.#tell('error', { code: String(code ?? 'failed'), message: messageOf(error), key: place?.key ?? -1 });
   }
 

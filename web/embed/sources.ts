@@ -1,7 +1,7 @@
 /** Where the keys come from, and their bytes. */
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseGltf } from '../engine/api/gltf-json.ts';
-import { beside, decodedUri, extensionOf, fileName, isExternal, isModel, resourceUris } from '../engine/api/paths.ts';
+import { beside, decodedUri, extensionOf, fileName, isModel, resourceUris, urlBeside } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 import type { Making } from './shared.ts';
 
@@ -18,7 +18,7 @@ export interface Sources {
 export function listOf(given: unknown): readonly KeySource[] | null {
   if (given === null || given === undefined) return null;
   if (Array.isArray(given)) return given as KeySource[];
-  return given instanceof FileList ? [...given] : [given as KeySource];
+  return globalThis.FileList && given instanceof FileList ? [...given] : [given as KeySource];
 }
 
 /** The property `keys` comes before `src`, and that before children. */
@@ -81,20 +81,22 @@ async function fetchModel(url: URL, key: number, signal: AbortSignal): Promise<I
   const model = { name: nameOf(fileName(decodedUri(url.pathname)), key), bytes };
   if (extensionOf(model.name) !== 'gltf') return [model];
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
-  // Its own folder is asked, and no other host.
-  const named = [...new Set([...buffers, ...images])].filter((uri) => !isExternal(uri));
-  const resources = named.map(async (uri) => ({
-    name: beside(model.name, decodedUri(uri)),
-    bytes: await fetchBytes(new URL(uri, url), key, signal),
-  }));
-  return [model, ...(await Promise.all(resources))];
+  // Its own folder is asked, and nothing else: the engine says what is left out.
+  const resources = [...new Set([...buffers, ...images])].flatMap((uri) => {
+    const resource = urlBeside(uri, url);
+    return resource === null ? [] : [{ name: beside(model.name, decodedUri(uri)), resource }];
+  });
+  const read = resources.map(async ({ name, resource }) => ({ name, bytes: await fetchBytes(resource, key, signal) }));
+  return [model, ...(await Promise.all(read))];
 }
 
 async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<Uint8Array> {
   const response = await fetch(url, { signal }).catch((error: unknown) => {
     if (signal.aborted) throw error;
     const reason =
-      url.origin === location.origin ? messageOf(error) : 'that site may not allow it: it must send the CORS headers';
+      url.origin === globalThis.location?.origin
+        ? messageOf(error)
+        : 'that site may not allow it: it must send the CORS headers';
     throw refused('not-found', `${url.href} could not be fetched (${reason}).`, url, key);
   });
   const { status, statusText } = response;

@@ -19,6 +19,7 @@ const CSS = `
   block-size: fit-content; max-inline-size: min(480px, 100% - 16px); max-block-size: calc(100% - 16px);
   overflow: auto; padding: 12px 16px; border-radius: 6px; text-align: center; overflow-wrap: anywhere;
   background: var(--shape-spline-background, light-dark(#f4f5f6, #1e2125)); }
+[part=retry] { display: block; margin: 8px auto 0; min-block-size: 44px; padding: 0 16px; font: inherit; }
 [part=controls] { position: absolute; inset-inline: 4px 20px; inset-block-end: 6px; display: flex; gap: 8px;
   align-items: center; block-size: 44px; }
 [part=play] { inline-size: 44px; block-size: 44px; padding: 10px; border: 0; background: none; color: inherit;
@@ -41,11 +42,11 @@ const CSS = `
 
 const sheets = new WeakMap<Document, CSSStyleSheet>();
 
-/** One for all elements of a document; null for a document that nobody sees. */
+/** One for all elements of a document; null for a document without a window, or without sheets that script makes. */
 export function styleSheet(of: Document): CSSStyleSheet | null {
   const known = sheets.get(of);
   const view = of.defaultView;
-  if (known || !view) return known ?? null;
+  if (known || !view?.CSSStyleSheet?.prototype.replaceSync) return known ?? null;
   const sheet = new view.CSSStyleSheet();
   sheet.replaceSync(CSS);
   sheets.set(of, sheet);

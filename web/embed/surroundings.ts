@@ -15,27 +15,46 @@ const NEAR = '256px';
 const DARK = '(prefers-color-scheme: dark)';
 const LESS_MOTION = '(prefers-reduced-motion: reduce)';
 
-export const lessMotion = (): boolean => matchMedia(LESS_MOTION).matches;
+/** Some pages run without a screen, as in tests with jsdom: there no preference is known and everything is in view. */
+const query = (words: string): MediaQueryList | null => globalThis.matchMedia?.(words) ?? null;
+
+export const lessMotion = (): boolean => query(LESS_MOTION)?.matches === true;
 
 /** As the page's `color-scheme` has it, which may leave it to the reader. */
 export function isDark({ colorScheme }: CSSStyleDeclaration): boolean {
   const [light, dark] = [/light/, /dark/].map((word) => word.test(colorScheme));
-  return dark! && (!light || matchMedia(DARK).matches);
+  return dark! && (!light || query(DARK)?.matches === true);
 }
 
 /** Returns what ends it. */
 export function watch(element: Element, events: SurroundingsEvents): () => void {
-  const near = new IntersectionObserver((entries) => events.onNear(entries.at(-1)!.isIntersecting), {
-    rootMargin: NEAR,
-  });
-  const seen = new IntersectionObserver((entries) => events.onSeen(entries.at(-1)!.isIntersecting));
-  for (const observer of [near, seen]) observer.observe(element);
-  const children = new MutationObserver(() => events.onChildren());
-  children.observe(element, { childList: true, subtree: true, attributes: true, attributeFilter: ['src', 'time'] });
-  const preferences = [DARK, LESS_MOTION].map((query) => matchMedia(query));
-  for (const preference of preferences) preference.addEventListener('change', events.onPreference);
+  const ends = [
+    whileInView(element, NEAR, events.onNear),
+    whileInView(element, '0px', events.onSeen),
+    onChange(element, events.onChildren),
+  ];
+  const preferences = [DARK, LESS_MOTION].map(query);
+  for (const preference of preferences) preference?.addEventListener('change', events.onPreference);
   return () => {
-    for (const observer of [near, seen, children]) observer.disconnect();
-    for (const preference of preferences) preference.removeEventListener('change', events.onPreference);
+    for (const end of ends) end();
+    for (const preference of preferences) preference?.removeEventListener('change', events.onPreference);
   };
+}
+
+/** Each returns what ends it. */
+function whileInView(element: Element, rootMargin: string, tell: (inView: boolean) => void): () => void {
+  if (!globalThis.IntersectionObserver) {
+    const timer = setTimeout(tell, 0, true);
+    return () => clearTimeout(timer);
+  }
+  const observer = new IntersectionObserver((entries) => tell(entries.at(-1)!.isIntersecting), { rootMargin });
+  observer.observe(element);
+  return () => observer.disconnect();
+}
+
+function onChange(element: Element, tell: () => void): () => void {
+  if (!globalThis.MutationObserver) return () => undefined;
+  const observer = new MutationObserver(tell);
+  observer.observe(element, { childList: true, subtree: true, attributes: true, attributeFilter: ['src', 'time'] });
+  return () => observer.disconnect();
 }

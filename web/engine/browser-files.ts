@@ -1,6 +1,7 @@
 /** The engine's files as the app's bundler finds them; in the npm package `packaged/browser-files` takes its place. */
 import wasmUrl from '../../build/wasm/shapespline.wasm?url';
 import type { BrowserFiles } from './caller/browser-files.ts';
+import { PatientWorker } from './caller/patient-worker.ts';
 import { notLoaded } from './caller/wasm-file.ts';
 
 export const files: BrowserFiles = {
@@ -9,6 +10,10 @@ export const files: BrowserFiles = {
     new URL((await import('../../build/wasm/shapespline_threads.wasm?url')).default, import.meta.url),
   // It knows its own.
   forWorker: () => ({}),
-  startWorker: (name) => new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name }),
-  notStarted: () => notLoaded("the worker's script", 'it did not start'),
+  startWorker: (name, loaded) =>
+    new PatientWorker(
+      [() => new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name })],
+      loaded,
+    ),
+  notStarted: (silent) => notLoaded("the worker's script", silent ? 'it does not answer' : 'it did not start'),
 };

@@ -15,9 +15,10 @@ export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
   const worker = ofPage(workerUrl);
   const compiled = onlyOnce(() => compileThreaded(threadsUrl));
+  const module = compile(ofPage(wasmUrl) ?? files.wasm());
   const engine = new EngineClient({
-    spawn: spawnFrom(worker, onLost),
-    module: compile(ofPage(wasmUrl) ?? files.wasm()),
+    spawn: spawnFrom(module, worker, onLost),
+    module,
     threaded: possible ? () => Promise.race([compiled(), late()]) : null,
     files: files.forWorker({ draco: ofPage(dracoUrl)?.href, worker }),
   });
@@ -51,10 +52,10 @@ async function compileThreaded(given: string | URL | null | undefined): Promise<
 
 let workers = 0;
 
-function spawnFrom(workerUrl: URL | undefined, onLost: (() => void) | undefined): Spawn {
+function spawnFrom(loaded: Promise<unknown>, workerUrl: URL | undefined, onLost: (() => void) | undefined): Spawn {
   return (events) => {
     const name = `shapespline worker ${++workers} ${performance.timeOrigin} ${Math.random()}`;
-    const worker = files.startWorker(name, workerUrl);
+    const worker = files.startWorker(name, loaded, workerUrl);
     let replied = false;
     let wanted = true;
     const lost = (reason: string): void => {
@@ -71,7 +72,7 @@ function spawnFrom(workerUrl: URL | undefined, onLost: (() => void) | undefined)
     worker.onerror = (event) => {
       event.preventDefault();
       if (replied || event.message) lost(event.message);
-      else events.failure(files.notStarted(workerUrl));
+      else events.failure(files.notStarted(worker.silent === true, workerUrl));
     };
     const terminate = (): void => {
       wanted = false;

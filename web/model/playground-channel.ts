@@ -34,6 +34,46 @@ export type PlaygroundMessage =
   | ({ type: 'back'; page: string } & KeyPassing)
   | { type: 'done'; page: string };
 
+const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
+/** More keys or coordinates, or longer words, come from no page of ours. */
+const [MOST_KEYS, MOST_COORDINATES, LONGEST] = [4096, 64, 300];
+
+/**
+ * What came over the channel, where it is a message and all of it fits together; otherwise null. Any page of the same
+ * host can write there.
+ */
+export function messageFrom(data: unknown): PlaygroundMessage | null {
+  if (!isRecord(data)) return null;
+  const { type, page, shape } = data;
+  if (type === 'ask') return { type };
+  if (type === 'open') return isShape(shape) ? { type, shape } : null;
+  if (!isWord(page)) return null;
+  if (type === 'done') return { type, page };
+  return type === 'back' && isPassing(data) ? { ...data, type, page } : null;
+}
+
+function isShape(value: unknown): value is OpenShape & Record<string, unknown> {
+  if (!isRecord(value) || !isPassing(value) || !isWord(value['page']) || !isWord(value['title'])) return false;
+  const keys = value.times.length;
+  const isCoordinate = (one: unknown): boolean =>
+    isRecord(one) && isWord(one['name']) && isWord(one['unit']) && isNumbers(one['values'], keys);
+  const { coordinates } = value;
+  return Array.isArray(coordinates) && coordinates.length <= MOST_COORDINATES && coordinates.every(isCoordinate);
+}
+
+function isPassing(value: Record<string, unknown>): value is KeyPassing & Record<string, unknown> {
+  const { times, tension, bias, boundary, startSpeed, endSpeed } = value;
+  if (!Array.isArray(times) || times.length > MOST_KEYS || !isNumbers(times, times.length)) return false;
+  const ascending = times.length > 1 && times.every((time, i) => i === 0 || time > times[i - 1]!);
+  const passed = isNumbers(tension, times.length) && isNumbers(bias, times.length);
+  return ascending && passed && isNumbers([startSpeed, endSpeed], 2) && BOUNDARIES.includes(boundary as Boundary);
+}
+
+const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
+const isWord = (value: unknown): value is string => typeof value === 'string' && value.length <= LONGEST;
+const isNumbers = (value: unknown, count: number): value is number[] =>
+  Array.isArray(value) && value.length === count && value.every((one) => Number.isFinite(one));
+
 /** Another release of the page may stand beside this one on the same host: each has its own. */
 export function playgroundChannel(): BroadcastChannel {
   return new BroadcastChannel(`shapespline playground ${new URL('./', document.baseURI).pathname}`);

@@ -6,18 +6,29 @@
 /** How often at most a page that is looked at again asks for a newer build. */
 const ASK_EVERY_MS = 3_600_000;
 
-/**
- * `onNewVersion`: another build is ready; `reload` opens it. It fetches and compiles the whole build, which waits until
- * the page has settled `after` what a visitor waits for.
- */
+export interface OfflineEvents {
+  /** Another build is ready; `reload` opens it. */
+  onNewVersion(reload: () => void): void;
+  /** A stored file was damaged and has been fetched again. */
+  onRepaired(sentence: string): void;
+}
+
+const REPAIRED = 'A file that this browser had stored for the page was damaged. It was fetched again.';
+
+/** It fetches and compiles the whole build, which waits until the page has settled `after` what a visitor waits for. */
 export function registerServiceWorker(
-  onNewVersion: (reload: () => void) => void,
+  { onNewVersion, onRepaired }: OfflineEvents,
   after: Promise<unknown> = Promise.resolve(),
 ): void {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
   const { serviceWorker } = navigator;
+  let repaired = false;
   serviceWorker.addEventListener('message', ({ data, ports }: MessageEvent<{ type?: string }>) => {
     if (data.type === 'which script') ports[0]?.postMessage(ownScript());
+    if (data.type === 'repaired' && !repaired) {
+      repaired = true;
+      onRepaired(REPAIRED);
+    }
   });
   serviceWorker.startMessages();
   Promise.allSettled([after, loaded()])

@@ -36,7 +36,9 @@ async function digestOf(response) {
 // A host may answer for a file that is gone with its start page, or still with another build's: neither is kept. Hosts
 // add to a page itself, so that it is known by its script.
 async function isListed(href, response) {
-  if (!response.ok) return false;
+  // As something else no browser runs a script or takes a style sheet.
+  const type = { js: 'javascript', css: 'css' }[href.split('.').pop()] ?? '';
+  if (!response.ok || !(response.headers.get('content-type') ?? '').includes(type)) return false;
   if (ENTRIES.has(href)) return (await response.clone().text()).includes(ENTRIES.get(href));
   return LISTED.get(href) === (await digestOf(response.clone()));
 }
@@ -56,17 +58,26 @@ async function fill() {
 // first, so that a new build is seen at once.
 async function responseTo(event, url) {
   const named = url.pathname.includes('/assets/');
-  const kept = named ? await match(url.href) : undefined;
+  const { kept, damaged } = named ? await match(url.href) : {};
   if (kept) return kept;
   try {
-    const response = await fetch(event.request);
+    // What is damaged here may come from the browser's own cache.
+    const response = await fetch(event.request, damaged ? { cache: 'reload' } : {});
     if (named && LISTED.has(url.href)) event.waitUntil(keepUsed(url.href, response.clone()));
+    if (damaged) event.waitUntil(tellOfRepair(event));
     return response;
   } catch (error) {
-    const instead = (await match(url.href)) ?? (event.request.mode === 'navigate' ? await match(SCOPE) : undefined);
+    const own = await match(url.href);
+    const instead = own.kept ?? (event.request.mode === 'navigate' ? (await match(SCOPE)).kept : undefined);
     if (instead) return instead;
     throw error;
   }
+}
+
+// A page that is only just loading gets it once its script listens.
+async function tellOfRepair({ clientId }) {
+  const client = await self.clients.get(clientId);
+  client?.postMessage({ type: 'repaired' });
 }
 
 async function keepUsed(href, response) {
@@ -76,14 +87,19 @@ async function keepUsed(href, response) {
 
 const ownCaches = async () => (await caches.keys()).filter((name) => name.startsWith(OURS));
 
-// This build's first: others may hold another version of a file without a digest in its name.
+// This build's first: others may hold another version of a file without a digest in its name. Of this build only what
+// still has its digest: anything else would break the page with every visit.
 async function match(href) {
   const others = (await ownCaches()).filter((name) => name !== CACHE);
+  let damaged = false;
   for (const cacheName of [CACHE, ...others]) {
-    const found = (await caches.has(cacheName)) && (await caches.match(href, { cacheName }));
-    if (found) return found;
+    const kept = (await caches.has(cacheName)) && (await caches.match(href, { cacheName }));
+    if (!kept) continue;
+    if (cacheName !== CACHE || (await isListed(href, kept).catch(() => false))) return { kept, damaged };
+    damaged = true;
+    await (await caches.open(CACHE)).delete(href);
   }
-  return undefined;
+  return { damaged };
 }
 
 /** Where a page's script lies, or null where the page does not say. */

@@ -4,7 +4,7 @@ import { totalBending, valueAt } from './splines/curve.ts';
 import type { Curve, Derivative } from './splines/curve.ts';
 import { fitCurve, weightCurves } from './splines/fit.ts';
 import type { CurveKind, FitOptions } from './splines/fit.ts';
-import { leastBending, leastSamples } from './splines/least-bending.ts';
+import { MOST_SAMPLES, leastBending, leastSamples } from './splines/least-bending.ts';
 import type { SampledCurve } from './splines/least-bending.ts';
 import { slopeSystem } from './splines/slopes.ts';
 import type { System } from './splines/solve.ts';
@@ -21,10 +21,11 @@ export interface Derived {
   range: readonly [number, number];
   /** Of all layers but the samples, shown or not. */
   curves: Record<CurveKind, Curves>;
-  /** The brute force, one per coordinate; K as it could be taken. */
+  /** The brute force, one per coordinate; none where it would take more than MOST_SAMPLES. */
   samples: SampledCurve[];
+  /** K as it is taken, or would have to be. */
   sampleCount: number;
-  /** Total bending of each layer between the first and the last key. */
+  /** Total bending of each layer between the first and the last key; NaN where the layer is left out. */
   bending: Record<Layer, number>;
   /** Of the curve with the chosen ends, of the values. */
   system: System;
@@ -44,13 +45,16 @@ export function derive(state: PlayState): Derived {
     Curves
   >;
   const sampleCount = Math.max(state.samples, leastSamples(times));
-  const samples = coordinates.map((values) => leastBending({ times, values }, sampleCount));
+  const solved = sampleCount <= MOST_SAMPLES ? coordinates : [];
+  const samples = solved.map((values) => leastBending({ times, values }, sampleCount));
   const sum = (numbers: number[]): number => numbers.reduce((total, number) => total + number, 0);
   const intervals = times.length - 1;
   const bendingOf = (layer: Layer): number =>
     sum(
       layer === 'samples'
-        ? samples.map(({ bending }) => bending)
+        ? samples.length > 0
+          ? samples.map(({ bending }) => bending)
+          : [NaN]
         : curves[layer].map((curve) => totalBending(curve, intervals)),
     );
   const system = slopeSystem({ times, values: coordinates[0]! }, state.ends, state.speeds);

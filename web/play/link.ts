@@ -1,15 +1,23 @@
 /** The playground's state in the page's address, and back. Whatever does not fit is left out. */
 import type { Spacing } from '../model/key-spacing.ts';
 import { SPACINGS } from '../model/key-spacing.ts';
+import { leftOutSentence } from '../model/left-out.ts';
 import { TYPED_SPEED } from '../model/speeds.ts';
+import { clamp } from '../model/time-scale.ts';
 import type { Ends } from './splines/slopes.ts';
-import { INITIAL, LAYERS, MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES } from './state.ts';
+import { INITIAL, LAYERS, MAX_KEYS, MAX_SAMPLES, MIN_SAMPLES, MOST, shownTimes, wrongWithKeys } from './state.ts';
 import type { Layer, PlayKey, PlayState } from './state.ts';
 
 const ENDS: readonly Ends[] = ['natural', 'hermite', 'periodic'];
 const SPACING_NAMES = ['hand', ...(Object.keys(SPACINGS) as Spacing[])] as const;
-/** What is farther off is no value that somebody meant. */
-const MOST = 1e6;
+/** Characters of a name or a unit. */
+const LONGEST = 60;
+
+export interface Linked {
+  state: PlayState;
+  /** One sentence about what of the link was left out, or null. */
+  leftOut: string | null;
+}
 
 /** The fragment without its '#': only what differs from how the page opens. */
 export function writeLink(state: PlayState): string {
@@ -32,69 +40,86 @@ export function writeLink(state: PlayState): string {
 }
 
 /** null where the fragment says nothing. */
-export function readLink(hash: string): PlayState | null {
+export function readLink(hash: string): Linked | null {
   const params = new URLSearchParams(hash.replace(/^#/, ''));
   if ([...params.keys()].length === 0) return null;
-  const words = (name: string): string[] | undefined => params.get(name)?.split(' ');
-  const keys = readKeys(words('keys')) ?? INITIAL.keys;
-  const speeds = words('speeds')?.map(Number);
-  const [name, unit] = params.get('of')?.split('|') ?? [];
-  return {
-    keys,
-    layers: words('show') ? LAYERS.filter((layer: Layer) => words('show')!.includes(layer)) : INITIAL.layers,
-    ends: oneOf(params.get('ends'), ENDS) ?? INITIAL.ends,
-    speeds:
-      speeds?.length === 2 && speeds.every((speed) => speed >= 0 && speed <= TYPED_SPEED)
-        ? [speeds[0]!, speeds[1]!]
-        : INITIAL.speeds,
-    samples: whole(params.get('samples'), MIN_SAMPLES, MAX_SAMPLES) ?? INITIAL.samples,
-    selected: (whole(params.get('key'), 1, keys.length) ?? Math.min(INITIAL.selected + 1, keys.length)) - 1,
-    time: fitting(params.get('t')) ?? INITIAL.time,
-    plane: params.get('plane') === '1',
-    spacing: oneOf(params.get('spacing'), SPACING_NAMES) ?? INITIAL.spacing,
-    taken: name && keys !== INITIAL.keys ? { from: '', shape: '', name, unit: unit ?? '', keys: keys.length } : null,
+  const unfit: string[] = [];
+  const take = <T>(name: string, read: (text: string) => T | undefined): T | undefined => {
+    const text = params.get(name);
+    const value = text === null ? undefined : read(text);
+    if (text !== null && value === undefined) unfit.push(name);
+    return value;
   };
+  const linkedKeys = take('keys', readKeys);
+  const wrong = linkedKeys ? wrongWithKeys(linkedKeys) : null;
+  if (wrong) unfit.push(`keys (${wrong})`);
+  const keys = linkedKeys && !wrong ? linkedKeys : INITIAL.keys;
+  const selected = take('key', (text) => whole(text, 1, keys.length)) ?? Math.min(INITIAL.selected + 1, keys.length);
+  const [earliest, latest] = shownTimes([keys[0]!.time, keys.at(-1)!.time]);
+  const state: PlayState = {
+    keys,
+    layers: take('show', readLayers) ?? INITIAL.layers,
+    ends: take('ends', (text) => oneOf(text, ENDS)) ?? INITIAL.ends,
+    speeds: take('speeds', readSpeeds) ?? INITIAL.speeds,
+    samples: take('samples', (text) => whole(text, MIN_SAMPLES, MAX_SAMPLES)) ?? INITIAL.samples,
+    selected: selected - 1,
+    time: clamp(take('t', fitting) ?? INITIAL.time, earliest, latest),
+    plane: take('plane', (text) => oneOf(text, ['0', '1'])) === '1',
+    spacing: take('spacing', (text) => oneOf(text, SPACING_NAMES)) ?? INITIAL.spacing,
+    taken: null,
+  };
+  const [name, unit = ''] = (params.get('of') ?? '').slice(0, 2 * LONGEST).split('|');
+  if (name && keys !== INITIAL.keys) state.taken = { from: '', shape: '', name, unit, keys: keys.length };
+  return { state, leftOut: leftOutSentence(unfit) };
 }
 
 function keyText({ time, value, across, tension, bias }: PlayKey): string {
-  const numbers = [time, value, across, tension, bias].map(shortest);
+  const numbers = [exact(time), ...[value, across, tension, bias].map(shortest)];
   while (numbers.length > 3 && numbers.at(-1) === '0') numbers.pop();
   return numbers.join(',');
 }
 
-function readKeys(entries: string[] | undefined): PlayKey[] | undefined {
-  const keys = entries?.map((entry): PlayKey => {
-    const [time = NaN, value = NaN, across = 0, tension = 0, bias = 0] = entry.split(',').map(Number);
+function readKeys(text: string): PlayKey[] | undefined {
+  // One more than can be shown says as much as a million more.
+  const entries = text.split(' ', MAX_KEYS + 1);
+  const keys = entries.map((entry): PlayKey => {
+    const [time = NaN, value = NaN, across = 0, tension = 0, bias = 0] = entry.split(',', 5).map(Number);
     return { time, value, across, tension, bias };
   });
-  const good =
-    keys &&
-    keys.length >= MIN_KEYS &&
-    keys.length <= MAX_KEYS &&
-    keys.every(
-      ({ time, value, across, tension, bias }, i) =>
-        [time, value, across].every((number) => Math.abs(number) <= MOST) &&
-        Math.abs(tension) <= 1 &&
-        Math.abs(bias) <= 1 &&
-        (i === 0 || time > keys[i - 1]!.time),
-    );
-  return good ? keys : undefined;
+  return keys.every((key) => Object.values(key).every(Number.isFinite)) ? keys : undefined;
 }
 
-function fitting(text: string | null): number | undefined {
-  const value = Number(text ?? NaN);
+/** undefined where one of them is unknown. */
+function readLayers(text: string): Layer[] | undefined {
+  const words = text.split(' ', LAYERS.length + 1).filter((word) => word !== '');
+  return words.every((word) => oneOf(word, LAYERS)) ? LAYERS.filter((layer) => words.includes(layer)) : undefined;
+}
+
+function readSpeeds(text: string): [number, number] | undefined {
+  const [start = NaN, end = NaN, ...more] = text.split(' ', 3).map(Number);
+  const good = more.length === 0 && [start, end].every((speed) => speed >= 0 && speed <= TYPED_SPEED);
+  return good ? [start, end] : undefined;
+}
+
+function fitting(text: string): number | undefined {
+  const value = Number(text);
   return Math.abs(value) <= MOST ? value : undefined;
 }
 
-function whole(text: string | null, least: number, most: number): number | undefined {
-  const value = Number(text ?? NaN);
+function whole(text: string, least: number, most: number): number | undefined {
+  const value = Number(text);
   return Number.isInteger(value) && value >= least && value <= most ? value : undefined;
 }
 
-function oneOf<T extends string>(text: string | null, values: readonly T[]): T | undefined {
+function oneOf<T extends string>(text: string, values: readonly T[]): T | undefined {
   return values.find((value) => value === text);
 }
 
 function shortest(value: number): string {
   return String(Number(value.toPrecision(5)));
+}
+
+/** Times keep their order, however close they are. */
+function exact(value: number): string {
+  return String(Number(value.toPrecision(10)));
 }

@@ -8,6 +8,7 @@ import { createReal } from './real.ts';
 
 const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const newVersion = createOffer('new-version');
+const problem = createOffer('problem');
 const theme = createTheme(() => themeButton.update(theme.theme()));
 const themeButton = createThemeButton(() => theme.next());
 const real = createReal({
@@ -15,16 +16,20 @@ const real = createReal({
   change: (state) => page.change(state, 'natural'),
 });
 const page = createPlayPage({
-  notices: [newVersion.element],
+  notices: [newVersion.element, problem.element],
   real,
   theme: themeButton.element,
   playing: !reducedMotion,
-  onError: (error) => newVersion.offer({ message: error instanceof Error ? error.message : String(error) }),
+  onError: (error) => problem.offer({ message: error instanceof Error ? error.message : String(error) }),
+  onLeftOut: (message) => problem.offer(message === null ? null : { message }),
 });
 themeButton.update(theme.theme());
 // As a part of another page it leaves out what that page has.
 if (window !== window.parent) document.documentElement.dataset['framed'] = '';
 document.getElementById('play')?.replaceChildren(page.element);
-registerServiceWorker((reload) => {
-  newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+registerServiceWorker({
+  onNewVersion(reload) {
+    newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+  },
+  onRepaired: (message) => problem.offer({ message }),
 });

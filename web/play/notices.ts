@@ -4,6 +4,7 @@ import { largestJump } from './figures/rate-figure.ts';
 import { LAYER_WORDS, number } from './figures/words.ts';
 import { valueAt } from './splines/curve.ts';
 import type { Curve } from './splines/curve.ts';
+import { MOST_SAMPLES } from './splines/least-bending.ts';
 import type { Layer, PlayState } from './state.ts';
 
 /** What was touched last. */
@@ -25,6 +26,7 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
     case 'periodic':
       return 'Notice that a loop knows no ends: beyond the last key the curve comes back to the first, as smoothly as anywhere.';
     case 'samples': {
+      if (samples.length === 0) return tooManySamples(derived);
       const off = Math.max(
         ...samples[0]!.values.map((v, i) => Math.abs(v - valueAt(curves.natural[0]!, samples[0]!.times[i]!))),
       );
@@ -99,7 +101,13 @@ export function rateNotice({ layers }: PlayState, derived: Derived, derivative: 
   return `Notice where ${what} (${names(jumping)})${calm.length > 0 ? `; it goes on without a step (${says}) for ${names(calm)}` : ''}.`;
 }
 
-export function bendingNotice({ layers }: PlayState, { bending }: Derived): string {
+function tooManySamples({ sampleCount }: Derived): string {
+  return `The brute force is left out: two keys are so close in time that it would take ${sampleCount} samples, and this page solves for ${MOST_SAMPLES} at most. Move those keys apart.`;
+}
+
+export function bendingNotice({ layers }: PlayState, derived: Derived): string {
+  const { bending, samples } = derived;
+  if (layers.includes('samples') && samples.length === 0) return tooManySamples(derived);
   const others = layers.filter((layer) => !['natural', 'samples', 'linear'].includes(layer));
   const least = `Notice that of all curves through these keys the natural one bends least: ${number(bending.natural)}.`;
   if (others.length === 0 || !(bending.natural > 1e-9)) return least;

@@ -37,6 +37,8 @@ export interface PageParts {
   /** Before the first touch the page plays by itself. */
   playing: boolean;
   onError(error: unknown): void;
+  /** A sentence about what the link holds that cannot be shown; null = nothing. */
+  onLeftOut(sentence: string | null): void;
 }
 
 export interface PlayPage {
@@ -50,7 +52,8 @@ const SAY_MS = 600;
 const LINK_MS = 300;
 
 export function createPlayPage(parts: PageParts): PlayPage {
-  let state: PlayState = readLink(location.hash) ?? INITIAL;
+  const opened = readLink(location.hash);
+  let state: PlayState = opened?.state ?? INITIAL;
   let derived: Derived = derive(state);
   let touched: Touched = 'key';
   let lit = -1;
@@ -272,9 +275,11 @@ export function createPlayPage(parts: PageParts): PlayPage {
   }
   window.addEventListener('hashchange', () => {
     const linked = readLink(location.hash);
-    if (linked) change(linked, 'key');
+    if (linked) change(linked.state, 'key');
+    parts.onLeftOut(linked?.leftOut ?? null);
   });
   if (parts.playing && location.hash.length < 2) demonstration.start();
+  if (opened) parts.onLeftOut(opened.leftOut);
   redraw();
   return {
     element: h(

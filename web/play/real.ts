@@ -2,9 +2,9 @@
 import { button, select } from '../ui/controls.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
 import type { OpenShape, PlaygroundMessage } from '../model/playground-channel.ts';
-import { playgroundChannel } from '../model/playground-channel.ts';
+import { messageFrom, playgroundChannel } from '../model/playground-channel.ts';
 import { timesOf } from './derived.ts';
-import { LAYERS, MAX_KEYS } from './state.ts';
+import { LAYERS, MAX_KEYS, wrongWithKeys } from './state.ts';
 import type { PlayState } from './state.ts';
 
 export interface RealParts {
@@ -21,6 +21,8 @@ export interface Real {
 const TAKE = '#take';
 
 const ASK_AGAIN_MS = 1000;
+/** Of other tabs that are listed. */
+const MOST_SHAPES = 32;
 
 export function createReal({ get, change }: RealParts): Real {
   const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
@@ -58,7 +60,7 @@ export function createReal({ get, change }: RealParts): Real {
     text: 'Take it',
     onClick() {
       const found = choiceOf(chosen);
-      if (found) change(takenState(get(), found.shape, found.index));
+      if (found) takeFrom(found.shape, found.index);
     },
   });
   const back = button({
@@ -77,6 +79,12 @@ export function createReal({ get, change }: RealParts): Real {
     said,
   );
 
+  const takeFrom = (shape: OpenShape, index: number): void => {
+    const state = takenState(get(), shape, index);
+    const wrong = wrongWithKeys(state.keys);
+    setText(said, wrong ? `These keys cannot be shown here: ${wrong}.` : '');
+    if (!wrong) change(state);
+  };
   const choiceOf = (value: string): { shape: OpenShape; index: number } | null => {
     const [page, index] = value.split('|');
     const shape = shapes.get(page ?? '');
@@ -98,14 +106,16 @@ export function createReal({ get, change }: RealParts): Real {
     back.disabled = !of || of.times.length !== keys.length;
   };
 
-  channel?.addEventListener('message', ({ data }: MessageEvent<PlaygroundMessage>) => {
-    if (data.type === 'open') {
-      shapes.set(data.shape.page, data.shape);
+  channel?.addEventListener('message', ({ data }: MessageEvent<unknown>) => {
+    const message = messageFrom(data);
+    if (message?.type === 'open' && (shapes.has(message.shape.page) || shapes.size < MOST_SHAPES)) {
+      const { shape } = message;
+      shapes.set(shape.page, shape);
       draw();
-      if (asked && data.shape.coordinates.length > 0) change(takenState(get(), data.shape, 0));
+      if (asked && shape.coordinates.length > 0) takeFrom(shape, 0);
       asked = false;
     }
-    if (data.type === 'done')
+    if (message?.type === 'done')
       setText(
         said,
         `The shape ${window === window.parent ? 'in the other tab' : 'beside'} moves like this now; Undo there takes it back.`,

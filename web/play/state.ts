@@ -50,8 +50,16 @@ export const MIN_SAMPLES = 5;
 export const MAX_SAMPLES = 60;
 /** As far as handles and sliders go; faster ones can be typed. */
 export const MOST_SPEED = 4;
-/** Two keys are at least this share of the whole time apart. */
+/** Two keys stay at least this share of the whole time apart while one is dragged. */
 const LEAST_GAP = 0.02;
+/** How much of the time before and after the keys is shown. */
+const MARGIN = 0.2;
+/** Larger times and values are not shown. */
+export const MOST = 1e6;
+/** The least time from the first key to the last, in units and as a share of the latest time. */
+const LEAST_SPAN = 1e-3;
+/** The least interval between two keys, as a share of the whole time: below it slopes are mostly rounding. */
+const LEAST_SHARE = 1e-6;
 
 const plain = (time: number, value: number, across: number): PlayKey => ({ time, value, across, tension: 0, bias: 0 });
 
@@ -68,8 +76,31 @@ export const INITIAL: Readonly<PlayState> = {
   taken: null,
 };
 
+/** First and last time that plots over time show. */
+export function shownTimes([start, end]: readonly [number, number]): [number, number] {
+  return [start - MARGIN * (end - start), end + MARGIN * (end - start)];
+}
+
+/** Why these keys cannot be shown, or null. */
+export function wrongWithKeys(keys: readonly PlayKey[]): string | null {
+  if (keys.length < MIN_KEYS || keys.length > MAX_KEYS) return `there must be ${MIN_KEYS} to ${MAX_KEYS}`;
+  const within = (most: number, ...numbers: number[]): boolean => numbers.every((one) => Math.abs(one) <= most);
+  if (!keys.every(({ time, value, across }) => within(MOST, time, value, across)))
+    return `times and values must be numbers from ${-MOST} to ${MOST}`;
+  if (!keys.every(({ tension, bias }) => within(1, tension, bias))) return 'tension and bias must be from -1 to 1';
+  const times = keys.map(({ time }) => time);
+  const span = times.at(-1)! - times[0]!;
+  if (!(span >= LEAST_SPAN * Math.max(1, ...times.map(Math.abs)))) return 'the last must be later than the first';
+  const close = times.findIndex((time, i) => i > 0 && !(time - times[i - 1]! >= LEAST_SHARE * span));
+  return close < 0 ? null : `key ${close + 1} must be later than key ${close}`;
+}
+
 export function withKey(state: PlayState, index: number, change: Partial<PlayKey>): PlayState {
-  return { ...state, keys: state.keys.map((key, at) => (at === index ? { ...key, ...change } : key)) };
+  const changed = (key: PlayKey): PlayKey => {
+    const { value, across, ...rest } = { ...key, ...change };
+    return { ...rest, value: clamp(value, -MOST, MOST), across: clamp(across, -MOST, MOST) };
+  };
+  return { ...state, keys: state.keys.map((key, at) => (at === index ? changed(key) : key)) };
 }
 
 /** Gives a key another value; and another time, which stays between those of its neighbours. */
@@ -79,14 +110,11 @@ export function moveKey(state: PlayState, index: number, to: { time?: number; va
   if (!key) return state;
   const { time } = to;
   if (time === undefined || state.spacing !== 'hand') return withKey(state, index, { value: to.value });
-  const gap = LEAST_GAP * (keys.at(-1)!.time - keys[0]!.time);
   const [before, after] = [keys[index - 1], keys[index + 1]];
   // The time as a whole keeps its length: the ends stay.
-  const fixed = !before || !after;
-  return withKey(state, index, {
-    value: to.value,
-    time: fixed ? key.time : clamp(time, before.time + gap, after.time - gap),
-  });
+  if (!before || !after) return withKey(state, index, { value: to.value });
+  const gap = Math.min(LEAST_GAP * (keys.at(-1)!.time - keys[0]!.time), (after.time - before.time) / 3);
+  return withKey(state, index, { value: to.value, time: clamp(time, before.time + gap, after.time - gap) });
 }
 
 /** Puts a key halfway between the selected one and the next, or the one before at the end; `at` says its value. */
@@ -96,12 +124,8 @@ export function addKey(state: PlayState, at: (time: number) => { value: number; 
   const index = Math.min(selected, keys.length - 2);
   const time = (keys[index]!.time + keys[index + 1]!.time) / 2;
   const added = { time, ...at(time), tension: 0, bias: 0 };
-  return {
-    ...state,
-    keys: [...keys.slice(0, index + 1), added, ...keys.slice(index + 1)],
-    selected: index + 1,
-    taken: null,
-  };
+  const more = [...keys.slice(0, index + 1), added, ...keys.slice(index + 1)];
+  return wrongWithKeys(more) ? state : { ...state, keys: more, selected: index + 1, taken: null };
 }
 
 export function removeKey(state: PlayState, index: number): PlayState {

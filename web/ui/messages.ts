@@ -74,20 +74,32 @@ export interface ErrorMessage {
   message: string;
   /** For experts. */
   details: string;
+  /** Loading the page again may help. */
+  retry?: boolean;
 }
 
-export function createErrorMessage(onClose: () => void): {
+export function createErrorMessage(
+  onClose: () => void,
+  onRetry: () => void,
+): {
   element: HTMLElement;
   update(error: ErrorMessage | null): void;
 } {
   const message = h('p', { class: 'message', 'data-testid': 'error-message' });
   const details = h('p', { class: 'expert' });
   const more = h('details', {}, h('summary', {}, 'Details'), details);
+  const retry = button({
+    label: 'Try again: load the page anew',
+    testId: 'error-retry',
+    text: 'Try again',
+    kind: 'plain',
+    onClick: onRetry,
+  });
   const element = h(
     'div',
     { class: 'card error-message', role: 'alert', 'data-testid': 'error', hidden: true },
     icon('warning'),
-    h('div', {}, message, more),
+    h('div', {}, message, more, retry),
     button({ label: 'Close this message', testId: 'error-close', icon: 'close', shortcut: 'Esc', onClick: onClose }),
   );
   const draw = memo(({ error }: { error: ErrorMessage | null }) => {
@@ -96,6 +108,7 @@ export function createErrorMessage(onClose: () => void): {
     setText(message, error.message);
     setText(details, error.details);
     setHidden(more, error.details === '');
+    setHidden(retry, error.retry !== true);
   });
   return { element, update: (error) => draw({ error }) };
 }

@@ -7,6 +7,7 @@ import { CameraRig } from './camera.ts';
 import { Contents } from './contents.ts';
 import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
+import { listenToSize } from './host-size.ts';
 import { Stage } from './stage.ts';
 import type { Extent } from './bounds.ts';
 import type { Bounds } from './stage.ts';
@@ -64,8 +65,6 @@ export class Viewer {
   private floored = false;
   private waiting: (() => void)[] = [];
   private readonly followers: (() => void)[] = [];
-  private readonly resize: ResizeObserver;
-  private readonly pixels: ResizeObserver;
   /** Of the screen for one of the page's, as it is drawn. */
   private ratio = 1;
   private readonly over = new AbortController();
@@ -114,20 +113,18 @@ export class Viewer {
       { signal },
     );
     let width = host.clientWidth;
-    this.resize = new ResizeObserver(() => {
+    const resized = (): void => {
       this.fitCanvas();
       // A telephone that is turned would cut off what was whole.
       if (host.clientWidth !== width) this.refit(false);
       width = host.clientWidth;
       events.onResize();
-    });
-    this.resize.observe(host);
+    };
     // Another screen, or the page's own `zoom`: as large as before, of other pixels.
-    this.pixels = new ResizeObserver(() => {
+    const zoomed = (): void => {
       if (this.ratio !== this.wantedRatio) this.fitCanvas();
-    });
-    if ('devicePixelContentBoxSize' in ResizeObserverEntry.prototype)
-      this.pixels.observe(host, { box: 'device-pixel-content-box' });
+    };
+    listenToSize(host, resized, zoomed, signal);
     this.fitCanvas();
   }
 
@@ -515,8 +512,6 @@ export class Viewer {
 
   dispose(): void {
     cancelAnimationFrame(this.pending);
-    this.resize.disconnect();
-    this.pixels.disconnect();
     this.contents.dispose();
     this.rig.dispose();
     this.stage.dispose();

@@ -10,11 +10,16 @@ import {
   resolveUri,
   resourceUris,
   uriError,
+  urlBeside,
 } from '../../../web/engine/api/paths.ts';
 
 interface UriCases {
   sentences: Record<'external' | 'outside' | 'missing', string>;
-  cases: { uri: string; from: string; files: string[]; finds?: string; is?: string }[];
+  cases: { uri: string; from: string; files: string[]; finds?: string; is?: string; said?: string }[];
+  /** Where it comes from, and what is fetched of what it names: addresses on the same host. */
+  model: string;
+  fetched: Record<string, string>;
+  unfetched: string[];
 }
 
 const shared = JSON.parse(readFileSync(new URL('../../uri-cases.json', import.meta.url), 'utf8')) as UriCases;
@@ -52,15 +57,27 @@ describe('paths', () => {
 });
 
 describe('a URI in a file', () => {
-  it.each(shared.cases)('$uri in $from, beside $files', ({ uri, from, files, finds, is }) => {
+  it.each(shared.cases)('$uri in $from, beside $files', ({ uri, from, files, finds, is, said = uri }) => {
     const target = resolveUri(uri, from, files.map(file));
     if (target.kind === 'file') return expect(target.file.name).toBe(finds);
     expect(target.kind).toBe(is);
-    const sentence = shared.sentences[target.kind].replace('FILE', 'a.gltf').replace('URI', uri);
+    const sentence = shared.sentences[target.kind].replace('FILE', 'a.gltf').replace('URI', said);
     expect(uriError(target.kind, uri, from)).toMatchObject({
       message: sentence,
       code: is === 'missing' ? 'missing-resource' : 'external-resource',
     });
+  });
+
+  it.each(Object.entries(shared.fetched))('of a model from the web leads into its folder: %j', (uri, path) => {
+    expect(urlBeside(uri, new URL(shared.model))?.href).toBe(new URL(`/${path}`, shared.model).href);
+  });
+
+  it.each(shared.unfetched)('of a model from the web leads nowhere else: %j', (uri) => {
+    expect(urlBeside(uri, new URL(shared.model))).toBeNull();
+  });
+
+  it.each(['data:model/gltf+json,{}', 'blob:https://example.org/a.gltf'])('leads nowhere from %s', (model) => {
+    for (const uri of ['a.png', 'https://example.org/a.png']) expect(urlBeside(uri, new URL(model))).toBeNull();
   });
 
   it('is listed from any JSON at all', () => {

@@ -85,6 +85,16 @@ Result<Resource> dataResource(std::string_view uri, const std::string& where) {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
+// The start of a URI as browsers see it, who skip blanks before it and line breaks inside: enough to hold a scheme.
+std::string headOf(std::string_view uri) {
+  constexpr std::size_t kHead = 64;
+  while (!uri.empty() && static_cast<unsigned char>(uri.front()) <= ' ') uri.remove_prefix(1);
+  std::string head;
+  for (char c : uri.substr(0, kHead))
+    if (c != '\t' && c != '\n' && c != '\r') head += c;
+  return head;
+}
+
 // A letter, then letters, digits, +, - and ., then a colon (RFC 3986). One letter alone is a Windows drive.
 bool hasScheme(std::string_view uri) {
   const std::size_t colon = uri.find(':');
@@ -136,13 +146,15 @@ const NamedBytes* findFile(std::string_view path, std::string_view from, std::sp
 Result<Resource> resolveUri(std::string_view uri, std::string_view from, std::span<const NamedBytes> files,
                             const std::string& where) {
   if (uri.starts_with("data:")) return dataResource(uri, where);
-  if (uri.starts_with("//") || (hasScheme(uri) && uri.find(':') > 1))
+  const std::string head = headOf(uri);
+  if (head.starts_with("//") || (hasScheme(head) && head.find(':') > 1))
     return Error{
         ErrorCode::ExternalResource,
         where + " refers to " + inQuotes(uri) +
             ". Nothing outside the given files is ever fetched: save that file beside it and give both together."};
   const std::string path = percentDecoded(uri);
-  const bool absolute = path.starts_with('/') || path.starts_with('\\') || hasScheme(path);
+  const std::string start = headOf(path);
+  const bool absolute = start.starts_with('/') || start.starts_with('\\') || hasScheme(start);
   if (!absolute)
     if (const NamedBytes* file = findFile(path, from, files)) {
       Resource resource;

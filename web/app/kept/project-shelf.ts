@@ -5,7 +5,7 @@
 import { createStore, promisifyRequest } from 'idb-keyval';
 import type { Pose } from '../../engine/api/read-poses.ts';
 import type { ImportOptions, InputFile, Point } from '../../engine/api/types.ts';
-import type { AppState } from '../../model/state.ts';
+import type { AppState, KeyRef } from '../../model/state.ts';
 
 /** What changes while files are open. */
 export interface Changing {
@@ -29,7 +29,7 @@ export interface ProjectOnShelf {
   names: readonly string[];
   /** Milliseconds since 1970 of the last change, or of its opening. */
   changed: number;
-  /** A visit began to open it and has not said that it is open. */
+  /** The last attempt to open it failed or did not end. */
   opening: boolean;
 }
 
@@ -133,24 +133,29 @@ export function readShelf(): Promise<Shelf> {
   return atomically(async (store) => {
     await upgrade(store);
     const { projects, broken } = await readAll(store);
-    for (const key of broken) {
-      const id = key.slice(PROJECT.length);
-      store.put({ project: await stored(store, key), files: await stored(store, FILES + id) }, SET_ASIDE + id);
-      remove(store, id);
-    }
+    for (const key of broken) await setAside(store, key.slice(PROJECT.length));
     return { projects, setAside: broken.length };
   });
 }
 
-/** A project with its files and its version, or null where it is kept no longer. */
+/** A project with its files and its version, or null where it is kept no longer, or was set aside as unreadable. */
 export function readProject(id: string): Promise<{ remembered: Remembered; version: number } | null> {
   return atomically(async (store) => {
     const [project, files] = [await projectOn(store, id), await stored(store, FILES + id)];
     if (!project || !files) return null;
+    if (!readRecord(project) || !areFiles(files)) {
+      await setAside(store, id);
+      return null;
+    }
     const { options, poses, offset, state, version } = project;
-    const place = offset && { offset };
-    return { remembered: { files: files as InputFile[], options, poses, ...place, state }, version };
+    return { remembered: { files, options, poses, ...(offset && { offset }), state }, version };
   });
+}
+
+/** Makes room for what can be opened, and keeps the record for those who may need it. */
+async function setAside(store: IDBObjectStore, id: string): Promise<void> {
+  store.put({ project: await stored(store, PROJECT + id), files: await stored(store, FILES + id) }, SET_ASIDE + id);
+  remove(store, id);
 }
 
 export function newProjectId(): string {
@@ -180,11 +185,37 @@ async function readAll(store: IDBObjectStore): Promise<{ projects: ProjectOnShel
   return { projects: projects.sort((a, b) => b.changed - a.changed), broken };
 }
 
-function readRecord(record: unknown): ProjectOnShelf | null {
-  const { format, id, opening, changed, poses, state } = (record ?? {}) as Partial<ProjectRecord>;
-  const whole = format === FORMAT && Array.isArray(poses) && Array.isArray(state?.doc?.keys);
-  if (!whole || state.source?.kind !== 'files') return null;
-  return { id: id!, names: state.source.names, changed: changed ?? 0, opening: opening === true };
+/** What stands in a record that could be opened. */
+export function readRecord(record: unknown): ProjectOnShelf | null {
+  const { format, id, opening, changed, options, poses, offset, state } = (record ?? {}) as Partial<ProjectRecord>;
+  const source: Partial<AppState['source'] & { names: unknown }> = state?.source ?? {};
+  const { names } = source;
+  const isPose = (pose: Partial<Pose> | null): boolean =>
+    typeof pose?.name === 'string' && pose.positions instanceof Float32Array;
+  const isKey = (key: Partial<KeyRef> | null): boolean =>
+    Number.isInteger(key?.pose) && Number.isFinite(key?.time) && typeof key?.name === 'string';
+  const whole =
+    format === FORMAT &&
+    typeof id === 'string' &&
+    isListOf(poses, isPose) &&
+    (offset === undefined || isListOf(offset, Number.isFinite)) &&
+    isListOf(state?.doc?.keys, isKey) &&
+    source.kind === 'files' &&
+    isListOf(names, (name: unknown) => typeof name === 'string') &&
+    [options, state?.view, state?.play].every((part) => part === undefined || typeof part === 'object');
+  if (!whole) return null;
+  return { id, names: names as string[], changed: Number(changed) || 0, opening: opening === true };
+}
+
+/** Of the files of a record: with their bytes. */
+export function areFiles(files: unknown): files is InputFile[] {
+  return isListOf(files, (file: Partial<InputFile> | null) => {
+    return typeof file?.name === 'string' && file.bytes instanceof Uint8Array;
+  });
+}
+
+function isListOf<T>(list: unknown, isOne: (one: T) => boolean): boolean {
+  return Array.isArray(list) && list.every(isOne);
 }
 
 /** Format 1 had `rest` and `files`, format 2 `project` and `files`. */

@@ -37,8 +37,11 @@ export interface RememberedFiles {
   flush(): void;
   /** What earlier visits left, the last changed first. Nothing that goes wrong here keeps the page from starting. */
   recall(): Promise<readonly ProjectOnShelf[]>;
-  /** Opens what is kept by `open`; a visit that ends meanwhile leaves a sign of it. */
-  reopen(id: string, open: (remembered: Remembered) => Promise<boolean>): Promise<boolean>;
+  /**
+   * Opens what is kept by `open`, which resolves to null where something else was asked for meanwhile. A failure leaves
+   * a mark, and so does a visit that ends meanwhile: the next one does not open it unasked.
+   */
+  reopen(id: string, open: (remembered: Remembered) => Promise<boolean | null>): Promise<boolean>;
   /** Whether leaving the page now would lose the user's work. */
   readonly unsaved: boolean;
 }
@@ -139,7 +142,8 @@ export function createRememberedFiles({
     changed();
   };
 
-  tabs?.addEventListener('message', ({ data }: MessageEvent<News>) => {
+  tabs?.addEventListener('message', ({ data }: MessageEvent<Partial<News> | null>) => {
+    if (typeof data?.forgotten !== 'string') return;
     if (own() === data.forgotten && isKept()) say('Forgotten in another tab.');
     giveUp(data.forgotten);
   });
@@ -260,7 +264,7 @@ export function createRememberedFiles({
       const project = await readProject(id);
       if (!project) {
         giveUp(id);
-        throw new Error('These files are not remembered any more. Open them again.');
+        throw new Error('These files are no longer stored, or cannot be read. Open them again.');
       }
       const { remembered, version } = project;
       const leave = (): void => writeSetting(LEFT, id);
@@ -278,10 +282,10 @@ export function createRememberedFiles({
         kept.set(id, { version, poses, files, state: last ? '' : JSON.stringify(store.get()) });
         newest = id;
       }
-      await markOpening(id, false).catch(() => undefined);
+      if (opened !== false) await markOpening(id, false).catch(() => undefined);
       window.removeEventListener('pagehide', leave);
       changed();
-      return opened;
+      return opened === true;
     },
     get unsaved() {
       const { source, doc } = store.get();

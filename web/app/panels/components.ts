@@ -277,7 +277,7 @@ export function createComponents(input: ComponentsInput): Components {
   }, input.onError);
   const status = createStatusLine((from) => void warnings.need().then((list) => list?.toggle(from)));
   const progress = createProgress(input.onCancel);
-  const errorMessage = createErrorMessage(input.onCloseError);
+  const errorMessage = createErrorMessage(input.onCloseError, () => location.reload());
   const welcome = createWelcome(picker.open);
   const exporting = later<ExportDialogProps, ExportDialog>(async () => {
     const { createExportDialog } = await import('../../ui/export-dialog.ts');

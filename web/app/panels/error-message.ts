@@ -12,5 +12,13 @@ export function errorMessageOf(error: unknown): ErrorMessage {
   ];
   if (places.some(([, value]) => typeof value === 'number')) parts.push('counted from 0');
   if (error.cause instanceof Error) parts.push(error.cause.message);
-  return { message: error.message, details: parts.join(', ') };
+  // A part of the page that did not come: browsers say so in words of their own.
+  if (/dynamically imported module|module script failed/i.test(error.message))
+    return {
+      message: 'A part of this page could not be loaded. Check the connection and try again.',
+      details: error.message,
+      retry: true,
+    };
+  const details = parts.join(', ');
+  return code === 'not-loaded' ? { message: error.message, details, retry: true } : { message: error.message, details };
 }

@@ -24,9 +24,7 @@ export interface OpenFirstParts {
   say(text: string): void;
   /** The link names a page of the guide. */
   onGuide(fragment: string): Promise<unknown>;
-  /**
-   * An earlier visit ended while it opened these files: they may end this one, too, so that they are opened on demand.
-   */
+  /** These files did not open before. They may end this visit, too, so they are opened on demand. */
   onStopped(offer: Offer): void;
 }
 
@@ -63,17 +61,17 @@ export async function openFirst(
   if (page && ((await onGuide(page)) || isOvertaken())) return;
   const strange = named ? null : strangeLink(fragment);
   if (strange) say(strange);
-  const again = async (work: Remembered): Promise<boolean> => {
-    if (isOvertaken()) return false;
+  const again = async (work: Remembered): Promise<boolean | null> => {
+    if (isOvertaken()) return null;
     asked += 1;
-    return files.again(work);
+    return reopening(files)(work);
   };
   const [left] = named ? [] : kept;
   if (left?.opening) {
     onStopped({
-      message: `“${left.names[0] ?? 'A file'}” was not opened again: the last visit ended while it was being opened.`,
+      message: `“${left.names[0] ?? 'A file'}” was not opened again: the last attempt failed or did not end.`,
       action: 'Open it',
-      onAccept: () => void remembered.reopen(left.id, files.again),
+      onAccept: () => void remembered.reopen(left.id, reopening(files)),
     });
   } else if (left && ((await remembered.reopen(left.id, again).catch(() => false)) || isOvertaken())) return;
   const link = named ?? (isNew && !left ? readPermalink(FIRST_VISIT) : null);
@@ -84,6 +82,15 @@ export async function openFirst(
   if (opened && !named) writeSetting(VISITED, '1');
   if (named && named.sample !== first.id)
     say(`There is no sample named “${named.sample}”. This is “${first.title}”; choose another under Samples.`);
+}
+
+/** Opens what was kept; null where something else is asked for before it is there. */
+export function reopening(files: OpenFiles): (work: Remembered) => Promise<boolean | null> {
+  return async (work) => {
+    const opened = files.again(work);
+    const { asks } = files;
+    return (await opened) || (files.asks === asks ? false : null);
+  };
 }
 
 const opensFirstSample = (fragment: string): boolean => !readPermalink(fragment) && !guideLink(fragment);

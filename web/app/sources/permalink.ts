@@ -8,6 +8,7 @@ import { wrongWith } from '../../engine/api/options.ts';
 import type { AddedTurns, Method } from '../../engine/api/types.ts';
 import { setShaping, setTurns } from '../../model/edits.ts';
 import { MAX_FPS, MIN_FPS } from '../../model/frames.ts';
+import { leftOutSentence } from '../../model/left-out.ts';
 import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
 import { pinsFromText, pinsText } from '../../model/pins.ts';
 import type { ShapingNumber } from '../../model/shaping.ts';
@@ -149,9 +150,7 @@ export function leftOut({ unfit, motion, keys }: Permalink, doc: Doc): string | 
   if ((motion.period ?? null) !== doc.motion.period) names.push('period');
   if (keys && (keys.length !== doc.keys.length || keys.some(([, time], i) => time !== doc.keys[i]!.time)))
     names.push('keys');
-  if (names.length === 0) return null;
-  const [what, was] = names.length === 1 ? ['a value', 'was'] : ['values', 'were'];
-  return `The link has ${what} that cannot be used and ${was} left out: ${names.join(', ')}.`;
+  return leftOutSentence(names);
 }
 
 /**
@@ -166,8 +165,8 @@ export function applyPermalink(doc: Doc, link: Permalink, components = Infinity)
   const encoding = { ...doc.encoding, ...link.encoding };
   for (const name of POSES) if (!known(encoding[name])) encoding[name] = null;
   const motion = { ...doc.motion, ...link.motion };
-  // A loop is as long as its keys at least.
-  if (motion.period !== null && motion.period < keys.at(-1)!.time - keys[0]!.time) motion.period = null;
+  // A loop takes longer than its keys: the way back to the first needs time, too.
+  if (motion.period !== null && motion.period <= keys.at(-1)!.time - keys[0]!.time) motion.period = null;
   let next: Doc = { keys, encoding, motion };
   const each = (values: number[], set: (key: number, value: number) => void): void => {
     if (values.length === keys.length) values.forEach((value, key) => set(key, value));

@@ -1,8 +1,10 @@
 /** Answers the playground where it is open in another tab: coordinates of the shape, and how its keys are passed. */
 import type { Sequence } from '../../engine/api/api.ts';
+import { MOST_TIME, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
+import { wrongWith } from '../../engine/api/options.ts';
 import { setMotion } from '../../model/edits.ts';
 import type { KeyPassing, OpenShape, PlaygroundMessage, ShapeCoordinate } from '../../model/playground-channel.ts';
-import { playgroundChannel } from '../../model/playground-channel.ts';
+import { messageFrom, playgroundChannel } from '../../model/playground-channel.ts';
 import type { Doc } from '../../model/state.ts';
 import { referenceKey } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
@@ -49,13 +51,15 @@ export function listenToPlayground({ store, workspace, sequence, title, onError 
     return { page, title: title(), coordinates, ...passingOf(doc) };
   };
 
-  channel.addEventListener('message', ({ data }: MessageEvent<PlaygroundMessage>) => {
-    if (data.type === 'ask')
+  channel.addEventListener('message', ({ data }: MessageEvent<unknown>) => {
+    const message = messageFrom(data);
+    if (message?.type === 'ask')
       void openShape()
         .then((shape) => shape && send({ type: 'open', shape }))
         .catch(onError);
-    if (data.type === 'back' && data.page === page && data.times.length === store.get().doc.keys.length) {
-      store.edit('motion from the playground', (doc) => withPassing(doc, data));
+    if (message?.type !== 'back' || message.page !== page) return;
+    if (message.times.length === store.get().doc.keys.length && fits(message)) {
+      store.edit('motion from the playground', (doc) => withPassing(doc, message));
       send({ type: 'done', page });
     }
   });
@@ -71,6 +75,16 @@ function passingOf({ keys, motion }: Doc): KeyPassing {
     tension: keys.map(({ shaping }) => shaping.tension),
     bias: keys.map(({ shaping }) => shaping.bias),
   };
+}
+
+/** Whether the engine takes these numbers. */
+function fits({ times, startSpeed, endSpeed, tension, bias }: KeyPassing): boolean {
+  const speeds = wrongWith(MOTION.startSpeed, startSpeed) ?? wrongWith(MOTION.endSpeed, endSpeed);
+  const wrong = [
+    ...tension.map((one) => wrongWith(PER_KEY.tension, one)),
+    ...bias.map((one) => wrongWith(PER_KEY.bias, one)),
+  ];
+  return speeds === null && wrong.every((one) => one === null) && times.every((time) => Math.abs(time) <= MOST_TIME);
 }
 
 /** Other times, ends, tensions and biases; the shapes stay. */

@@ -62,16 +62,38 @@ export function decodedUri(uri: string): string {
   });
 }
 
-/** Another host or scheme; one letter alone is a drive of Windows. */
-const isElsewhere = (uri: string): boolean => /^([a-z][a-z0-9+.-]+:|\/\/)/i.test(uri);
+/** Of a URI as browsers see it, who skip blanks before it and line breaks inside: enough to hold a scheme. */
+function headOf(uri: string): string {
+  let start = 0;
+  while (uri.charAt(start) !== '' && uri.charAt(start) <= ' ') start += 1;
+  return uri.slice(start, start + HEAD).replace(/[\t\n\r]/g, '');
+}
+const HEAD = 64;
 
-const isAbsolute = (path: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(path);
+/** Another host or scheme; one letter alone is a drive of Windows. */
+const isElsewhere = (uri: string): boolean => /^([a-z][a-z0-9+.-]+:|\/\/)/i.test(headOf(uri));
+
+const isAbsolute = (path: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(headOf(path));
 
 /** Climbs above where it starts. */
 const leaves = (path: string): boolean => /^\.\.(\/|$)/.test(normalised(path));
 
 /** Names another host, scheme or root. */
 export const isExternal = (uri: string): boolean => isElsewhere(uri) || isAbsolute(decodedUri(uri));
+
+/**
+ * Where a URI in a model from the web leads, or null where that is not in the model's own folder: on another host, of
+ * another scheme, or above. Also null where a host that decodes %2F or %5C would leave the folder.
+ */
+export function urlBeside(uri: string, model: URL): URL | null {
+  if (!/^(https?|file):$/.test(model.protocol) || !URL.canParse(uri, model)) return null;
+  const url = new URL(uri, model);
+  const isSameHost = url.protocol === model.protocol && url.host === model.host && url.username + url.password === '';
+  const folder = decodedUri(model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1));
+  const path = decodedUri(url.pathname);
+  const inside = path.startsWith(folder) && !leaves(path.slice(folder.length)) && !/[/\\]\.\.([/\\]|$)/.test(path);
+  return isSameHost && inside ? url : null;
+}
 
 /**
  * URIs of the buffers and images of a glTF, but for those that hold the bytes themselves. The JSON is trusted in

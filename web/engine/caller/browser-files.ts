@@ -3,15 +3,19 @@ import type { EngineError } from '../api/errors.ts';
 import type { WorkerFiles } from '../wire/protocol.ts';
 
 /** A worker, or what stands for one. */
-export type StartedWorker = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onmessageerror' | 'onerror'>;
+export interface StartedWorker
+  extends Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onmessageerror' | 'onerror'> {
+  /** It did not start because its script says nothing. */
+  readonly silent?: boolean;
+}
 
 export interface BrowserFiles {
   wasm(): URL;
   threads(): Promise<URL>;
   /** What a worker fetches by itself when it needs it, of files that were configured and those that were not. */
   forWorker(given: { draco?: string | undefined; worker?: URL | undefined }): WorkerFiles;
-  /** From `given`, else from the engine's own script. */
-  startWorker(name: string, given?: URL): StartedWorker;
+  /** From `given`, else from the engine's own script. `loaded` settles when the engine's other files have loaded. */
+  startWorker(name: string, loaded: Promise<unknown>, given?: URL): StartedWorker;
   /** What is said where it did not start. */
-  notStarted(given?: URL): EngineError;
+  notStarted(silent: boolean, given?: URL): EngineError;
 }

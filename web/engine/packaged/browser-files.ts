@@ -6,7 +6,8 @@
 import { engineError, type EngineError } from '../api/errors.ts';
 import type { BrowserFiles, StartedWorker } from '../caller/browser-files.ts';
 import { inlinedWorker } from './inlined-worker.ts';
-import { PatientWorker } from './patient-worker.ts';
+import { PatientWorker } from '../caller/patient-worker.ts';
+import { trustedAddress } from './trusted-address.ts';
 
 const beside = {
   wasm: () => whereItIs(new URL('./shapespline.wasm', import.meta.url)),
@@ -38,34 +39,47 @@ export const files: BrowserFiles = {
     // Where the script knows no address, it lies beside the worker's that was named.
     codecs: known(beside.codecs) ?? known(() => new URL('./codecs.js', worker)),
   }),
-  startWorker: (name, given) => {
+  startWorker(name, loaded, given) {
+    listenToPolicy();
     const ways = given || !inlinedWorker ? waysFrom(given ?? required(beside.worker, 'workerUrl')) : inlinedWays();
-    return new PatientWorker(ways.map((address) => () => start(address(), name)));
+    return new PatientWorker(
+      ways.map((address) => () => start(address(), name)),
+      loaded,
+    );
   },
-  notStarted: (given) => notStarted(given?.href ?? known(beside.worker) ?? 'its own text'),
+  notStarted: (silent, given) => notStarted(silent, given?.href ?? known(beside.worker) ?? 'its own text'),
 };
 
-const start = (address: string, name: string): StartedWorker => new Worker(address, { type: 'module', name });
+const start = (address: string, name: string): StartedWorker =>
+  new Worker(trustedAddress(address), { type: 'module', name });
 
-/** A worker's script must be of the page's own origin; one of another origin is imported by a small one that is. */
+/**
+ * A worker's script must be of the page's own origin; one of another origin is imported by a small one that is. A frame
+ * that is sandboxed without allow-same-origin has no origin: what it makes as `blob:` is of another one, too, but
+ * `data:` works.
+ */
 function waysFrom(url: URL): (() => string)[] {
-  const importing = (): string => scriptAddress(`import ${JSON.stringify(url.href)};`);
-  return url.origin === location.origin ? [() => url.href, importing] : [importing];
+  const text = `import ${JSON.stringify(url.href)};`;
+  const importing = [() => blobAddress(text), () => dataAddress(text)];
+  return url.origin === globalThis.origin ? [() => url.href, ...importing] : importing;
 }
 
 /** Some sites refuse `blob:`; there the file beside the script may do. */
 function inlinedWays(): (() => string)[] {
-  return [() => scriptAddress(inlinedWorker ?? ''), () => beside.worker().href];
+  const text = inlinedWorker ?? '';
+  return [() => blobAddress(text), () => beside.worker().href, () => dataAddress(text)];
 }
 
 const addresses = new Map<string, string>();
 
 /** The address of a script with this text: one for each text, as the worker's second thread starts from it, too. */
-function scriptAddress(text: string): string {
+function blobAddress(text: string): string {
   const made = addresses.get(text) ?? URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
   addresses.set(text, made);
   return made;
 }
+
+const dataAddress = (text: string): string => `data:text/javascript,${encodeURIComponent(text)}`;
 
 function required(address: () => URL, name: string): URL {
   try {
@@ -78,10 +92,38 @@ function required(address: () => URL, name: string): URL {
   }
 }
 
-function notStarted(from: string): EngineError {
-  return engineError(
-    'not-loaded',
-    `The worker did not start from ${from}, neither as it is nor by a blob: address. Put worker.js at an address of ` +
-      "the page's own origin and name it, configure({ workerUrl }), or allow blob: in the page's policy (worker-src).",
-  );
+/** Directives of the page's policy that have refused a worker. */
+const refusals = new Set<string>();
+
+const note = ({ effectiveDirective, sample }: SecurityPolicyViolationEvent): void => {
+  if (effectiveDirective === 'worker-src' || /^(Worker|shapespline)\b/.test(sample)) refusals.add(effectiveDirective);
+};
+
+function listenToPolicy(): void {
+  globalThis.document?.addEventListener('securitypolicyviolation', note);
 }
+
+function notStarted(silent: boolean, from: string): EngineError {
+  if (silent)
+    return engineError(
+      'not-loaded',
+      `The worker from ${from} does not answer. Put the worker.js of this version there, and load the page again.`,
+    );
+  return engineError('not-loaded', `The worker did not start from ${from}, nor by a blob: or data: address. ${why()}`);
+}
+
+const OWN = "Put worker.js at an address of the page's own origin and name it, configure({ workerUrl })";
+
+function why(): string {
+  if (refusals.has('trusted-types'))
+    return "The page's policy does not list this package's Trusted Types policy: add shapespline to its trusted-types.";
+  if (refusals.has('require-trusted-types-for'))
+    return "The page's policy requires Trusted Types, and the policy named shapespline could not be made.";
+  if (refusals.has('worker-src'))
+    return `The page's policy refuses it: ${lowered(OWN)}, or allow blob: in its worker-src.`;
+  if (globalThis.origin === 'null')
+    return 'This frame is sandboxed without allow-same-origin: the host must send Access-Control-Allow-Origin: * with worker.js.';
+  return `${OWN}.`;
+}
+
+const lowered = (sentence: string): string => sentence.charAt(0).toLowerCase() + sentence.slice(1);

@@ -10,6 +10,7 @@ import { decoder } from '../worker/decompress.ts';
 import { RequestHandler } from '../worker/request-handler.ts';
 import { help, type SecondThreadStart } from '../worker/second-thread.ts';
 import { codecsFrom } from './codecs-from.ts';
+import { trustedAddress } from './trusted-address.ts';
 
 function serve(): void {
   let files: WorkerFiles = {};
@@ -19,7 +20,7 @@ function serve(): void {
     create: createWasm,
     createThreaded: async () => createThreaded,
     startSecondThread: (start, onReady) => {
-      const secondThread = new Worker(self.location.href, { type: 'module' });
+      const secondThread = new Worker(trustedAddress(self.location.href), { type: 'module' });
       secondThread.onmessage = ({ data }: MessageEvent<null | Ready>) => {
         if (data === null) onReady();
       };
@@ -35,16 +36,7 @@ function serve(): void {
     handler.receive(data);
   });
   self.postMessage({ type: 'ready' } satisfies Ready);
-  if (self.name) tellOfItsEnd();
-}
-
-// Pages that may store nothing, such as those in a sandboxed frame, have no locks: there an end goes unnoticed.
-function tellOfItsEnd(): void {
-  try {
-    holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
-  } catch {
-    // as said
-  }
+  if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
 }
 
 async function fetchDraco(url: string | undefined): Promise<Uint8Array> {

@@ -180,7 +180,7 @@ export interface Locked {
   type: 'locked';
 }
 
-/** The worker's script runs: of the npm package's alone, which may have to be started in another way. */
+/** The worker's script runs: in browsers, where it may have to be started in another way. */
 export interface Ready {
   type: 'ready';
 }

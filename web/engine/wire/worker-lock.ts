@@ -7,8 +7,19 @@
 /** A connection that nothing refers to would be closed. */
 const held: IDBDatabase[] = [];
 
-/** In the worker: takes the lock for as long as it lives; `taken` is called once it has it. */
+/**
+ * In the worker: takes the lock for as long as it lives; `taken` is called once it has it. Pages that may store nothing,
+ * such as those in a sandboxed frame, have no locks: there an end goes unnoticed.
+ */
 export function holdLock(name: string, taken: () => void): void {
+  try {
+    hold(name, taken);
+  } catch {
+    // as said
+  }
+}
+
+function hold(name: string, taken: () => void): void {
   if ('locks' in navigator) {
     const ended = navigator.locks.request(name, () => {
       taken();

@@ -3,7 +3,7 @@ import createWasm from '../../../build/wasm/shapespline.mjs';
 import { holdLock } from '../wire/worker-lock.ts';
 import { codecs } from './codecs.ts';
 import { decoder } from './decompress.ts';
-import type { Locked, ToWorker } from '../wire/protocol.ts';
+import type { Locked, Ready, ToWorker } from '../wire/protocol.ts';
 import { RequestHandler } from './request-handler.ts';
 
 async function dracoWasm(): Promise<Uint8Array> {
@@ -28,3 +28,4 @@ const handler = new RequestHandler({
 });
 if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
 self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => handler.receive(data));
+self.postMessage({ type: 'ready' } satisfies Ready);

@@ -5,7 +5,7 @@ import { make, namedCurve, text } from '../../plots/svg-parts.ts';
 import { extent, padded, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Derived } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';
-import { MOST_SPEED } from '../state.ts';
+import { MOST_SPEED, shownTimes } from '../state.ts';
 import type { Layer, PlayState } from '../state.ts';
 import { createKeyHandles } from './key-handles.ts';
 import type { KeyHandleEvents } from './key-handles.ts';
@@ -24,8 +24,6 @@ export interface CurveFigure {
   update(state: PlayState, derived: Derived, lit: number): void;
 }
 
-/** How much of the time before and after the keys is shown. */
-export const MARGIN = 0.2;
 /** A handle of speed 1 ends halfway to the next key. */
 const HANDLE = 1 / 2;
 
@@ -129,8 +127,8 @@ export function marksOf(
 }
 
 /** First and last time that plots over time show. */
-export function shownSpan({ range: [start, end] }: Derived): [number, number] {
-  return [start - MARGIN * (end - start), end + MARGIN * (end - start)];
+export function shownSpan({ range }: Derived): [number, number] {
+  return shownTimes(range);
 }
 
 type Held = { x: readonly [number, number]; y: readonly [number, number] } | null;
@@ -174,7 +172,8 @@ function layerParts(
 ): SVGElement[] {
   if (layer !== 'samples') return curveLines(layer, derived.curves[layer], 0, shownSpan(derived), place);
   const [value, across] = derived.samples;
-  const points = value!.times.map((t, i): Point => [x(plane ? across!.values[i]! : t), y(value!.values[i]!)]);
+  if (!value) return [];
+  const points = value.times.map((t, i): Point => [x(plane ? across!.values[i]! : t), y(value.values[i]!)]);
   return [
     namedCurve(LAYER_WORDS.samples.name, 'samples', points),
     ...points.map(([cx, cy]) => make('circle', { class: 'sample', cx, cy, r: points.length > 30 ? 2 : 3 })),

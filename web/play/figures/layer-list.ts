@@ -59,8 +59,11 @@ function createRow(layer: Layer, onShow: (layer: Layer, on: boolean) => void) {
       input.checked = on;
       setAttribute(element, 'data-on', on);
       setText(value, number(bending));
-      setText(said, `, total bending ${bending === Infinity ? 'without end' : number(bending)}`);
-      setStyle(bar, '--share', String(Number.isFinite(bending) ? bending / most : 1));
+      setText(
+        said,
+        `, total bending ${bending === Infinity ? 'without end' : Number.isNaN(bending) ? 'unknown' : number(bending)}`,
+      );
+      setStyle(bar, '--share', String(Number.isFinite(bending) ? bending / most : bending > 0 ? 1 : 0));
       setAttribute(bar, 'data-endless', bending === Infinity);
       setHidden(element.querySelector<HTMLElement>('.layer-what')!, !on);
     },

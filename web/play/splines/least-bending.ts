@@ -12,6 +12,9 @@ export interface SampledCurve {
   bending: number;
 }
 
+/** More samples are not solved for: the work grows with their third power. */
+export const MOST_SAMPLES = 200;
+
 /** So many that every interval between keys has a sample: fewer could not meet all keys. */
 export function leastSamples(times: readonly number[]): number {
   const span = times.at(-1)! - times[0]!;

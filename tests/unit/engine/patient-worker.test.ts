@@ -1,0 +1,90 @@
+/** A worker is started in the first way that works; one that says nothing has failed, too. */
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import type { StartedWorker } from '../../../web/engine/caller/browser-files.ts';
+import { PatientWorker, type Way } from '../../../web/engine/caller/patient-worker.ts';
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+class Script implements StartedWorker {
+  onmessage: StartedWorker['onmessage'] = null;
+  onmessageerror: StartedWorker['onmessageerror'] = null;
+  onerror: StartedWorker['onerror'] = null;
+  readonly got: unknown[] = [];
+  ended = false;
+  postMessage(message: unknown): void {
+    this.got.push(message);
+  }
+  terminate(): void {
+    this.ended = true;
+  }
+  say(data: unknown): void {
+    this.onmessage?.call(this as never, { data } as MessageEvent);
+  }
+  fail(message = ''): void {
+    this.onerror?.call(this as never, { message, preventDefault: () => undefined } as ErrorEvent);
+  }
+}
+
+function setUp(ways: number, loaded: Promise<unknown> = Promise.resolve()) {
+  const scripts: Script[] = [];
+  const way: Way = () => scripts[scripts.push(new Script()) - 1]!;
+  const worker = new PatientWorker(Array<Way>(ways).fill(way), loaded);
+  const heard: unknown[] = [];
+  const errors: ErrorEvent[] = [];
+  worker.onmessage = ({ data }: MessageEvent) => void heard.push(data);
+  worker.onerror = (event) => void errors.push(event);
+  return { worker, scripts, heard, errors };
+}
+
+it('nothing that was posted is lost with a way that fails', async () => {
+  const { worker, scripts, heard, errors } = setUp(2);
+  worker.postMessage('first');
+  expect(scripts[0]!.got).toEqual([]);
+  scripts[0]!.fail();
+  expect([scripts[0]!.ended, scripts[1]!.got]).toEqual([true, ['first']]);
+  scripts[1]!.say({ type: 'ready' });
+  worker.postMessage('second');
+  scripts[1]!.say({ type: 'result' });
+  await vi.advanceTimersByTimeAsync(600_000);
+  expect([scripts[1]!.got, heard, errors]).toEqual([['first', 'second'], [{ type: 'result' }], []]);
+  expect(worker.silent).toBe(false);
+});
+
+it('silence is a failure: of one way, then of all', async () => {
+  const { worker, scripts, errors } = setUp(2);
+  await vi.advanceTimersByTimeAsync(40_000);
+  expect([scripts.length, scripts[0]!.ended, errors]).toEqual([2, true, []]);
+  await vi.advanceTimersByTimeAsync(40_000);
+  expect([scripts[1]!.ended, errors.length, errors[0]!.message, worker.silent]).toEqual([true, 1, '', true]);
+});
+
+it('the time counts once the rest has loaded, and ends with the first word', async () => {
+  let loaded: () => void = () => undefined;
+  const { scripts, errors } = setUp(1, new Promise<void>((resolve) => (loaded = resolve)));
+  await vi.advanceTimersByTimeAsync(600_000);
+  loaded();
+  await vi.advanceTimersByTimeAsync(20_000);
+  scripts[0]!.say({ type: 'ready' });
+  // From now on work may take as long as it does.
+  await vi.advanceTimersByTimeAsync(3_600_000);
+  expect([scripts[0]!.ended, errors]).toEqual([false, []]);
+});
+
+it('where every way is refused at once, that is told later, without a DOM', async () => {
+  const errors: unknown[] = [];
+  const refused: Way = () => {
+    throw new Error('refused');
+  };
+  const worker = new PatientWorker([refused, refused], Promise.resolve());
+  worker.onerror = (event) => void errors.push(event);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(errors).toMatchObject([{ message: '' }]);
+});
+
+it('an ended one says nothing', async () => {
+  const { worker, errors, scripts } = setUp(1);
+  worker.terminate();
+  await vi.advanceTimersByTimeAsync(600_000);
+  expect([errors, scripts[0]!.ended]).toEqual([[], true]);
+});

@@ -1,0 +1,6 @@
+/** One sentence about the values of a link that cannot be used, or null where there are none. */
+export function leftOutSentence(names: readonly string[]): string | null {
+  if (names.length === 0) return null;
+  const [what, was] = names.length === 1 ? ['a value', 'was'] : ['values', 'were'];
+  return `The link has ${what} that cannot be used and ${was} left out: ${names.join(', ')}.`;
+}
