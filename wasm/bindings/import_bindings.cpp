@@ -33,6 +33,7 @@ Json describe(const ImportObject& object) {
           {"animations", toJson(import.animations)},
           {"animation", import.animation},
           {"objects", import.objects},
+          {"matches", toJson(import.matches)},
           {"project", import.project}};
 }
 

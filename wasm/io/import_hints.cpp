@@ -135,6 +135,12 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
   }
 }
 
+bool allSame(const Keyframes& keyframes) {
+  const std::vector<Key>& keys = keyframes.keys;
+  return std::all_of(keys.begin(), keys.end(),
+                     [&](const Key& key) { return isSamePose(keys[0].positions, key.positions); });
+}
+
 bool standOnZ(const Keyframes& keyframes, bool clearly) {
   if (keyframes.keys.empty()) return false;
   if (!clearly && hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces)) return true;

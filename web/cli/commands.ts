@@ -30,7 +30,7 @@ function checkFiles(args: Arguments): void {
   if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');
 }
 
-function describe({ names, times, report, animations, animation, objects, project }: KeysInfo): object {
+function describe({ names, times, report, animations, animation, objects, matches, project }: KeysInfo): object {
   const { vertices, weldedVertices, ...rest } = report;
   return {
     keys: names.map((name, key) => ({ name, time: times[key] })),
@@ -39,6 +39,7 @@ function describe({ names, times, report, animations, animation, objects, projec
     animations,
     animation: animations[animation]?.name ?? null,
     objects,
+    matches,
     isProject: project !== null,
   };
 }

@@ -6,13 +6,15 @@ import { parseArguments, UsageError } from './arguments.ts';
 import { complete, inspect } from './commands.ts';
 import { measure } from './measure.ts';
 import { COMPLETE, HELP, INSPECT, MEASURE } from './settings.ts';
-import { oneLine, writeTo } from './terminal.ts';
+import { oneLine, shownOn, writeTo } from './terminal.ts';
 
 const COMMANDS = new Map([
   ['inspect', INSPECT],
   ['complete', COMPLETE],
   ['measure', MEASURE],
 ]);
+
+const say = (text: string): void => void process.stderr.write(`${shownOn(process.stderr, oneLine(text))}\n`);
 
 async function run([command, ...words]: string[]): Promise<string> {
   if (command === '--version') return `${version}\n`;
@@ -26,8 +28,8 @@ async function run([command, ...words]: string[]): Promise<string> {
   if (args.flags.has('help')) return HELP;
   if (command === 'inspect') return inspect(args);
   if (command === 'measure') return measure(args);
-  const { summary, warnings } = await complete(args, (text) => process.stderr.write(`${oneLine(text)}\n`));
-  for (const warning of warnings) process.stderr.write(`warning: ${oneLine(warning)}\n`);
+  const { summary, warnings } = await complete(args, say);
+  for (const warning of warnings) say(`warning: ${warning}`);
   return summary;
 }
 
@@ -39,6 +41,6 @@ function exitCodeOf(error: unknown): number {
 try {
   await writeTo(process.stdout, await run(process.argv.slice(2)));
 } catch (error) {
-  process.stderr.write(`shapespline: ${oneLine(messageOf(error))}\n`);
+  say(`shapespline: ${messageOf(error)}`);
   process.exitCode = exitCodeOf(error);
 }

@@ -3,7 +3,7 @@ import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
 import { EngineError } from '../engine/api/errors.ts';
-import { isMismatch } from '../engine/api/read-poses.ts';
+import { isMismatch, likeOf } from '../engine/api/read-poses.ts';
 import { withEngine } from '../engine/node.ts';
 import { MEASURE_UNITS, columnsOf, measureMotion, tableOf } from '../study/motion-measures.ts';
 import type { Column } from '../study/motion-measures.ts';
@@ -77,7 +77,7 @@ async function readTruth(
 ): Promise<Truth> {
   const { up, unit, objects, animation } = importOptions(args);
   const input = await readInputs(files);
-  const like = { like: keys.info.faces, likePose: keys.positions(0) };
+  const like = likeOf(keys);
   const { info } = await engine
     .importKeyframes(input, { up, unit, objects, animation, ...like })
     .catch((error: unknown) => {
@@ -85,7 +85,7 @@ async function readTruth(
       throw new EngineError(error.code, `--against: ${files[0]} is of another mesh than the keys.`, error.place);
     });
   const span = info.animations[Math.max(info.animation, 0)];
-  if (!span) throw new UsageError(`--against: ${files[0]} holds no animation`);
+  if (!span?.moves) throw new UsageError(`--against: ${files[0]} holds no animation`);
   const inside = times.filter((t) => t >= span.start && t <= span.end);
   if (inside.length < 2)
     throw new UsageError(

@@ -11,6 +11,23 @@ export function printable(text: string): string {
   );
 }
 
+/** Whether the terminal shows UTF-8: it does where its locale does not name another encoding. */
+export function showsUtf8(env: Readonly<Record<string, string | undefined>>): boolean {
+  const locale = env['LC_ALL'] || env['LC_CTYPE'] || env['LANG'] || '';
+  return locale === '' || /utf-?8/i.test(locale);
+}
+
+/** For terminals of other encodings: what is not ASCII, as JSON would write it, so that JSON stays the same data. */
+export function inAscii(text: string): string {
+  return text.replace(/[^\0-\x7f]/g, (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, '0')}`);
+}
+
+/** As this stream can show it; files and pipes take UTF-8. */
+export function shownOn(stream: Pick<NodeJS.WriteStream, 'isTTY'>, text: string): string {
+  const plain = printable(text);
+  return stream.isTTY && !showsUtf8(process.env) ? inAscii(plain) : plain;
+}
+
 export const oneLine = (text: string): string => printable(text.replace(/\s+/g, ' ').trim());
 
 /**
@@ -23,7 +40,7 @@ export function writeTo(stream: NodeJS.WriteStream, text: string): Promise<void>
       else reject(new Error(`The output cannot be written to its place (${messageOf(error)}).`));
     };
     stream.once('error', failed);
-    stream.write(printable(text), (error) => {
+    stream.write(shownOn(stream, text), (error) => {
       if (error) return failed(error);
       stream.off('error', failed);
       resolve();

@@ -34,8 +34,8 @@ export async function readReference(
   const sample = Array.from({ length: count }, (_, i) =>
     i === count - 1 ? end : start + ((end - start) * i) / (count - 1),
   );
-  const { up, unit, objects, like, likePose } = options;
-  const keys = await engine.importKeyframes(files, { up, unit, objects, like, likePose, animation, sample }, call);
+  const { up, unit, objects, like, likePose, likeObjects } = options;
+  const keys = await engine.importKeyframes(files, { up, unit, objects, like, likePose, likeObjects, animation, sample }, call);
   return new Samples(keys);
 }
 

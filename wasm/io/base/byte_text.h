@@ -16,7 +16,8 @@ std::string_view baseName(std::string_view path);
 /// The lower-case extension without its dot, or "".
 std::string extensionOf(std::string_view path);
 
-/// Text of a hostile file made fit for a sentence: at most 80 bytes, control and non-ASCII bytes as '?'.
+/// Text of a hostile file made fit for a sentence: at most 80 characters in UTF-8. What is no text, or would change how
+/// the sentence is shown (control characters, marks of the writing direction), is a '?'.
 std::string inQuotes(std::string_view text);
 
 }  // namespace shapespline

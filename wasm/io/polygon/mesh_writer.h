@@ -17,8 +17,8 @@ struct MaterialLibrary {
   std::vector<std::string> names;  ///< of every material of the scene, without blanks
 };
 
-/// Of the scene: texture coordinates, polygons as they came in, materials where there is a library. Normals: 3n unit
-/// vectors, or empty.
+/// Of the scene: texture coordinates, polygons as they came in, objects, materials that have a library or that the
+/// input only named. Normals: 3n unit vectors, or empty.
 std::vector<std::uint8_t> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
                                    const Scene& scene, std::span<const float> normals = {},
                                    const MaterialLibrary& library = {});

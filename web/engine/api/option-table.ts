@@ -46,6 +46,21 @@ export interface Pin {
   path?: PathKey[];
 }
 
+/** An object's run of faces. */
+export interface SceneObject {
+  /** Made up where the file has none. */
+  name: string;
+  /** First face and number of faces. */
+  start: number;
+  count: number;
+  /** As the file has them, or empty: of the node, its mesh, and the nodes above it. */
+  nodeName: string;
+  meshName: string;
+  path: string;
+  /** OBJ: a group (g), not an object (o). */
+  isGroup: boolean;
+}
+
 /** The values of each kind, where the kind alone says it. */
 interface Values {
   number: number;
@@ -67,6 +82,7 @@ interface Values {
   sample: number[] | number;
   /** 3 x faces. */
   faces: Uint32Array;
+  objects: SceneObject[];
   names: string[];
   text: string;
 }
@@ -431,6 +447,11 @@ export const IMPORT = {
   likePose: {
     kind: 'shape',
     help: 'positions of that mesh; the keys come in its vertices then, however the files split theirs',
+  },
+  /** `scene.objects` of that mesh: objects of the files are matched with these. */
+  likeObjects: {
+    kind: 'objects',
+    help: "`scene.objects` of that mesh: the files' objects are matched with these",
   },
 } as const satisfies OptionTable;
 

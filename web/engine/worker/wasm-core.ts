@@ -112,7 +112,7 @@ export class WasmCore {
     onProgress: OnProgress = () => undefined,
   ): Omit<KeyData, 'info'> & { info: ImportedInfo } {
     this.hear(onProgress);
-    const { animation, sample, keyTimes, up, unit, objects, like, likePose } = options;
+    const { animation, sample, keyTimes, up, unit, objects, like, likePose, likeObjects } = options;
     const request = {
       files,
       options: {
@@ -125,6 +125,7 @@ export class WasmCore {
         objects: objects ?? [],
         like: like ?? null,
         likePose: likePose ?? null,
+        likeObjects: likeObjects ?? [],
       },
     };
     return this.lend((scope) => {
