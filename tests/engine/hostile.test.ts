@@ -13,7 +13,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { oneInput } from '../fuzz/decoders-input.ts';
 import { program } from './support/cli.ts';
 import { draco, meshopt } from './support/compress.ts';
-import { meshGlb, poseFiles } from './support/glb.ts';
+import { glbParts, gltfInside as gltf, meshGlb, poseFiles } from './support/glb.ts';
 import { bar } from './support/shapes.ts';
 
 const MB = 1e6;
@@ -71,19 +71,6 @@ async function refused(what: string, name: string, content: Uint8Array | string,
   expect(stderr.match(/\n/g)).toHaveLength(1);
   expect(peak).toBeGreaterThan(10 * MB);
   expect(peak).toBeLessThan(AT_REST + TIMES_ITS_SIZE * bytes.length);
-}
-
-const glbParts = (bytes: Uint8Array): { json: Record<string, never>; bin: Uint8Array } => {
-  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
-  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as Record<string, never>;
-  return { json, bin: bytes.slice(28 + length) };
-};
-
-/** A .gltf with its buffer inside. */
-function gltf(json: object, bin: Uint8Array): string {
-  const uri = `data:application/octet-stream;base64,${Buffer.from(bin).toString('base64')}`;
-  const { buffers } = json as { buffers: object[] };
-  return JSON.stringify({ ...json, buffers: [{ uri, byteLength: bin.length }, ...buffers.slice(1)] });
 }
 
 describe('memory is bounded by the file:', () => {

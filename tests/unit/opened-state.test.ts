@@ -8,8 +8,8 @@ import type { Remembered } from '../../web/app/kept/project-shelf.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
 const animations = [
-  { name: 'walk', start: 0, end: 2, keys: 49 },
-  { name: 'nod', start: 0, end: 1, keys: 4 },
+  { name: 'walk', start: 0, end: 2, keys: 49, moves: true },
+  { name: 'nod', start: 0, end: 1, keys: 4, moves: true },
 ];
 const hold = (keys: number, animation: number, project: object | null = null): string =>
   ofFiles(docOfKeys(...Array.from({ length: keys }, (_, i) => keyRef(i, `${i}`, i))), {

@@ -34,6 +34,7 @@ Json describe(const ImportObject& object) {
           {"animation", import.animation},
           {"objects", import.objects},
           {"offset", {import.offset.x(), import.offset.y(), import.offset.z()}},
+          {"matches", toJson(import.matches)},
           {"project", import.project}};
 }
 

@@ -1,5 +1,6 @@
 #include "bindings/marshal.h"
 
+#include <array>
 #include <cstring>
 #include <iterator>
 
@@ -56,13 +57,14 @@ void to_json(nlohmann::json& json, Material::Alpha value) { json = nameOf(value,
 void to_json(nlohmann::json& json, Material::Wrap value) { json = nameOf(value, wraps); }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(AddedTurns, key, turns, component)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MaterialGroup, start, count, material)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(MaterialGroup, start, count, material, name)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(ObjectFaces, name, start, count, nodeName, meshName, path, isGroup)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Material, name, baseColor, metallic, roughness, doubleSided, alphaMode, alphaCutoff,
                                    unlit, emissive, normalScale, occlusionStrength, baseColorImage,
                                    metallicRoughnessImage, normalImage, occlusionImage, emissiveImage, wrapS, wrapT,
                                    magFilter, minFilter)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, code, message, count, key, face, patches)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys, moves)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceStats, encodings, factorisations, solves, patches, weldedVertices,
                                    components, ghostFaces, ghostVertices, joinedComponents, weldMs, joinMs, simplifyMs,
                                    transferMs, encodeMs, orderMs, factorMs, arrangeMs, finishMs, factorBytes, framesMs,
@@ -181,6 +183,7 @@ ImportOptions importOptionsFrom(const Json& json) {
   options.like = trianglesFrom(elements<std::int32_t>(json.at("like")));
   options.likePose = positionsFrom(elements<float>(json.at("likePose")));
   if (!json.at("offset").is_null()) options.offset = vec3From(json.at("offset"));
+  options.likeObjects = json.at("likeObjects").get<std::vector<ObjectFaces>>();
   options.objects = json.at("objects").get<std::vector<std::string>>();
   return options;
 }
@@ -196,6 +199,7 @@ Scene sceneFrom(const Json& json) {
   }
   const auto polygons = elements<std::int32_t>(json.at("polygons"));
   scene.polygons.assign(polygons.begin(), polygons.end());
+  scene.objects = json.value("objects", Json::array()).get<std::vector<ObjectFaces>>();
   scene.groups = json.at("groups").get<std::vector<MaterialGroup>>();
   scene.materials = json.at("materials").get<std::vector<Material>>();
   for (const Json& image : json.at("images")) {
@@ -208,6 +212,17 @@ Scene sceneFrom(const Json& json) {
 Json toJson(const std::vector<Warning>& warnings) { return warnings; }
 Json toJson(const SequenceStats& stats) { return stats; }
 Json toJson(const std::vector<AnimationInfo>& animations) { return animations; }
+
+Json toJson(const std::vector<MatchedObject>& matches) {
+  constexpr std::array rules{"name", "shape", "order"};
+  Json list = Json::array();
+  for (const MatchedObject& match : matches)
+    list.push_back({{"key", match.key},
+                    {"object", match.object},
+                    {"found", match.found},
+                    {"by", rules[static_cast<std::size_t>(match.rule)]}});
+  return list;
+}
 
 Json toJson(const MeshReport& report) {
   return {{"vertices", report.vertices},
@@ -228,13 +243,10 @@ Json toJson(const Scene& scene) {
   for (const Image& image : scene.images) {
     images.push_back({{"mimeType", image.mimeType}, {"bytes", range(image.bytes.data(), image.bytes.size())}});
   }
-  return {{"uvs", rangeOrNull(scene.uvs)},
-          {"colors", rangeOrNull(scene.colors)},
-          {"seams", seamsJson(scene.seams)},
-          {"polygons", rangeOrNull(scene.polygons)},
-          {"groups", scene.groups},
-          {"materials", scene.materials},
-          {"images", images}};
+  return {{"uvs", rangeOrNull(scene.uvs)},   {"colors", rangeOrNull(scene.colors)},
+          {"seams", seamsJson(scene.seams)}, {"polygons", rangeOrNull(scene.polygons)},
+          {"groups", scene.groups},          {"objects", scene.objects},
+          {"materials", scene.materials},    {"images", images}};
 }
 
 }  // namespace shapespline::bindings

@@ -50,6 +50,7 @@ Scene sceneFrom(const Json& json);
 Json toJson(const std::vector<Warning>& warnings);
 Json toJson(const SequenceStats& stats);
 Json toJson(const std::vector<AnimationInfo>& animations);
+Json toJson(const std::vector<MatchedObject>& matches);
 Json toJson(const MeshReport& report);
 Json toJson(const Scene& scene);  ///< ranges into the scene itself
 

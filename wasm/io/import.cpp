@@ -13,6 +13,7 @@
 #include "io/file_kind.h"
 #include "io/frame_source.h"
 #include "io/gltf/gltf_reader.h"
+#include "io/import_hints.h"
 #include "io/import_motion.h"
 #include "io/import_poses.h"
 #include "io/join_keys.h"
@@ -78,6 +79,22 @@ Result<Import> readCaches(const std::vector<MeshFile>& meshes, std::span<const N
   return Error{ErrorCode::InvalidOption, "A PC2 or MDD file moves one mesh. Give it with one OBJ, and nothing else."};
 }
 
+// All files show the same pose, and hold animations that are one pose each.
+bool showsActions(const Import& import) {
+  return !import.animations.empty() &&
+         std::none_of(import.animations.begin(), import.animations.end(), [](const auto& a) { return a.moves; }) &&
+         allSame(import.keyframes);
+}
+
+// The poses of the animations, each of which is a key, where these differ. Further poses of a mesh come one at a time.
+Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+                           const ImportOptions& options, const StageProgress& progress) {
+  auto actions = importAnimations(meshes, files, options, progress);
+  const bool useful = actions && actions->animation < 0 && actions->keyframes.keyCount() > 1 &&
+                      (!options.like.empty() || !allSame(actions->keyframes));
+  return useful ? std::move(actions) : Result<Import>(std::move(import));
+}
+
 Result<Import> readSeveral(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
                            const ImportOptions& options, const StageProgress& progress) {
   const auto series = numberedFiles(meshes);
@@ -85,6 +102,7 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, std::span<const 
   if (series && (many || options.animationAsked())) return importSeries(meshes, *series, files, options, progress);
   if (!options.animationAsked()) {
     auto import = importPoses(meshes, files, options, progress);
+    if (import && showsActions(*import)) return orByActions(std::move(*import), meshes, files, options, progress);
     if (import && series && meshes.size() > static_cast<std::size_t>(options.sampleCount))
       import->animations = {infoOf({series->name, series->seconds, {}})};
     if (const std::string sequences = sequencesAmong(meshes); import && !sequences.empty())
@@ -110,7 +128,9 @@ Result<Import> likeTheMesh(Import&& import, const ImportOptions& options) {
   mesh.keyframes = {options.like, {{"mesh", 0, options.likePose}}, {}};
   const std::size_t n = options.likePose.size(), count = import.keyframes.vertexCount();
   const std::string where = import.keyframes.keys[0].name;
-  if (Status added = KeyJoiner(mesh).add(import.keyframes.faces, import.keyframes.keys, where); !added)
+  mesh.scene.objects = options.likeObjects;
+  if (Status added = KeyJoiner(mesh).add(import.keyframes.faces, import.keyframes.keys, where, import.scene.objects);
+      !added)
     return added.error();
   if (mesh.keyframes.keys[0].positions.size() != n) return vertexCountMismatch(where, 0, count, n);
   mesh.keyframes.keys.erase(mesh.keyframes.keys.begin());

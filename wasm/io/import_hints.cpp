@@ -135,6 +135,12 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
   }
 }
 
+bool allSame(const Keyframes& keyframes) {
+  const std::vector<Key>& keys = keyframes.keys;
+  return std::all_of(keys.begin(), keys.end(),
+                     [&](const Key& key) { return isSamePose(keys[0].positions, key.positions); });
+}
+
 Standing standingOf(const Keyframes& keyframes, bool flat) {
   int alongZ = 0, alongY = 0;
   bool onZ = true, onY = true;

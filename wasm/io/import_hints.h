@@ -11,12 +11,16 @@ namespace shapespline {
 
 /// What the files of several poses hold besides them.
 struct FileFacts {
-  int files = 0, skinned = 0, animated = 0;  ///< all that were read; those with bones; with a motion of the mesh
-  bool gltf = false;                         ///< all of them are glTF
+  int files = 0, skinned = 0;   ///< all that were read; those with bones
+  int animated = 0, posed = 0;  ///< with a motion of the mesh; with nothing but animations that are one pose each
+  bool gltf = false;            ///< all of them are glTF
 };
 
 /// Warns of neighbouring keys that are one pose: which, why that happens, and what to do.
 void warnOfSamePoses(const FileFacts& facts, Import& import);
+
+/// Whether all keys are one pose.
+bool allSame(const Keyframes& keyframes);
 
 /// Which way shapes stand that are taken to have y up.
 enum class Standing { AlongY, AlongZ, PerhapsAlongZ, Unknown };

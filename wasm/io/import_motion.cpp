@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,13 @@ namespace {
 bool sameKeys(const Keyframes& a, const Keyframes& b) {
   return a.faces == b.faces && std::equal(a.keys.begin(), a.keys.end(), b.keys.begin(), b.keys.end(),
                                           [](const Key& x, const Key& y) { return x.positions == y.positions; });
+}
+
+// One key of each file: where actions have one name, files tell them apart.
+void nameApart(std::vector<Key>& keys, const std::vector<MeshFile>& meshes) {
+  std::set<std::string> names;
+  for (const Key& key : keys) names.insert(key.name);
+  for (std::size_t k = 0; k < keys.size() && names.size() < keys.size(); ++k) keys[k].name = keyName(*meshes[k].file);
 }
 
 using Axes = Mat3;
@@ -70,17 +78,18 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, std::span<c
       continue;
     }
     out->noteRounding(import->rounding, where);
-    if (sameKeys(first, import->keyframes)) {
+    // Files of one pose each may show it twice.
+    if (import->keyframes.keyCount() > 1 && sameKeys(first, import->keyframes)) {
       ++repeated;
       continue;
     }
-    if (Status added = KeyJoiner(*out).add(import->keyframes.faces, std::move(import->keyframes.keys), where); !added)
+    if (Status added = KeyJoiner(*out).add(import->keyframes.faces, std::move(import->keyframes.keys), where,
+                                           import->scene.objects);
+        !added)
       return atKey(added.error(), static_cast<int>(j));
   }
   if (repeated + 1 < static_cast<int>(meshes.size())) {
-    for (int key = 0; key < out->keyframes.keyCount(); ++key)
-      if (out->keyframes.keyCount() == static_cast<int>(meshes.size()))
-        out->keyframes.keys[key].name = keyName(*meshes[key].file);
+    if (out->keyframes.keyCount() == static_cast<int>(meshes.size())) nameApart(out->keyframes.keys, meshes);
     setTimesInSeconds(out->keyframes);
   }
   if (repeated > 0)
@@ -111,7 +120,10 @@ Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedF
     const std::size_t count = pose->positions.size();
     Import one;
     one.keyframes = {out.keyframes.faces, {out.keyframes.keys[0]}, {}};
-    if (Status added = KeyJoiner(one).add(pose->faces, {{"", 0, std::move(pose->positions)}}, where); !added)
+    one.scene.objects = out.scene.objects;
+    if (Status added =
+            KeyJoiner(one).add(pose->faces, {{"", 0, std::move(pose->positions)}}, where, pose->scene.objects);
+        !added)
       return added.error();
     if (one.keyframes.vertexCount() != n)
       return vertexCountMismatch(where, static_cast<int>(index), count, static_cast<std::size_t>(n));

@@ -1,7 +1,6 @@
 #include "io/import_poses.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "io/base/byte_text.h"
@@ -12,12 +11,6 @@
 namespace shapespline {
 
 namespace {
-
-// Those of the first list that the second one has, too.
-std::vector<std::string> inBoth(std::vector<std::string> first, const std::vector<std::string>& second) {
-  std::erase_if(first, [&](const std::string& name) { return !holdsObject(second, name); });
-  return first;
-}
 
 Warning leftOutWarning(const std::vector<std::string>& objects, const std::vector<std::string>& taken) {
   return {"left-out-objects",
@@ -34,18 +27,24 @@ Status hintAtObjects(Status added, const std::vector<std::string>& objects, cons
   return error;
 }
 
-// What all of the files have, where some have more; else nothing.
+// The objects of the first file that all others have, where some lack one; else nothing.
 std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std::size_t from, PoseReader reader,
-                                       const std::vector<std::string>& first) {
-  std::vector<std::string> common = first;
-  std::size_t most = first.size();
+                                       const Import& import) {
+  const ObjectMesh first{import.scene.objects, import.keyframes.faces, import.keyframes.keys[0].positions};
+  if (!first.isWhole()) return {};
+  std::vector<char> inAll(first.objects.size(), 1);
   for (std::size_t j = from; j < meshes.size(); ++j) {
     const auto pose = reader.read(meshes[j], placeName(*meshes[j].file, static_cast<int>(j), meshes.size()));
     if (!pose) return {};
-    common = inBoth(std::move(common), pose->objects);
-    most = std::max(most, pose->objects.size());
+    const ObjectMesh other{pose->scene.objects, pose->faces, pose->positions};
+    if (!other.isWhole()) return {};
+    const ObjectMatch same = matchObjects(first, other);
+    for (std::size_t i = 0; i < inAll.size(); ++i) inAll[i] = inAll[i] && same.otherOf[i] >= 0;
   }
-  return common.size() < most ? common : std::vector<std::string>();
+  std::vector<std::string> common;
+  for (std::size_t i = 0; i < inAll.size(); ++i)
+    if (inAll[i]) addObject(first.objects[i].name, common);
+  return common.size() < import.objects.size() ? common : std::vector<std::string>();
 }
 
 // `common`: filled where files that are not of one mesh do not hold the same objects.
@@ -53,8 +52,10 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const Na
                          const ImportOptions& options, const StageProgress& progress,
                          std::vector<std::string>& common) {
   Import out;
-  PoseReader reader{files, options};
-  FileFacts facts{static_cast<int>(meshes.size()), 0, 0, areAll(meshes, FileKind::Gltf)};
+  ImportOptions unfiltered = options;
+  unfiltered.objects.clear();
+  PoseReader reader{files, options}, everything{files, unfiltered};
+  FileFacts facts{static_cast<int>(meshes.size()), 0, 0, 0, areAll(meshes, FileKind::Gltf)};
   std::vector<AnimationInfo> animations;
   bool writtenZUp = false;
   for (std::size_t j = 0; j < meshes.size(); ++j) {
@@ -66,13 +67,20 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const Na
     };
     onPose(0);
     auto pose = reader.read(meshes[j], where, onPose);
+    // Its objects may have other names than those of the first file, and are found by their shapes.
+    if (!pose && j > 0 && pose.error().code == ErrorCode::UnknownObject) {
+      everything.cuts = reader.cuts;
+      pose = everything.read(meshes[j], where, onPose);
+    }
     if (!pose) return atKey(pose.error(), key);
     facts.skinned += pose->skinned;
-    facts.animated += !pose->animations.empty();
+    const bool moves = std::any_of(pose->animations.begin(), pose->animations.end(), [](auto& a) { return a.moves; });
+    facts.animated += moves;
+    facts.posed += !moves && !pose->animations.empty();
     if (j == 0) animations = std::move(pose->animations);
     if (j == 0) writtenZUp = pose->writtenZUp;
     if (Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where); !added) {
-      if (options.objects.empty()) common = commonObjects(meshes, j, {files, options}, out.objects);
+      if (options.objects.empty()) common = commonObjects(meshes, j, {files, options}, out);
       return atKey(added.error(), key);
     }
   }
@@ -82,7 +90,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const Na
   // Where nothing moves, the keys can be taken from what the files hold besides.
   const bool still = std::any_of(out.warnings.begin(), out.warnings.end(),
                                  [](const Warning& warning) { return warning.code == "same-poses"; });
-  if (still && facts.animated == facts.files) out.animations = std::move(animations);
+  if (still && (facts.animated == facts.files || facts.posed == facts.files)) out.animations = std::move(animations);
   return out;
 }
 
@@ -111,8 +119,9 @@ Error atKey(Error error, int key) {
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where) {
   out.noteRounding(pose.rounding, where);
   if (out.keyframes.keyCount() > 0)
-    return hintAtObjects(KeyJoiner(out).add(pose.faces, {{std::move(name), 0, std::move(pose.positions)}}, where),
-                         pose.objects, out.objects);
+    return hintAtObjects(
+        KeyJoiner(out).add(pose.faces, {{std::move(name), 0, std::move(pose.positions)}}, where, pose.scene.objects),
+        pose.objects, out.objects);
   out.keyframes = {std::move(pose.faces), {{std::move(name), 0, std::move(pose.positions)}}, std::move(pose.normals)};
   out.scene = std::move(pose.scene);
   out.warnings = std::move(pose.warnings);

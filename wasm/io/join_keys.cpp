@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/base/format.h"
+#include "io/base/objects.h"
+#include "io/object_match.h"
 #include "io/pose_match.h"
 
 namespace shapespline {
@@ -92,16 +96,106 @@ Warning splitWarning(const std::string& where, int count, int key) {
           count, key};
 }
 
+// A mesh with its vertices in the order of its objects, so that it compares with another file's.
+struct Arranged {
+  std::vector<Triangle> faces;
+  std::vector<int> vertexAt;  // of each vertex: the file's
+  std::vector<Positions> poses;
+
+  std::vector<const Positions*> posePointers() const {
+    std::vector<const Positions*> out;
+    for (const Positions& pose : poses) out.push_back(&pose);
+    return out;
+  }
+};
+
+// `order`: of the objects; vertices of others are left out, those of no face come last.
+Arranged arranged(const std::vector<Triangle>& faces, const std::vector<ObjectFaces>& objects,
+                  const std::vector<int>& order, std::span<const Positions* const> poses) {
+  Arranged out;
+  constexpr int unused = -2, open = -1;
+  std::vector<int> number(poses[0]->size(), unused);
+  for (const Triangle& face : faces)
+    for (int v : face) number[v] = open;
+  const auto append = [&](int v) {
+    number[v] = static_cast<int>(out.vertexAt.size());
+    out.vertexAt.push_back(v);
+  };
+  for (int index : order) {
+    const ObjectFaces& object = objects[index];
+    const auto first = faces.begin() + object.start, last = first + object.count;
+    std::vector<int> vertices;
+    for (auto face = first; face != last; ++face)
+      for (int v : *face)
+        if (number[v] == open) vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end());
+    for (int v : vertices)
+      if (number[v] == open) append(v);
+    for (auto face = first; face != last; ++face)
+      out.faces.push_back({number[(*face)[0]], number[(*face)[1]], number[(*face)[2]]});
+  }
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (number[v] == unused) append(static_cast<int>(v));
+  for (const Positions* pose : poses) {
+    Positions& positions = out.poses.emplace_back();
+    for (int v : out.vertexAt) positions.push_back((*pose)[v]);
+  }
+  return out;
+}
+
+// The match of poses whose objects come in different orders, in the files' own numbers.
+std::optional<PoseMatch> findArranged(const ObjectMesh& firstMesh, const ObjectMesh& otherMesh, const ObjectMatch& same,
+                                      std::span<const Positions* const> poses) {
+  std::vector<int> own(firstMesh.objects.size());
+  std::iota(own.begin(), own.end(), 0);
+  const Positions* pose = &firstMesh.positions;
+  const Arranged first = arranged(firstMesh.faces, firstMesh.objects, own, {&pose, 1});
+  const Arranged other = arranged(otherMesh.faces, otherMesh.objects, same.otherOf, poses);
+  auto match = PoseMatcher(first.faces, first.poses[0]).find(other.faces, other.posePointers());
+  if (!match) return match;
+  PoseMatch out;
+  out.vertexOf.resize(match->vertexOf.empty() ? 0 : first.vertexAt.size());
+  for (std::size_t v = 0; v < match->vertexOf.size(); ++v)
+    out.vertexOf[first.vertexAt[v]] = other.vertexAt[match->vertexOf[v]];
+  for (int v : match->cornerOf) out.cornerOf.push_back(other.vertexAt[v]);
+  return out;
+}
+
+// As many vertices and the same faces, but not where the names of the objects say.
+Error otherObjects(const std::string& where, int key) {
+  return {ErrorCode::FaceMismatch,
+          where + ": objects of its names have other faces than those of key 1. Use poses of one mesh.", key};
+}
+
+Warning extraWarning(const std::string& where, int count) {
+  const bool one = count == 1;
+  return {"left-out-objects",
+          where + " has " + (one ? "an object" : grouped(count) + " objects") + " more than key 1, " +
+              (one ? "which is" : "which are") + " left out.",
+          count};
+}
+
 }  // namespace
 
-Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added, const std::string& where) {
+Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added, const std::string& where,
+                      const std::vector<ObjectFaces>& objects) {
   Keyframes& k = import_.keyframes;
   const int key = k.keyCount(), n = k.vertexCount();
   const std::vector<const Positions*> poses = posesOf(added);
-  const auto match = PoseMatcher(k.faces, k.keys[0].positions).find(faces, poses);
+  const ObjectMesh first{import_.scene.objects, k.faces, k.keys[0].positions}, other{objects, faces, *poses[0]};
+  ObjectMatch same;
+  if (first.isWhole() && other.isWhole()) same = matchObjects(first, other);
+  const bool isArranged = !same.otherOf.empty() && same.isComplete() && !same.isInOrder();
+  const auto match = isArranged ? findArranged(first, other, same, poses)
+                                : PoseMatcher(k.faces, k.keys[0].positions).find(faces, poses);
   if (!match && poses[0]->size() != k.keys[0].positions.size())
     return vertexCountMismatch(where, key, poses[0]->size(), k.keys[0].positions.size());
-  if (!match) return compareFaces(k.faces, faces, key, where);
+  if (!match) {
+    const Status sameFaces = compareFaces(k.faces, faces, key, where);
+    return sameFaces ? otherObjects(where, key) : sameFaces;
+  }
+  if (isArranged && same.extra > 0) import_.warnings.push_back(extraWarning(where, same.extra));
+  addMatches(same, objects, key);
 
   std::vector<int> vertexOf = match->vertexOf;
   if (!match->cornerOf.empty()) {
@@ -120,6 +214,12 @@ Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added
     k.keys.push_back({std::move(one.name), one.time, std::move(positions)});
   }
   return {};
+}
+
+void KeyJoiner::addMatches(const ObjectMatch& same, const std::vector<ObjectFaces>& objects, int key) {
+  for (std::size_t i = 0; same.isComplete() && i < same.otherOf.size(); ++i)
+    if (import_.matches.size() < kMostObjects)
+      import_.matches.push_back({key, import_.scene.objects[i].name, objects[same.otherOf[i]].name, same.rule[i]});
 }
 
 }  // namespace shapespline

@@ -6,6 +6,7 @@
 
 #include "core/base/status.h"
 #include "io/base/imported.h"
+#include "io/object_match.h"
 
 namespace shapespline {
 
@@ -14,12 +15,17 @@ class KeyJoiner {
  public:
   explicit KeyJoiner(Import& import) : import_(import) {}
 
-  /// Adds keys that share these faces. Where one vertex of the mesh stands at several places in them it is split, and a
-  /// warning says so: normals, colours and coordinates go with it. `where` is how messages call the file.
-  /// Errors: VertexCountMismatch, FaceCountMismatch, FaceMismatch of keys that are not of the mesh.
-  Status add(const std::vector<Triangle>& faces, std::vector<Key> keys, const std::string& where);
+  /// Adds keys that share these faces. Objects may come in another order than those of the first key (`objects`:
+  /// theirs, or none): see matchObjects; those that it lacks are left out, with a warning. Where one vertex of the mesh
+  /// stands at several places in them it is split, and a warning says so: normals, colours and coordinates go with it.
+  /// `where` is how messages call the file. Errors: VertexCountMismatch, FaceCountMismatch, FaceMismatch of keys that
+  /// are not of the mesh.
+  Status add(const std::vector<Triangle>& faces, std::vector<Key> keys, const std::string& where,
+             const std::vector<ObjectFaces>& objects);
 
  private:
+  void addMatches(const ObjectMatch& same, const std::vector<ObjectFaces>& objects, int key);
+
   Import& import_;
 };
 

@@ -38,6 +38,7 @@ Result<PoseFile> PoseReader::read(const MeshFile& mesh, const std::string& where
   pose.faces = trianglesOf(*polygons, *cuts);
   polygons->scene.seams.faces = drawnTrianglesOf(*polygons, *cuts);
   polygons->scene.groups = triangleGroups(*polygons);
+  polygons->scene.objects = triangleObjects(*polygons);
   polygons->scene.polygons = trianglesPerPolygon(*polygons);
   reportFraction(onProgress, 0.95);
   pose.positions = std::move(polygons->positions);

@@ -30,7 +30,8 @@ function checkFiles(args: Arguments): void {
   if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');
 }
 
-function describe({ names, times, report, animations, animation, objects, offset, project }: KeysInfo): object {
+function describe(info: KeysInfo): object {
+  const { names, times, report, animations, animation, objects, matches, offset, project } = info;
   const { vertices, weldedVertices, ...rest } = report;
   return {
     keys: names.map((name, key) => ({ name, time: times[key] })),
@@ -40,6 +41,7 @@ function describe({ names, times, report, animations, animation, objects, offset
     animation: animations[animation]?.name ?? null,
     objects,
     offset,
+    matches,
     isProject: project !== null,
   };
 }

@@ -31,6 +31,7 @@ const readKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Read | null
   sample: (text, option) => (/^\d+$/.test(text) ? read.wholeFrom(2)(text, option) : read.times(text, option)),
   faces: null,
   point: null,
+  objects: null,
   names: (text) => text.split(BETWEEN_VALUES),
   text: (text) => text,
 };

@@ -3,7 +3,7 @@ import type { CallOptions, Engine, Keys } from '../engine/api/api.ts';
 import { EngineError } from '../engine/api/errors.ts';
 import { readNote } from '../engine/api/export-note.ts';
 import { CACHES, extensionOf } from '../engine/api/paths.ts';
-import { isMismatch } from '../engine/api/read-poses.ts';
+import { isMismatch, likeOf } from '../engine/api/read-poses.ts';
 import type { ImportOptions, InputFile, KeysInfo } from '../engine/api/types.ts';
 import { UsageError } from './arguments.ts';
 import type { Lying } from './doubts.ts';
@@ -46,8 +46,7 @@ export async function readTruth(
   const note = noteIn(input);
   const lies = note ? {} : { up: given.up, unit: given.unit };
   const { objects, animation } = given;
-  const like = { like: keys.info.faces, likePose: keys.positions(0), offset: keys.info.offset };
-  const options: ImportOptions = { ...lies, ...own, objects, animation, ...like };
+  const options: ImportOptions = { ...lies, ...own, objects, animation, ...likeOf(keys) };
   const read = (change: ImportOptions, call?: CallOptions): Promise<Keys> =>
     engine.importKeyframes(input, { ...options, ...change }, call).catch((error: unknown) => {
       if (isMismatch(error))

@@ -34,8 +34,8 @@ export async function readReference(
   const sample = Array.from({ length: count }, (_, i) =>
     i === count - 1 ? end : start + ((end - start) * i) / (count - 1),
   );
-  const { up, unit, objects, like, likePose, offset } = options;
-  const read = { up, unit, objects, like, likePose, offset };
+  const { up, unit, objects, like, likePose, likeObjects, offset } = options;
+  const read = { up, unit, objects, like, likePose, likeObjects, offset };
   const keys = await engine.importKeyframes(files, { ...read, animation, sample }, call);
   return new Samples(keys);
 }

@@ -42,6 +42,7 @@ export interface Choice<T extends string> {
   value: T;
   label: string;
   hint?: string;
+  disabled?: boolean;
 }
 
 export interface Segments<T extends string> {
@@ -119,7 +120,9 @@ export function select<T extends string>(
     )
       return;
     shown = next;
-    field.replaceChildren(...next.map(({ value, label: text, hint }) => h('option', { value, title: hint }, text)));
+    field.replaceChildren(
+      ...next.map(({ value, label: text, hint, disabled }) => h('option', { value, title: hint, disabled }, text)),
+    );
   };
   fill(choices);
   return {

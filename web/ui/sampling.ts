@@ -12,6 +12,8 @@ const TOLERANCE = { least: 0.1, most: 20, default: 2 };
 /** A mark that is moved by an arrow key is moved again soon. */
 const TAKE_DELAY_MS = 300;
 
+const NO_ANIMATION: AnimationInfo = { name: '', start: 0, end: 1, keys: 0, moves: false };
+
 export interface SamplingProps {
   /** null: no animation. */
   info: KeysInfo | null;
@@ -44,7 +46,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   let searching = 0;
   let fewestFound = false;
 
-  const span = (): AnimationInfo => animations[chosen] ?? { name: '', start: 0, end: 1, keys: 0 };
+  const span = (): AnimationInfo => animations[chosen] ?? NO_ANIMATION;
   const choose = (next: number[]): void => {
     times = [...new Set(next)].sort((a, b) => a - b);
     draw();
@@ -176,17 +178,12 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
 
   const read = memo(({ info }: { info: KeysInfo | null }) => {
     animations = info?.animations ?? [];
-    setHidden(element, animations.length === 0);
+    const firstMoving = animations.findIndex(({ moves }) => moves);
+    setHidden(element, firstMoving < 0);
     // What was chosen meanwhile is taken next.
-    if (!info || animations.length === 0 || timer !== 0) return;
-    chosen = Math.max(info.animation, 0);
-    animation.update(
-      String(chosen),
-      animations.map((a, index) => ({
-        value: String(index),
-        label: `${a.name || `Animation ${index + 1}`}  (${(a.end - a.start).toFixed(2)} s)`,
-      })),
-    );
+    if (!info || firstMoving < 0 || timer !== 0) return;
+    chosen = info.animation < 0 ? firstMoving : info.animation;
+    animation.update(String(chosen), animations.map(choiceOf));
     setText(
       title,
       animations.length > 1 ? `The files hold ${animations.length} animations` : 'The files hold an animation',
@@ -213,6 +210,13 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
       original.update(props.original);
     },
   };
+}
+
+/** One that is a single pose is listed, but no keys can be sampled from it. */
+function choiceOf({ name, start, end, keys, moves }: AnimationInfo, index: number) {
+  const count = keys === 1 ? '1 key' : `${keys.toLocaleString('en')} keys`;
+  const what = moves ? `${(end - start).toFixed(2)} s, ${count}` : `one pose, ${count}`;
+  return { value: String(index), label: `${name || `Animation ${index + 1}`}  (${what})`, disabled: !moves };
 }
 
 function sameTimes(a: readonly number[], b: readonly number[]): boolean {
@@ -259,7 +263,7 @@ function createTrack(
   element: HTMLElement;
   update(span: AnimationInfo, times: number[]): void;
 } {
-  let span: AnimationInfo = { name: '', start: 0, end: 1, keys: 0 };
+  let span: AnimationInfo = NO_ANIMATION;
   let times: number[] = [];
   const marks = h('div', { class: 'sample-marks' });
   const element = h(

@@ -92,3 +92,16 @@ export function meshGlb(mesh: Mesh, positions = mesh.positions, targets: Float32
 export function poseFiles(mesh: Mesh, poses: Float32Array[]): InputFile[] {
   return poses.map((positions, i) => ({ name: `pose-${i + 1}.glb`, bytes: meshGlb(mesh, positions) }));
 }
+
+export function glbParts(bytes: Uint8Array): { json: Record<string, never>; bin: Uint8Array } {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as Record<string, never>;
+  return { json, bin: bytes.slice(28 + length) };
+}
+
+/** A .gltf with its buffer inside. */
+export function gltfInside(json: object, bin: Uint8Array): string {
+  const uri = `data:application/octet-stream;base64,${Buffer.from(bin).toString('base64')}`;
+  const { buffers } = json as { buffers: object[] };
+  return JSON.stringify({ ...json, buffers: [{ uri, byteLength: bin.length }, ...buffers.slice(1)] });
+}

@@ -1,7 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { parseGltf } from '../../../web/engine/api/gltf-json.ts';
 import { checkImportSize } from '../../../web/engine/api/import-size.ts';
-import { checkDecodedSize, checkForest, roomFor } from '../../../web/engine/worker/decoded-size.ts';
+import {
+  checkCompressedViews,
+  checkDecodedSize,
+  checkForest,
+  roomFor,
+} from '../../../web/engine/worker/decoded-size.ts';
 import { withMemoryLimit } from '../../../web/engine/worker/wasm-memory.ts';
 
 const meshopt = (count: number, byteStride: number, byteLength: number, mode: string | undefined = undefined) => ({
@@ -95,5 +100,17 @@ describe('the memory of a wasm module', () => {
 
   it('of a module without one stays as it is', () => {
     expect(withMemoryLimit(module.slice(0, 11), 1)).toEqual(module.slice(0, 11));
+  });
+
+  it('refuses primitives that are compressed into no buffer view', () => {
+    const mesh = (bufferView: unknown): object => ({
+      bufferViews: [{}, {}],
+      meshes: [{ primitives: [{}, { extensions: { KHR_draco_mesh_compression: { bufferView } } }] }],
+    });
+    expect(() => checkCompressedViews(mesh(1))).not.toThrow();
+    for (const view of [2, 255, -1, 2 ** 40])
+      expect(() => checkCompressedViews(mesh(view))).toThrow(
+        `mesh 0, primitive 1 lies in buffer view ${view}, which does not exist`,
+      );
   });
 });

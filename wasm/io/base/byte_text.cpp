@@ -4,6 +4,39 @@
 
 namespace shapespline {
 
+namespace {
+
+struct Character {
+  char32_t code;      // 0 where the bytes are no UTF-8
+  std::size_t bytes;  // at least one
+};
+
+// The first character of a text that is not empty.
+Character characterOf(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < bytes) return {0, 1};
+  char32_t code = lead & (0x7f >> bytes);
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {0, 1};
+    code = code << 6 | (byte(i) & 0x3f);
+  }
+  constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool isSurrogate = code >= 0xd800 && code < 0xe000;
+  return {code < least[bytes] || isSurrogate || code > 0x10ffff ? 0 : code, bytes};
+}
+
+// No control character, no separator of lines, no mark of the writing direction.
+bool isText(char32_t code) {
+  const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
+  return !(within(0, 0x1f) || within(0x7f, 0x9f) || code == 0x61c || within(0x200e, 0x200f) || within(0x2028, 0x202e) ||
+           within(0x2066, 0x2069) || code == 0xfeff);
+}
+
+}  // namespace
+
 std::string sizeText(std::uint64_t bytes) {
   if (bytes < 1'000'000) return grouped(static_cast<std::int64_t>(bytes)) + (bytes == 1 ? " byte" : " bytes");
   const bool giga = bytes >= 1'000'000'000;
@@ -41,10 +74,16 @@ bool isUtf16(std::span<const std::uint8_t> bytes) {
 }
 
 std::string inQuotes(std::string_view text) {
-  constexpr std::size_t longest = 80;
+  constexpr int longest = 80;
   std::string out = "\"";
-  for (char c : text.substr(0, longest)) out += c >= ' ' && c < 127 ? c : '?';
-  return out + (text.size() > longest ? "...\"" : "\"");
+  for (int count = 0; !text.empty(); ++count) {
+    if (count == longest) return out + "...\"";
+    const Character first = characterOf(text);
+    if (isText(first.code)) out += text.substr(0, first.bytes);
+    else out += '?';
+    text.remove_prefix(first.bytes);
+  }
+  return out + "\"";
 }
 
 }  // namespace shapespline

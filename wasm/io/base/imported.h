@@ -14,12 +14,12 @@
 namespace shapespline {
 
 struct ImportOptions {
-  std::variant<std::monostate, int, std::string> animation;  ///< default: the first one
+  std::variant<std::monostate, int, std::string> animation;  ///< default: the first one that moves
   std::vector<double> sampleTimes;  ///< seconds on the animation's own timeline; wins over sampleCount
   int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
   bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
   bool everyFrame = false;   ///< each frame of the animation is a key; wins over sampleCount
-  bool oneKeyWillDo = false;     ///< an animation with one key time is a pose: the file is one of several
+  bool oneKeyWillDo = false;     ///< an animation that does not move is a key: the file is one of several
   std::vector<double> keyTimes;  ///< default: the animation's own times, else evenly over [0, 1]
   bool zUp = false;              ///< OBJ, PLY and OFF only
   double unit = 1;               ///< metres per unit, OBJ, PLY and OFF only
@@ -27,8 +27,9 @@ struct ImportOptions {
   /// in its vertices where the pose is given.
   std::vector<Triangle> like;
   Positions likePose;
-  std::optional<Vec3> offset;        ///< subtracted from all positions (far_offset.h); default: as it is needed
-  std::vector<std::string> objects;  ///< the objects of each file that are taken; empty for all of them
+  std::optional<Vec3> offset;            ///< subtracted from all positions (far_offset.h); default: as it is needed
+  std::vector<ObjectFaces> likeObjects;  ///< of these faces; empty where they are not known
+  std::vector<std::string> objects;      ///< the objects of each file that are taken; empty for all of them
 
   bool animationAsked() const {
     return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked || everyFrame;
@@ -39,14 +40,26 @@ struct AnimationInfo {
   std::string name;
   double start = 0, end = 0;  ///< seconds
   int keys = 0;               ///< distinct key times
+  bool moves = true;          ///< else it is one pose, however many keys it has
+};
+
+/// How an object of one pose was found in another.
+enum class MatchRule { Name, Shape, Order };
+
+struct MatchedObject {
+  int key = 0;         ///< the first key of the file that holds the other one
+  std::string object;  ///< in the first key
+  std::string found;   ///< there
+  MatchRule rule = MatchRule::Order;
 };
 
 struct Import {
   Keyframes keyframes;
   Scene scene;
   std::vector<AnimationInfo> animations;
-  int animation = -1;                ///< which one the keys were taken from
-  std::vector<std::string> objects;  ///< names of what may be left out: those of the first file, each once
+  int animation = -1;                  ///< which one the keys were taken from
+  std::vector<std::string> objects;    ///< names of what may be left out: those of the first file, each once
+  std::vector<MatchedObject> matches;  ///< of files with objects, after the first; at most kMostObjects
   std::vector<Warning> warnings;
   /// What was subtracted from all positions in double, in metres with Y up: position + offset is where a vertex lies.
   /// From a reader: what a saved project says of it.

@@ -33,10 +33,19 @@ struct Image {
   std::vector<std::uint8_t> bytes;
 };
 
+/// An object's run of faces, and what it is called.
+struct ObjectFaces {
+  std::string name;  ///< as messages and lists call it; made up where the file has none
+  int start = 0, count = 0;
+  std::string nodeName{}, meshName{}, path{};  ///< as the file has them, or empty; `path`: of the nodes above it
+  bool isGroup = false;                        ///< OBJ: g, not o
+};
+
 /// A run of faces drawn with one material.
 struct MaterialGroup {
   int start = 0, count = 0;  ///< faces
   int material = -1;
+  std::string name{};  ///< of a material that an OBJ names without saying how it looks
 };
 
 /// Where texture coordinates jump between faces that share a vertex, as OBJ has them: what is drawn has more vertices
@@ -55,6 +64,7 @@ struct Scene {
   std::vector<MaterialGroup> groups;
   std::vector<Material> materials;
   std::vector<Image> images;
+  std::vector<ObjectFaces> objects;  ///< in the order of the faces, all of them; empty where the file knows none
 };
 
 }  // namespace shapespline

@@ -1,10 +1,13 @@
 #include "io/gltf/gltf_animation.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "core/base/format.h"
+#include "io/base/byte_text.h"
 #include "io/gltf/gltf_accessor.h"
 #include "io/gltf/gltf_shape.h"
 #include "io/gltf/malformed.h"
@@ -35,28 +38,44 @@ std::optional<Interpolation> interpolationOf(const std::string& name) {
   return std::nullopt;
 }
 
-int widthOf(const GltfDocument& doc, Path path, int node) {
-  if (path == Path::Rotation) return 4;
-  if (path != Path::Weights) return 3;
+int targetsOf(const GltfDocument& doc, int node) {
   const int mesh = doc.model.nodes[node].mesh;
   return mesh >= 0 && mesh < static_cast<int>(doc.model.meshes.size()) ? targetCount(doc.model.meshes[mesh]) : 0;
 }
 
-Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::AnimationChannel& channel,
-                                 const tinygltf::AnimationSampler& sampler, Path path, const std::string& name,
-                                 std::uint64_t& numbers) {
+// What a channel moves: of one node, or of all that show a mesh.
+struct Target {
+  Path path = Path::Translation;
+  std::vector<int> nodes{};
+  int weight = -1;  // the only one of the weights, or -1 for all
+};
+
+int widthOf(const GltfDocument& doc, const Target& target) {
+  switch (target.path) {
+    case Path::Rotation: return 4;
+    case Path::Visibility: return 1;
+    case Path::Weights: return target.weight >= 0 ? 1 : targetsOf(doc, target.nodes[0]);
+    default: return 3;
+  }
+}
+
+Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::AnimationSampler& sampler,
+                                 const Target& target, const std::string& name, std::uint64_t& numbers) {
   AnimationCurve curve;
-  curve.path = path;
-  curve.node = channel.target_node;
-  curve.width = widthOf(doc, path, curve.node);
+  curve.path = target.path;
+  curve.node = target.nodes[0];
+  curve.first = std::max(target.weight, 0);
+  curve.width = widthOf(doc, target);
+  if (target.path == Path::Weights && curve.first + curve.width > targetsOf(doc, curve.node))
+    curve.width = 0;  // a weight that is not there
   if (curve.width == 0)
     return malformed(doc.where, name + " moves the morph weights of node " + std::to_string(curve.node) +
-                                    ", which has no morph targets");
+                                    ", which has no morph targets" + (curve.first > 0 ? " for all of them" : ""));
   const auto interpolation = interpolationOf(sampler.interpolation);
   if (!interpolation) return malformed(doc.where, name + " has an unknown interpolation");
   curve.interpolation = *interpolation;
 
-  const int components = path == Path::Weights ? 1 : curve.width;
+  const int components = target.path == Path::Weights ? 1 : curve.width;
   numbers += accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
   if (numbers > kMostNumbers)
     return Error{ErrorCode::TooLarge,
@@ -81,33 +100,146 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   return curve;
 }
 
-Result<GltfAnimation> readAnimation(const GltfDocument& doc, int index, std::uint64_t& numbers) {
-  const tinygltf::Animation& source = doc.model.animations[index];
-  GltfAnimation out;
-  out.name = source.name.empty() ? "animation " + std::to_string(index) : source.name;
-  int lastInput = -1;  // most channels share their times with the one before
-  for (std::size_t c = 0; c < source.channels.size(); ++c) {
-    const tinygltf::AnimationChannel& channel = source.channels[c];
-    const std::string name = "animation " + std::to_string(index) + ", channel " + std::to_string(c);
-    const auto path = pathOf(channel.target_path);
-    if (!path || channel.target_node < 0) continue;  // an extension's, such as KHR_animation_pointer
-    if (channel.target_node >= static_cast<int>(doc.model.nodes.size()))
-      return malformed(doc.where,
-                       name + " moves node " + std::to_string(channel.target_node) + ", which does not exist");
-    if (channel.sampler < 0 || channel.sampler >= static_cast<int>(source.samplers.size()))
-      return malformed(doc.where, name + " has sampler " + std::to_string(channel.sampler) + ", which does not exist");
-    const tinygltf::AnimationSampler& sampler = source.samplers[channel.sampler];
-    auto curve = readCurve(doc, channel, sampler, *path, name, numbers);
-    if (!curve) return curve.error();
-    out.weightsOnly = out.weightsOnly && *path == Path::Weights;
-    if (sampler.input != lastInput) out.keyTimes.insert(out.keyTimes.end(), curve->times.begin(), curve->times.end());
-    lastInput = sampler.input;
-    out.curves.push_back(std::move(*curve));
-  }
-  std::sort(out.keyTimes.begin(), out.keyTimes.end());
-  out.keyTimes.erase(std::unique(out.keyTimes.begin(), out.keyTimes.end()), out.keyTimes.end());
-  return out;
+// Nodes that have the mesh's own weights.
+std::vector<int> nodesOfMesh(const GltfDocument& doc, int mesh) {
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < doc.model.nodes.size(); ++n)
+    if (doc.model.nodes[n].mesh == mesh && doc.model.nodes[n].weights.empty()) nodes.push_back(static_cast<int>(n));
+  return nodes;
 }
+
+// Takes "/12" off a pointer; -1 where it does not go on with a number.
+int takeNumber(std::string_view& pointer) {
+  int number = -1;
+  if (!pointer.starts_with('/')) return -1;
+  const auto [end, error] = std::from_chars(pointer.data() + 1, pointer.data() + pointer.size(), number);
+  if (error != std::errc() || number < 0) return -1;
+  pointer.remove_prefix(static_cast<std::size_t>(end - pointer.data()));
+  return number;
+}
+
+bool take(std::string_view& pointer, std::string_view start) {
+  if (!pointer.starts_with(start)) return false;
+  pointer.remove_prefix(start.size());
+  return true;
+}
+
+// What is left of a pointer to weights: nothing, or one of them.
+bool takeWeights(std::string_view rest, Target& target) {
+  target.path = Path::Weights;
+  if (rest.empty()) return true;
+  target.weight = takeNumber(rest);
+  return target.weight >= 0 && rest.empty();
+}
+
+// Nothing where the pointer names something else.
+std::optional<Target> pointedAt(const GltfDocument& doc, std::string_view pointer) {
+  Target target;
+  if (take(pointer, "/meshes")) {
+    const int mesh = takeNumber(pointer);
+    if (mesh < 0) return std::nullopt;
+    target.nodes = nodesOfMesh(doc, mesh);
+    if (take(pointer, "/weights") && takeWeights(pointer, target)) return target;
+    return std::nullopt;
+  }
+  if (!take(pointer, "/nodes")) return std::nullopt;
+  const int node = takeNumber(pointer);
+  if (node < 0) return std::nullopt;
+  target.nodes = {node};
+  if (pointer == "/extensions/KHR_node_visibility/visible") {
+    target.path = Path::Visibility;
+    return target;
+  }
+  if (take(pointer, "/weights")) return takeWeights(pointer, target) ? std::optional(target) : std::nullopt;
+  if (!take(pointer, "/")) return std::nullopt;
+  const auto path = pathOf(std::string(pointer));
+  if (!path) return std::nullopt;
+  target.path = *path;
+  return target;
+}
+
+// Pointers into these move vertices; others are of materials, cameras, lights and the like.
+bool mayMove(std::string_view pointer) {
+  for (const char* start : {"/nodes/", "/meshes/", "/skins/", "/accessors/"})
+    if (pointer.starts_with(start)) return pointer.find("/extensions/") == std::string_view::npos;
+  return false;
+}
+
+std::string pointerOf(const tinygltf::AnimationChannel& channel) {
+  const auto extension = channel.target_extensions.find("KHR_animation_pointer");
+  if (extension == channel.target_extensions.end()) return "";
+  const tinygltf::Value& pointer = extension->second.Get("pointer");
+  return pointer.IsString() ? pointer.Get<std::string>() : "";
+}
+
+struct AnimationReader {
+  const GltfDocument& doc;
+  std::vector<Warning>& warnings;
+  std::uint64_t numbers = 0;  // of all curves
+  int ignoredPointers = 0;
+  std::string firstIgnored{};
+
+  // Nothing where a channel moves nothing that is read here.
+  std::optional<Target> targetOf(const tinygltf::AnimationChannel& channel) {
+    if (channel.target_path == "pointer") {
+      const std::string pointer = pointerOf(channel);
+      auto target = pointedAt(doc, pointer);
+      if (!target && mayMove(pointer) && ++ignoredPointers == 1) firstIgnored = pointer;
+      return target && !target->nodes.empty() ? target : std::nullopt;
+    }
+    const auto path = pathOf(channel.target_path);
+    if (!path || channel.target_node < 0) return std::nullopt;
+    return Target{*path, {channel.target_node}, -1};
+  }
+
+  Status addCurves(GltfAnimation& out, const tinygltf::AnimationSampler& sampler, const Target& target,
+                   const std::string& name) {
+    const int count = static_cast<int>(doc.model.nodes.size());
+    for (int node : target.nodes) {
+      if (node >= count)
+        return malformed(doc.where, name + " moves node " + std::to_string(node) + ", which does not exist");
+      auto curve = readCurve(doc, sampler, {target.path, {node}, target.weight}, name, numbers);
+      if (!curve) return curve.error();
+      out.curves.push_back(std::move(*curve));
+    }
+    return {};
+  }
+
+  Result<GltfAnimation> read(int index) {
+    const tinygltf::Animation& source = doc.model.animations[index];
+    GltfAnimation out;
+    out.name = source.name.empty() ? "animation " + std::to_string(index) : source.name;
+    int lastInput = -1;  // most channels share their times with the one before
+    for (std::size_t c = 0; c < source.channels.size(); ++c) {
+      const tinygltf::AnimationChannel& channel = source.channels[c];
+      const std::string name = "animation " + std::to_string(index) + ", channel " + std::to_string(c);
+      const auto target = targetOf(channel);
+      if (!target) continue;
+      if (channel.sampler < 0 || channel.sampler >= static_cast<int>(source.samplers.size()))
+        return malformed(doc.where,
+                         name + " has sampler " + std::to_string(channel.sampler) + ", which does not exist");
+      const tinygltf::AnimationSampler& sampler = source.samplers[channel.sampler];
+      if (Status added = addCurves(out, sampler, *target, name); !added) return added.error();
+      out.weightsOnly = out.weightsOnly && target->path == Path::Weights;
+      const std::vector<double>& times = out.curves.back().times;
+      if (sampler.input != lastInput) out.keyTimes.insert(out.keyTimes.end(), times.begin(), times.end());
+      lastInput = sampler.input;
+    }
+    std::sort(out.keyTimes.begin(), out.keyTimes.end());
+    out.keyTimes.erase(std::unique(out.keyTimes.begin(), out.keyTimes.end()), out.keyTimes.end());
+    return out;
+  }
+
+  void warnOfIgnored() {
+    if (ignoredPointers > 0)
+      warnings.push_back({"pointer-ignored",
+                          doc.where + ": animations of " + inQuotes(firstIgnored) +
+                              (ignoredPointers > 1 ? " and others" : "") +
+                              " (KHR_animation_pointer) are not applied. Where the motion looks wrong, export it as "
+                              "node animations.",
+                          ignoredPointers});
+  }
+};
 
 // Spherical interpolation, the short way round.
 void slerp(const double* a, const double* b, double s, double* out) {
@@ -130,7 +262,7 @@ void AnimationCurve::sample(double t, double* out) const {
   const auto hold = [&](std::size_t i) { std::copy_n(&values[i * step + centre], width, out); };
   const std::size_t next = std::upper_bound(times.begin(), times.end(), t) - times.begin();
   if (next == 0) return hold(0);
-  if (next == times.size() || interpolation == Interpolation::Step) return hold(next - 1);
+  if (next == times.size() || interpolation == Interpolation::Step || path == Path::Visibility) return hold(next - 1);
   const double length = times[next] - times[next - 1], s = (t - times[next - 1]) / length;
   const double *a = &values[(next - 1) * step], *b = &values[next * step];
   if (cubic)
@@ -140,14 +272,40 @@ void AnimationCurve::sample(double t, double* out) const {
     for (int c = 0; c < width; ++c) out[c] = a[c] + s * (b[c] - a[c]);
 }
 
-Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc) {
+bool AnimationCurve::varies() const {
+  const std::size_t step = static_cast<std::size_t>(width) * (interpolation == Interpolation::CubicSpline ? 3 : 1);
+  const std::size_t centre = step > static_cast<std::size_t>(width) ? width : 0;
+  double most = path == Path::Translation ? 0 : 1;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    for (int c = 0; c < width; ++c) most = std::max(most, std::abs(values[i * step + centre + c]));
+  const double near = 1e-6 * most;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double *first = &values[centre], *value = &values[i * step + centre];
+    double apart = 0, opposite = 0;
+    for (int c = 0; c < width; ++c) {
+      apart = std::max(apart, std::abs(value[c] - first[c]));
+      opposite = std::max(opposite, std::abs(value[c] + first[c]));
+    }
+    // A quaternion and its negative are one rotation.
+    if (apart > near && (path != Path::Rotation || opposite > near)) return true;
+  }
+  // Between equal values a cubic spline moves where it has slopes.
+  if (interpolation == Interpolation::CubicSpline && times.size() > 1)
+    for (std::size_t i = 0; i < times.size(); ++i)
+      for (int c = 0; c < width; ++c)
+        if (std::abs(values[i * step + c]) > near || std::abs(values[i * step + 2 * centre + c]) > near) return true;
+  return false;
+}
+
+Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings) {
   std::vector<GltfAnimation> animations;
-  std::uint64_t numbers = 0;
+  AnimationReader reader{doc, warnings};
   for (std::size_t i = 0; i < doc.model.animations.size(); ++i) {
-    auto animation = readAnimation(doc, static_cast<int>(i), numbers);
+    auto animation = reader.read(static_cast<int>(i));
     if (!animation) return animation.error();
     if (!animation->curves.empty()) animations.push_back(std::move(*animation));
   }
+  reader.warnOfIgnored();
   return animations;
 }
 
@@ -163,11 +321,15 @@ void applyAnimation(const GltfAnimation& animation, double t, SceneState& state)
     double value[4];
     if (curve.path == Path::Weights) {
       auto& weights = state.weights[curve.node];
-      weights.resize(curve.width);
-      curve.sample(t, weights.data());
+      weights.resize(std::max<std::size_t>(weights.size(), curve.first + curve.width));
+      curve.sample(t, weights.data() + curve.first);
       continue;
     }
     curve.sample(t, value);
+    if (curve.path == Path::Visibility) {
+      state.visible[curve.node] = value[0] != 0;
+      continue;
+    }
     if (local.isMatrix) local.splitMatrix();
     if (curve.path == Path::Translation) local.translation = Vec3(value);
     if (curve.path == Path::Scale) local.scale = Vec3(value);

@@ -11,23 +11,28 @@
 
 namespace shapespline {
 
-/// What can move: node transforms and morph weights (a list a node).
+/// What can move: node transforms, morph weights (a list a node), and which nodes are visible.
 struct SceneState {
   std::vector<NodeTransform> local;
   std::vector<std::vector<double>> weights;
+  std::vector<char> visible;
 };
 
 /// One channel with its sampler's numbers.
 struct AnimationCurve {
-  enum class Path { Translation, Rotation, Scale, Weights } path = Path::Translation;
+  enum class Path { Translation, Rotation, Scale, Weights, Visibility } path = Path::Translation;
   enum class Interpolation { Step, Linear, CubicSpline } interpolation = Interpolation::Linear;
   int node = -1;
+  int first = 0;               ///< of the node's weights: the first one that moves
   int width = 3;               ///< numbers a value
   std::vector<double> times;   ///< strictly increasing seconds
   std::vector<double> values;  ///< width a time; for cubic splines in-tangent, value, out-tangent
 
   /// The value at time t, held beyond both ends. `out` has `width` numbers (glTF 2.0, appendix C).
   void sample(double t, double* out) const;
+
+  /// Whether any value differs from the first one, more than by rounding.
+  bool varies() const;
 };
 
 struct GltfAnimation {
@@ -35,10 +40,13 @@ struct GltfAnimation {
   std::vector<AnimationCurve> curves;
   std::vector<double> keyTimes;  ///< the distinct times of all curves, increasing
   bool weightsOnly = true;
+  bool moves = true;  ///< more than one pose
 };
 
-/// All animations with at least one channel that moves a node. Errors: MalformedFile, NotFinite, TooLarge.
-Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc);
+/// All animations with at least one channel that moves a node, by its name or by a pointer (KHR_animation_pointer).
+/// Pointers to what moves no vertex are left out; others that cannot be applied give a warning.
+/// Errors: MalformedFile, NotFinite, TooLarge.
+Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings);
 
 /// How many numbers applyAnimation writes. Channels may share theirs, so that a small file could ask for any amount.
 std::uint64_t animationCost(const GltfAnimation& animation);

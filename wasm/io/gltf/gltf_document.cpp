@@ -166,14 +166,16 @@ Result<GltfDocument> openGltf(const NamedBytes& file, std::span<const NamedBytes
   } else {
     source.chunks.json = {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
   }
-  auto doc = parseGltfJson(source.chunks.json, where);
+  GltfDocument out;
+  auto doc = parseGltfJson(source.chunks.json, where, out.warnings);
   if (!doc) return doc.error();
 
-  GltfDocument out;
   out.where = where;
   if (const auto& extras = (*doc)["extras"]; extras.is_object() && extras.contains("shapespline"))
     out.project = extras["shapespline"].dump();
   if (Status buffers = readBuffers(*doc, source, out); !buffers) return buffers.error();
+  for (const NamedBytes& given : files) out.fileBytes += given.bytes.size();
+  out.fileBytes = std::min<std::uint64_t>(out.fileBytes, source.chunks.json.size() + out.bufferBytes);
   readImages(*doc, source, out);
   if (Status model = loadModel(*doc, out); !model) return model.error();
   return out;

@@ -22,6 +22,7 @@ struct GltfDocument {
   tinygltf::Model model;
   std::vector<Resource> buffers;  ///< byteLength bytes each, or none for a placeholder
   std::uint64_t bufferBytes = 0;  ///< of all buffers together
+  std::uint64_t fileBytes = 0;    ///< of all that was given for it: its JSON and buffers, each once
   std::vector<Image> images;      ///< those that could be had, each once
   std::vector<int> imageOf;       ///< of the file's images: place in `images`, or -1
   std::string project;            ///< JSON of extras.shapespline, or empty

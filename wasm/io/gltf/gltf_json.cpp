@@ -7,6 +7,7 @@
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
 #include "io/base/limits.h"
+#include "io/gltf/gltf_extensions.h"
 #include "io/gltf/malformed.h"
 
 namespace shapespline {
@@ -27,27 +28,12 @@ constexpr std::array kWholeNumbers{
     "scene",         "skeleton",   "skin",       "source",     "texCoord",   "wrapS",
     "wrapT"};
 
-constexpr std::array kReadExtensions{"KHR_texture_transform", "EXT_texture_webp", "KHR_texture_basisu",
-                                     "KHR_materials_unlit", "KHR_materials_emissive_strength"};
+// Lists whose items are indices; `nodes` is one in a scene.
+constexpr std::array kIndexLists{"children", "joints", "nodes"};
 
-// Extensions without which the shape is still the same; what they add to the look is not kept.
-constexpr std::array kHarmlessExtensions{"KHR_mesh_quantization",
-                                         "KHR_lights_punctual",
-                                         "KHR_materials_anisotropy",
-                                         "KHR_materials_clearcoat",
-                                         "KHR_materials_diffuse_transmission",
-                                         "KHR_materials_dispersion",
-                                         "KHR_materials_ior",
-                                         "KHR_materials_iridescence",
-                                         "KHR_materials_pbrSpecularGlossiness",
-                                         "KHR_materials_sheen",
-                                         "KHR_materials_specular",
-                                         "KHR_materials_transmission",
-                                         "KHR_materials_variants",
-                                         "KHR_materials_volume",
-                                         "KHR_xmp_json_ld",
-                                         "EXT_lights_image_based",
-                                         "MSFT_texture_dds"};
+constexpr std::array kReadExtensions{"EXT_mesh_gpu_instancing", "EXT_texture_webp",    "KHR_animation_pointer",
+                                     "KHR_materials_unlit",     "KHR_node_visibility", "KHR_texture_basisu",
+                                     "KHR_texture_transform"};
 
 template <std::size_t N>
 bool contains(const std::array<const char*, N>& names, std::string_view name) {
@@ -153,6 +139,9 @@ std::string tidy(json& node) {
     if (attributes && value.is_object())
       for (auto& [semantic, accessor] : value.items())
         if (std::string wrong = tidyMember(semantic, accessor, true); !wrong.empty()) return wrong;
+    if (contains(kIndexLists, name) && value.is_array())
+      for (json& index : value)
+        if (std::string wrong = tidyMember(name, index, true); !wrong.empty()) return wrong;
     if (std::string wrong = tidyMember(name, value, contains(kWholeNumbers, name)); !wrong.empty()) return wrong;
   }
   return "";
@@ -175,19 +164,6 @@ Status checkAsset(const json& doc, const std::string& where) {
   return {};
 }
 
-Status checkExtensions(const json& doc, const std::string& where) {
-  const auto required = doc.find("extensionsRequired");
-  if (required == doc.end() || !required->is_array()) return {};
-  for (const json& name : *required) {
-    if (!name.is_string()) return malformed(where, "extensionsRequired holds something that is not a name");
-    const std::string& text = name.get_ref<const std::string&>();
-    if (contains(kReadExtensions, text) || contains(kHarmlessExtensions, text)) continue;
-    return Error{ErrorCode::Unsupported, where + " needs the glTF extension " + inQuotes(text) +
-                                             ", which is not supported. Export it without that extension."};
-  }
-  return {};
-}
-
 Status checkCollections(const json& doc, const std::string& where) {
   for (const char* name : kCollections) {
     const auto collection = doc.find(name);
@@ -205,13 +181,14 @@ Status checkCollections(const json& doc, const std::string& where) {
 
 }  // namespace
 
-Result<json> parseGltfJson(std::string_view text, const std::string& where) {
+Result<json> parseGltfJson(std::string_view text, const std::string& where, std::vector<Warning>& warnings) {
   auto parsed = parse(text, where);
   if (!parsed) return parsed.error();
   json& doc = *parsed;
   if (Status asset = checkAsset(doc, where); !asset) return asset.error();
-  if (Status extensions = checkExtensions(doc, where); !extensions) return extensions.error();
+  if (Status extensions = checkRequiredExtensions(doc, where); !extensions) return extensions.error();
   if (Status collections = checkCollections(doc, where); !collections) return collections.error();
+  warnings = extensionWarnings(doc, where);
   json extras = doc.value("extras", json());
   if (std::string wrong = tidy(doc); !wrong.empty()) return malformed(where, wrong);
   doc["extras"] = std::move(extras);

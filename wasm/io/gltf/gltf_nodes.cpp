@@ -27,6 +27,13 @@ Result<NodeTransform> readTransform(const GltfDocument& doc, int index) {
   return out;
 }
 
+bool isVisible(const tinygltf::Node& node) {
+  const auto extension = node.extensions.find("KHR_node_visibility");
+  if (extension == node.extensions.end()) return true;
+  const tinygltf::Value& visible = extension->second.Get("visible");
+  return !visible.IsBool() || visible.Get<bool>();
+}
+
 Status linkParents(const GltfDocument& doc, NodeGraph& graph) {
   const int n = static_cast<int>(doc.model.nodes.size());
   graph.parent.assign(n, -1);
@@ -102,8 +109,16 @@ Result<NodeGraph> readNodes(const GltfDocument& doc) {
     auto transform = readTransform(doc, i);
     if (!transform) return transform.error();
     graph.rest.push_back(*transform);
+    graph.visible.push_back(isVisible(doc.model.nodes[i]));
   }
   return graph;
+}
+
+std::vector<char> seenNodes(const NodeGraph& graph, const std::vector<char>& visible) {
+  std::vector<char> seen = visible;
+  for (int node : graph.topDown)
+    if (graph.parent[node] >= 0) seen[node] = seen[node] && seen[graph.parent[node]];
+  return seen;
 }
 
 std::vector<Eigen::Affine3d> worldTransforms(const NodeGraph& graph, const std::vector<NodeTransform>& local) {

@@ -29,10 +29,14 @@ struct NodeGraph {
   std::vector<int> topDown;  ///< every node after its parent
   std::vector<int> shown;    ///< nodes of the default scene, depth first; without scenes, of all roots
   std::vector<NodeTransform> rest;
+  std::vector<char> visible;  ///< KHR_node_visibility of each node itself
 };
 
 /// Errors: MalformedFile for children that are not there, cycles, nodes with two parents, wrong array lengths.
 Result<NodeGraph> readNodes(const GltfDocument& doc);
+
+/// Of each node whether it and all above it are visible.
+std::vector<char> seenNodes(const NodeGraph& graph, const std::vector<char>& visible);
 
 /// Transforms to world space from transforms relative to the parents.
 std::vector<Eigen::Affine3d> worldTransforms(const NodeGraph& graph, const std::vector<NodeTransform>& local);

@@ -55,10 +55,10 @@ struct PartTransforms {
 };
 
 // A skin places the mesh by its joints alone; the mesh node's own transform does not count (glTF 2.0, section 3.7.3.3).
-// `ofSkins` keeps each skin's matrices for the other parts that it moves.
+// `ofPart` places what has no skin; `ofSkins` keeps each skin's matrices for the other parts that it moves.
 PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, const Matrices& world,
-                              std::vector<Matrices>& ofSkins) {
-  if (part.influences == 0) return {part, {&world[part.node], 1}};
+                              const Eigen::Affine3d& ofPart, std::vector<Matrices>& ofSkins) {
+  if (part.influences == 0) return {part, {&ofPart, 1}};
   const GltfSkin& skin = shape.skins[part.skin];
   Matrices& matrices = ofSkins[part.skin];
   if (matrices.empty())
@@ -89,8 +89,8 @@ std::uint64_t poseCost(const GltfShape& shape, const SceneState& state) {
   return cost;
 }
 
-SceneState restState(const GltfDocument& doc, const GltfShape& shape) {
-  SceneState state{shape.graph.rest, {}};
+SceneState restState(const GltfDocument& doc, const NodeGraph& graph) {
+  SceneState state{graph.rest, {}, graph.visible};
   for (const tinygltf::Node& node : doc.model.nodes) {
     const bool hasMesh = node.mesh >= 0 && node.mesh < static_cast<int>(doc.model.meshes.size());
     state.weights.push_back(!node.weights.empty() || !hasMesh ? node.weights : doc.model.meshes[node.mesh].weights);
@@ -115,7 +115,8 @@ Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape,
     Positions positions = part.positions;
     if (Status morphed = addTargets(doc, part, "POSITION", weights, positions, share(0, 0.3)); !morphed)
       return morphed.error();
-    const PartTransforms transforms = partTransforms(part, shape, world, ofSkins);
+    const Eigen::Affine3d ofPart = world[part.node] * part.instance;
+    const PartTransforms transforms = partTransforms(part, shape, world, ofPart, ofSkins);
     inBlocks(share(0.3, 0.5), positions.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) out.push_back(transforms.of(v) * positions[v]);
     });

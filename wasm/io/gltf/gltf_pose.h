@@ -14,8 +14,8 @@ constexpr std::uint64_t kMostPoseCost = 4'000'000'000;
 /// that a small file could ask for any amount.
 std::uint64_t poseCost(const GltfShape& shape, const SceneState& state);
 
-/// The state that the file itself describes: node transforms and default morph weights.
-SceneState restState(const GltfDocument& doc, const GltfShape& shape);
+/// The state that the file itself describes: node transforms, default morph weights, and what is visible.
+SceneState restState(const GltfDocument& doc, const NodeGraph& graph);
 
 /// World positions of all vertices; with `normals`, also their unit normals (where the shape has them).
 /// Errors: MalformedFile for morph targets that do not fit the mesh.

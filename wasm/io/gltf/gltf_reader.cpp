@@ -1,13 +1,16 @@
 #include "io/gltf/gltf_reader.h"
 
 #include <algorithm>
-#include <cmath>
+#include <string>
 
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
+#include "io/base/objects.h"
 #include "io/base/sample_times.h"
 #include "io/gltf/gltf_look.h"
 #include "io/gltf/gltf_pose.h"
+#include "io/gltf/gltf_scene.h"
+#include "io/gltf/gltf_targets.h"
 #include "io/gltf/gltf_vertices.h"
 #include "io/gltf/project.h"
 
@@ -22,81 +25,265 @@ void append(std::vector<Warning>& to, std::vector<Warning>&& from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
+// Whether the file says which joints its vertices follow; else its node places the mesh.
+bool hasInfluences(const tinygltf::Mesh& mesh) {
+  return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), [](const tinygltf::Primitive& primitive) {
+    return primitive.attributes.count("JOINTS_0") > 0 && primitive.attributes.count("WEIGHTS_0") > 0;
+  });
+}
+
 // Nodes whose transforms place a vertex: mesh nodes, joints, and everything above them.
-std::vector<char> placingNodes(const GltfDocument& doc, const GltfShape& shape) {
-  std::vector<char> placing(doc.model.nodes.size(), 0);
+std::vector<char> placingNodes(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes) {
+  const int count = static_cast<int>(doc.model.nodes.size());
+  std::vector<char> placing(count, 0);
   const auto markUp = [&](int node) {
-    for (; node >= 0 && !placing[node]; node = shape.graph.parent[node]) placing[node] = 1;
+    for (; node >= 0 && node < count && !placing[node]; node = graph.parent[node]) placing[node] = 1;
   };
-  for (const GltfPart& part : shape.parts) {
-    if (part.influences == 0) markUp(part.node);
-    else
-      for (int joint : shape.skins[part.skin].joints) markUp(joint);
+  for (int at : meshNodes) {
+    const tinygltf::Node& node = doc.model.nodes[at];
+    const bool skinned = node.skin >= 0 && node.skin < static_cast<int>(doc.model.skins.size()) &&
+                         hasInfluences(doc.model.meshes[node.mesh]);
+    if (skinned)
+      for (int joint : doc.model.skins[node.skin].joints) markUp(joint);
+    else markUp(at);
   }
   return placing;
 }
 
-// Animations that only move cameras, lights or hidden meshes are not offered.
-Result<std::vector<GltfAnimation>> movingAnimations(const GltfDocument& doc, const GltfShape& shape) {
-  auto animations = readAnimations(doc);
+// Animations that only move cameras, lights or other meshes are not offered.
+Result<std::vector<GltfAnimation>> movingAnimations(const GltfDocument& doc, const NodeGraph& graph,
+                                                    const std::vector<int>& meshNodes, std::vector<Warning>& warnings) {
+  auto animations = readAnimations(doc, warnings);
   if (!animations) return animations;
-  const std::vector<char> placing = placingNodes(doc, shape);
+  const std::vector<char> placing = placingNodes(doc, graph, meshNodes);
   std::vector<char> morphing(doc.model.nodes.size(), 0);
-  for (const GltfPart& part : shape.parts) morphing[part.node] |= !part.primitive->targets.empty();
-  const auto moves = [&](const AnimationCurve& curve) {
-    return curve.path == AnimationCurve::Path::Weights ? morphing[curve.node] : placing[curve.node];
+  for (int node : meshNodes) morphing[node] = targetCount(doc.model.meshes[doc.model.nodes[node].mesh]) > 0;
+  const auto poses = [&](const AnimationCurve& curve) {
+    if (curve.path == AnimationCurve::Path::Visibility) return false;
+    return (curve.path == AnimationCurve::Path::Weights ? morphing[curve.node] : placing[curve.node]) != 0;
   };
   std::erase_if(*animations,
-                [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), moves); });
+                [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), poses); });
+  for (GltfAnimation& a : *animations)
+    a.moves = std::any_of(a.curves.begin(), a.curves.end(),
+                          [&](const AnimationCurve& curve) { return poses(curve) && curve.varies(); });
   return animations;
 }
 
 std::vector<AnimationInfo> infosOf(const std::vector<GltfAnimation>& animations) {
   std::vector<AnimationInfo> infos;
   for (const GltfAnimation& a : animations)
-    infos.push_back({a.name, a.keyTimes.front(), a.keyTimes.back(), static_cast<int>(a.keyTimes.size())});
+    infos.push_back({a.name, a.keyTimes.front(), a.keyTimes.back(), static_cast<int>(a.keyTimes.size()), a.moves});
   return infos;
 }
 
 // What a pose's file could move by. Broken animations are no reason to refuse the pose.
-std::vector<AnimationInfo> animationsOf(const GltfDocument& doc, const GltfShape& shape) {
-  const auto animations = movingAnimations(doc, shape);
+std::vector<AnimationInfo> animationsOf(const GltfDocument& doc, const NodeGraph& graph,
+                                        const std::vector<int>& meshNodes) {
+  std::vector<Warning> unsaid;
+  const auto animations = movingAnimations(doc, graph, meshNodes, unsaid);
   return animations ? infosOf(*animations) : std::vector<AnimationInfo>();
 }
 
-// One file's keys in the making.
+Error allHidden(const GltfDocument& doc) {
+  return {ErrorCode::NoTriangles, doc.where +
+                                      " shows nothing: its meshes are hidden (KHR_node_visibility). Export it "
+                                      "with a mesh that is visible."};
+}
+
+// The mesh nodes of these names that are visible. Error: UnknownObject, NoTriangles where all are hidden.
+Result<std::vector<int>> shownNodes(const GltfDocument& doc, const GltfScene& scene, const std::vector<char>& visible,
+                                    const std::vector<std::string>& objects) {
+  const std::vector<int> seen = visibleNodes(scene, scene.meshNodes, visible);
+  std::vector<int> wanted = namedNodes(doc, seen, objects);
+  if (wanted.empty() && !namedNodes(doc, scene.meshNodes, objects).empty()) return allHidden(doc);
+  if (Status known = checkObjects(objects, objectNames(doc, seen), doc.where); !known) return known.error();
+  return wanted;
+}
+
+// One key that will be: a state of the scene.
+struct PlannedKey {
+  std::string name;
+  double time = 0;
+  const GltfAnimation* animation = nullptr;
+  double seconds = 0;  // of the animation
+  int target = -1;     // without an animation: the joined morph target that is on, or -1 for none
+};
+
+// One file's keys in the making: first which, then their shapes.
 struct KeyReader {
   GltfDocument& doc;
-  GltfShape& shape;
+  const GltfScene& scene;
   const ImportOptions& options;
   const StageProgress& progress;
-  std::vector<GltfAnimation> animations;
-  Import out;
+  std::vector<GltfAnimation> animations{};
+  JoinedTargets targets{};
+  std::vector<PlannedKey> plan{};
+  std::size_t keysOfFile = 1;  // that the file asks for, not the user
+  Import out{};
   std::uint64_t work = 0;
 
   Error error(ErrorCode code, const std::string& message) const { return {code, doc.where + message}; }
-
-  int morphTargets() const {
-    int most = 0;
-    for (const GltfPart& part : shape.parts) most = std::max(most, static_cast<int>(part.primitive->targets.size()));
-    return most;
-  }
-
-  Status checkSize(std::size_t keys) const { return checkKeyCount(keys, shape.vertexCount, doc.where); }
 
   void report(const char* stage, double fraction) const {
     if (progress) progress(stage, fraction);
   }
 
-  // `count`: how many keys there will be. `animation`: what the state was taken from, or null.
-  Status addKey(const std::string& name, double time, const SceneState& state, std::size_t count,
-                const GltfAnimation* animation) {
+  // Which keys.
+
+  void planMorphTargets() {
+    // A second from one to the next, as of poses that are files of their own.
+    for (int t = -1; t < targets.count(); ++t)
+      plan.push_back({t < 0 ? "base" : targets.names[t], t + 1.0, nullptr, 0, t});
+    keysOfFile = plan.size();
+  }
+
+  // The frames that a project file says are its keys.
+  void planProject(const Project& project) {
+    for (const ProjectKey& key : project.keys)
+      plan.push_back({key.name, key.time, key.frame >= 0 ? nullptr : &animations[0], key.seconds, key.frame - 1});
+    keysOfFile = plan.size();
+    out.project = doc.project;
+    out.offset = project.offset;
+  }
+
+  // Each animation is a pose.
+  void planPoses(std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < first + count; ++i)
+      plan.push_back({animations[i].name, static_cast<double>(i - first), &animations[i], animations[i].keyTimes[0]});
+    keysOfFile = plan.size();
+  }
+
+  Result<int> chosenAnimation() const {
+    const auto unknown = [&](const std::string& which) {
+      return error(ErrorCode::UnknownAnimation, " has no animation " + which + "; " + animationList());
+    };
+    int chosen = -1;
+    if (const int* index = std::get_if<int>(&options.animation)) {
+      if (*index < 0 || *index >= static_cast<int>(animations.size())) return unknown(std::to_string(*index));
+      chosen = *index;
+    } else if (const std::string* name = std::get_if<std::string>(&options.animation)) {
+      const auto called = [&](const GltfAnimation& a) { return a.name == *name; };
+      // Of several with one name, one that moves.
+      const auto moving = [&](const GltfAnimation& a) { return called(a) && a.moves; };
+      auto found = std::find_if(animations.begin(), animations.end(), moving);
+      if (found == animations.end()) found = std::find_if(animations.begin(), animations.end(), called);
+      if (found == animations.end()) return unknown(inQuotes(*name));
+      chosen = static_cast<int>(found - animations.begin());
+    } else {
+      chosen = firstMoving();
+    }
+    return chosen;
+  }
+
+  int firstMoving() const {
+    const auto first = std::find_if(animations.begin(), animations.end(), [](const auto& a) { return a.moves; });
+    return first == animations.end() ? -1 : static_cast<int>(first - animations.begin());
+  }
+
+  std::string animationList() const {
+    if (animations.empty()) return "it has none.";
+    std::string list = "it has";
+    for (std::size_t i = 0; i < animations.size() && i < 20; ++i)
+      list.append(i ? ", " : " ").append(std::to_string(i)).append(" ").append(inQuotes(animations[i].name));
+    return list + (animations.size() > 20 ? ", and more." : ".");
+  }
+
+  // What to do where an animation was asked for that is one pose.
+  std::string insteadOfPose() const {
+    std::string list;
+    int count = 0;
+    for (std::size_t i = 0; i < animations.size(); ++i)
+      if (animations[i].moves && ++count <= 20)
+        list.append(count > 1 ? ", " : " ").append(std::to_string(i)).append(" ").append(inQuotes(animations[i].name));
+    if (count > 0) return " Choose one that moves:" + list + (count > 20 ? ", and more." : ".");
+    if (animations.size() > 1) return " Leave animation and samples out: each of its animations becomes a key.";
+    return " Add a file for every other key.";
+  }
+
+  Result<std::vector<double>> timesOf(const GltfAnimation& animation) {
+    const bool lone = std::count_if(animations.begin(), animations.end(), [](const auto& a) { return a.moves; }) == 1;
+    const bool ownTimes = options.sampleTimes.empty() && lone && animation.weightsOnly && !options.sampleAsked &&
+                          animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= kMostOwnKeys;
+    const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
+    if (ownTimes || everyFrame) return animation.keyTimes;
+    return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
+                       doc.where + ": the animation " + inQuotes(animation.name), out.warnings);
+  }
+
+  Status planAnimation(int chosen) {
+    const GltfAnimation& animation = animations[chosen];
+    const auto times = timesOf(animation);
+    if (!times) return times.error();
+    out.animation = chosen;
+    for (double t : *times) plan.push_back({sampleName(t), t, &animation, t});
+    return {};
+  }
+
+  // No animation moves, or one that does not was asked for.
+  Status planStill(int chosen) {
+    if (options.oneKeyWillDo) {
+      if (chosen >= 0) planPoses(chosen, 1);
+      else planPoses(0, animations.size());
+      return {};
+    }
+    if (options.animationAsked()) {
+      const std::string which =
+          chosen < 0 ? ": none of its animations moves; each" : ": the animation " + inQuotes(animations[chosen].name);
+      return error(ErrorCode::TooFewKeys, which + " is one pose." + insteadOfPose());
+    }
+    if (animations.size() > 1) planPoses(0, animations.size());
+    else if (targets.count() > 0) planMorphTargets();
+    else return error(ErrorCode::TooFewKeys, onePose());
+    return {};
+  }
+
+  static std::string onePose() {
+    return " holds one pose only. Add a file for every other key, or give one file with morph targets or an animation.";
+  }
+
+  Status planKeys() {
+    if (!doc.project.empty() && !options.animationAsked()) {
+      auto project = parseProject(doc.project, targets.count(), !animations.empty());
+      if (project) return planProject(*project), Status();
+      out.warnings.push_back({"project-ignored", doc.where + ": " + project.error().message, 0});
+    }
+    if (animations.empty()) {
+      if (options.animationAsked()) return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
+      if (targets.count() == 0) return error(ErrorCode::TooFewKeys, onePose());
+      return planMorphTargets(), Status();
+    }
+    const auto chosen = chosenAnimation();
+    if (!chosen) return chosen.error();
+    return *chosen >= 0 && animations[*chosen].moves ? planAnimation(*chosen) : planStill(*chosen);
+  }
+
+  // Their shapes.
+
+  SceneState stateOf(const PlannedKey& key) const {
+    SceneState state = restState(doc, scene.graph);
+    if (key.animation) {
+      applyAnimation(*key.animation, key.seconds, state);
+      return state;
+    }
+    for (int node : scene.meshNodes) {
+      const std::vector<int>& slots = targets.slots[doc.model.nodes[node].mesh];
+      std::vector<double>& weights = state.weights[node];
+      weights.assign(slots.size(), 0);
+      for (std::size_t t = 0; t < slots.size(); ++t)
+        if (slots[t] == key.target) weights[t] = 1;
+    }
+    return state;
+  }
+
+  Status addKey(const GltfShape& shape, const PlannedKey& key, const SceneState& state) {
+    const std::size_t count = plan.size();
     const auto onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
       report("taking the keys", kReading + (1 - kReading) * (before + fraction) / static_cast<double>(count));
     };
     onKey(0);
     const bool first = out.keyframes.keys.empty();
-    const std::uint64_t cost = poseCost(shape, state) + (animation ? animationCost(*animation) : 0);
+    const std::uint64_t cost = poseCost(shape, state) + (key.animation ? animationCost(*key.animation) : 0);
     work += cost;
     // The keys to come will take as much as this one, most likely.
     if (work > kMostPoseCost || cost > kMostPoseCost / count)
@@ -104,134 +291,56 @@ struct KeyReader {
                                             grouped(std::int64_t(count)) + " keys. Take fewer keys.");
     auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr, onKey);
     if (!positions) return positions.error();
-    out.keyframes.keys.push_back({name, time, std::move(*positions)});
+    out.keyframes.keys.push_back({key.name, key.time, std::move(*positions)});
     return {};
   }
 
-  // The state in which exactly morph target `target` is on; -1 for the base.
-  SceneState morphState(int target) const {
-    SceneState state = restState(doc, shape);
-    for (const GltfPart& part : shape.parts) {
-      auto& weights = state.weights[part.node];
-      weights.assign(target + 1, 0);
-      if (target >= 0) weights[target] = 1;
+  // `nodes`: those that the first key shows, where they are as `visible` says.
+  Status addKeys(const GltfShape& shape, const std::vector<int>& nodes, const std::vector<char>& visible) {
+    int changes = 0;
+    const std::vector<int> wanted = namedNodes(doc, scene.meshNodes, options.objects);
+    for (const PlannedKey& key : plan) {
+      const SceneState state = stateOf(key);
+      if (state.visible != visible) changes += visibleNodes(scene, wanted, state.visible) != nodes;
+      if (Status added = addKey(shape, key, state); !added) return added;
     }
-    return state;
-  }
-
-  std::string targetName(int target) const {
-    for (const GltfPart& part : shape.parts) {
-      const tinygltf::Value& extras = doc.model.meshes[part.mesh].extras;
-      if (!extras.Has("targetNames")) continue;
-      const tinygltf::Value& names = extras.Get("targetNames");
-      if (names.IsArray() && target < static_cast<int>(names.ArrayLen()) && names.Get(target).IsString())
-        return names.Get(target).Get<std::string>();
-    }
-    return "target " + std::to_string(target + 1);
-  }
-
-  Status takeMorphTargets() {
-    const int targets = morphTargets();
-    if (Status size = checkTargets(targets + 1, shape.vertexCount, doc.bufferBytes, doc.where); !size) return size;
-    // A second from one to the next, as of poses that are files of their own.
-    const auto keys = static_cast<std::size_t>(targets) + 1;
-    for (int t = -1; t < targets; ++t)
-      if (Status key = addKey(t < 0 ? "base" : targetName(t), t + 1, morphState(t), keys, nullptr); !key) return key;
+    if (changes > 0)
+      out.warnings.push_back({"visibility-changes",
+                              doc.where + ": other meshes are visible in some keys than in the first "
+                                          "(KHR_node_visibility). Shown is what the first key shows.",
+                              changes});
     return {};
-  }
-
-  // The frames that a project file says are its keys.
-  Status takeProject(const Project& project) {
-    if (Status size = checkSize(project.keys.size()); !size) return size;
-    for (const ProjectKey& key : project.keys) {
-      const GltfAnimation* animation = key.frame >= 0 ? nullptr : &animations[0];
-      SceneState state = animation ? restState(doc, shape) : morphState(key.frame - 1);
-      if (animation) applyAnimation(*animation, key.seconds, state);
-      if (Status added = addKey(key.name, key.time, state, project.keys.size(), animation); !added) return added;
-    }
-    out.project = doc.project;
-    out.offset = project.offset;
-    return {};
-  }
-
-  Result<int> chosenAnimation() const {
-    if (const int* index = std::get_if<int>(&options.animation)) {
-      if (*index >= 0 && *index < static_cast<int>(animations.size())) return *index;
-      return error(ErrorCode::UnknownAnimation, " has no animation " + std::to_string(*index) + "; " + animationList());
-    }
-    if (const std::string* name = std::get_if<std::string>(&options.animation)) {
-      for (std::size_t i = 0; i < animations.size(); ++i)
-        if (animations[i].name == *name) return static_cast<int>(i);
-      return error(ErrorCode::UnknownAnimation, " has no animation " + inQuotes(*name) + "; " + animationList());
-    }
-    return 0;
-  }
-
-  std::string animationList() const {
-    if (animations.empty()) return "it has none.";
-    std::string list = "it has";
-    for (std::size_t i = 0; i < animations.size() && i < 20; ++i)
-      list += (i ? ", " : " ") + std::to_string(i) + " " + inQuotes(animations[i].name);
-    return list + (animations.size() > 20 ? ", and more." : ".");
-  }
-
-  Result<std::vector<double>> timesOf(const GltfAnimation& animation) {
-    const bool ownTimes = options.sampleTimes.empty() && animations.size() == 1 && animation.weightsOnly &&
-                          !options.sampleAsked && animation.keyTimes.size() >= 2 &&
-                          animation.keyTimes.size() <= kMostOwnKeys;
-    const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
-    if (ownTimes || everyFrame) return animation.keyTimes;
-    if (options.oneKeyWillDo && animation.keyTimes.size() == 1) return animation.keyTimes;
-    return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
-                       doc.where + ": the animation " + inQuotes(animation.name), out.warnings);
-  }
-
-  Status takeAnimation() {
-    const auto chosen = chosenAnimation();
-    if (!chosen) return chosen.error();
-    const GltfAnimation& animation = animations[*chosen];
-    const auto times = timesOf(animation);
-    if (!times) return times.error();
-    if (Status size = checkSize(times->size()); !size) return size;
-    out.animation = *chosen;
-    for (double t : *times) {
-      SceneState state = restState(doc, shape);
-      applyAnimation(animation, t, state);
-      if (Status key = addKey(sampleName(t), t, state, times->size(), &animation); !key) return key;
-    }
-    return {};
-  }
-
-  Status takeKeys() {
-    if (!doc.project.empty() && !options.animationAsked()) {
-      auto project = parseProject(doc.project, morphTargets(), !animations.empty());
-      if (project) return takeProject(*project);
-      out.warnings.push_back({"project-ignored", doc.where + ": " + project.error().message, 0});
-    }
-    if (options.animationAsked() && animations.empty())
-      return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
-    if (!animations.empty()) return takeAnimation();
-    if (morphTargets() > 0) return takeMorphTargets();
-    return error(ErrorCode::TooFewKeys,
-                 " holds one pose only. Add a file for every other key, or give one file with "
-                 "morph targets or an animation.");
   }
 
   Status read() {
-    auto read = movingAnimations(doc, shape);
-    if (!read) return read.error();
-    animations = std::move(*read);
+    const std::vector<int> wanted = namedNodes(doc, scene.meshNodes, options.objects);
+    auto moving = movingAnimations(doc, scene.graph, wanted, out.warnings);
+    if (!moving) return moving.error();
+    animations = std::move(*moving);
     out.animations = infosOf(animations);
-    if (Status keys = takeKeys(); !keys) return keys;
-    out.noteRounding(storedRounding(shape, restState(doc, shape)), doc.where);
-    out.objects = std::move(shape.objects);
-    out.scene = readLook(doc, shape);
-    out.keyframes.faces = std::move(shape.faces);
+    targets = joinTargets(doc, visibleNodes(scene, wanted, scene.graph.visible));
+    // What is wrong with the objects comes before what is wrong with the keys.
+    const auto atRest = shownNodes(doc, scene, scene.graph.visible, options.objects);
+    if (!atRest && atRest.error().code == ErrorCode::UnknownObject) return atRest.error();
+    if (Status planned = planKeys(); !planned) return planned;
+    const auto visible = plan.empty() ? scene.graph.visible : stateOf(plan[0]).visible;
+    const auto nodes = shownNodes(doc, scene, visible, options.objects);
+    if (!nodes) return nodes.error();
+    if (Status fits = checkAmount(doc, *nodes, {plan.size(), keysOfFile}); !fits) return fits;
+    auto shape = readShape(doc, scene.graph, *nodes,
+                           [&](double fraction) { report("reading the mesh", kReading / 2 * (1 + fraction)); });
+    if (!shape) return shape.error();
+    if (Status added = addKeys(*shape, *nodes, visible); !added) return added;
+    out.objects = objectNames(doc, visibleNodes(scene, scene.meshNodes, visible));
+    out.noteRounding(storedRounding(*shape, restState(doc, scene.graph)), doc.where);
+    out.scene = readLook(doc, *shape);
+    out.keyframes.faces = std::move(shape->faces);
     std::vector<Positions*> poses;
     for (Key& key : out.keyframes.keys) poses.push_back(&key.positions);
-    joinVertices(doc, shape, poses, out.keyframes.normals, out.keyframes.faces, out.scene);
+    joinVertices(doc, *shape, poses, out.keyframes.normals, out.keyframes.faces, out.scene);
+    out.scene.objects = std::move(shape->objects);
     append(out.warnings, std::move(doc.warnings));
-    append(out.warnings, std::move(shape.warnings));
+    append(out.warnings, std::move(shape->warnings));
     return {};
   }
 };
@@ -242,10 +351,15 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
                               const std::string& where, const FractionReport& onProgress) {
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
-  auto shape = readShape(*doc, options.objects, partOf(onProgress, 0.2, 0.6));
+  const auto scene = readScene(*doc);
+  if (!scene) return scene.error();
+  const auto nodes = shownNodes(*doc, *scene, scene->graph.visible, options.objects);
+  if (!nodes) return nodes.error();
+  if (Status fits = checkAmount(*doc, *nodes, {}); !fits) return fits.error();
+  auto shape = readShape(*doc, scene->graph, *nodes, partOf(onProgress, 0.2, 0.6));
   if (!shape) return shape.error();
   PoseFile out;
-  const SceneState rest = restState(*doc, *shape);
+  const SceneState rest = restState(*doc, scene->graph);
   if (poseCost(*shape, rest) > kMostPoseCost)
     return Error{ErrorCode::TooLarge,
                  where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
@@ -253,12 +367,13 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   if (!positions) return positions.error();
   out.positions = std::move(*positions);
   out.rounding = storedRounding(*shape, rest);
-  out.animations = animationsOf(*doc, *shape);
+  out.animations = animationsOf(*doc, scene->graph, *nodes);
   out.skinned = std::any_of(shape->parts.begin(), shape->parts.end(), [](auto& part) { return part.influences > 0; });
-  out.objects = std::move(shape->objects);
+  out.objects = objectNames(*doc, visibleNodes(*scene, scene->meshNodes, scene->graph.visible));
   out.scene = readLook(*doc, *shape);
   out.faces = std::move(shape->faces);
   joinVertices(*doc, *shape, {&out.positions}, out.normals, out.faces, out.scene);
+  out.scene.objects = std::move(shape->objects);
   append(out.warnings, std::move(doc->warnings));
   append(out.warnings, std::move(shape->warnings));
   return out;
@@ -269,13 +384,10 @@ Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> 
   if (progress) progress("reading the file", 0);
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
-  const auto onMesh = [&](double fraction) {
-    if (progress) progress("reading the mesh", kReading / 2 * (1 + fraction));
-  };
-  onMesh(0);
-  auto shape = readShape(*doc, options.objects, onMesh);
-  if (!shape) return shape.error();
-  KeyReader reader{*doc, *shape, options, progress, {}, {}};
+  if (progress) progress("reading the mesh", kReading / 2);
+  const auto scene = readScene(*doc);
+  if (!scene) return scene.error();
+  KeyReader reader{*doc, *scene, options, progress};
   if (Status read = reader.read(); !read) return read.error();
   return std::move(reader.out);
 }

@@ -7,7 +7,6 @@
 
 #include "core/base/format.h"
 #include "io/base/limits.h"
-#include "io/base/objects.h"
 #include "io/gltf/gltf_accessor.h"
 #include "io/gltf/malformed.h"
 
@@ -15,11 +14,8 @@ namespace shapespline {
 
 namespace {
 
-// Several times the largest mesh that the method has been run on; keeps node instancing from multiplying a small file
-// into gigabytes.
-constexpr std::int64_t kMostFaces = 32'000'000;
-// Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
-constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
+// Primitives of all mesh nodes: many times what scenes hold.
+constexpr std::int64_t kMostParts = 100'000;
 
 Positions toPositions(const std::vector<double>& numbers, const FractionReport& onProgress) {
   Positions out(numbers.size() / 3);
@@ -32,10 +28,6 @@ Positions toPositions(const std::vector<double>& numbers, const FractionReport& 
 int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
   const auto it = primitive.attributes.find(name);
   return it == primitive.attributes.end() ? -1 : it->second;
-}
-
-bool isTriangles(int mode) {
-  return mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
 Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
@@ -60,26 +52,13 @@ Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
   return skins;
 }
 
-// Orders primitives by the vertices that they are made of.
-struct ByVertices {
-  bool operator()(const tinygltf::Primitive* a, const tinygltf::Primitive* b) const {
-    return a->attributes != b->attributes ? a->attributes < b->attributes : a->targets < b->targets;
-  }
-};
-
 struct ShapeReader {
   const GltfDocument& doc;
-  const std::vector<std::string>& objects;
+  const std::vector<int>& meshNodes;
   const FractionReport& onProgress;
   GltfShape shape;
   int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
   std::int64_t cornerCount = 0, primitiveCount = 0, influenceCount = 0;
-  std::vector<int> targetCounts{};  // of each mesh
-
-  Error tooLarge(std::int64_t most, const char* what) const {
-    return {ErrorCode::TooLarge, doc.where + " shows more than " + grouped(most) + " " + what +
-                                     ", more than is supported. Simplify the mesh first."};
-  }
 
   // Adds JOINTS_set and WEIGHTS_set to the part's influences.
   Status readInfluenceSet(GltfPart& part, int set, std::vector<std::vector<std::uint32_t>>& joints,
@@ -92,7 +71,7 @@ struct ShapeReader {
       return malformed(doc.where, part.name + " has a different number of joints or weights than of vertices");
     influenceCount += 4 * static_cast<std::int64_t>(n);
     if (influenceCount > static_cast<std::int64_t>(4 * kMostElements))
-      return tooLarge(4 * kMostElements, "joint weights");
+      return tooLarge(doc, 4 * kMostElements, "joint weights");
     auto j = readWholeNumbers(doc, jointAccessor, 4, "JOINTS" + suffix + " of " + part.name);
     if (!j) return j.error();
     auto w = readNumbers(doc, weightAccessor, 4, "WEIGHTS" + suffix + " of " + part.name);
@@ -141,10 +120,11 @@ struct ShapeReader {
     return {};
   }
 
-  Status readPart(int node, const tinygltf::Primitive& primitive, const std::string& name,
-                  const FractionReport& report) {
+  Status readPart(int node, const Eigen::Affine3d& instance, const tinygltf::Primitive& primitive,
+                  const std::string& name, const FractionReport& report) {
     GltfPart part;
     part.node = node;
+    part.instance = instance;
     part.mesh = doc.model.nodes[node].mesh;
     part.skin = doc.model.nodes[node].skin;
     part.primitive = &primitive;
@@ -152,7 +132,8 @@ struct ShapeReader {
     part.firstVertex = shape.vertexCount;
     const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
     if (position < 0) return malformed(doc.where, name + " has no positions");
-    if (shape.vertexCount + accessorCount(doc, position) > kMostElements) return tooLarge(kMostElements, "vertices");
+    if (shape.vertexCount + accessorCount(doc, position) > kMostElements)
+      return tooLarge(doc, kMostElements, "vertices");
     // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
@@ -185,7 +166,7 @@ struct ShapeReader {
                                              const std::string& name, const FractionReport& report) {
     const std::size_t n = part.positions.size();
     cornerCount += static_cast<std::int64_t>(primitive.indices < 0 ? n : accessorCount(doc, primitive.indices));
-    if (cornerCount > 3 * kMostFaces) return tooLarge(kMostFaces, "faces");
+    if (cornerCount > 3 * kMostFaces) return tooLarge(doc, kMostFaces, "faces");
     if (primitive.indices < 0) {
       std::vector<std::uint32_t> all(n);
       for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
@@ -227,11 +208,8 @@ struct ShapeReader {
     }
   }
 
-  Status readMesh(int node, bool mirrored, const FractionReport& report) {
+  Status readMesh(int node, const Eigen::Affine3d& instance, bool mirrored, const FractionReport& report) {
     const int meshIndex = doc.model.nodes[node].mesh;
-    if (meshIndex >= static_cast<int>(doc.model.meshes.size()))
-      return malformed(doc.where, "node " + std::to_string(node) + " shows mesh " + std::to_string(meshIndex) +
-                                      ", which does not exist");
     const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
     std::map<const tinygltf::Primitive*, std::size_t, ByVertices> knownPart;
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
@@ -240,7 +218,7 @@ struct ShapeReader {
                              double from, double to) {
         return partOf(report, (before + from) / count, (before + to) / count);
       };
-      if (++primitiveCount > kMostParts) return tooLarge(kMostParts, "mesh primitives");
+      if (++primitiveCount > kMostParts) return tooLarge(doc, kMostParts, "mesh primitives");
       if (!isTriangles(primitive.mode)) {
         ++skippedPrimitives;
         continue;
@@ -250,13 +228,13 @@ struct ShapeReader {
       const auto [place, isNew] = knownPart.try_emplace(&primitive, shape.parts.size());
       const std::size_t part = place->second;
       if (isNew)
-        if (Status read = readPart(node, primitive, name, share(0, 0.6)); !read) return read;
+        if (Status read = readPart(node, instance, primitive, name, share(0, 0.6)); !read) return read;
       const auto v = corners(shape.parts[part], primitive, name, share(0.6, 0.8));
       if (!v) return v.error();
       const int start = static_cast<int>(shape.faces.size());
       if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) >
           kMostFaces)
-        return tooLarge(kMostFaces, "faces");
+        return tooLarge(doc, kMostFaces, "faces");
       addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0,
                share(0.8, 1));
       shape.groups.push_back({start, static_cast<int>(shape.faces.size()) - start, primitive.material});
@@ -268,49 +246,47 @@ struct ShapeReader {
     if (count > 0) shape.warnings.push_back({code, doc.where + ": " + message, count});
   }
 
-  // Every node has weights of its own for its mesh's targets.
-  Status countWeights() const {
-    std::int64_t weights = 0;
-    for (const tinygltf::Node& node : doc.model.nodes) {
-      const bool hasMesh = node.mesh >= 0 && node.mesh < static_cast<int>(doc.model.meshes.size());
-      if (hasMesh) weights += targetCounts[node.mesh];
-      weights += static_cast<std::int64_t>(
-          std::max(node.weights.size(), hasMesh ? doc.model.meshes[node.mesh].weights.size() : 0));
-      if (weights > kMostWeights) return tooLarge(kMostWeights, "morph weights");
+  // All copies of a node's mesh are one object.
+  Status readNode(int node, const Eigen::Affine3d& world, const FractionReport& report) {
+    const auto instances = readInstances(doc, node);
+    if (!instances) return instances.error();
+    const int start = static_cast<int>(shape.faces.size());
+    for (std::size_t i = 0; i < instances->size(); ++i) {
+      const Eigen::Affine3d& instance = (*instances)[i];
+      const double count = static_cast<double>(instances->size()), before = static_cast<double>(i);
+      const bool mirrored = (world * instance).linear().determinant() < 0;
+      if (Status mesh = readMesh(node, instance, mirrored, partOf(report, before / count, (before + 1) / count)); !mesh)
+        return mesh;
     }
+    shape.objects.push_back(objectOf(node, start));
     return {};
   }
 
-  // What the user calls it: the node's name, else the mesh's.
-  std::string objectName(int node) const {
-    const tinygltf::Node& at = doc.model.nodes[node];
-    if (!at.name.empty()) return at.name;
-    const bool hasMesh = at.mesh < static_cast<int>(doc.model.meshes.size());
-    if (hasMesh && !doc.model.meshes[at.mesh].name.empty()) return doc.model.meshes[at.mesh].name;
-    return "mesh " + std::to_string(at.mesh);
+  ObjectFaces objectOf(int node, int start) const {
+    ObjectFaces object;
+    object.name = objectName(doc, node);
+    object.start = start;
+    object.count = static_cast<int>(shape.faces.size()) - start;
+    object.nodeName = shortName(doc.model.nodes[node].name);
+    object.meshName = shortName(doc.model.meshes[doc.model.nodes[node].mesh].name);
+    // The names above it tell apart what has one name; a few of them are enough.
+    constexpr int most = 8;
+    int above = shape.graph.parent[node];
+    for (int i = 0; i < most && above >= 0; ++i, above = shape.graph.parent[above])
+      object.path = std::string(shortName(doc.model.nodes[above].name, 64)) + "/" + object.path;
+    return object;
   }
 
   Status read() {
-    for (const tinygltf::Mesh& mesh : doc.model.meshes) targetCounts.push_back(targetCount(mesh));
-    if (Status weights = countWeights(); !weights) return weights;
-    auto graph = readNodes(doc);
-    if (!graph) return graph.error();
-    shape.graph = std::move(*graph);
     auto skins = readSkins(doc);
     if (!skins) return skins.error();
     shape.skins = std::move(*skins);
     shape.hasNormals = true;
     const auto world = worldTransforms(shape.graph, shape.graph.rest);
-    std::vector<int> shown;  // nodes with a mesh
-    std::copy_if(shape.graph.shown.begin(), shape.graph.shown.end(), std::back_inserter(shown),
-                 [&](int node) { return doc.model.nodes[node].mesh >= 0; });
-    for (int node : shown) addObject(objectName(node), shape.objects);
-    if (Status known = checkObjects(objects, shape.objects, doc.where); !known) return known;
-    std::erase_if(shown, [&](int node) { return !takesObject(objects, objectName(node)); });
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      const double count = static_cast<double>(shown.size()), before = static_cast<double>(i);
-      const bool mirrored = world[shown[i]].linear().determinant() < 0;
-      if (Status mesh = readMesh(shown[i], mirrored, partOf(onProgress, before / count, (before + 1) / count)); !mesh)
+    for (std::size_t i = 0; i < meshNodes.size(); ++i) {
+      const double count = static_cast<double>(meshNodes.size()), before = static_cast<double>(i);
+      const int node = meshNodes[i];
+      if (Status mesh = readNode(node, world[node], partOf(onProgress, before / count, (before + 1) / count)); !mesh)
         return mesh;
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
@@ -326,15 +302,10 @@ struct ShapeReader {
 
 }  // namespace
 
-int targetCount(const tinygltf::Mesh& mesh) {
-  std::size_t most = 0;
-  for (const tinygltf::Primitive& primitive : mesh.primitives) most = std::max(most, primitive.targets.size());
-  return static_cast<int>(most);
-}
-
-Result<GltfShape> readShape(const GltfDocument& doc, const std::vector<std::string>& objects,
+Result<GltfShape> readShape(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes,
                             const FractionReport& onProgress) {
-  ShapeReader reader{doc, objects, onProgress, {}};
+  ShapeReader reader{doc, meshNodes, onProgress, {}};
+  reader.shape.graph = graph;
   if (Status read = reader.read(); !read) return read.error();
   return std::move(reader.shape);
 }

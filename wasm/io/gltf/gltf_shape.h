@@ -8,8 +8,10 @@
 #include "core/base/status.h"
 #include "core/base/types.h"
 #include "core/base/warning.h"
+#include "io/base/scene.h"
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_nodes.h"
+#include "io/gltf/gltf_scene.h"
 
 namespace shapespline {
 
@@ -18,8 +20,9 @@ struct GltfPart {
   int node = -1, mesh = -1, skin = -1;
   int firstVertex = 0;  ///< of this part in the whole shape
   const tinygltf::Primitive* primitive = nullptr;
-  Positions positions, normals;       ///< normals may be empty
-  int influences = 0;                 ///< joints a vertex, 0 where it is not skinned
+  Eigen::Affine3d instance = Eigen::Affine3d::Identity();  ///< where this copy of the mesh stands, seen from its node
+  Positions positions, normals;                            ///< normals may be empty
+  int influences = 0;                                      ///< joints a vertex, 0 where it is not skinned
   std::vector<std::uint32_t> joints;  ///< influences a vertex: places in the skin's joint list, in range
   std::vector<double> weights;        ///< as many, summing to 1 at each vertex
   std::string name;                   ///< for messages: mesh 0, primitive 1
@@ -40,17 +43,13 @@ struct GltfShape {
   int vertexCount = 0;
   bool hasNormals = false;  ///< every part has them
   std::vector<Warning> warnings;
-  std::vector<std::string> objects;  ///< names of all mesh nodes that are shown, each once
+  std::vector<ObjectFaces> objects;  ///< one for each mesh node, in the order of the faces
 };
 
-/// Reads the default scene: every triangle primitive (lists, strips, fans) of every mesh node, depth first, primitives
-/// in the file's order. Lines and points are skipped with a warning. Faces of mirrored nodes are turned around.
-/// With `objects`, mesh nodes of these names alone. The document must outlive the result. Errors: InvalidOption of a
-/// name that is not there, NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
-Result<GltfShape> readShape(const GltfDocument& doc, const std::vector<std::string>& objects,
+/// Reads every triangle primitive (lists, strips, fans) of every copy of these mesh nodes (see readScene), primitives
+/// in the file's order. Lines and points are skipped with a warning. Faces of mirrored nodes are turned around. The
+/// document must outlive the result. Errors: NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
+Result<GltfShape> readShape(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes,
                             const FractionReport& onProgress = {});
-
-/// Number of morph targets of a mesh.
-int targetCount(const tinygltf::Mesh& mesh);
 
 }  // namespace shapespline

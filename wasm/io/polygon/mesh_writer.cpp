@@ -98,7 +98,8 @@ struct ObjWriter {
   const Scene& scene;
   const MaterialLibrary& library;
   bool hasNormals;
-  std::size_t nextGroup = 0;
+  bool hasNames;  // of objects, not only such as were made up
+  std::size_t nextGroup = 0, nextObject = 0;
 
   bool hasUvs() const { return !scene.uvs.empty(); }
   bool hasSeams() const { return !scene.seams.copyOf.empty(); }
@@ -173,10 +174,26 @@ struct ObjWriter {
     for (; nextGroup < scene.groups.size(); ++nextGroup) {
       const MaterialGroup& group = scene.groups[nextGroup];
       if (static_cast<std::size_t>(group.start) > face) return;
-      if (library.file.empty() || group.material < 0 || group.material >= static_cast<int>(library.names.size()))
-        continue;
-      sink.text("usemtl "), sink.text(library.names[group.material]), sink.text("\n");
+      const bool known = group.material >= 0 && group.material < static_cast<int>(library.names.size());
+      const std::string& name = known && !library.file.empty() ? library.names[group.material] : group.name;
+      if (!name.empty()) named("usemtl ", name);
     }
+  }
+
+  // Before the first face of each object; they come in the order of the faces, too.
+  void object(std::size_t face) {
+    for (; nextObject < scene.objects.size(); ++nextObject) {
+      const ObjectFaces& object = scene.objects[nextObject];
+      if (static_cast<std::size_t>(object.start) > face) return;
+      if (hasNames) named(object.isGroup ? "g " : "o ", object.name);
+    }
+  }
+
+  // A name of a glTF file may hold anything.
+  void named(const char* keyword, const std::string& name) {
+    sink.text(keyword);
+    for (char c : name) sink.out.push_back(static_cast<std::uint8_t>(c >= 0 && c < ' ' ? ' ' : c));
+    sink.text("\n");
   }
 
   void write(std::span<const float> values, std::span<const float> normals, const MeshOffset& offset) {
@@ -189,12 +206,12 @@ struct ObjWriter {
     std::size_t next = 0;
     for (int count : scene.polygons) {
       if (count < 1 || next + count > drawn.size()) break;
-      material(next);
+      object(next), material(next);
       polygon(drawn.subspan(next, count));
       next += count;
     }
     for (; next < drawn.size(); ++next) {
-      material(next);
+      object(next), material(next);
       face(drawn[next]);
     }
   }
@@ -208,7 +225,10 @@ Result<std::vector<std::uint8_t>> writeObj(std::span<const float> positions, con
   if (Status finite = checkFinite(positions, -1); !finite) return finite.error();
   std::vector<std::uint8_t> out;
   out.reserve(positions.size() * 12 + normals.size() * 12 + scene.uvs.size() * 12 + faces.size() * 45);
-  ObjWriter{{out}, faces, scene, library, !normals.empty()}.write(positions, normals, offset);
+  const bool hasNames = std::any_of(scene.objects.begin(), scene.objects.end(), [](const ObjectFaces& object) {
+    return !object.nodeName.empty() || !object.meshName.empty();
+  });
+  ObjWriter{{out}, faces, scene, library, !normals.empty(), hasNames}.write(positions, normals, offset);
   return out;
 }
 

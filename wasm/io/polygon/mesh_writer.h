@@ -24,8 +24,8 @@ struct MeshOffset {
   bool added = true;  ///< to the numbers that are written; else an OBJ names it in a comment, which its reader knows
 };
 
-/// Of the scene: texture coordinates, polygons as they came in, materials where there is a library. Normals: 3n unit
-/// vectors, or empty. Error: NotFinite.
+/// Of the scene: texture coordinates, polygons as they came in, objects, materials that have a library or that the
+/// input only named. Normals: 3n unit vectors, or empty. Error: NotFinite.
 Result<std::vector<std::uint8_t>> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
                                            const Scene& scene, std::span<const float> normals = {},
                                            const MaterialLibrary& library = {}, const MeshOffset& offset = {});

@@ -121,6 +121,9 @@ struct MtlReader {
   }
 };
 
+// What polygons without a name belong to.
+constexpr const char* kUnnamed = "default";
+
 // The polygons from one name on belong to it, up to the next one.
 struct NamedRun {
   int start;  // polygon
@@ -222,13 +225,13 @@ struct ObjReader {
     const int material = it == materialOf.end() ? -1 : it->second;
     auto& groups = mesh.scene.groups;
     if (!groups.empty() && groups.back().start == mesh.polygonCount()) groups.pop_back();
-    groups.push_back({mesh.polygonCount(), 0, material});
+    groups.push_back({mesh.polygonCount(), 0, material, material < 0 ? std::string(name) : ""});
   }
 
   void startRun(std::vector<NamedRun>& runs, std::string_view name) {
     if (!runs.empty() && runs.back().start == mesh.polygonCount()) runs.pop_back();
-    if (runs.empty() && mesh.polygonCount() > 0) runs.push_back({0, "default"});
-    runs.push_back({mesh.polygonCount(), std::string(name.empty() ? "default" : name)});
+    if (runs.empty() && mesh.polygonCount() > 0) runs.push_back({0, kUnnamed});
+    runs.push_back({mesh.polygonCount(), std::string(name.empty() ? std::string_view(kUnnamed) : name)});
   }
 
   // Groups stand for objects where there are none. Only polygons make one.
@@ -236,6 +239,7 @@ struct ObjReader {
     const std::vector<NamedRun>& runs = objects.empty() ? groups : objects;
     for (const NamedRun& run : runs)
       if (run.start < mesh.polygonCount()) addObject(run.name, mesh.objects);
+    keepObjects(runs);
     if (Status known = checkObjects(wanted, mesh.objects, where); !known) return known;
     if (wanted.empty()) return {};
     std::vector<char> taken(mesh.polygonCount(), 0);
@@ -245,6 +249,16 @@ struct ObjReader {
                   1);
     keepPolygons(taken);
     return {};
+  }
+
+  void keepObjects(const std::vector<NamedRun>& runs) {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      ObjectFaces object{runs[r].name, runs[r].start, 0};
+      object.count = (r + 1 < runs.size() ? runs[r + 1].start : mesh.polygonCount()) - object.start;
+      if (runs[r].name != kUnnamed) object.nodeName = runs[r].name;
+      object.isGroup = objects.empty();
+      if (object.count > 0) mesh.scene.objects.push_back(std::move(object));
+    }
   }
 
   // Polygons that are not taken go, and the vertices that only they had.
@@ -266,6 +280,12 @@ struct ObjReader {
     for (auto* corners : {&mesh.corners, &cornerNormal, &cornerCoordinate}) corners->resize(kept);
     mesh.ends = std::move(ends);
     for (MaterialGroup& group : mesh.scene.groups) group.start = polygonsBefore[group.start];
+    for (ObjectFaces& object : mesh.scene.objects) {
+      const int end = polygonsBefore[object.start + object.count];
+      object.start = polygonsBefore[object.start];
+      object.count = end - object.start;
+    }
+    std::erase_if(mesh.scene.objects, [](const ObjectFaces& object) { return object.count == 0; });
     keepVertices(vertexOf);
   }
 

@@ -110,6 +110,8 @@ std::vector<Triangle> cutTriangles(const PolygonMesh& mesh, const std::vector<in
   return out;
 }
 
+int trianglesBefore(const PolygonMesh& mesh, int polygon) { return mesh.firstCorner(polygon) - 2 * polygon; }
+
 }  // namespace
 
 PolygonCuts cutPolygons(const PolygonMesh& mesh) {
@@ -163,12 +165,21 @@ std::vector<int> trianglesPerPolygon(const PolygonMesh& mesh) {
 }
 
 std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh) {
-  const auto trianglesBefore = [&](int polygon) { return mesh.firstCorner(polygon) - 2 * polygon; };
   std::vector<MaterialGroup> out;
   for (const MaterialGroup& g : mesh.scene.groups) {
-    const int start = trianglesBefore(g.start);
-    if (const int count = trianglesBefore(g.start + g.count) - start; count > 0)
-      out.push_back({start, count, g.material});
+    const int start = trianglesBefore(mesh, g.start);
+    if (const int count = trianglesBefore(mesh, g.start + g.count) - start; count > 0)
+      out.push_back({start, count, g.material, g.name});
+  }
+  return out;
+}
+
+std::vector<ObjectFaces> triangleObjects(const PolygonMesh& mesh) {
+  std::vector<ObjectFaces> out = mesh.scene.objects;
+  for (ObjectFaces& object : out) {
+    const int start = trianglesBefore(mesh, object.start), end = trianglesBefore(mesh, object.start + object.count);
+    object.start = start;
+    object.count = end - start;
   }
   return out;
 }

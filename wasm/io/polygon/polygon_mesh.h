@@ -18,7 +18,7 @@ struct PolygonMesh {
   std::vector<int> corners;          ///< vertex of every corner of every polygon, in range
   std::vector<int> drawn;            ///< drawn vertex of every corner where there are seams, else empty
   std::vector<int> ends;             ///< of each polygon: one past its last corner; at least 3 corners each
-  Scene scene;                       ///< its groups count polygons
+  Scene scene;                       ///< its groups and objects count polygons
   std::vector<std::string> objects;  ///< names, each once
   bool writtenZUp = false;           ///< by a program whose files of this kind have z up
   Vec3 offset = Vec3::Zero();        ///< that a comment says the positions are relative to
@@ -50,5 +50,8 @@ std::vector<int> trianglesPerPolygon(const PolygonMesh& mesh);
 
 /// Groups of triangles from groups of polygons.
 std::vector<MaterialGroup> triangleGroups(const PolygonMesh& mesh);
+
+/// Objects of triangles from objects of polygons.
+std::vector<ObjectFaces> triangleObjects(const PolygonMesh& mesh);
 
 }  // namespace shapespline

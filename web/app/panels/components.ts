@@ -455,7 +455,7 @@ export function createComponents(input: ComponentsInput): Components {
     if (viewState.ms !== null) void ghostStudy.need();
     ghostStudy.update();
     lying = viewState.orientation;
-    if (source.kind === 'files' && info && info.animations.length > 0) void sampling.need();
+    if (source.kind === 'files' && info?.animations.some(({ moves }) => moves)) void sampling.need();
     sampling.update({
       info: source.kind === 'files' ? info : null,
       fewest: viewState.fewest,

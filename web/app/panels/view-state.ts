@@ -112,8 +112,9 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
 /** There is more in the animations than the keys: project files, and poses of their own, have said what is wanted. */
 function asksForKeys({ animation, animations, names, project, warnings }: KeysInfo): boolean {
   const alike = warnings.some(({ code }) => code === 'same-poses');
-  const whole = animations.length === 1 && animations[0]!.keys <= names.length;
-  return project === null && animations.length > 0 && (animation >= 0 ? !whole : alike);
+  const moving = animations.filter(({ moves }) => moves);
+  const whole = moving.length === 1 && moving[0]!.keys <= names.length;
+  return project === null && moving.length > 0 && (animation >= 0 ? !whole : alike);
 }
 
 /** What is to be said of the frame on the screen. */

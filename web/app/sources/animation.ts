@@ -5,6 +5,7 @@
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import { fileName, modelName } from '../../engine/api/paths.ts';
+import { likeOf } from '../../engine/api/read-poses.ts';
 import type { InputFile, Progress } from '../../engine/api/types.ts';
 import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
@@ -86,11 +87,10 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
   const readTruth = async (files: InputFile[], pool: PosePool, signal: AbortSignal): Promise<ReferenceMotion> => {
     const { up, unit, objects } = workspace.options;
     const { info } = pool.keys;
-    const like = { like: info.faces, likePose: pool.keys.positions(0), offset: info.offset };
-    const options = { up, unit, objects, ...like };
+    const options = { up, unit, objects, ...likeOf(pool.keys) };
     const found = await engine.importKeyframes(files, options, { signal });
     const at = Math.max(found.info.animation, 0);
-    const span = found.info.animations[at];
+    const span = found.info.animations[at]?.moves ? found.info.animations[at] : undefined;
     found.dispose();
     if (!span) throw new Error(`${fileName(files[0]!.name)} holds no animation to compare with.`);
     return readReference(engine, files, at, span, info.report.vertices, options, { signal });

@@ -46,6 +46,21 @@ export interface Pin {
   path?: PathKey[];
 }
 
+/** An object's run of faces. */
+export interface SceneObject {
+  /** Made up where the file has none. */
+  name: string;
+  /** First face and number of faces. */
+  start: number;
+  count: number;
+  /** As the file has them, or empty: of the node, its mesh, and the nodes above it. */
+  nodeName: string;
+  meshName: string;
+  path: string;
+  /** OBJ: a group (g), not an object (o). */
+  isGroup: boolean;
+}
+
 /** The values of each kind, where the kind alone says it. */
 interface Values {
   number: number;
@@ -68,6 +83,7 @@ interface Values {
   /** 3 x faces. */
   faces: Uint32Array;
   point: readonly [x: number, y: number, z: number];
+  objects: SceneObject[];
   names: string[];
   text: string;
 }
@@ -439,6 +455,11 @@ export const IMPORT = {
   offset: {
     kind: 'point',
     help: 'what is subtracted from all positions in double: of further poses, the offset of the keys; default: as needed',
+  },
+  /** `scene.objects` of that mesh: objects of the files are matched with these. */
+  likeObjects: {
+    kind: 'objects',
+    help: "`scene.objects` of that mesh: the files' objects are matched with these",
   },
 } as const satisfies OptionTable;
 

@@ -102,6 +102,13 @@ const sample: Check = (v) => {
   return increasing ? null : `must be increasing times in seconds ${BETWEEN_TIMES}, or how many (at least 2)`;
 };
 
+const isObject = (v: unknown): boolean =>
+  isRecord(v) &&
+  !wholeFrom(0)(v['start']) &&
+  !wholeFrom(0)(v['count']) &&
+  typeof v['isGroup'] === 'boolean' &&
+  ['name', 'nodeName', 'meshName', 'path'].every((name) => typeof v[name] === 'string');
+
 /** Of a file's name. */
 const LONGEST_NAME = 120;
 /** As in wasm/core/spline/discrete_spline. */
@@ -130,6 +137,7 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
   point: (v) => (Array.isArray(v) && v.length === 3 && v.every(isNumber) ? null : 'must be three numbers'),
   names: (v) => (Array.isArray(v) && v.every((one) => typeof one === 'string') ? null : 'must be an array of names'),
+  objects: (v) => (Array.isArray(v) && v.every(isObject) ? null : 'must be the scene.objects of an import'),
   text: (v) =>
     typeof v === 'string' && v !== '' && v.length <= LONGEST_NAME && !/[/\\\p{C}]/u.test(v)
       ? null

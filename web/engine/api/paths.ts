@@ -16,6 +16,8 @@ const MEANT: readonly string[] = [...MODELS, ...CACHES, ...COMPANIONS];
 
 /** Characters of a hostile file's text in a sentence. */
 const LONGEST_QUOTE = 80;
+/** Control characters, and marks that would change how a sentence is shown; the core has the same. */
+const NO_TEXT = /[\p{Cc}\p{Cs}\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]/gu;
 
 const nameStart = (path: string): number => Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1;
 
@@ -137,7 +139,9 @@ function findByName(path: string, files: readonly InputFile[]): InputFile | unde
 /** Why a URI in the file `from` brings no bytes. */
 export function uriError(kind: Exclude<UriTarget['kind'], 'file'>, uri: string, from: string): EngineError {
   const name = fileName(from);
-  const quoted = `"${uri.slice(0, LONGEST_QUOTE).replace(/[^ -~]/g, '?')}${uri.length > LONGEST_QUOTE ? '...' : ''}"`;
+  const text = [...uri];
+  const shown = text.slice(0, LONGEST_QUOTE).join('').replace(NO_TEXT, '?');
+  const quoted = `"${shown}${text.length > LONGEST_QUOTE ? '...' : ''}"`;
   const sentence = {
     external: `${name} refers to ${quoted}. Nothing outside the given files is ever fetched: save that file beside it and give both together.`,
     outside: `${name} refers to ${quoted}, which lies outside the given files. Put it into the same folder and give both together.`,

@@ -21,7 +21,7 @@ export async function readPoses(
   { up, unit, objects }: ImportOptions = {},
 ): Promise<Pose[]> {
   const file = fileName(files[0]?.name ?? 'The file');
-  const like = { like: keys.info.faces, likePose: keys.positions(0), offset: keys.info.offset };
+  const like = likeOf(keys);
   const { poses, count } = await importAny(engine, files, { up, unit, objects, ...like }).catch((error: unknown) => {
     if (!isMismatch(error)) throw error;
     // The core knows the pose by its name alone.
@@ -34,6 +34,12 @@ export async function readPoses(
   } finally {
     poses.dispose();
   }
+}
+
+/** Options that read further poses of the mesh of these keys, in its vertices. */
+export function likeOf(keys: Keys): Required<Pick<ImportOptions, 'like' | 'likePose' | 'likeObjects' | 'offset'>> {
+  const { faces, scene, offset } = keys.info;
+  return { like: faces, likePose: keys.positions(0), likeObjects: scene.objects ?? [], offset };
 }
 
 /** The first pose that the files hold, 3 x vertices. */

@@ -4,7 +4,7 @@
  * Times are in seconds or any unit the user likes. Positions are in the unit of the input file. Indices are 0-based.
  */
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, defaultsOf } from './option-table.ts';
-import type { AddedTurns, ValuesOf } from './option-table.ts';
+import type { AddedTurns, SceneObject, ValuesOf } from './option-table.ts';
 
 /** One dropped or named file. `name` may hold a path relative to the dropped folder; `bytes` are copied, never kept. */
 export interface InputFile {
@@ -12,7 +12,7 @@ export interface InputFile {
   bytes: Uint8Array;
 }
 
-export type { AddedTurns, PathKey, Pin } from './option-table.ts';
+export type { AddedTurns, PathKey, Pin, SceneObject } from './option-table.ts';
 
 /** What to take from the files. */
 export type ImportOptions = Partial<ValuesOf<typeof IMPORT>>;
@@ -85,6 +85,8 @@ export interface MaterialGroup {
   count: number;
   /** Index into `materials`, or -1 for none. */
   material: number;
+  /** Of a material that an OBJ names without saying how it looks. */
+  name?: string;
 }
 
 export interface Material {
@@ -154,6 +156,18 @@ export interface AnimationInfo {
   end: number;
   /** Number of distinct key times. */
   keys: number;
+  /** False where it is one pose, however many keys it has: keys cannot be sampled from it. */
+  moves: boolean;
+}
+
+/** How an object of the first key was found in another file. */
+export interface MatchedObject {
+  /** 0-based: the first key of that file. */
+  key: number;
+  /** Its name in the first key, and there. */
+  object: string;
+  found: string;
+  by: 'name' | 'shape' | 'order';
 }
 
 /** How a mesh looks, besides its shape. */
@@ -169,6 +183,8 @@ export interface Scene {
   groups: MaterialGroup[];
   materials: Material[];
   images: TextureImage[];
+  /** In the order of the faces, all of them; empty or absent where the files know no objects. */
+  objects?: SceneObject[];
 }
 
 export type Point = readonly [x: number, y: number, z: number];
@@ -185,6 +201,8 @@ export interface KeysInfo {
   animation: number;
   /** Names of the objects that the first file holds, each once: those that `objects` may name. */
   objects: string[];
+  /** Which objects of further files are which, and how they were found; at most a thousand. */
+  matches: MatchedObject[];
   /** 3 x faces, of vertices. */
   faces: Uint32Array;
   /**

@@ -74,6 +74,20 @@ function accessorSize({ count = 0, type, componentType }: Json, index: number): 
   return count * components * width;
 }
 
+/** Throws a sentence without its end where a compressed primitive lies in no buffer view of the file. */
+export function checkCompressedViews(json: unknown): void {
+  const document = isObject(json) ? json : {};
+  const views = listOf(document, 'bufferViews').length;
+  for (const [m, mesh] of listOf(document, 'meshes').entries())
+    for (const [p, { extensions }] of listOf(mesh, 'primitives').entries()) {
+      const draco = isObject(extensions) ? extensions['KHR_draco_mesh_compression'] : undefined;
+      if (draco === undefined) continue;
+      const view = isObject(draco) ? draco['bufferView'] : undefined;
+      if (!isSize(view) || view >= views)
+        throw new Error(`mesh ${m}, primitive ${p} lies in buffer view ${Number(view)}, which does not exist`);
+    }
+}
+
 /**
  * Throws a sentence without its end where the nodes form no forest: what reads them next would not notice, or not end.
  */

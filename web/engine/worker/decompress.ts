@@ -7,9 +7,10 @@ import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
 import { parseGltf } from '../api/gltf-json.ts';
 import { fileName, resolveUri, resourceUris, uriError } from '../api/paths.ts';
+import { animationPointer } from './animation-pointer.ts';
 import { GLB_MAGIC, jsonOf } from './gltf-text.ts';
 import type { Codecs } from './codecs.ts';
-import { checkDecodedSize, checkForest, roomFor } from './decoded-size.ts';
+import { checkCompressedViews, checkDecodedSize, checkForest, roomFor } from './decoded-size.ts';
 import type { Decode } from './import-files.ts';
 import { withMemoryLimit } from './wasm-memory.ts';
 import type { InputFile } from '../api/types.ts';
@@ -54,13 +55,21 @@ async function decodeFile(job: Job): Promise<InputFile> {
   if (!json) return job.file; // the core says where it is broken
   try {
     checkForest(json);
+    checkCompressedViews(json);
     return { name: job.file.name, bytes: await uncompress(job, json) };
   } catch (error) {
     if (error instanceof EngineError) throw error;
-    const reason = messageOf(error).replace(/\.$/, '');
-    const sentence = `${name}: its compressed mesh cannot be decoded (${reason}). Export the file again, or without compression.`;
+    const reason = reasonOf(error);
+    const why = reason === '' ? '' : ` (${reason})`;
+    const sentence = `${name}: its compressed mesh cannot be decoded${why}. Export the file again, or without compression.`;
     throw new EngineError('malformed-file', sentence, { file: name });
   }
+}
+
+/** What an error of ours or of a library says in words; where it stumbled over the file (TypeError), it says nothing. */
+function reasonOf(error: unknown): string {
+  const isSentence = error instanceof Error && error.constructor === Error && /^[\w\s.,:()'"/-]+$/.test(error.message);
+  return isSentence ? messageOf(error).replace(/\.$/, '') : '';
 }
 
 async function uncompress(
@@ -94,8 +103,9 @@ function binaryOf(bytes: Uint8Array): Uint8Array | null {
 }
 
 async function reader(codecs: Codecs, text: string, dracoWasm: () => Promise<Uint8Array>) {
-  const [{ Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([codecs.core(), codecs.extensions()]);
-  const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
+  const [core, { ALL_EXTENSIONS }] = await Promise.all([codecs.core(), codecs.extensions()]);
+  const io = new core.WebIO().setLogger(new core.Logger(core.Logger.Verbosity.SILENT));
+  io.registerExtensions([...ALL_EXTENSIONS, animationPointer(core)]);
   if (text.includes('"KHR_draco_mesh_compression"')) {
     const { default: createDecoder } = await codecs.draco();
     io.registerDependencies({ 'draco3d.decoder': await createDecoder({ wasmBinary: await dracoWasm() }) });

@@ -112,7 +112,7 @@ export class WasmCore {
     onProgress: OnProgress = () => undefined,
   ): Omit<KeyData, 'info'> & { info: ImportedInfo } {
     this.hear(onProgress);
-    const { animation, sample, everyFrame, keyTimes, up, unit, objects, like, likePose, offset } = options;
+    const { animation, sample, everyFrame, keyTimes, up, unit, objects, like, likePose, likeObjects, offset } = options;
     const request = {
       files,
       options: {
@@ -127,6 +127,7 @@ export class WasmCore {
         like: like ?? null,
         likePose: likePose ?? null,
         offset: offset ?? null,
+        likeObjects: likeObjects ?? [],
       },
     };
     return this.lend((scope) => {
