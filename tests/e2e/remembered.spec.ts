@@ -287,6 +287,34 @@ test('what an earlier visit left and does not read is set aside with a word', as
   await expect(app.by('toast')).toHaveText('');
 });
 
+test('what does not open is not tried with every visit', async ({ app }) => {
+  await app.open();
+  await drop(app, BAR);
+  await isRemembered(app);
+  await untilWritten(app);
+  const { project } = (await kept(app.page))['twisted-bar.glb']!;
+  // The engine refuses what is in the file.
+  const bytes = new TextEncoder().encode('glTF, but no more');
+  await app.page.evaluate(
+    async ([key, content]) => {
+      const open = indexedDB.open('shapespline');
+      await new Promise((done) => (open.onsuccess = done));
+      const { transaction } = open.result.transaction('remembered', 'readwrite').objectStore('remembered');
+      transaction.objectStore('remembered').put([{ name: 'bad.glb', bytes: new Uint8Array(content) }], key);
+      await new Promise((done) => (transaction.oncomplete = done));
+      open.result.close();
+    },
+    [`files ${project.id}`, [...bytes]] as const,
+  );
+  await app.page.reload();
+  await app.open();
+  await expect(app.by('toast')).toContainText('“twisted-bar.glb” could not be opened again');
+  await app.page.reload();
+  await app.open();
+  await expect(app.by('not-reopened')).toContainText('“twisted-bar.glb” was not opened again: the last attempt failed');
+  await expect(app.by('error')).toBeHidden();
+});
+
 /** As earlier versions of the page kept one project. */
 const EARLIER = {
   'under three keys': (project: object) => ({ format: 1, rest: project }),

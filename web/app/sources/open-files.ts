@@ -317,7 +317,8 @@ export function createOpenFiles({
       } as const;
       return open({ ...request, link }).catch(async (error: unknown) => {
         // What the engine refuses of a link must not keep the sample closed.
-        if (!link || isCancelled(error) || !(await open({ ...request, link: null }))) throw error;
+        const final = isCancelled(error) || (error as { code?: unknown }).code === 'not-loaded';
+        if (!link || final || !(await open({ ...request, link: null }))) throw error;
         onError(error);
         return true;
       });

@@ -73,7 +73,10 @@ export async function openFirst(
       action: 'Open it',
       onAccept: () => void remembered.reopen(left.id, reopening(files)),
     });
-  } else if (left && ((await remembered.reopen(left.id, again).catch(() => false)) || isOvertaken())) return;
+  } else if (left) {
+    if ((await remembered.reopen(left.id, again).catch(() => false)) || isOvertaken()) return;
+    say(`“${left.names[0] ?? 'A file'}” could not be opened again. This is a sample instead.`);
+  }
   const link = named ?? (isNew && !left ? readPermalink(FIRST_VISIT) : null);
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
   if (!first) throw new Error('This page has no samples. Open your own files.');

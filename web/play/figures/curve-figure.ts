@@ -7,6 +7,7 @@ import type { Derived } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';
 import { MOST_SPEED, shownTimes } from '../state.ts';
 import type { Layer, PlayState } from '../state.ts';
+import { clipped } from './clip.ts';
 import { createKeyHandles } from './key-handles.ts';
 import type { KeyHandleEvents } from './key-handles.ts';
 import { curveLines } from './lines.ts';
@@ -175,7 +176,7 @@ function layerParts(
   if (!value) return [];
   const points = value.times.map((t, i): Point => [x(plane ? across!.values[i]! : t), y(value.values[i]!)]);
   return [
-    namedCurve(LAYER_WORDS.samples.name, 'samples', points),
+    namedCurve(LAYER_WORDS.samples.name, 'samples', clipped(points)),
     ...points.map(([cx, cy]) => make('circle', { class: 'sample', cx, cy, r: points.length > 30 ? 2 : 3 })),
   ];
 }

@@ -4,6 +4,7 @@ import { inInterval, valueAt } from '../splines/curve.ts';
 import type { Curve, Derivative } from '../splines/curve.ts';
 import type { Layer } from '../state.ts';
 import type { Curves } from '../derived.ts';
+import { clipped } from './clip.ts';
 import { LAYER_WORDS } from './words.ts';
 
 type Place = (numbers: number[], t: number) => readonly [number, number];
@@ -42,7 +43,7 @@ export function curveLines(
   }
   return [
     ...beyondLines(layer, curves, derivative, [start, end], place),
-    ...runs.map((run) => namedCurve(LAYER_WORDS[layer].name, layer, run)),
+    ...runs.map((run) => namedCurve(LAYER_WORDS[layer].name, layer, clipped(run))),
   ];
 }
 
@@ -60,7 +61,7 @@ function beyondLines(
   const line = (from: number, to: number): SVGElement => {
     const at = (step: number): number => from + ((to - from) * step) / STEPS;
     const points = Array.from({ length: STEPS + 1 }, (_, step) => place(valuesAt(curves, at(step)), at(step)));
-    return namedCurve(LAYER_WORDS[layer].name, `${layer} further`, points);
+    return namedCurve(LAYER_WORDS[layer].name, `${layer} further`, clipped(points));
   };
   return [...(start < first ? [line(start, first)] : []), ...(end > last ? [line(last, end)] : [])];
 }
