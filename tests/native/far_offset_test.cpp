@@ -269,6 +269,54 @@ TEST_CASE("a GLB whose node stands far away loses nothing; far positions in sing
   CHECK(!warns(imported(Files().add("a.glb", glbAt(Vec3(300, 0, 0), Vec3::Zero(), {0, 1}))), "rounded-positions"));
 }
 
+TEST_CASE("parts of a GLB stand far away by the nodes above them, and a skin by its joints") {
+  const Vec3 far(-500'000.25, 3, 5'000'000.5);
+  const auto at = [](const Vec3& p) { return json{p.x(), p.y(), p.z()}; };
+  for (bool skinned : {false, true}) {
+    GltfMaker maker;
+    const Positions kept = poseAt(Vec3::Zero(), 0), offsets = difference(poseAt(Vec3::Zero(), 0.7), kept);
+    json attributes = {{"POSITION", maker.vectors(kept)}};
+    json node = {{"mesh", 0}};
+    if (skinned) {
+      attributes["JOINTS_0"] = maker.accessor(std::vector<std::uint8_t>(4 * kept.size(), 0), "VEC4", 4, kUInt8);
+      std::vector<float> weights(4 * kept.size(), 0);
+      for (std::size_t v = 0; v < kept.size(); ++v) weights[4 * v] = 1;
+      attributes["WEIGHTS_0"] = maker.accessor(weights, "VEC4", 4, kFloat32);
+      node["skin"] = 0;
+    }
+    maker.mesh(attributes, maker.indices(kBar.faces), json::array({{{"POSITION", maker.vectors(offsets)}}}));
+    const int child = maker.add("nodes", {{"translation", at({1, 2, 3})}});
+    maker.node({{"translation", at(far - Vec3(1, 2, 3))}, {"children", {child}}});
+    if (skinned) {
+      maker.node(node);
+      maker.add("skins", {{"joints", {child}}});
+    } else {
+      maker.doc["nodes"][child]["mesh"] = 0;
+    }
+    const Import import = imported(Files().add("a.glb", maker.glb()));
+    CAPTURE(skinned);
+    CHECK(!warns(import, "rounded-positions"));
+    REQUIRE(import.keyframes.keyCount() == 2);
+    CHECK(largestDistance(asComputed(import, 0), poseAt(far, 0)) < 4e-7);
+    CHECK(largestDistance(asComputed(import, 1), poseAt(far, 0.7)) < 6e-7);
+  }
+}
+
+TEST_CASE("frames of a numbered series share one offset") {
+  Files files;
+  for (int i = 0; i < 40; ++i) {
+    char name[16];
+    std::snprintf(name, sizeof name, "f_%02d.obj", i);
+    files.add(name, objOf(poseAt(kUtm, 0.02 * i)));
+  }
+  ImportOptions options;
+  options.sampleTimes = {0, 13 / 24.0, 39 / 24.0};
+  const Import import = imported(files, options);
+  const int frames[] = {0, 13, 39};
+  for (int key = 0; key < 3; ++key)
+    CHECK(largestDistance(asComputed(import, key), poseAt(kUtm, 0.02 * frames[key])) < 4e-7);
+}
+
 TEST_CASE("the offset of a saved project comes back, unless its keys lie elsewhere now") {
   const auto project = [&](const Vec3& saved) {
     AnimationSource source;

@@ -1,5 +1,6 @@
 /** An exported GLB as three.js plays it: the vertices that its morph targets and mixer give at a time. */
 import { AnimationMixer, LoopOnce, type Mesh, type Object3D, Vector3 } from 'three';
+import { MeshoptDecoder } from 'meshoptimizer';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 
 export interface Player {
@@ -33,7 +34,9 @@ function numbersOf({ geometry }: Mesh): number[] {
 }
 
 export async function threePlayer(bytes: Uint8Array): Promise<Player> {
-  const { scene, animations } = await new GLTFLoader().parseAsync(withoutImages(bytes), '');
+  const { scene, animations } = await new GLTFLoader()
+    .setMeshoptDecoder(MeshoptDecoder)
+    .parseAsync(withoutImages(bytes), '');
   const meshes: Mesh[] = [];
   scene.traverse((object: Object3D) => {
     if ((object as Mesh).isMesh) meshes.push(object as Mesh);

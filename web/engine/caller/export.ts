@@ -27,6 +27,9 @@ const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, 
  */
 const LEFT = { none: 1, quantized: 0.8, meshopt: 0.5 };
 
+/** Characters that an OBJ's number is longer where an offset is added. */
+const FAR_DIGITS = 5;
+
 /** Share of the progress that goes to planning, where that has not been done before. */
 const PLANNING = 0.4;
 
@@ -276,8 +279,9 @@ async function estimate(
   const vertices = positions[0]!.length / 3;
   const faces = info.faces.length / 3;
   const obj = objBytes(vertices, faces, (scene.uvs?.length ?? 0) / 2);
-  if (format === 'ply') return { bytes: frames * (12 * vertices + 13 * faces), vertices };
-  if (format === 'obj') return { bytes: frames * obj, vertices };
+  const far = info.offset.filter((value) => value !== 0).length;
+  if (format === 'ply') return { bytes: frames * ((far > 0 ? 24 : 12) * vertices + 13 * faces), vertices };
+  if (format === 'obj') return { bytes: frames * (obj + FAR_DIGITS * far * vertices), vertices };
   if (format !== 'glb') return { bytes: frames * (12 * vertices + 4) + obj, vertices };
   const images = scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
   const bare = { ...scene, images: scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
