@@ -63,7 +63,7 @@ describe('the check of sizes', () => {
 
   it('fails over the limit of wasm for a module that comes later', () => {
     write('assets/threads-G.wasm', randomBytes(LIMITS.wasm + 1));
-    expect(() => checkSizes(folder, () => undefined)).toThrow(/threads-G\.wasm has 450\.\d KB/);
+    expect(() => checkSizes(folder, () => undefined)).toThrow(/threads-G\.wasm has \d+\.\d KB/);
   });
 
   it('fails where it finds nothing to measure', () => {
