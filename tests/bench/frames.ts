@@ -11,8 +11,8 @@ const FRAMES = 12;
 const BANDWIDTH_PASSES = 3;
 
 /**
- * Single frames of one build, beside native solvers and the bandwidth of that moment (bytes per second): a machine that others
- * use is not the same for long.
+ * Single frames of one build, beside native solvers and the bandwidth of that moment (bytes per second): a machine that
+ * others use is not the same for long.
  */
 export interface Round {
   buildMs: number;

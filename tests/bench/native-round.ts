@@ -3,7 +3,7 @@
  * the same machine.
  */
 
-/** Milliseconds: the order and structure once; the factorisation and a solve of three columns, medians of up to five. */
+/** Milliseconds: the analysis once; the factorisation and a solve of three columns, medians of up to five. */
 export interface SolverRound {
   orderMs: number;
   factorMs: number;
