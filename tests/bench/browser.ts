@@ -51,7 +51,7 @@ export async function browserRunner(repository: string): Promise<Runner> {
   page.on('pageerror', (error) => process.stderr.write(`${error.message}\n`));
   await page.goto(`${url}tests/bench/page.html`);
   const addressOf = (file: string): string => url + path.relative(repository, file).split(path.sep).join('/');
-  // Functions among the words, such as runEigen, run here when the page calls them.
+  // Functions among the words, such as runNative, run here when the page calls them.
   const call = <T>(name: string, ...words: unknown[]): Promise<T> =>
     page.evaluate(
       ([program, exported, args]) =>
@@ -63,7 +63,7 @@ export async function browserRunner(repository: string): Promise<Runner> {
     ) as Promise<T>;
   return {
     name: `Chromium ${browser.version()}`,
-    measure: (mesh, runEigen) => call('measureFile', addressOf(mesh), runEigen),
+    measure: (mesh, runNative) => call('measureFile', addressOf(mesh), runNative),
     motion: (mesh, motion) => call('motionOf', addressOf(mesh), motion),
     resolutions: (coarse, fine) => call('resolutionsOf', addressOf(coarse), addressOf(fine)),
     keys: (few, many, count) => call('keysOf', addressOf(few), addressOf(many), count),

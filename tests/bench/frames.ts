@@ -2,7 +2,7 @@
 import type { Sequence } from '../../web/engine/api/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/api/types.ts';
 import type { ReadBandwidth } from './bandwidth.ts';
-import type { EigenRound, RunEigen } from './eigen.ts';
+import type { NativeRound, RunNative } from './native-round.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
 /** Steps from frame to frame, of either kind, from each build. */
@@ -11,15 +11,15 @@ const FRAMES = 12;
 const BANDWIDTH_PASSES = 3;
 
 /**
- * Single frames of one build, beside Eigen and the bandwidth of that moment (bytes per second): a machine that others
- * use is not the same for long.
+ * Single frames of one build, beside native solvers and the bandwidth of that moment (bytes per second): a machine that
+ * others use is not the same for long.
  */
 export interface Round {
   buildMs: number;
   firstMs: number;
   ms: number[];
   stats: SequenceStats[];
-  eigen: EigenRound;
+  native: NativeRound;
   bandwidth: number;
   cheapFirstMs: number;
   cheapMs: number[];
@@ -47,7 +47,7 @@ export interface RoundMedians {
   factorMs: number;
   solveMs: number;
   frameMs: number;
-  eigen: EigenRound;
+  native: NativeRound;
   bandwidth: number;
 }
 
@@ -80,15 +80,15 @@ export async function msOf(pending: Promise<Frame | null>): Promise<number> {
   return frame.ms;
 }
 
-/** Eigen comes between the build, which ends with the factorisation, and the frames, which solve. */
+/** Native solvers come between the build, which ends with the factorisation, and the frames, which solve. */
 export async function roundOf(
   sequence: Sequence,
   buildMs: number,
   readBandwidth: ReadBandwidth,
-  runEigen: RunEigen,
+  runNative: RunNative,
 ): Promise<Round> {
   const firstMs = await msOf(sequence.evaluate(0));
-  const eigen = await runEigen();
+  const native = await runNative();
   const ms: number[] = [],
     cheapMs: number[] = [],
     stats: SequenceStats[] = [],
@@ -104,7 +104,7 @@ export async function roundOf(
   read();
   const cheapFirstMs = await msOf(sequence.preview(0.1));
   for (let k = 0; k <= FRAMES; ++k) cheapMs.push(await msOf(sequence.preview(timeOf(k, FRAMES))));
-  return { buildMs, firstMs, ms, stats, eigen, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
+  return { buildMs, firstMs, ms, stats, native, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
 }
 
 export function exactFrames(rounds: readonly Round[]): ExactFrames {
@@ -125,7 +125,7 @@ export function exactFrames(rounds: readonly Round[]): ExactFrames {
       factorMs: round.stats[0]!.factorMs,
       solveMs: quantile(round.stats.map(({ solveMs }) => solveMs)),
       frameMs: quantile(round.ms),
-      eigen: round.eigen,
+      native: round.native,
       bandwidth: round.bandwidth,
     })),
   };

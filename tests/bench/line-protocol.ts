@@ -12,9 +12,10 @@ export interface LineProtocol {
 export async function withProgram<T>(
   program: string,
   args: string[],
+  env: Record<string, string>,
   work: (lines: LineProtocol) => Promise<T>,
 ): Promise<T> {
-  const child = spawn(program, args, { stdio: ['pipe', 'pipe', 'inherit'] });
+  const child = spawn(program, args, { stdio: ['pipe', 'pipe', 'inherit'], env: { ...process.env, ...env } });
   child.stdin.on('error', () => undefined); // one that has ended is noticed by its missing reply
   const ended = new Promise((end) => child.once('close', end));
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();

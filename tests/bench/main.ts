@@ -1,5 +1,5 @@
 /**
- * npm run bench [-- FACES,FACES,... --browser --save]: every stage over generated meshes, beside native Eigen and the
+ * npm run bench [-- FACES,FACES,... --browser --save]: every stage over generated meshes, beside native solvers and the
  * paper. Machines differ: compare numbers of one run.
  */
 import { execFileSync } from 'node:child_process';
@@ -71,10 +71,10 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
     say(`${faces} faces, ${family}`);
     const mesh = meshOf(faces, { kind: family === 'parts' ? '-parts' : '', keys: family === 'eight keys' ? 8 : 3 });
     results.sizes.push(
-      await withNative(mesh, async (native, runEigen) => ({
+      await withNative(mesh, async (unknowns, runNative) => ({
         family,
-        native,
-        run: await runner.measure(mesh, runEigen),
+        unknowns,
+        run: await runner.measure(mesh, runNative),
       })),
     );
   };

@@ -4,7 +4,7 @@
 import type { Engine } from '../../web/engine/api/api.ts';
 import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
-import type { RunEigen } from './eigen.ts';
+import type { RunNative } from './native-round.ts';
 import { errorsOf, type Errors, type Reference } from './errors.ts';
 import { cheapFrames, exactFrames, roundOf, type CheapFrames, type ExactFrames, type Round } from './frames.ts';
 import { createWithGhost, ghostFrames, type GhostFrames } from './ghost-frames.ts';
@@ -37,14 +37,14 @@ export interface Input {
   reference: Reference;
   /** The module that reads memory. */
   reader: BufferSource;
-  runEigen: RunEigen;
+  runNative: RunNative;
   /** Bytes of the whole process, or NaN. */
   processBytes: () => number;
 }
 
 export async function measure(
   engine: Engine,
-  { name, mesh, reference, reader, runEigen, processBytes }: Input,
+  { name, mesh, reference, reader, runNative, processBytes }: Input,
 ): Promise<Run> {
   const start = performance.now();
   const listener = new Listener();
@@ -54,7 +54,7 @@ export async function measure(
   const readBandwidth = await bandwidthReader(reader);
   const rounds: Round[] = [];
   const { sequence, builds } = await buildRepeatedly(engine, keys, processBytes, async (built, buildMs) => {
-    rounds.push(await roundOf(built, buildMs, readBandwidth, runEigen));
+    rounds.push(await roundOf(built, buildMs, readBandwidth, runNative));
   });
   const { vertices, faces } = keys.info.report;
   const withGhost = faces > 2 * GHOST_FACES ? await createWithGhost(engine, keys, GHOST_FACES) : null;

@@ -17,7 +17,7 @@ export function nodeRunner(reader: string): Runner {
   const bytesOf = (file: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(file));
   return {
     name: `Node ${process.version}`,
-    measure: (mesh, runEigen) =>
+    measure: (mesh, runNative) =>
       withEngine(
         (engine) =>
           measure(engine, {
@@ -25,7 +25,7 @@ export function nodeRunner(reader: string): Runner {
             mesh: bytesOf(mesh),
             reference: (k) => Promise.resolve(new Float64Array(bytesOf(mesh + REFERENCE + k).buffer)),
             reader: bytesOf(reader),
-            runEigen,
+            runNative,
             processBytes: () => process.memoryUsage().rss,
           }),
         ONE_THREAD,

@@ -3,7 +3,7 @@ import type { Engine } from '../../web/engine/api/api.ts';
 import { EngineClient, onlyOnce } from '../../web/engine/caller/engine.ts';
 import { endedWorker, type Spawn } from '../../web/engine/caller/worker-client.ts';
 import type { FromWorker } from '../../web/engine/wire/protocol.ts';
-import type { RunEigen } from './eigen.ts';
+import type { RunNative } from './native-round.ts';
 import { compareKeys, type KeysRun } from './key-counts.ts';
 import { measure, type Run } from './measure.ts';
 import { REFERENCE } from './runner.ts';
@@ -41,14 +41,14 @@ async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 
   }
 }
 
-export function measureFile(mesh: string, runEigen: RunEigen): Promise<Run> {
+export function measureFile(mesh: string, runNative: RunNative): Promise<Run> {
   return withEngine(async (engine) =>
     measure(engine, {
       name: 'bench.glb',
       mesh: await meshOf(mesh),
       reference: async (k) => new Float64Array(await fetchBytes(mesh + REFERENCE + k)),
       reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
-      runEigen,
+      runNative,
       // No page can tell.
       processBytes: () => NaN,
     }),

@@ -2,6 +2,7 @@
 import { short } from './format.ts';
 import type { RoundMedians } from './frames.ts';
 import type { Run } from './measure.ts';
+import type { NativeRound, SolverRound } from './native-round.ts';
 import { quantile } from './quantile.ts';
 
 export type OfRound = (run: Run, round: RoundMedians) => number;
@@ -11,11 +12,22 @@ export const boundMs = (run: Run, bandwidth: number): number => (2000 * run.fact
 
 export const solveOverBound: OfRound = (run, { solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth);
 export const frameOverSolve: OfRound = (_, { frameMs, solveMs }) => frameMs / solveMs;
-/** All from the file's bytes to the first frame, over Eigen's analysis of the same system. */
-export const untilFrameOverEigensOrder: OfRound = ({ importMs }, { untilFrameMs, eigen }) =>
-  (importMs + untilFrameMs) / eigen.orderMs;
-export const eigenOverSolve: OfRound = (_, { eigen, solveMs }) => eigen.solveMs / solveMs;
-export const eigenOverFactor: OfRound = (_, { eigen, factorMs }) => eigen.factorMs / factorMs;
+/** All from the file's bytes to the first frame. */
+export const untilFrameMs: OfRound = ({ importMs }, round) => importMs + round.untilFrameMs;
+export const factorMs: OfRound = (_, round) => round.factorMs;
+export const solveMs: OfRound = (_, round) => round.solveMs;
+
+/** What a native solver took, or NaN where it is not there. */
+export const ofNative =
+  (solver: keyof NativeRound, value: keyof SolverRound): OfRound =>
+  (_, { native }) =>
+    native[solver]?.[value] ?? Number.NaN;
+
+/** A native solver's time over ours in wasm. */
+export const over =
+  (solver: keyof NativeRound, step: 'factorMs' | 'solveMs'): OfRound =>
+  (run, round) =>
+    ofNative(solver, step)(run, round) / round[step];
 
 const values = (run: Run, of: OfRound): number[] => run.exact.rounds.map((round) => of(run, round));
 

@@ -56,7 +56,7 @@ export function report({ where, sizes, motions, resolutions, keys }: Results): {
     'Beside the exact frame; "first" makes what the others need.',
     cheapTable(sizes),
     '## How far shapes are off',
-    'Distances to the exact frame of the default precision over a sweep of times between the keys (0 to 1) and in the margins (0.4 on\n' +
+    '"double": the same keys in double, native. Distances to the exact frame of the default precision over a sweep of times between the keys (0 to 1) and in the margins (0.4 on\n' +
       'either side), in % of the diagonal of the bounding box: mean of all, largest mean of one shape, worst vertex with its time.',
     errorTable(sizes),
     ...(keys.length > 0
@@ -68,8 +68,10 @@ export function report({ where, sizes, motions, resolutions, keys }: Results): {
         ]
       : []),
     '## The second system',
-    'Native Eigen LLT (one solve with three columns) and our own in wasm, measured in turn: medians of five rounds, their ratio with the lowest and\n' +
-      'highest. Between them our own, native.',
+    'Native but for our own in wasm, in one thread, one after the other in each of five rounds: medians, and ratios of what was measured\n' +
+      'in the same round, with the lowest and highest. A solve has three columns. Eigen: `SimplicialLLT` with its minimum degree order;\n' +
+      'CHOLMOD, where it is installed: supernodal, METIS order. "entries" are those of the triangular factor, "MB" what is stored of it,\n' +
+      'indices included; "error": how far the solution of a known system is off, as a share of the diagonal.',
     solverTable(sizes),
     ...(inPaper
       ? [

@@ -1,5 +1,5 @@
 /** Where the engine runs while it is measured: in Node, or in a page. Meshes are files; `mesh` is a path. */
-import type { RunEigen } from './eigen.ts';
+import type { RunNative } from './native-round.ts';
 import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
 import type { Resolutions } from './resolutions.ts';
@@ -10,7 +10,7 @@ export interface Runner {
   /** Program and version. */
   name: string;
   /** The double references lie beside the mesh. */
-  measure(mesh: string, runEigen: RunEigen): Promise<Run>;
+  measure(mesh: string, runNative: RunNative): Promise<Run>;
   motion(mesh: string, motion: Motion): Promise<MotionRun>;
   resolutions(coarse: string, fine: string): Promise<Resolutions>;
   /** `many` has `count` keys. */

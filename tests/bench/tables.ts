@@ -1,18 +1,19 @@
 /** What was measured of each size, as tables. */
-import type { EigenRound } from './eigen.ts';
 import { both, msText, short, table } from './format.ts';
 import type { KeysCost, KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
-import type { NativeRun } from './native.ts';
+import { PEER_NAMES, type NativeRound } from './native-round.ts';
 import {
   boundMs,
-  eigenOverFactor,
-  eigenOverSolve,
+  factorMs,
   frameOverSolve,
+  ofNative,
   ofRounds,
+  over,
+  solveMs,
   solveOverBound,
   steady,
-  untilFrameOverEigensOrder,
+  untilFrameMs,
 } from './ratios.ts';
 import type { Swept, SweptParts } from './sweep.ts';
 
@@ -24,15 +25,14 @@ const FAMILY_WORDS: Record<Family, string> = { smooth: '', 'eight keys': ' with 
 export interface Result {
   family: Family;
   run: Run;
-  native: NativeRun;
+  /** Of the second system. */
+  unknowns: number;
 }
 
 const MB = 2 ** 20;
 const percent = (share: number): string => short(100 * share);
 
 export const meshName = ({ family, run }: Result): string => `${run.faces} faces${FAMILY_WORDS[family]}`;
-
-const ofEigen = (run: Run, value: keyof EigenRound): number => ofRounds(run, (_, { eigen }) => eigen[value]);
 
 export function buildTable(results: Result[]): string {
   const titles = [
@@ -50,8 +50,6 @@ export function buildTable(results: Result[]): string {
     'whole',
     'first frame',
     'bytes to first frame',
-    "Eigen's analysis",
-    'ratio',
     'silent',
   ];
   return table(
@@ -76,10 +74,8 @@ export function buildTable(results: Result[]): string {
           builds.restMs,
           builds.buildMs,
           run.exact.firstMs,
-          run.importMs + ofRounds(run, (_, { untilFrameMs }) => untilFrameMs),
-          ofEigen(run, 'orderMs'),
+          ofRounds(run, untilFrameMs),
         ].map(msText),
-        steady(run, untilFrameOverEigensOrder),
         [builds.silence, run.importSilence].map(({ ms, stage }) => `${msText(ms)} (${stage})`).join(', import '),
       ];
     }),
@@ -186,41 +182,51 @@ export function errorTable(results: Result[]): string {
   );
 }
 
+const NATIVE: Record<keyof NativeRound, string> = {
+  single: 'ours, single',
+  double: 'ours, double',
+  eigen: PEER_NAMES.eigen,
+  cholmod: PEER_NAMES.cholmod,
+};
+
+/** One row for our solver in wasm and one for each native solver. */
 export function solverTable(results: Result[]): string {
   const titles = [
     'mesh',
     'unknowns',
-    'Eigen order',
+    'solver',
+    'order',
     'factor',
     'solve',
+    'entries, millions',
+    'MB',
     'error',
-    'ours, native: order',
-    'factor',
-    'solve',
-    'error',
-    'in wasm: factor',
-    'solve',
-    'Eigen / in wasm: factor',
-    'solve',
+    'factor / ours in wasm',
+    'solve / ours in wasm',
   ];
   return table(
     titles,
-    results.map((result) => {
-      const {
-        run,
-        native: { unknowns, single },
-      } = result;
+    results.flatMap((result) => {
+      const { run, unknowns } = result;
+      const mesh = [meshName(result), String(unknowns)];
+      const row = (solver: keyof NativeRound, name: string): string[] => {
+        const of = (value: Parameters<typeof ofNative>[1]): number => ofRounds(run, ofNative(solver, value));
+        return [
+          ...mesh,
+          name,
+          ...[of('orderMs'), of('factorMs'), of('solveMs')].map(msText),
+          short(of('entries') / 1e6),
+          short(of('bytes') / 1e6),
+          of('error').toExponential(1),
+          steady(run, over(solver, 'factorMs')),
+          steady(run, over(solver, 'solveMs')),
+        ];
+      };
+      const inWasm = [run.builds.orderMs, ofRounds(run, factorMs), ofRounds(run, solveMs)].map(msText);
+      const solvers = Object.entries(NATIVE) as [keyof NativeRound, string][];
       return [
-        meshName(result),
-        String(unknowns),
-        ...[ofEigen(run, 'orderMs'), ofEigen(run, 'factorMs'), ofEigen(run, 'solveMs')].map(msText),
-        ofEigen(run, 'error').toExponential(1),
-        ...[single.orderMs, single.factorMs, single.solveMs].map(msText),
-        single.error.toExponential(1),
-        msText(run.builds.factorMs),
-        msText(run.exact.solve.median),
-        steady(run, eigenOverFactor),
-        steady(run, eigenOverSolve),
+        [...mesh, 'ours, single, in wasm', ...inWasm, '', short(run.factorBytes / 1e6), '', '', ''],
+        ...solvers.filter(([solver]) => run.exact.rounds[0]?.native[solver]).map(([solver, name]) => row(solver, name)),
       ];
     }),
   );

@@ -52,7 +52,7 @@ describe('the check of sizes', () => {
   it('fails over the limit, for the worker as for the page', () => {
     write('assets/worker-C.js', `new URL("core-E.wasm",import.meta.url);${noise(LIMITS.JavaScript * 3)}`);
     expect(() => checkSizes(folder, () => undefined)).toThrow(
-      /of JavaScript \(compressed\) to start; the limit is 260\.0 KB/,
+      /of JavaScript \(compressed\) to start; the limit is [\d.]+ KB/,
     );
   });
 
@@ -63,7 +63,7 @@ describe('the check of sizes', () => {
 
   it('fails over the limit of wasm for a module that comes later', () => {
     write('assets/threads-G.wasm', randomBytes(LIMITS.wasm + 1));
-    expect(() => checkSizes(folder, () => undefined)).toThrow(/threads-G\.wasm has \d+\.\d KB/);
+    expect(() => checkSizes(folder, () => undefined)).toThrow(/threads-G\.wasm has [\d.]+ KB .*the limit is/);
   });
 
   it('fails where it finds nothing to measure', () => {

@@ -205,10 +205,16 @@ export const npmPackage = guarded(
   },
 );
 
+// Installed later, the peer that stands beside Eigen is compiled in.
+const hasCholmod = () => ['/usr/include/suitesparse', '/usr/include'].some((folder) => existsSync(`${folder}/cholmod.h`));
+
 export const benchPrograms = guarded(
   'bench-programs',
   () =>
-    digest([...wasmInputs, 'tests/bench/native.cpp', 'tests/bench/wasm'], `${emccOnPath()} ${process.env.CXX ?? ''}`),
+    digest(
+      [...wasmInputs, 'tests/bench/native', 'tests/bench/wasm'],
+      `${emccOnPath()} ${process.env.CXX ?? ''} ${hasCholmod()}`,
+    ),
   ['build/cmake-release/shapespline_bench_native', 'build/cmake-wasm/shapespline_bench_read.wasm'],
   async () => {
     await buildRelease(['shapespline_bench_native']);

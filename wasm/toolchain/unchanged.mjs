@@ -10,7 +10,7 @@ import { digest, filesBelow, isStamped, stamp } from './stamps.mjs';
 const runner = ['test', 'suites', 'unchanged', 'doctest', 'counts', 'parallel', 'exec'].map(
   (name) => `wasm/toolchain/${name}.mjs`,
 );
-const read = ['tests/fuzz/corpus', 'tests/uri-cases.json', ...runner];
+const read = ['tests/fuzz/corpus', 'tests/uri-cases.json', 'tests/native-shapes.json', ...runner];
 const settings = ['SHAPESPLINE_DATA', 'SHAPESPLINE_SWEEP', 'ASAN_OPTIONS', 'UBSAN_OPTIONS', 'TSAN_OPTIONS'];
 
 // Real inputs are large: what was changed has another size or date.

@@ -14,9 +14,6 @@ namespace {
 constexpr std::uint64_t kMostKeyVertices = 60'000'000;
 // Keys of one file; more are a recording, not key poses.
 constexpr std::size_t kMostKeys = 10'000;
-// Bytes that morph targets may come to beside those of the file, and for each of those: sparse ones are small in it.
-constexpr std::uint64_t kSharedBytes = 16'000'000, kMadeOfAByte = 64;
-
 Status checkTimes(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i)
     if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
@@ -56,15 +53,6 @@ Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& 
   return Error{ErrorCode::TooLarge, where + ": " + grouped(static_cast<std::int64_t>(keys)) + " keys of " +
                                         grouped(static_cast<std::int64_t>(vertices)) +
                                         " vertices are more than is supported. Take fewer keys."};
-}
-
-Status checkTargets(std::size_t keys, std::size_t vertices, std::uint64_t bytes, const std::string& where) {
-  if (Status count = checkKeyCount(keys, vertices, where); !count) return count;
-  const std::uint64_t made = 12 * static_cast<std::uint64_t>(keys) * vertices;
-  if (made <= kSharedBytes + kMadeOfAByte * bytes) return {};
-  return Error{ErrorCode::TooLarge,
-               where + ": its morph targets share their numbers: of " + sizeText(bytes) + " they would make " +
-                   sizeText(made) + ", more than is supported. Export fewer targets, or each with its own numbers."};
 }
 
 }  // namespace shapespline

@@ -25,7 +25,4 @@ std::string sampleName(double seconds);
 /// Errors: TooLarge for more keys, or more vertices in all of them, than memory holds.
 Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& where);
 
-/// The same for keys that are morph targets, which may share their numbers: `bytes` that the file holds bound them.
-Status checkTargets(std::size_t keys, std::size_t vertices, std::uint64_t bytes, const std::string& where);
-
 }  // namespace shapespline

@@ -138,7 +138,8 @@ double storedRounding(const GltfShape& shape, const SceneState& state) {
   std::vector<Matrices> ofSkins(shape.skins.size());
   double largest = 0;
   for (const GltfPart& part : shape.parts) {
-    const PartTransforms transforms = partTransforms(part, shape, world, ofSkins);
+    const Eigen::Affine3d ofPart = world[part.node] * part.instance;
+    const PartTransforms transforms = partTransforms(part, shape, world, ofPart, ofSkins);
     largest = std::max(largest, storedRounding(part.positions) * scaleOf(transforms.matrices[0]));
   }
   for (const GltfSkin& skin : shape.skins)
