@@ -433,7 +433,7 @@ export const IMPORT = {
     kind: 'shape',
     help: 'positions of that mesh; the keys come in its vertices then, however the files split theirs',
   },
-  /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a shape far from the origin. */
+  /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a far shape. */
   offset: {
     kind: 'point',
     help: 'what is subtracted from positions in double: of further poses, the offset of the keys; default: as needed',
