@@ -451,10 +451,10 @@ export const IMPORT = {
     kind: 'shape',
     help: 'positions of that mesh; the keys come in its vertices then, however the files split theirs',
   },
-  /** Of keys that these poses belong to (`info.offset`); default: zero, or for shapes far from the origin their middle. */
+  /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a far shape. */
   offset: {
     kind: 'point',
-    help: 'what is subtracted from all positions in double: of further poses, the offset of the keys; default: as needed',
+    help: 'what is subtracted from positions in double: of further poses, the offset of the keys; default: as needed',
   },
   /** `scene.objects` of that mesh: objects of the files are matched with these. */
   likeObjects: {

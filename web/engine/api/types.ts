@@ -206,8 +206,8 @@ export interface KeysInfo {
   /** 3 x faces, of vertices. */
   faces: Uint32Array;
   /**
-   * Where positions are relative to, in metres with y up: far from the origin they are kept near it, as single precision
-   * could not tell them apart. Exports add it.
+   * What positions are relative to, in metres with y up. It is zero near the origin; farther away single precision
+   * could not tell positions apart. Exports add it.
    */
   offset: Point;
   scene: Scene;

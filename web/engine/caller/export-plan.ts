@@ -184,7 +184,7 @@ export const isPointCache = ({ format }: ExportOptions): boolean => format === '
 export function localWarnings(options: ExportOptions, offset: Point): Warning[] {
   if (!isPointCache(options) || offset.every((value) => value === 0)) return [];
   const message =
-    `Positions in the ${options.format.toUpperCase()} and the OBJ beside it are relative to ${offset.join(', ')} (y up). ` +
+    `The ${options.format.toUpperCase()} and its OBJ have positions relative to ${offset.join(', ')} (y up). ` +
     'Move the object there in the other program; opened here, both are put back.';
   return [{ ...NO_PLACE, code: 'local-positions', message, count: 0 }];
 }

@@ -1,6 +1,6 @@
 /**
- * How positions are rounded in a quantised GLB: to 16 bits on one grid for the base shape and for the differences of its
- * targets. It covers these, and not the way to the origin.
+ * How positions are rounded in a quantised GLB: to 16 bits on one grid, for the base shape and for the differences of
+ * its targets. It covers these, and not the distance to the origin.
  */
 import type { Point } from '../api/types.ts';
 
