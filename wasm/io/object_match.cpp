@@ -295,6 +295,7 @@ struct Matcher {
       const int j = out.otherOf[i];
       if (j < 0 || areAlike(ours(static_cast<int>(i)), theirs(j)) || room < 0) continue;
       out.otherOf[i] = -1;
+      out.rule[i] = MatchRule::Order;
       taken[j] = 0;
       mistrust(static_cast<int>(i), j);
     }
