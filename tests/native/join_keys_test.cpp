@@ -415,8 +415,7 @@ TEST_CASE("objects that not every file has are left out, and said") {
   CHECK(none.error().message.find("Its objects are \"Strip\", \"Roof\"") != std::string::npos);
   // All of them are there, in another order.
   const auto turned = poses({{"Strip", "Floor"}, {"Floor", "Strip"}});
-  REQUIRE(!turned.ok());
-  CHECK(turned.error().message.find("Its objects are \"Floor\", \"Strip\"") != std::string::npos);
+  CHECK(turned.ok());
 }
 
 TEST_CASE("Blender's poses: flat shading, other diagonals, modifiers that are not applied") {

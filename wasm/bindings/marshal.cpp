@@ -108,7 +108,9 @@ Positions positionsFrom(std::span<const float> numbers) {
   return positions;
 }
 
-Vec3 vec3From(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+Vec3 vec3From(const Json& json) {
+  return Vec3(json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>());
+}
 
 std::vector<float> floatsFrom(const Positions& positions) {
   std::vector<float> numbers;

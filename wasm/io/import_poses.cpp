@@ -12,12 +12,6 @@ namespace shapespline {
 
 namespace {
 
-Warning leftOutWarning(const std::vector<std::string>& objects, const std::vector<std::string>& taken) {
-  return {"left-out-objects",
-          "Not every file has the same objects. Taken is what all of them have: " + objectList(taken) + ".",
-          static_cast<int>(objects.size() - taken.size())};
-}
-
 // A pose that is of another mesh may only hold other objects, or in another order.
 Status hintAtObjects(Status added, const std::vector<std::string>& objects, const std::vector<std::string>& first) {
   if (added || objects == first || objects.size() + first.size() < 3) return added;
@@ -39,7 +33,12 @@ std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std:
     const ObjectMesh other{pose->scene.objects, pose->faces, pose->positions};
     if (!other.isWhole()) return {};
     const ObjectMatch same = matchObjects(first, other);
-    for (std::size_t i = 0; i < inAll.size(); ++i) inAll[i] = inAll[i] && same.otherOf[i] >= 0;
+    // Of objects that have other names there, only their shapes would say that they are the same.
+    const auto has = [&](std::size_t i) {
+      const bool unnamed = first.objects[i].nodeName.empty() && first.objects[i].meshName.empty();
+      return same.otherOf[i] >= 0 && (same.rule[i] == MatchRule::Name || unnamed);
+    };
+    for (std::size_t i = 0; i < inAll.size(); ++i) inAll[i] = inAll[i] && has(i);
   }
   std::vector<std::string> common;
   for (std::size_t i = 0; i < inAll.size(); ++i)
@@ -152,7 +151,9 @@ Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const 
   narrowed.objects = std::exchange(common, {});
   auto without = readPoses(meshes, files, narrowed, progress, common);
   if (!without) return import;
-  without->warnings.push_back(leftOutWarning(without->objects, narrowed.objects));
+  std::erase_if(without->warnings, [](const Warning& warning) { return warning.code == "left-out-objects"; });
+  without->warnings.push_back(
+      leftOutWarning(narrowed.objects, static_cast<int>(without->objects.size() - narrowed.objects.size())));
   without->objects = std::move(narrowed.objects);
   return without;
 }

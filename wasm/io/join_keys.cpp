@@ -167,15 +167,12 @@ Error otherObjects(const std::string& where, int key) {
           where + ": objects of its names have other faces than those of key 1. Use poses of one mesh.", key};
 }
 
-Warning extraWarning(const std::string& where, int count) {
-  const bool one = count == 1;
-  return {"left-out-objects",
-          where + " has " + (one ? "an object" : grouped(count) + " objects") + " more than key 1, " +
-              (one ? "which is" : "which are") + " left out.",
-          count};
-}
-
 }  // namespace
+
+Warning leftOutWarning(const std::vector<std::string>& taken, int count) {
+  return {"left-out-objects",
+          "Not every file has the same objects. Taken is what all of them have: " + objectList(taken) + ".", count};
+}
 
 Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added, const std::string& where,
                       const std::vector<ObjectFaces>& objects) {
@@ -194,7 +191,7 @@ Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added
     const Status sameFaces = compareFaces(k.faces, faces, key, where);
     return sameFaces ? otherObjects(where, key) : sameFaces;
   }
-  if (isArranged && same.extra > 0) import_.warnings.push_back(extraWarning(where, same.extra));
+  if (isArranged && same.extra > 0) warnOfExtra(same.extra);
   addMatches(same, objects, key);
 
   std::vector<int> vertexOf = match->vertexOf;
@@ -214,6 +211,14 @@ Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added
     k.keys.push_back({std::move(one.name), one.time, std::move(positions)});
   }
   return {};
+}
+
+void KeyJoiner::warnOfExtra(int count) {
+  for (const Warning& warning : import_.warnings)
+    if (warning.code == "left-out-objects") return;
+  std::vector<std::string> names;
+  for (const ObjectFaces& object : import_.scene.objects) addObject(object.name, names);
+  import_.warnings.push_back(leftOutWarning(names, count));
 }
 
 void KeyJoiner::addMatches(const ObjectMatch& same, const std::vector<ObjectFaces>& objects, int key) {

@@ -10,6 +10,9 @@
 
 namespace shapespline {
 
+/// Of objects that not every file has.
+Warning leftOutWarning(const std::vector<std::string>& taken, int count);
+
 /// Adds further poses of an import's mesh, one after the other. The import holds at least one key.
 class KeyJoiner {
  public:
@@ -24,6 +27,7 @@ class KeyJoiner {
              const std::vector<ObjectFaces>& objects);
 
  private:
+  void warnOfExtra(int count);
   void addMatches(const ObjectMatch& same, const std::vector<ObjectFaces>& objects, int key);
 
   Import& import_;

@@ -45,6 +45,8 @@ std::string nameOf(const ObjectFaces& object, int kind) {
   }
 }
 
+bool isNamed(const ObjectFaces& object) { return !object.nodeName.empty() || !object.meshName.empty(); }
+
 // An object's own mesh: its vertices by their number.
 struct LocalMesh {
   std::vector<int> vertices;
@@ -78,6 +80,7 @@ struct Matcher {
   const ObjectMesh& first;
   const ObjectMesh& other;
   ObjectMatch out{};
+  std::vector<char> unsure{}, otherUnsure{};        // objects whose names stand for others in the other pose
   std::vector<char> taken{};                        // of the other's objects
   std::vector<LocalMesh> firstMesh{}, otherMesh{};  // filled when they are needed
   std::int64_t room = 0;                            // faces that may still be compared
@@ -106,6 +109,8 @@ struct Matcher {
 
   // By names.
 
+  void mistrust(int i, int j) { unsure[i] = otherUnsure[j] = 1; }
+
   using ByName = std::map<std::string, std::vector<int>>;
 
   static ByName byName(const std::vector<ObjectFaces>& objects, const std::vector<int>& open, int kind) {
@@ -122,6 +127,7 @@ struct Matcher {
       if (found == theirs.end() || mine.size() > 1 || found->second.size() > 1) continue;
       const int i = mine[0], j = found->second[0];
       if (first.objects[i].count == other.objects[j].count) match(i, j, MatchRule::Name);
+      else mistrust(i, j);
     }
   }
 
@@ -289,20 +295,36 @@ struct Matcher {
       const int j = out.otherOf[i];
       if (j < 0 || areAlike(ours(static_cast<int>(i)), theirs(j)) || room < 0) continue;
       out.otherOf[i] = -1;
+      out.rule[i] = MatchRule::Order;
       taken[j] = 0;
+      mistrust(static_cast<int>(i), j);
     }
+  }
+
+  // Where names tell some objects, others that have different ones are different, however alike.
+  void matchRest() {
+    const bool namesTell = std::find(out.rule.begin(), out.rule.end(), MatchRule::Name) != out.rule.end();
+    std::vector<int> mine = openFirst(), others = openOther();
+    if (!namesTell) return matchShapes(mine, others);
+    std::erase_if(mine, [&](int i) { return isNamed(first.objects[i]) && !unsure[i]; });
+    std::erase_if(others, [&](int j) { return isNamed(other.objects[j]) && !otherUnsure[j]; });
+    matchShapes(mine, openOther());
+    std::erase_if(others, [&](int j) { return taken[j]; });
+    matchShapes(openFirst(), others);
   }
 
   ObjectMatch run() {
     out.otherOf.assign(first.objects.size(), -1);
     out.rule.assign(first.objects.size(), MatchRule::Order);
     taken.assign(other.objects.size(), 0);
+    unsure.assign(first.objects.size(), 0);
+    otherUnsure.assign(other.objects.size(), 0);
     room = kMostComparisons * static_cast<std::int64_t>(first.faces.size() + other.faces.size());
     for (int kind = 0; kind < kNames; ++kind) matchNames(kind);
     checkNames();
     if (first.objects.size() == 1 && other.objects.size() == 1 && isOpen(0)) match(0, 0, MatchRule::Order);
     for (int kind = 0; kind < kNames; ++kind) matchWithinNames(kind);
-    matchShapes(openFirst(), openOther());
+    matchRest();
     out.extra = static_cast<int>(std::count(taken.begin(), taken.end(), 0));
     return std::move(out);
   }

@@ -312,6 +312,13 @@ struct KeyReader {
     return {};
   }
 
+  // What is wrong with the mesh comes before what is wrong with the keys.
+  Status checkMesh(const std::vector<int>& nodes) const {
+    if (Status fits = checkAmount(doc, nodes, {}); !fits) return fits;
+    const auto shape = readShape(doc, scene.graph, nodes);
+    return shape ? Status() : Status(shape.error());
+  }
+
   Status read() {
     const std::vector<int> wanted = namedNodes(doc, scene.meshNodes, options.objects);
     auto moving = movingAnimations(doc, scene.graph, wanted, out.warnings);
@@ -322,7 +329,11 @@ struct KeyReader {
     // What is wrong with the objects comes before what is wrong with the keys.
     const auto atRest = shownNodes(doc, scene, scene.graph.visible, options.objects);
     if (!atRest && atRest.error().code == ErrorCode::UnknownObject) return atRest.error();
-    if (Status planned = planKeys(); !planned) return planned;
+    if (Status planned = planKeys(); !planned) {
+      if (planned.error().code != ErrorCode::TooFewKeys) return planned;
+      const Status sound = atRest ? checkMesh(*atRest) : Status(atRest.error());
+      return sound ? planned : sound;
+    }
     const auto visible = plan.empty() ? scene.graph.visible : stateOf(plan[0]).visible;
     const auto nodes = shownNodes(doc, scene, visible, options.objects);
     if (!nodes) return nodes.error();

@@ -18,8 +18,8 @@ namespace {
 // What a file may become whatever its size, and for each of its bytes; counted in vertices of a key (24 bytes).
 constexpr std::uint64_t kSmall = 1'000'000, kPerByte = 16;
 
-// Morph weights of all nodes: many times what scenes hold.
-constexpr std::int64_t kMostWeights = 10'000'000;
+// Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
+constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
 
 // Of a mesh, as it is declared.
 struct Amount {
@@ -178,10 +178,13 @@ Status checkAmount(const GltfDocument& doc, const std::vector<int>& meshNodes, K
   std::vector<Amount> amounts;
   for (const tinygltf::Mesh& mesh : doc.model.meshes) amounts.push_back(amountOf(doc, mesh));
   Amount all;
+  std::uint64_t parts = 0;
   for (int node : meshNodes) {
     const std::uint64_t copies = instanceCount(doc, node);
     const Amount& mesh = amounts[doc.model.nodes[node].mesh];
     // Each count is below 2^31, so that no product overflows.
+    parts += copies * doc.model.meshes[doc.model.nodes[node].mesh].primitives.size();
+    if (parts > static_cast<std::uint64_t>(kMostParts)) return tooLarge(doc, kMostParts, "mesh primitives");
     all.vertices += copies * mesh.vertices;
     all.corners += copies * mesh.corners;
     all.weights += copies * mesh.weights;

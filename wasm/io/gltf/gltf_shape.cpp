@@ -14,9 +14,6 @@ namespace shapespline {
 
 namespace {
 
-// Primitives of all mesh nodes: many times what scenes hold.
-constexpr std::int64_t kMostParts = 100'000;
-
 Positions toPositions(const std::vector<double>& numbers, const FractionReport& onProgress) {
   Positions out(numbers.size() / 3);
   inBlocks(onProgress, out.size(), [&](std::size_t begin, std::size_t end) {
@@ -58,7 +55,7 @@ struct ShapeReader {
   const FractionReport& onProgress;
   GltfShape shape;
   int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
-  std::int64_t cornerCount = 0, primitiveCount = 0, influenceCount = 0;
+  std::int64_t cornerCount = 0, influenceCount = 0;
 
   // Adds JOINTS_set and WEIGHTS_set to the part's influences.
   Status readInfluenceSet(GltfPart& part, int set, std::vector<std::vector<std::uint32_t>>& joints,
@@ -218,7 +215,6 @@ struct ShapeReader {
                              double from, double to) {
         return partOf(report, (before + from) / count, (before + to) / count);
       };
-      if (++primitiveCount > kMostParts) return tooLarge(doc, kMostParts, "mesh primitives");
       if (!isTriangles(primitive.mode)) {
         ++skippedPrimitives;
         continue;

@@ -401,7 +401,7 @@ export const IMPORT = {
     kind: 'animation',
     flag: 'animation',
     value: 'NAME|INDEX',
-    help: 'take the keys from this animation of the file',
+    help: 'take the keys from this animation of the file; default: the first that moves',
   },
   /** Times on the animation's own timeline, in seconds, or how many evenly spaced ones; default 8. */
   sample: {
