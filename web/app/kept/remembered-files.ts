@@ -39,6 +39,8 @@ export interface RememberedFiles {
   recall(): Promise<readonly ProjectOnShelf[]>;
   /** Opens what is kept by `open`; a visit that ends meanwhile leaves a sign of it. */
   reopen(id: string, open: (remembered: Remembered) => Promise<boolean>): Promise<boolean>;
+  /** Nothing was ever kept, in this visit or before. */
+  forgetAll(): Promise<void>;
   /** Whether leaving the page now would lose the user's work. */
   readonly unsaved: boolean;
 }
@@ -100,6 +102,7 @@ export function createRememberedFiles({
   const dropped = new Set<string>();
   let shelf: readonly ProjectOnShelf[] = [];
   let timer = 0;
+  let telling = 0;
   /** The project that is written when the time is up. */
   let waiting: string | null = null;
   let saving: Promise<void> = Promise.resolve();
@@ -215,7 +218,7 @@ export function createRememberedFiles({
     void inTurn(id, NOT_WRITTEN).then(() => {
       if (told || !kept.has(id)) return;
       told = true;
-      window.setTimeout(say, TELL_DELAY_MS, KEPT);
+      telling = window.setTimeout(say, TELL_DELAY_MS, KEPT);
     });
   };
   const stopWaiting = (): void => {
@@ -282,6 +285,21 @@ export function createRememberedFiles({
       window.removeEventListener('pagehide', leave);
       changed();
       return opened;
+    },
+    async forgetAll() {
+      stopWaiting();
+      window.clearTimeout(telling);
+      await saving;
+      await readList();
+      for (const { id } of shelf) await forgetProject(id);
+      kept.clear();
+      dropped.clear();
+      shelf = [];
+      told = false;
+      newest = null;
+      lastNoted = null;
+      for (const key of [LEFT, NOTE, UNWANTED]) writeSetting(key, null);
+      changed();
     },
     get unsaved() {
       const { source, doc } = store.get();
