@@ -33,6 +33,12 @@ export async function type(app: App, field: string, value: string): Promise<void
   await app.by(field).press('Enter');
 }
 
+/** The size that the dialog names. */
+export function statedBytes(text: string): number {
+  const [, value, unit] = /about ([\d.]+) (B|kB|MB)/.exec(text)!;
+  return Number(value) * { B: 1, kB: 1e3, MB: 1e6 }[unit as 'B' | 'kB' | 'MB'];
+}
+
 function plain(text: string): string {
   return text.replace(/\s+/g, ' ');
 }
