@@ -22,7 +22,8 @@ export async function stated(app: App, choose: () => Promise<void>): Promise<str
 
 export async function exported(app: App, choose: () => Promise<void>): Promise<Exported> {
   const text = await stated(app, choose);
-  const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
+  // By key: words that come above may move the button away from under the mouse.
+  const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').press('Enter')]);
   const bytes = readFileSync(await download.path());
   return { download, bytes, stated: text };
 }
