@@ -1,6 +1,6 @@
 /**
- * Files of at most 100 kB together that ask for much work: everything equal, everything at one place, one of everything,
- * thousands of everything. Made here, the same every time.
+ * Files of at most 100 kB together that ask for much work: everything equal, everything at one place, one of
+ * everything, thousands of everything. Made here, the same every time.
  */
 import type { InputFile } from '../../web/engine/api/types.ts';
 

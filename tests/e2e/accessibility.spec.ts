@@ -1,53 +1,6 @@
-/** For everyone and everywhere: keyboard alone, 360 px, accessibility, nothing fetched from elsewhere, offline. */
-import { expectAccessible } from './axe.ts';
+/** For everyone and everywhere: keyboard alone, 360 px, contrast themes, nothing fetched from elsewhere, offline. */
 import { matching } from './png.ts';
 import { difference, expect, test } from './support.ts';
-
-test('axe finds nothing serious on a wide page, with everything open', async ({ app }) => {
-  await app.open();
-  await app.by('boundary-hermite').check();
-  await app.by('compare-linear').check();
-  await app.settled();
-  await app.by('look-toggle').click();
-  await expectAccessible(app);
-  await app.page.emulateMedia({ colorScheme: 'dark' });
-  await expectAccessible(app, ['color-contrast']);
-});
-
-test('axe finds nothing serious in the dialogs and messages', async ({ app }) => {
-  await app.page.emulateMedia({ colorScheme: 'dark' });
-  await app.open();
-  for (const [opener, closer] of [
-    ['export', 'export-close'],
-    ['help', 'help-close'],
-    ['key-0-edit', 'key-editor-close'],
-  ] as const) {
-    await app.by(opener).click();
-    await expectAccessible(app);
-    await app.by(closer).click();
-  }
-  await app.by('clock-toggle').click();
-  await expect(app.by('clock')).toBeVisible();
-  await expectAccessible(app);
-  await app.page.keyboard.press('Escape');
-  await app
-    .by('file-input')
-    .setInputFiles({ name: 'bad.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('<html>') });
-  await expect(app.by('error')).toBeVisible();
-  await expectAccessible(app);
-  await app.page.emulateMedia({ colorScheme: 'light' });
-  await expectAccessible(app, ['color-contrast']);
-});
-
-test('axe finds nothing serious at 360 px, in any sheet', async ({ app }) => {
-  await app.page.setViewportSize({ width: 360, height: 740 });
-  await app.open();
-  await expectAccessible(app);
-  for (const tab of ['tab-keys', 'tab-motion', 'tab-shape', 'tab-analysis']) {
-    await app.by(tab).click();
-    await expectAccessible(app);
-  }
-});
 
 test('works with the keyboard alone, and the focus can always be seen', async ({ app }) => {
   await app.open();
@@ -171,26 +124,30 @@ test.describe('at 360 px', () => {
   });
 });
 
-test('asks no other host for anything, under a policy that forbids inline scripts', async ({ app }) => {
-  await app.open();
-  const { page } = app;
-  const { origin } = new URL(page.url());
-  expect(app.requests.length).toBeGreaterThan(3);
-  expect(app.requests.filter((url) => new URL(url).origin !== origin && !/^(data|blob):/.test(url))).toEqual([]);
-  const policy = (await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content'))!;
-  const scripts = /script-src ([^;]*)/.exec(policy)![1]!;
-  expect(scripts.split(' ').sort()).toEqual(["'self'", "'wasm-unsafe-eval'"]);
-  const ran = await page.evaluate(async () => {
-    const script = document.createElement('script');
-    script.textContent = 'window.injected = true';
-    document.head.append(script);
-    const elsewhere = await fetch('https://example.invalid/').then(
-      () => true,
-      () => false,
-    );
-    return { script: 'injected' in window, elsewhere };
+test.describe('while it is loaded', () => {
+  test.use({ fresh: true });
+
+  test('asks no other host for anything, under a policy that forbids inline scripts', async ({ app }) => {
+    await app.open();
+    const { page } = app;
+    const { origin } = new URL(page.url());
+    expect(app.requests.length).toBeGreaterThan(3);
+    expect(app.requests.filter((url) => new URL(url).origin !== origin && !/^(data|blob):/.test(url))).toEqual([]);
+    const policy = (await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content'))!;
+    const scripts = /script-src ([^;]*)/.exec(policy)![1]!;
+    expect(scripts.split(' ').sort()).toEqual(["'self'", "'wasm-unsafe-eval'"]);
+    const ran = await page.evaluate(async () => {
+      const script = document.createElement('script');
+      script.textContent = 'window.injected = true';
+      document.head.append(script);
+      const elsewhere = await fetch('https://example.invalid/').then(
+        () => true,
+        () => false,
+      );
+      return { script: 'injected' in window, elsewhere };
+    });
+    expect(ran).toEqual({ script: false, elsewhere: false });
   });
-  expect(ran).toEqual({ script: false, elsewhere: false });
 });
 
 test('contrast themes keep the timeline, the choices and what is chosen', async ({ app }) => {

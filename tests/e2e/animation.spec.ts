@@ -1,9 +1,8 @@
 /**
  * An animated file from the drop to the export and back: its animation chosen, keys taken at times of its own timeline.
  */
-import { readFileSync } from 'node:fs';
-import path from 'node:path';
 import { rigFile } from '../engine/support/rig.ts';
+import { exported, statedBytes, type } from './exporting.ts';
 import { bytesOf, diagonal, difference, expect, realFile, test } from './support.ts';
 import type { App } from './support.ts';
 
@@ -40,80 +39,45 @@ async function takeAt(app: App, animation: string, times: number[]): Promise<voi
   await app.settled();
 }
 
-const inputs = [
-  {
-    what: 'a generated rig',
-    file: async () => upload('rig.glb', (await rigFile()).bytes),
-    animation: /^nod/,
-    times: [0, 0.4, 1.1, 2.2, 3],
-    middle: 1.6,
-    // As many key times as moments are taken: they are taken for its poses.
-    hold: 'off',
-  },
-  {
-    what: 'CesiumMan',
-    file: async () => realFile('skin/CesiumMan.glb'),
-    animation: /./,
-    times: [0.1, 0.4, 0.9, 1.2, 1.8],
-    middle: 0.65,
-    hold: 'contact',
-  },
-];
+test('an animation is chosen, five keys taken, played, exported, and opened again as the same project', async ({
+  app,
+}) => {
+  const times = [0, 0.4, 1.1, 2.2, 3];
+  await app.open();
+  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
+  expect(await keyTimes(app)).toHaveLength(8);
+  const labels = await app.by('animation').locator('option').allInnerTexts();
+  await takeAt(app, labels.find((label) => label.startsWith('nod'))!, times);
+  await app.by('opening-done').click();
+  await app.by('hold-anchored').check();
+  await app.by('boundary-hermite').check();
+  await app.by('start-speed-number').fill('0.5');
+  await app.by('start-speed-number').press('Enter');
+  await app.settled();
+  const { doc } = await app.state();
+  const shapes = [await app.positionsAt(0.4), await app.positionsAt(1.6)];
 
-for (const { what, file, animation, times, middle, hold } of inputs) {
-  test(`${what}: choose its animation, take five keys, play, export, open the export as the same project`, async ({
-    app,
-  }) => {
-    const found = await file();
-    test.skip(found === null, 'the real inputs are not there');
-    await app.open();
-    await dropped(app, typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!);
-    expect(await keyTimes(app)).toHaveLength(8);
-    const labels = await app.by('animation').locator('option').allInnerTexts();
-    await takeAt(app, labels.find((label) => animation.test(label))!, times);
-    await app.by('opening-done').click();
-    // Moments of an animation are held where they rest, until the visitor says otherwise; the export goes on so.
-    await expect(app.by(`hold-${hold}`)).toBeChecked();
-    await app.by('hold-anchored').check();
-    await app.by('undo').click();
-    await expect(app.by(`hold-${hold}`)).toBeChecked();
-    await app.by('boundary-hermite').check();
-    await app.by('start-speed-number').fill('0.5');
-    await app.by('start-speed-number').press('Enter');
-    await app.settled();
-    const { doc } = await app.state();
-    const shapes = [];
-    for (const t of [times[1]!, middle]) shapes.push(await app.positionsAt(t));
+  await app.setTime(0);
+  await app.by('play').click();
+  await expect.poll(async () => (await app.state()).time).toBeGreaterThan(0);
+  await app.by('play').click();
+  await expect.poll(async () => (await app.state()).play.playing).toBe(false);
 
-    await app.setTime(times[0]!);
-    await app.by('play').click();
-    await expect.poll(async () => (await app.state()).time).toBeGreaterThan(times[0]!);
-    await app.by('play').click();
-    await expect.poll(async () => (await app.state()).play.playing).toBe(false);
-
-    await app.by('export').click();
+  const { download, bytes, stated } = await exported(app, async () => {
     await app.by('export-targets-every').check();
-    await app.by('export-frames').fill('12');
-    await app.by('export-frames').press('Enter');
-    await app.nextFrame();
-    const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
-    const bytes = readFileSync(await download.path());
-    const { extras } = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString()) as {
-      extras: { shapespline: { keys: { times: number[] } } };
-    };
-    expect(extras.shapespline.keys.times).toEqual(times);
-
-    await dropped(app, upload('again.glb', bytes));
-    const again = (await app.state()).doc;
-    expect(again.keys.map(({ name, time }) => [name, time])).toEqual(doc.keys.map(({ name, time }) => [name, time]));
-    expect(again.motion).toEqual(doc.motion);
-    expect(again.encoding).toEqual(doc.encoding);
-    for (const [index, t] of [times[1]!, middle].entries()) {
-      expect(difference(await app.positionsAt(t), shapes[index]!)).toBeLessThan(1e-5 * diagonal(shapes[index]!));
-    }
-    await app.expectNoProblems();
+    await type(app, 'export-frames', '12');
   });
-}
+  expect(download.suggestedFilename()).toBe('rig.glb');
+  expect(Math.abs(statedBytes(stated) / bytes.length - 1)).toBeLessThan(0.1);
+  await dropped(app, upload('again.glb', bytes));
+  const again = (await app.state()).doc;
+  expect(again.keys.map(({ name, time }) => [name, time])).toEqual(doc.keys.map(({ name, time }) => [name, time]));
+  expect(again.motion).toEqual(doc.motion);
+  expect(again.encoding).toEqual(doc.encoding);
+  for (const [index, t] of [0.4, 1.6].entries())
+    expect(difference(await app.positionsAt(t), shapes[index]!)).toBeLessThan(1e-5 * diagonal(shapes[index]!));
+  await app.expectNoProblems();
+});
 
 test('sample times are spread, typed, added by a click on the timeline, moved and removed', async ({ app }) => {
   await app.open();
@@ -180,41 +144,32 @@ test('marks and numbers of many keys stay apart', async ({ app }) => {
   expect(Math.min(...gaps)).toBeGreaterThan(0);
 });
 
-const animated = [
-  { what: 'a generated rig', file: async () => upload('rig.glb', (await rigFile()).bytes) },
-  { what: 'Soldier', file: async () => realFile('skin/Soldier.glb') },
-];
-
-for (const { what, file } of animated) {
-  test(`${what}: another animation and number of keys are taken at once, and undone`, async ({ app }) => {
-    const found = await file();
-    test.skip(found === null, 'the real inputs are not there');
-    await app.open();
-    await dropped(app, typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!);
-    await app.by('opening-close').click();
-    await expect(app.by('opening')).toBeHidden();
-    await expect(app.by('sampling')).toBeVisible();
-    await app.by('boundary-periodic').check();
-    await app.settled();
-    const before = await app.state();
-    await app.by('animation').selectOption({ index: 1 });
-    await expect.poll(() => keyTimes(app)).not.toEqual(before.doc.keys.map((key) => key.time));
-    await app.settled();
-    await app.by('sample-count').fill('5');
-    await app.by('sample-count').press('Enter');
-    await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
-    await app.settled();
-    // The settings of the motion are not of the keys.
-    expect((await app.state()).doc.motion.boundary).toBe('periodic');
-    await app.by('undo').click();
-    await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
-    await app.settled();
-    await app.by('undo').click();
-    await expect.poll(async () => (await app.state()).doc).toEqual(before.doc);
-    await app.settled();
-    await app.expectNoProblems();
-  });
-}
+test('another animation and number of keys are taken at once, and undone', async ({ app }) => {
+  await app.open();
+  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
+  await app.by('opening-close').click();
+  await expect(app.by('opening')).toBeHidden();
+  await expect(app.by('sampling')).toBeVisible();
+  await app.by('boundary-periodic').check();
+  await app.settled();
+  const before = await app.state();
+  await app.by('animation').selectOption({ index: 1 });
+  await expect.poll(() => keyTimes(app)).not.toEqual(before.doc.keys.map((key) => key.time));
+  await app.settled();
+  await app.by('sample-count').fill('5');
+  await app.by('sample-count').press('Enter');
+  await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
+  await app.settled();
+  // The settings of the motion are not of the keys.
+  expect((await app.state()).doc.motion.boundary).toBe('periodic');
+  await app.by('undo').click();
+  await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
+  await app.settled();
+  await app.by('undo').click();
+  await expect.poll(async () => (await app.state()).doc).toEqual(before.doc);
+  await app.settled();
+  await app.expectNoProblems();
+});
 
 test('as few keys as an error allows are found, and the animation stands beside the motion', async ({ app }) => {
   const file = realFile('skin/CesiumMan.glb');
@@ -232,7 +187,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   await expect(app.by('opening')).toBeVisible();
   expect(await keyTimes(app)).toEqual(untouched);
   const counts: number[] = [];
-  for (const percent of [4, 2]) {
+  for (const percent of [6, 4]) {
     await app.by('sample-tolerance').fill(String(percent));
     await app.by('sample-tolerance').press('Enter');
     await expect(app.by('sample-fewest')).toBeChecked();
@@ -276,100 +231,99 @@ test('as few keys as an error allows are found, and the animation stands beside 
   await app.expectNoProblems();
 });
 
-for (const { what, file } of animated) {
-  test(`${what}: one sheet asks how to take the animation, takes it at once, and goes back into its panel`, async ({
-    app,
-  }) => {
-    const found = await file();
-    test.skip(found === null, 'the real inputs are not there');
-    const given = typeof found === 'string' ? upload(path.basename(found), bytesOf(found)) : found!;
-    await app.open();
-    await dropped(app, given);
-    const sheet = app.by('opening');
-    await expect(sheet.getByTestId('sampling')).toBeVisible();
-    // It takes neither the keyboard nor room of the shape.
-    expect(await app.page.evaluate(() => document.activeElement === document.body)).toBe(true);
-    const [box, picture] = [(await sheet.boundingBox())!, (await app.by('viewport').boundingBox())!];
-    expect(box.x).toBeGreaterThanOrEqual(picture.x + picture.width);
-    const labels = await app.by('animation').locator('option').allInnerTexts();
-    expect(labels.length).toBeGreaterThan(1);
-    for (const label of labels) expect(label).toMatch(/\S.*\(\d+\.\d\d s\)/);
+test('one sheet asks how to take the animation, takes it at once, and goes back into its panel', async ({ app }) => {
+  await app.open();
+  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
+  const sheet = app.by('opening');
+  await expect(sheet.getByTestId('sampling')).toBeVisible();
+  // It takes neither the keyboard nor room of the shape.
+  expect(await app.page.evaluate(() => document.activeElement === document.body)).toBe(true);
+  const [box, picture] = [(await sheet.boundingBox())!, (await app.by('viewport').boundingBox())!];
+  expect(box.x).toBeGreaterThanOrEqual(picture.x + picture.width);
+  const labels = await app.by('animation').locator('option').allInnerTexts();
+  expect(labels.length).toBeGreaterThan(1);
+  for (const label of labels) expect(label).toMatch(/\S.*\(\d+\.\d\d s\)/);
 
-    const before = await keyTimes(app);
-    await app.by('animation').selectOption({ index: 1 });
-    await expect.poll(() => keyTimes(app)).not.toEqual(before);
-    await app.by('sample-count').fill('5');
-    await app.by('sample-count').press('Enter');
-    await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
-    await app.settled();
-    // What shows the effect leaves it there, anything else sends it away.
-    await app.by('view-front').click();
-    await app.by('play').click();
-    await app.by('play').click();
-    await expect(sheet).toBeVisible();
-    await app.page.locator('.side-nav button').first().click();
-    await expect(sheet).toBeHidden();
-    await expect(app.by('panel-motion').getByTestId('sampling')).toBeVisible();
-    await expect(app.by('import-offer')).toBeHidden();
-    expect(await keyTimes(app)).toHaveLength(5);
-    await app.by('undo').click();
-    await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
-    await app.settled();
-    await expect(sheet).toBeHidden();
+  const before = await keyTimes(app);
+  await app.by('animation').selectOption({ index: 1 });
+  await expect.poll(() => keyTimes(app)).not.toEqual(before);
+  await app.by('sample-count').fill('5');
+  await app.by('sample-count').press('Enter');
+  await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
+  await app.settled();
+  // What shows the effect leaves it there, anything else sends it away.
+  await app.by('view-front').click();
+  await app.by('play').click();
+  await app.by('play').click();
+  await expect(sheet).toBeVisible();
+  await app.page.locator('.side-nav button').first().click();
+  await expect(sheet).toBeHidden();
+  await expect(app.by('panel-motion').getByTestId('sampling')).toBeVisible();
+  await expect(app.by('import-offer')).toBeHidden();
+  expect(await keyTimes(app)).toHaveLength(5);
+  await app.by('undo').click();
+  await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
+  await app.settled();
+  await expect(sheet).toBeHidden();
+  await app.expectNoProblems();
+});
 
-    await app.page.setViewportSize({ width: 360, height: 740 });
-    await app.by('file-input').setInputFiles({ ...given, name: 'again.glb' });
-    await expect(sheet).toBeVisible();
-    await app.settled();
-    expect((await app.by('viewport').boundingBox())!.height).toBeGreaterThanOrEqual(370);
-    expect((await sheet.boundingBox())!.y).toBeGreaterThanOrEqual(370);
-    // Held sideways, all that it asks is seen at once, and the buttons hide little of a wide shape.
-    for (const [width, height] of [
-      [844, 390],
-      [667, 375],
-    ] as const) {
-      await app.page.setViewportSize({ width, height });
-      await expect.poll(async () => (await app.by('viewport').boundingBox())!.height).toBeGreaterThan(300);
-      await app.settled();
-      expect(await sheet.evaluate((element) => element.scrollHeight - element.clientHeight)).toBeLessThanOrEqual(1);
-      const asked = (await sheet.boundingBox())!;
-      expect(asked.y + asked.height).toBeLessThanOrEqual(height);
-      const buttons = (await app.page.locator('.view-buttons').boundingBox())!;
-      const under = await app.page.evaluate(({ x, y, width: wide, height: high }) => {
-        const canvas = document.querySelector('[data-testid="viewport"]')!.getBoundingClientRect();
-        const places = window.__shapespline!.project(window.__shapespline!.positions());
-        let count = 0;
-        for (let i = 0; i < places.length; i += 2) {
-          const [left, top] = [places[i]! + canvas.x - x, places[i + 1]! + canvas.y - y];
-          if (left >= 0 && left <= wide && top >= 0 && top <= high) count += 1;
-        }
-        return count / (places.length / 2);
-      }, buttons);
-      expect(under).toBeLessThan(0.1);
-    }
-    await app.page.setViewportSize({ width: 360, height: 740 });
-    await app.by('sample-count').focus();
-    await app.page.keyboard.press('Escape');
-    await expect(sheet).toBeHidden();
-    await expect(app.by('play')).toBeVisible();
+test('a key that plays or shows leaves the sheet there, one that edits sends it away', async ({ app }) => {
+  await app.open();
+  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
+  const sheet = app.by('opening');
+  await expect(sheet).toBeVisible();
+  await app.page.keyboard.press('w');
+  await expect.poll(async () => (await app.state()).view.wireframe).toBe(true);
+  await expect(sheet).toBeVisible();
+  await app.page.keyboard.press('m');
+  await expect.poll(async () => (await app.state()).doc.motion.method).toBe('geodesic');
+  await expect(sheet).toBeHidden();
+  await app.settled();
+  await app.expectNoProblems();
+});
 
-    // A key that plays or shows leaves it there, one that edits sends it away.
-    await app.by('file-input').setInputFiles({ ...given, name: 'once-more.glb' });
-    await expect(sheet).toBeVisible();
+test('on a phone the sheet leaves room for the shape, upright and sideways', async ({ app }) => {
+  await app.page.setViewportSize({ width: 360, height: 740 });
+  await app.open();
+  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
+  const sheet = app.by('opening');
+  await expect(sheet).toBeVisible();
+  expect((await app.by('viewport').boundingBox())!.height).toBeGreaterThanOrEqual(370);
+  expect((await sheet.boundingBox())!.y).toBeGreaterThanOrEqual(370);
+  // Held sideways, all that it asks is seen at once, and the buttons hide little of a wide shape.
+  for (const [width, height] of [
+    [844, 390],
+    [667, 375],
+  ] as const) {
+    await app.page.setViewportSize({ width, height });
+    await expect.poll(async () => (await app.by('viewport').boundingBox())!.height).toBeGreaterThan(300);
     await app.settled();
-    await app.page.keyboard.press('w');
-    await expect.poll(async () => (await app.state()).view.wireframe).toBe(true);
-    await expect(sheet).toBeVisible();
-    await app.page.keyboard.press('m');
-    await expect.poll(async () => (await app.state()).doc.motion.method).toBe('geodesic');
-    await expect(sheet).toBeHidden();
-    await app.settled();
-    await app.expectNoProblems();
-  });
-}
+    expect(await sheet.evaluate((element) => element.scrollHeight - element.clientHeight)).toBeLessThanOrEqual(1);
+    const asked = (await sheet.boundingBox())!;
+    expect(asked.y + asked.height).toBeLessThanOrEqual(height);
+    const buttons = (await app.page.locator('.view-buttons').boundingBox())!;
+    const under = await app.page.evaluate(({ x, y, width: wide, height: high }) => {
+      const canvas = document.querySelector('[data-testid="viewport"]')!.getBoundingClientRect();
+      const places = window.__shapespline!.project(window.__shapespline!.positions());
+      let count = 0;
+      for (let i = 0; i < places.length; i += 2) {
+        const [left, top] = [places[i]! + canvas.x - x, places[i + 1]! + canvas.y - y];
+        if (left >= 0 && left <= wide && top >= 0 && top <= high) count += 1;
+      }
+      return count / (places.length / 2);
+    }, buttons);
+    expect(under).toBeLessThan(0.1);
+  }
+  await app.page.setViewportSize({ width: 360, height: 740 });
+  await app.by('sample-count').focus();
+  await app.page.keyboard.press('Escape');
+  await expect(sheet).toBeHidden();
+  await expect(app.by('play')).toBeVisible();
+  await app.expectNoProblems();
+});
 
 test('a motion that ends as it began offers to go on as a loop', async ({ app }) => {
-  const closed = realFile('skin/Soldier.glb');
   await app.open();
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
@@ -386,19 +340,25 @@ test('a motion that ends as it began offers to go on as a loop', async ({ app })
   expect(await app.positionsAt(0)).toEqual(await app.positionsAt(doc.keys.at(-1)!.time));
   await app.by('undo').click();
   await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('natural');
-  if (closed) {
-    await dropped(app, upload('Soldier.glb', bytesOf(closed)));
-    await expect(app.by('opening').getByTestId('import-offer')).toContainText('The last pose is the first again');
-    // On the smallest phone, too, what puts it off stands beside the first line, at its end.
-    await app.page.setViewportSize({ width: 360, height: 740 });
-    const [offer, close] = [
-      (await app.by('import-offer').boundingBox())!,
-      (await app.by('import-offer-later').boundingBox())!,
-    ];
-    expect(close.y).toBeLessThan(offer.y + 12);
-    expect(offer.x + offer.width - (close.x + close.width)).toBeLessThan(12);
-    await app.by('import-offer-accept').click();
-    await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('periodic');
-  }
+  await app.expectNoProblems();
+});
+
+test('the offer to loop an animation stands in its sheet, and can be put off on the smallest phone', {
+  tag: '@all',
+}, async ({ app }) => {
+  const closed = realFile('skin/Soldier.glb');
+  test.skip(closed === null, 'the real inputs are not there');
+  await app.open();
+  await dropped(app, upload('Soldier.glb', bytesOf(closed!)));
+  await expect(app.by('opening').getByTestId('import-offer')).toContainText('The last pose is the first again');
+  await app.page.setViewportSize({ width: 360, height: 740 });
+  const [offer, close] = [
+    (await app.by('import-offer').boundingBox())!,
+    (await app.by('import-offer-later').boundingBox())!,
+  ];
+  expect(close.y).toBeLessThan(offer.y + 12);
+  expect(offer.x + offer.width - (close.x + close.width)).toBeLessThan(12);
+  await app.by('import-offer-accept').click();
+  await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('periodic');
   await app.expectNoProblems();
 });

@@ -1,5 +1,4 @@
 /** One shape, two motions on either side of a divider: what a first visit opens with, and a way of comparing. */
-import { AxeBuilder } from '@axe-core/playwright';
 import { colourAt, decode } from './png.ts';
 import type { Picture } from './png.ts';
 import { difference, expect, test } from './support.ts';
@@ -164,9 +163,8 @@ test('S puts it between any motion and a blend, and takes away what came with it
 for (const [width, height] of [
   [360, 740],
   [820, 1180],
-  [1280, 800],
-] as const) {
-  test(`axe finds nothing serious, and no words lie over others, at ${width} px`, async ({ app }) => {
+] as const)
+  test(`no words lie over others at ${width} px`, async ({ app }) => {
     await app.page.setViewportSize({ width, height });
     await app.open({ hash: SPLIT });
     const boxes = await Promise.all(
@@ -180,10 +178,7 @@ for (const [width, height] of [
         expect(overlap, JSON.stringify([a, b])).toBe(false);
       }),
     );
-    const { violations } = await new AxeBuilder({ page: app.page }).include('.viewport').analyze();
-    expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
   });
-}
 
 test.describe('a first visit', () => {
   test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });

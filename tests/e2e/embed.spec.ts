@@ -4,7 +4,8 @@ import type { Page } from '@playwright/test';
 import { difference, diagonal, expect, test } from './support.ts';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
 
-test.use({ contextOptions: { reducedMotion: 'reduce' } });
+// Another page than the app.
+test.use({ fresh: true });
 
 async function open(page: Page): Promise<string[]> {
   const problems: string[] = [];

@@ -22,7 +22,8 @@ export async function stated(app: App, choose: () => Promise<void>): Promise<str
 
 export async function exported(app: App, choose: () => Promise<void>): Promise<Exported> {
   const text = await stated(app, choose);
-  const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').click()]);
+  // By key: words that come above may move the button away from under the mouse.
+  const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').press('Enter')]);
   const bytes = readFileSync(await download.path());
   return { download, bytes, stated: text };
 }
@@ -31,6 +32,12 @@ export async function exported(app: App, choose: () => Promise<void>): Promise<E
 export async function type(app: App, field: string, value: string): Promise<void> {
   await app.by(field).fill(value);
   await app.by(field).press('Enter');
+}
+
+/** The size that the dialog names. */
+export function statedBytes(text: string): number {
+  const [, value, unit] = /about ([\d.]+) (B|kB|MB)/.exec(text)!;
+  return Number(value) * { B: 1, kB: 1e3, MB: 1e6 }[unit as 'B' | 'kB' | 'MB'];
 }
 
 function plain(text: string): string {

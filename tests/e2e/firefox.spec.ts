@@ -6,7 +6,7 @@ import { findFirefox, inFirefox } from './firefox.ts';
 
 const program = findFirefox();
 
-test('the page works in Firefox ESR', async ({}, info) => {
+test('the page works in Firefox ESR', { tag: '@all' }, async ({}, info) => {
   test.skip(program === null, 'firefox-esr is not installed');
   test.skip(info.project.name === 'dev', 'the built page is what visitors get');
   test.setTimeout(240_000);

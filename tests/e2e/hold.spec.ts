@@ -121,9 +121,9 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   await expect(app.by('hold-contact')).toBeHidden();
 });
 
-test('the paws of the sample that strolls stay where they stand, beside the same with nothing held', async ({
-  app,
-}) => {
+test('the paws of the sample that strolls stay where they stand, beside the same with nothing held', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ sample: 'stroll' });
   await expect(app.by('hold-contact')).toBeChecked();
   await app.by('compare-lri').check();

@@ -96,6 +96,20 @@ test('the editor goes to its key and stays with it when another time gives it an
   expect(words.x + words.width).toBeLessThanOrEqual(editor.x);
 });
 
+test('the editor of a key has the keyboard wherever the focus is, and gives way to other work', async ({ app }) => {
+  await app.open();
+  await app.by('key-1-edit').click();
+  await expect(app.by('key-editor')).toBeVisible();
+  await app.page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('key-editor')).toBeHidden();
+  await app.by('key-1-edit').click();
+  await expect(app.by('key-editor')).toBeVisible();
+  await app.page.locator('.side-nav button').nth(1).click();
+  await expect(app.by('key-editor')).toBeHidden();
+  await app.expectNoProblems();
+});
+
 test('one slider tightens the motion at every key, and is undone as one', async ({ app }) => {
   await app.open();
   const { keys } = (await app.state()).doc;
@@ -160,21 +174,6 @@ test('a key is removed with the Delete key on its card', async ({ app }) => {
   await app.by('key-1-go').focus();
   await app.page.keyboard.press('Delete');
   await expect.poll(async () => (await app.state()).doc.keys.map(({ pose }) => pose)).not.toContain(keys[1]!.pose);
-});
-
-test('two keys with natural ends move as the geodesic', async ({ app }) => {
-  await app.open();
-  while ((await app.state()).doc.keys.length > 2) {
-    await app.by('key-2-edit').click();
-    await app.by('key-remove').click();
-    await app.settled();
-  }
-  const { keys } = (await app.state()).doc;
-  const middle = (keys[0]!.time + keys[1]!.time) / 2;
-  const spline = await app.positionsAt(middle);
-  await app.by('method').selectOption('geodesic');
-  await app.settled();
-  expect(difference(await app.positionsAt(middle), spline)).toBeLessThan(1e-4 * diagonal(spline));
 });
 
 test('the shape on the screen becomes a key that the motion passes through', async ({ app }) => {

@@ -3,9 +3,9 @@ import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
 /** Heights of the curve of the speed over the whole timeline, 0 at the bottom. */
-async function heights(app: App): Promise<{ x: number; y: number }[]> {
+async function heights(app: App): Promise<number[]> {
   const d = (await app.by('pace').locator('.pace-line').getAttribute('d')) ?? '';
-  return [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => ({ x: Number(x), y: 100 - Number(y) }));
+  return [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, , y]) => 100 - Number(y));
 }
 
 /** Page place of a time on the timeline, in the middle of its track. */
@@ -14,43 +14,15 @@ async function placeOf(app: App, t: number): Promise<{ x: number; y: number }> {
   return { x: x + ((t + 0.4) / 1.8) * width, y: y + height / 2 };
 }
 
-test('the curve in the track is the speed in shape space', async ({ app }) => {
+test('the curve in the track is the speed in shape space, of the method that is chosen', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
   await expect(app.by('pace')).toBeVisible();
-  const smooth = await heights(app);
-  expect(smooth.length).toBeGreaterThan(100);
-  // Two bends of about the same size in the same time, then straight on at the same speed.
-  const [low, high] = [Math.min(...smooth.map(({ y }) => y)), Math.max(...smooth.map(({ y }) => y))];
-  expect(high).toBeCloseTo(90, 0);
-  expect(high - low).toBeGreaterThan(2);
-  // The geodesic goes from key to key at one speed, which jumps where the next way is shorter or longer.
+  expect((await heights(app)).length).toBeGreaterThan(100);
+  // The geodesic goes from key to key at one speed.
   await app.by('method').selectOption('geodesic');
   await app.settled();
-  const levels = async (): Promise<number> => new Set((await heights(app)).map(({ y }) => y.toFixed(0))).size;
-  await expect.poll(levels).toBeLessThanOrEqual(3);
-  // A key that comes later leaves less time for the rest of the way.
-  const before = await heights(app);
-  await app.page.evaluate(() => {
-    location.hash = `${location.hash.replace(/&?keys=[^&]*/, '')}&keys=0@0,1@0.75,2@1`;
-  });
-  await expect.poll(async () => (await app.state()).doc.keys[1]!.time).toBe(0.75);
-  await app.settled();
-  const at = (curve: { x: number; y: number }[], t: number): number =>
-    curve.find(({ x }) => x >= (1000 * (t + 0.4)) / 1.8)!.y;
-  await expect.poll(async () => at(await heights(app), 0.9) / at(await heights(app), 0.3)).toBeGreaterThan(2);
-  expect(at(before, 0.9) / at(before, 0.3)).toBeLessThan(2);
+  await expect.poll(async () => new Set((await heights(app)).map((y) => y.toFixed(0))).size).toBeLessThanOrEqual(3);
   await app.expectNoProblems();
-});
-
-test('where the motion swings past a key the curve is tinted, until there is no overshoot', async ({ app }) => {
-  await app.open({ hash: '#sample=cactus&keys=0@0,1@0.08,2@1&t=0.2' });
-  const past = app.by('pace-past');
-  await expect(past).toHaveAttribute('d', /M/);
-  const colour = await past.evaluate((path) => getComputedStyle(path).fill);
-  expect(colour).toBe('rgb(230, 159, 0)');
-  await app.by('tightness-auto').click();
-  await app.settled();
-  await expect(past).toHaveAttribute('d', '');
 });
 
 test('the mouse over the timeline shows the shape there, and the shape on the screen stays', async ({ app }) => {

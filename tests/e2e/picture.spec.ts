@@ -58,9 +58,9 @@ function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
 /** The shape alone, all of it in the colour of the phase. */
 const COLOURED = '#sample=cactus&colour=phase&floor=0';
 
-test('the drawn silhouette is that of the engine’s vertices, at three times', async ({ app }) => {
+test('the drawn silhouette is that of the engine’s vertices, at two times', async ({ app }) => {
   await app.open({ hash: COLOURED });
-  for (const t of [0, 0.3, 1.2]) {
+  for (const t of [0.3, 1.2]) {
     const { verticesOnShape, shapeNearVertices, shapePixels } = await overlap(app, t);
     expect(shapePixels, `t = ${t}`).toBeGreaterThan(2000);
     expect(verticesOnShape, `t = ${t}`).toBeGreaterThan(0.99);
@@ -254,20 +254,24 @@ test('a shape that has left the picture is said to have, and is fitted again', a
   await expect(hint).toBeHidden();
 });
 
-test('a lost graphics context comes back with the same picture', async ({ app }) => {
-  await app.open();
-  await app.setTime(0.3);
-  const before = await app.picture();
-  await app.page.evaluate(async () => {
-    const canvas = document.querySelector<HTMLCanvasElement>('.picture canvas')!;
-    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
-    const restored = new Promise((resolve) => canvas.addEventListener('webglcontextrestored', resolve));
-    extension.loseContext();
-    await new Promise((resolve) => setTimeout(resolve, 100));
-    extension.restoreContext();
-    await restored;
+test.describe('with a context that is lost', () => {
+  test.use({ fresh: true });
+
+  test('a lost graphics context comes back with the same picture', async ({ app }) => {
+    await app.open();
+    await app.setTime(0.3);
+    const before = await app.picture();
+    await app.page.evaluate(async () => {
+      const canvas = document.querySelector<HTMLCanvasElement>('.picture canvas')!;
+      const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+      const restored = new Promise((resolve) => canvas.addEventListener('webglcontextrestored', resolve));
+      extension.loseContext();
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      extension.restoreContext();
+      await restored;
+    });
+    expect(changedShare(before, await app.picture())).toBeLessThan(0.002);
   });
-  expect(changedShare(before, await app.picture())).toBeLessThan(0.002);
 });
 
 test('a resize while playing loses nothing', async ({ app }) => {
@@ -295,38 +299,41 @@ function meanColour(file: Buffer): number[] {
   return [0, 1, 2].map((channel) => strong.reduce((sum, colour) => sum + colour[channel]!, 0) / strong.length);
 }
 
-test('thumbnails show the keys as the picture does, and are drawn beside the canvas', async ({ app }) => {
-  // The widths of all parts of the canvas that are cleared to be drawn into.
-  await app.page.addInitScript(() => {
-    const widths = new Set<number>();
-    Object.assign(window, { widths });
-    const { clear } = WebGL2RenderingContext.prototype;
-    WebGL2RenderingContext.prototype.clear = function (mask) {
-      if (this.getParameter(this.FRAMEBUFFER_BINDING) === null) widths.add(this.getParameter(this.SCISSOR_BOX)[2]);
-      clear.call(this, mask);
-    };
+test.describe('with what is drawn into counted', () => {
+  test.use({ fresh: true });
+
+  test('thumbnails show the keys as the picture does, and are drawn beside the canvas', async ({ app }) => {
+    // The widths of all parts of the canvas that are cleared to be drawn into.
+    await app.page.addInitScript(() => {
+      const widths = new Set<number>();
+      Object.assign(window, { widths });
+      const { clear } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.clear = function (mask) {
+        if (this.getParameter(this.FRAMEBUFFER_BINDING) === null) widths.add(this.getParameter(this.SCISSOR_BOX)[2]);
+        clear.call(this, mask);
+      };
+    });
+    await app.open({ hash: COLOURED });
+    const image = app.by('key-0').locator('img');
+    await expect(image).toHaveAttribute('src', /^data:image\/png;base64,/);
+    await expect(app.by('key-1').locator('img')).toHaveAttribute('src', /^data:image\/png;base64,/);
+    const thumbnail = Buffer.from((await image.getAttribute('src'))!.split(',')[1]!, 'base64');
+    const { width, height, data } = decode(thumbnail);
+    expect([width, height]).toEqual([88, 60]);
+    expect([data[3], data.at(-1)]).toEqual([0, 0]);
+    await app.setTime(0);
+    const seen = meanColour(await app.picture());
+    for (const [channel, level] of meanColour(thumbnail).entries())
+      expect(Math.abs(level - seen[channel]!), `channel ${channel}`).toBeLessThan(10);
+    const widths = await app.page.evaluate(() => [...(window as unknown as { widths: Set<number> }).widths]);
+    expect(Math.min(...widths)).toBeGreaterThan(300);
+    await app.expectNoProblems();
   });
-  await app.open({ hash: COLOURED });
-  const image = app.by('key-0').locator('img');
-  await expect(image).toHaveAttribute('src', /^data:image\/png;base64,/);
-  await expect(app.by('key-1').locator('img')).toHaveAttribute('src', /^data:image\/png;base64,/);
-  const thumbnail = Buffer.from((await image.getAttribute('src'))!.split(',')[1]!, 'base64');
-  const { width, height, data } = decode(thumbnail);
-  expect([width, height]).toEqual([88, 60]);
-  expect([data[3], data.at(-1)]).toEqual([0, 0]);
-  await app.setTime(0);
-  const seen = meanColour(await app.picture());
-  for (const [channel, level] of meanColour(thumbnail).entries())
-    expect(Math.abs(level - seen[channel]!), `channel ${channel}`).toBeLessThan(10);
-  const widths = await app.page.evaluate(() => [...(window as unknown as { widths: Set<number> }).widths]);
-  expect(Math.min(...widths)).toBeGreaterThan(300);
-  await app.expectNoProblems();
 });
 
 test('no sample stands under the first sentence, and names of views move with them', async ({ app }) => {
   await app.page.setViewportSize({ width: 1024, height: 768 });
-  for (const sample of ['cactus', 'dachshund', 'octopus', 'twisted-bar']) {
-    await app.page.goto('about:blank');
+  for (const sample of ['cactus', 'twisted-bar']) {
     await app.open({ sample });
     const [welcome, picture] = [(await app.by('welcome').boundingBox())!, (await app.by('viewport').boundingBox())!];
     const highest = await app.page.evaluate(() => {

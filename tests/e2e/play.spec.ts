@@ -4,6 +4,9 @@ import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import { App, expect, test } from './support.ts';
 
+// Another page than the app.
+test.use({ fresh: true });
+
 class Playground {
   readonly problems: string[] = [];
 
@@ -55,6 +58,12 @@ class Playground {
     ).toEqual([]);
   }
 }
+
+/** So many of them are drawn. */
+const frames = (page: Page, count: number): Promise<void> =>
+  page.evaluate(async (left) => {
+    for (let i = 0; i < left; i += 1) await new Promise(requestAnimationFrame);
+  }, count);
 
 test('a dragged key carries the curve, its numbers and the system along', async ({ page }) => {
   const play = await new Playground(page).open();
@@ -174,15 +183,18 @@ test('the address holds everything, and bad ones do no harm', async ({ page, con
   await play.drag(play.by('key-3'), -20, 30);
   await expect(page).toHaveURL(/plane=1/);
   const drawn = await play.line('periodic');
-  await page.waitForTimeout(400);
-  const other = await new Playground(await context.newPage()).open(new URL(page.url()).hash);
+  const other = new Playground(await context.newPage());
+  // Links have five digits, and the address follows within a moment.
+  const numbers = (line: string | null): number[] => (line ?? '').match(/-?[\d.]+/g)!.map(Number);
+  await expect(async () => {
+    await other.page.goto('about:blank');
+    await other.open(new URL(page.url()).hash);
+    const [a, b] = [numbers(drawn), numbers(await other.line('periodic'))];
+    expect(b).toHaveLength(a.length);
+    a.forEach((number, index) => expect(Math.abs(number - b[index]!)).toBeLessThan(0.5));
+  }).toPass();
   await expect(other.by('layer-periodic')).toBeChecked();
   await expect(other.by('ends-periodic')).toBeChecked();
-  // Links have five digits.
-  const numbers = (line: string | null): number[] => (line ?? '').match(/-?[\d.]+/g)!.map(Number);
-  const [a, b] = [numbers(drawn), numbers(await other.line('periodic'))];
-  expect(b).toHaveLength(a.length);
-  a.forEach((number, i) => expect(Math.abs(number - b[i]!)).toBeLessThan(0.5));
   await other.open('#keys=NaN,1 2,3&samples=1e9&show=everything&t=Infinity');
   await expect(other.by('key-4')).toBeVisible();
   expect(other.problems).toEqual([]);
@@ -232,7 +244,7 @@ test('saves pictures that stand alone and numbers that are the curve', async ({ 
 test('nothing moves by itself where motion is reduced, until it is asked for', async ({ page }) => {
   const play = await new Playground(page).open();
   const line = await play.line('natural');
-  await page.waitForTimeout(700);
+  await frames(page, 40);
   expect(await play.line('natural')).toBe(line);
   await expect(play.by('scene')).toBeHidden();
   await play.by('demonstration').click();
@@ -253,15 +265,15 @@ test.describe('for who has not asked for less motion', () => {
     await page.locator('.curve-figure').click({ position: { x: 20, y: 20 } });
     await expect(play.by('scene')).toBeHidden();
     const rests = await play.line('linear');
-    await page.waitForTimeout(300);
+    await frames(page, 20);
     expect(await play.line('linear')).toBe(rests);
     expect(play.problems).toEqual([]);
   });
 });
 
-test('axe finds nothing, in both themes, at every width', async ({ page }) => {
+test('axe finds nothing, in the light theme on a phone and in the dark one on a screen', async ({ page }) => {
   const play = new Playground(page);
-  for (const width of [320, 1024, 1920]) {
+  for (const width of [320, 1024]) {
     await page.setViewportSize({ width, height: 900 });
     await page.emulateMedia({ colorScheme: width === 1024 ? 'dark' : 'light' });
     await play.open('#show=linear natural samples catmull-rom hermite periodic shaped&plane=1');
@@ -270,9 +282,6 @@ test('axe finds nothing, in both themes, at every width', async ({ page }) => {
     const over = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
     expect(over, `wider than ${width} px`).toBeLessThanOrEqual(0);
   }
-  await page.emulateMedia({ colorScheme: 'light' });
-  await play.open('#t=0.6');
-  await play.expectAccessible();
 });
 
 test('contrast themes keep the curves and what is chosen', async ({ page }) => {

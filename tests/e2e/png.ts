@@ -55,6 +55,25 @@ export function changedShare(before: Buffer, after: Buffer, levels = 6): number 
   return changed / (a.width * a.height);
 }
 
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** The pixels of a box, as far as the picture reaches. */
+export function crop(picture: Picture, { x, y, width, height }: Box): Picture {
+  const [right, bottom] = [Math.min(x + width, picture.width), Math.min(y + height, picture.height)];
+  const rows = Array.from({ length: Math.max(bottom - y, 0) }, (_, row) => 4 * ((y + row) * picture.width + x));
+  const across = 4 * Math.max(right - x, 0);
+  return {
+    width: across / 4,
+    height: rows.length,
+    data: Uint8Array.from(rows.flatMap((start) => [...picture.data.subarray(start, start + across)])),
+  };
+}
+
 /** `list` from left to right, each a column of 16 x 64 pixels. */
 export function columns(list: readonly Colour[]): Buffer {
   const row = list.flatMap((colour) => Array.from({ length: 16 }, () => [...colour, 255]).flat());

@@ -1,5 +1,5 @@
 /** Poses as exporters write them, caches, numbered files, objects and axes: what the page makes and says of them. */
-import { bent, bar, type Mesh } from '../engine/support/shapes.ts';
+import { bent, bar } from '../engine/support/shapes.ts';
 import { meshGlb } from '../engine/support/glb.ts';
 import { rigFile } from '../engine/support/rig.ts';
 import { expect, test } from './support.ts';
@@ -27,25 +27,12 @@ async function opened(app: App, files: Upload[]): Promise<void> {
 
 const names = async (app: App): Promise<string[]> => (await app.state()).doc.keys.map(({ name }) => name);
 
-const split = ({ positions, indices }: Mesh, pose = positions): Mesh => ({
-  positions: Float32Array.from([...indices].flatMap((v) => [...pose.subarray(3 * v, 3 * v + 3)])),
-  indices: indices.map((_, corner) => corner),
-});
-
 const lines = (word: string, numbers: ArrayLike<number>, offset = 0): string =>
   Array.from(
     { length: numbers.length / 3 },
     (_, i) => `${word} ${numbers[3 * i]! + offset} ${numbers[3 * i + 1]! + offset} ${numbers[3 * i + 2]! + offset}\n`,
   ).join('');
 const obj = (pose: Float32Array): string => `o Body\n${lines('v', pose)}${lines('f', mesh.indices, 1)}`;
-
-test('poses that flat shading splits otherwise are opened as one mesh', async ({ app }) => {
-  await app.open();
-  await opened(app, [upload('a.glb', meshGlb(mesh)), upload('b.glb', meshGlb(split(mesh, frames[20])))]);
-  expect(await names(app)).toEqual(['a', 'b']);
-  await expect(app.by('mesh-report')).toContainText(vertices.toLocaleString('en'));
-  await expect(app.by('import-offer')).toBeHidden();
-});
 
 test('poses that are all one are said to be, and another mesh says what to do', async ({ app }) => {
   await app.open();
@@ -83,25 +70,6 @@ test('objects are left out and taken again by their ticks', async ({ app }) => {
   await expect(app.by('objects').getByLabel('Body')).toBeDisabled();
   await app.by('objects').getByLabel('Floor').check();
   await count(3);
-});
-
-test('a PC2 with its OBJ is an animation that keys are taken from', async ({ app }) => {
-  await app.open();
-  const head = Buffer.alloc(32);
-  head.write('POINTCACHE2\0', 'latin1');
-  [1, vertices].forEach((value, i) => head.writeInt32LE(value, 12 + 4 * i));
-  head.writeFloatLE(1, 24);
-  head.writeInt32LE(frames.length, 28);
-  const cache = Buffer.concat([head, ...frames.map(({ buffer }) => Buffer.from(buffer as ArrayBuffer))]);
-  await opened(app, [upload('bar.obj', obj(frames[0]!)), upload('bar.pc2', cache)]);
-  expect(await names(app)).toHaveLength(8);
-  await app.by('sample-times-open').click();
-  await app.by('sample-times').fill('0, 0.5, 1');
-  await app.by('sample-times').press('Enter');
-  await expect.poll(async () => (await app.state()).doc.keys.map(({ time }) => time)).toEqual([0, 0.5, 1]);
-  // A time is no name: it would stay with a key that is moved.
-  expect(await names(app)).toEqual(['', '', '']);
-  await app.settled();
 });
 
 test('many numbered files are the frames of an animation', async ({ app }) => {

@@ -30,35 +30,37 @@ async function expectNoFolds(app: App): Promise<void> {
   }
 }
 
-test('a wolf that runs plays at once, and nothing is said against it', async ({ app }) => {
-  await opened(
-    app,
-    [1, 4, 8, 12].map((number) => `obj/wolf/wolf-${number}.obj`),
-  );
-  await expectPlaying(app);
-  await expectNoFolds(app);
-  await expect(app.by('warning-count')).toBeHidden();
-  await app.expectNoProblems();
-});
-
-test('a horse of morph targets plays at once, and nothing is said of folds', async ({ app }) => {
-  await opened(app, ['morph/Horse.glb']);
-  await expectPlaying(app);
-  await expectNoFolds(app);
-  await app.expectNoProblems();
-});
-
-test('three poses of a lion whose parts turn far: each warning names its keys and its place', async ({ app }) => {
-  await opened(
-    app,
-    [1, 4, 7].map((number) => `turns/lion/${number}.obj`),
-  );
-  await app.by('warning-count').click();
-  const turns = app.by('warnings').getByText(/regions turn by/);
-  await expect(turns.first()).toBeVisible();
-  for (const text of await turns.allInnerTexts())
-    expect(text).toMatch(
-      /^Between key \d and key \d, (in the middle|at the [a-z ]+), neighbouring regions turn by \d+/,
+test.describe('real motions', { tag: '@all' }, () => {
+  test('a wolf that runs plays at once, and nothing is said against it', async ({ app }) => {
+    await opened(
+      app,
+      [1, 4, 8, 12].map((number) => `obj/wolf/wolf-${number}.obj`),
     );
-  await app.expectNoProblems();
+    await expectPlaying(app);
+    await expectNoFolds(app);
+    await expect(app.by('warning-count')).toBeHidden();
+    await app.expectNoProblems();
+  });
+
+  test('a horse of morph targets plays at once, and nothing is said of folds', async ({ app }) => {
+    await opened(app, ['morph/Horse.glb']);
+    await expectPlaying(app);
+    await expectNoFolds(app);
+    await app.expectNoProblems();
+  });
+
+  test('three poses of a lion whose parts turn far: each warning names its keys and its place', async ({ app }) => {
+    await opened(
+      app,
+      [1, 4, 7].map((number) => `turns/lion/${number}.obj`),
+    );
+    await app.by('warning-count').click();
+    const turns = app.by('warnings').getByText(/regions turn by/);
+    await expect(turns.first()).toBeVisible();
+    for (const text of await turns.allInnerTexts())
+      expect(text).toMatch(
+        /^Between key \d and key \d, (in the middle|at the [a-z ]+), neighbouring regions turn by \d+/,
+      );
+    await app.expectNoProblems();
+  });
 });

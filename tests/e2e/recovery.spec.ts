@@ -156,7 +156,7 @@ test('a file of 200 MB is opened while the page answers', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('a file of 200 MB that is none is refused while the page answers', async ({ app }) => {
+test('a file of 200 MB that is none is refused while the page answers', { tag: '@all' }, async ({ app }) => {
   test.setTimeout(240_000);
   await app.open();
   const before = await app.positions();

@@ -51,42 +51,9 @@ function waitAtReport(faces: number): void {
 }
 
 const drop = (app: App): Promise<void> => app.by('file-input').setInputFiles(path.join(folder, `bench-${FACES}.glb`));
-const sketched = (app: App): Promise<number | null> => app.page.evaluate(() => window.__shapespline!.sketch);
 const whenSketched = async (app: App): Promise<void> => {
   await app.page.waitForFunction(() => window.__shapespline!.sketch !== null);
 };
-
-interface WhileSketched {
-  /** Of the state, with the sketch's first picture and two drawings later. */
-  times: [number, number];
-  /** Numbers of the shape that is drawn, and once it was done. */
-  positions: [number, number];
-  /** What is sketched once it was done. */
-  after: number | null;
-}
-
-/**
- * Drops the file, waits in the page for the first shape of its sketch, and does something then at once: it would be too
- * late from outside on a machine that has other things to do.
- */
-async function dropAnd(app: App, what: 'cancel' | 'seek'): Promise<WhileSketched> {
-  const done = app.page.evaluate(async (act) => {
-    const hook = window.__shapespline!;
-    const drawing = (): Promise<number> => new Promise(requestAnimationFrame);
-    while (hook.sketch === null) await drawing();
-    const before = hook.positions().length;
-    const { time } = hook.state;
-    for (let i = 0; i < 2; i += 1) await drawing();
-    const times: [number, number] = [time, hook.state.time];
-    if (hook.sketch === null) throw new Error('the sketch was over too soon');
-    if (act === 'cancel') document.querySelector<HTMLElement>('[data-testid=cancel]')!.click();
-    else await hook.setTime(0.5);
-    const positions: [number, number] = [before, hook.positions().length];
-    return { times, positions, after: hook.sketch };
-  }, what);
-  await drop(app);
-  return done;
-}
 
 const camera = (app: App): Promise<number[]> =>
   app.page.evaluate(() => Array.from(window.__shapespline!.project([0, 0, 0, 1, 1, 1])));
@@ -144,46 +111,4 @@ test('a large file moves before its motion is made, and exactly from there on', 
   });
   expect(off).toBe(0);
   await app.expectNoProblems();
-});
-
-test('cancelled while it is sketched, what was open is there again, as it was and where it was looked at', async ({
-  app,
-}) => {
-  await held(app);
-  await app.open({ hash: '#sample=cactus&t=0.2' });
-  await app.setTime(0.3);
-  const [state, positions, view] = [await app.state(), await app.positions(), await camera(app)];
-  expect((await dropAnd(app, 'cancel')).positions[0]).not.toBe(positions.length);
-  await expect.poll(() => sketched(app)).toBeNull();
-  await app.settled();
-  expect(await app.state()).toEqual(state);
-  expect(await app.positions()).toEqual(positions);
-  expect(await camera(app)).toEqual(view);
-  await app.setTime(0.6);
-  expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
-  await app.expectNoProblems();
-});
-
-test('what plays while a large file is opened rests, and plays on when that is given up', async ({ app }) => {
-  await held(app);
-  await app.open({ hash: '#sample=cactus&t=0.2&play=1' });
-  await app.page.evaluate(() => document.body.focus());
-  if (!(await app.state()).play.playing) await app.page.keyboard.press('Space');
-  const [time, later] = (await dropAnd(app, 'cancel')).times;
-  expect(later).toBe(time);
-  await expect.poll(async () => (await app.state()).time).not.toBe(time);
-  await app.expectNoProblems();
-});
-
-test('what is open and asked for while another file is sketched is shown again', async ({ app }) => {
-  const letGo = await held(app);
-  await app.open({ hash: '#sample=cactus&t=0.2' });
-  const positions = await app.positions();
-  const { positions: drawn, after } = await dropAnd(app, 'seek');
-  expect(after).toBeNull();
-  expect(drawn[0]).not.toBe(positions.length);
-  expect(drawn[1]).toBe(positions.length);
-  // The file is opened all the same.
-  letGo();
-  await expect.poll(async () => (await app.state()).source.kind, { timeout: 60_000 }).toBe('files');
 });

@@ -1,6 +1,9 @@
 /** The first visit: what stands in the way of the first picture. */
 import { expect, test } from './support.ts';
 
+// Functions of the browser are changed before the page is loaded.
+test.use({ fresh: true });
+
 test('nothing is drawn before the first sample is at work, and the start is marked', async ({ app }) => {
   await app.page.addInitScript(() => {
     const { linkProgram } = WebGL2RenderingContext.prototype;

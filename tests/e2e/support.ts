@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { test as base, expect } from '@playwright/test';
-import type { BrowserContext, Locator, Page } from '@playwright/test';
+import type { BrowserContext, ConsoleMessage, Locator, Page, Request } from '@playwright/test';
 import type { SequenceStats } from '../../web/engine/api/types.ts';
 import type { AppState } from '../../web/model/state.ts';
 import type {} from '../../web/app/test-hook.ts';
@@ -21,7 +21,7 @@ export function realFile(name: string): string | null {
 }
 
 export interface OpenOptions {
-  /** As it opens for somebody who has never been there. */
+  /** As it opens for somebody who has never been there: on a page of its own. */
   first?: boolean;
   search?: string;
   hash?: string;
@@ -31,28 +31,64 @@ export interface OpenOptions {
 /** What the browser says of how the tests run it: pages without a service worker, pictures put together without GPU. */
 const OF_THE_TESTS = /Service Worker registration blocked by Playwright|GPU stall due to ReadPixels/;
 
+const GUIDE = /^#(tour|figure)=/;
+
 export class App {
   readonly problems: string[] = [];
   readonly requests: string[] = [];
+  private opened = false;
+  private readonly onConsole = (message: ConsoleMessage): void => {
+    if (['error', 'warning'].includes(message.type()) && !OF_THE_TESTS.test(message.text()))
+      this.problems.push(`${message.type()}: ${message.text()}`);
+  };
+  private readonly onException = (error: Error): void => void this.problems.push(`exception: ${error.message}`);
+  private readonly onRequest = (request: Request): void => void this.requests.push(request.url());
 
-  constructor(readonly page: Page) {
-    page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type()) && !OF_THE_TESTS.test(message.text()))
-        this.problems.push(`${message.type()}: ${message.text()}`);
-    });
-    page.on('pageerror', (error) => this.problems.push(`exception: ${error.message}`));
-    page.on('request', (request) => this.requests.push(request.url()));
+  /** `shared`: a test before may have opened the app on this page. */
+  constructor(
+    readonly page: Page,
+    private readonly shared = false,
+  ) {
+    page.on('console', this.onConsole).on('pageerror', this.onException).on('request', this.onRequest);
   }
 
-  /** Loads the page and waits for the first shape; the motion stands still unless the test wants it. */
+  /** What happens on the page from now on is of another test. */
+  leave(): void {
+    const { page } = this;
+    page.off('console', this.onConsole).off('pageerror', this.onException).off('request', this.onRequest);
+  }
+
+  /**
+   * Opens the page as for somebody who has kept nothing, and waits for the first shape; the motion stands still unless
+   * the test wants it. A page that is open already is reset instead of loaded, the first time in a test.
+   */
   async open({ first = false, search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
+    const fragment = sample ? `#sample=${sample}` : hash;
+    const again = this.opened;
+    this.opened = true;
+    if (!again && this.shared) {
+      if (search === '' && !GUIDE.test(fragment) && (await this.reset(fragment))) return this;
+      // The guide gives back what was open before; options of the address count when the page is loaded.
+      const { origin } = new URL(this.page.url());
+      await this.page.goto('about:blank');
+      if (origin !== 'null') await forget(this.page, origin);
+    }
     if (!first)
       await this.page.addInitScript(() => {
         if (location.protocol !== 'about:') localStorage.setItem('shapespline.visited', '1');
       });
-    await this.page.goto(`./${search}${sample ? `#sample=${sample}` : hash}`);
+    await this.page.goto(`./${search}${fragment}`);
     await this.started();
     return this;
+  }
+
+  /** Whether it could be: what is loaded is the app, without options in its address. */
+  private async reset(fragment: string): Promise<boolean> {
+    return this.page.evaluate(async (to) => {
+      if (!window.__shapespline || location.search !== '') return false;
+      await window.__shapespline.reset(to);
+      return true;
+    }, fragment);
   }
 
   /** Loads the same page once more, as soon as nothing would be lost, and waits for its first shape. */
@@ -176,54 +212,101 @@ interface Fixtures {
    * what they look like have all of them.
    */
   sharpness: number;
+  /** For tests of what happens while the page is loaded, or that change its functions: a page of their own. */
+  fresh: boolean;
   /** For tests of what a visit leaves in the browser, or of a visitor who differs: a profile of their own. */
   ownProfile: boolean;
 }
 
-interface WorkerFixtures {
-  sharedProfile: BrowserContext;
+interface Shared {
+  profile: BrowserContext;
+  /** A page of it, in whose process all others are. */
+  first: Page;
+  /** The page that tests of a file share, with pixels of this sharpness. */
+  page: Page | null;
+  of: string;
 }
+
+interface WorkerFixtures {
+  shared: Shared;
+}
+
+const VIEWPORT = { width: 1280, height: 720 };
 
 export const test = base.extend<Fixtures, WorkerFixtures>({
   // Without autoplay the picture stands still, so that it can be compared.
   contextOptions: async ({ contextOptions }, use) => use({ ...contextOptions, reducedMotion: 'reduce' }),
   ownProfile: [false, { option: true }],
+  fresh: [false, { option: true }],
   sharpness: [0.25, { option: true }],
   // A page that opens where another of its site has been open is spared a process and most of the compiling: half of
   // what opening costs. The first page stays, so that the process does.
-  sharedProfile: [
+  shared: [
     async ({ browser }, use, { project }) => {
-      const { baseURL, viewport } = project.use;
-      const profile = await browser.newContext({ baseURL, viewport, reducedMotion: 'reduce', serviceWorkers: 'block' });
+      const { baseURL } = project.use;
+      const options = { baseURL, viewport: VIEWPORT, reducedMotion: 'reduce', serviceWorkers: 'block' } as const;
+      const profile = await browser.newContext(options);
       const first = await profile.newPage();
       await first.goto('./icons/icon.svg');
-      await use(profile);
+      await use({ profile, first, page: null, of: '' });
       await profile.close();
     },
     { scope: 'worker' },
   ],
-  context: async ({ browser, ownProfile, sharedProfile }, use) => {
+  context: async ({ browser, ownProfile, shared }, use) => {
     if (ownProfile) {
       const profile = await browser.newContext();
       await use(profile);
       return profile.close();
     }
-    await use(sharedProfile);
-    const [first, ...opened] = sharedProfile.pages();
-    for (const page of opened) await page.close();
-    await forget(first!);
+    await use(shared.profile);
+    for (const page of shared.profile.pages()) if (page !== shared.first && page !== shared.page) await page.close();
   },
-  app: async ({ page, sharpness }, use) => {
-    if (sharpness !== 1)
-      await page.addInitScript((ratio) => Object.assign(window, { devicePixelRatio: ratio }), sharpness);
-    await use(new App(page));
+  page: async ({ context, ownProfile, fresh, sharpness, shared }, use, { file }) => {
+    if (!ownProfile && !fresh) {
+      const page = await sharedPage(shared, file, sharpness);
+      await use(page);
+      return page.unrouteAll({ behavior: 'ignoreErrors' });
+    }
+    await shared.page?.close();
+    shared.page = null;
+    if (!ownProfile) await forget(shared.first, new URL(shared.first.url()).origin);
+    await use(await drawnAt(sharpness, context));
+  },
+  app: async ({ page, shared }, use) => {
+    const app = new App(page, page === shared.page);
+    await use(app);
+    app.leave();
   },
 });
 
+async function drawnAt(sharpness: number, context: BrowserContext): Promise<Page> {
+  const page = await context.newPage();
+  if (sharpness !== 1)
+    await page.addInitScript((ratio) => Object.assign(window, { devicePixelRatio: ratio }), sharpness);
+  return page;
+}
+
+/** As it is for the first test of the file, but for what is open: that is opened anew, or reset. */
+async function sharedPage(shared: Shared, file: string, sharpness: number): Promise<Page> {
+  const of = `${file} ${sharpness}`;
+  if (!shared.page || shared.of !== of || shared.page.isClosed()) {
+    await shared.page?.close();
+    await forget(shared.first, new URL(shared.first.url()).origin);
+    shared.page = await drawnAt(sharpness, shared.profile);
+    shared.of = of;
+    return shared.page;
+  }
+  const { page } = shared;
+  await page.setViewportSize(VIEWPORT);
+  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce', forcedColors: 'none' });
+  await page.mouse.move(0, 0);
+  return page;
+}
+
 /** Clears what the pages of a site have kept in the browser. */
-async function forget(page: Page): Promise<void> {
+async function forget(page: Page, origin: string): Promise<void> {
   const session = await page.context().newCDPSession(page);
-  const { origin } = new URL(page.url());
   await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
   await session.detach();
 }

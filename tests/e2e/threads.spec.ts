@@ -84,9 +84,9 @@ async function show(app: App, patience = 0): Promise<Shown> {
   };
 }
 
-test('an isolated page that was opened once works without a network, with two threads once it had them', async ({
-  browser,
-}) => {
+test('an isolated page that was opened once works without a network, with two threads once it had them', {
+  tag: '@all',
+}, async ({ browser }) => {
   test.setTimeout(240_000);
   const port = await freePort();
   const host = async (): Promise<() => Promise<void>> => {
@@ -141,7 +141,7 @@ test.describe('with files that are changed or stopped on their way', () => {
     expect(isolated.positions).toEqual(plain.positions);
   });
 
-  test('an isolated page works without the module for two threads', async ({ app }) => {
+  test('an isolated page works without the module for two threads', { tag: '@all' }, async ({ app }) => {
     test.setTimeout(240_000);
     await app.page.route(/shapespline_threads.*\.wasm$/, (route) => route.abort());
     await app.open();
@@ -150,7 +150,7 @@ test.describe('with files that are changed or stopped on their way', () => {
     expect(shown.positions).toHaveLength(TIMES.length);
   });
 
-  test('an isolated page works without the second thread itself', async ({ app }) => {
+  test('an isolated page works without the second thread itself', { tag: '@all' }, async ({ app }) => {
     test.setTimeout(240_000);
     await changeWorker(app, (text) => {
       // requests of workers themselves cannot be stopped

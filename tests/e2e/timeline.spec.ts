@@ -42,13 +42,6 @@ test('is dragged past both ends, where it says so in colour and words', async ({
   await app.expectNoProblems();
 });
 
-test('is extrapolated in a straight line of shape space: beyond the end it goes on moving', async ({ app }) => {
-  await app.open();
-  const [end, near, far] = [await app.positionsAt(1), await app.positionsAt(1.1), await app.positionsAt(1.3)];
-  expect(difference(near, end)).toBeGreaterThan(0);
-  expect(difference(far, end)).toBeGreaterThan(difference(near, end));
-});
-
 test('snaps to a key within reach, and not with Alt held', async ({ app }) => {
   await app.open();
   const { doc } = await app.state();
@@ -128,18 +121,6 @@ test('lets a key be dragged to another time, and encodes nothing anew', async ({
   await app.settled();
   expect((await app.state()).doc.keys[1]!.time).toBe(0.5);
   expect(await app.positionsAt(0.25)).toEqual(halfway);
-});
-
-test('plays back and forth, in a loop, or once', async ({ app }) => {
-  await app.open();
-  await app.by('speed').selectOption('4');
-  await app.setTime(0.9);
-  await app.by('loop').click();
-  await app.by('loop').click();
-  expect((await app.state()).play.loop).toBe('once');
-  await app.by('play').click();
-  await expect.poll(async () => (await app.state()).play.playing).toBe(false);
-  expect((await app.state()).time).toBe(1);
 });
 
 test('a press on the timeline shows no focus ring, the next key does', async ({ app }) => {

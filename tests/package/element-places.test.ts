@@ -1,6 +1,6 @@
 /**
- * The element in places that withhold something: pages that require Trusted Types, frames without an origin, surroundings
- * without observers. Only a browser has these policies and origins.
+ * The element in places that withhold something: pages that require Trusted Types, frames without an origin,
+ * surroundings without observers. Only a browser has these policies and origins.
  */
 import path from 'node:path';
 import type { Page } from '@playwright/test';

@@ -24,7 +24,7 @@ const types = {
 };
 
 const noFrames = "frame-ancestors 'self'";
-/** What index.html says of itself in a <meta>, for the workers as well, which go by the header of their script alone. */
+/** The policy of index.html's <meta>, sent as a header because a worker obeys the header of its script alone. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",

@@ -273,7 +273,20 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       playground.listenToPlayground({ store, workspace, sequence, title, onError: feedback.onError }),
     )
     .catch(feedback.onError);
-  installTestHook(testHookOf(ready, session, display, files, onMoved));
+  const withdrawOffers = (): void => [notReopened, importOffer, poseOffer].forEach(({ offer }) => offer(null));
+  const resetParts = {
+    session,
+    ways,
+    viewState,
+    feedback,
+    theme,
+    withdrawOffers,
+    refit: () => scene.viewer.refit(false),
+    visit: (fragment: string) => visit(() => fragment),
+  };
+  const resetTo = (fragment: string): Promise<void> =>
+    import('./reset.ts').then(({ reset }) => reset(resetParts, fragment));
+  installTestHook(testHookOf(ready, session, display, files, onMoved, resetTo));
   registerServiceWorker(
     {
       onNewVersion(reload) {
@@ -390,6 +403,7 @@ function testHookOf(
   { scene, sketch, playback: { frameLoop } }: Display,
   files: OpenFiles,
   showMotion: () => void,
+  resetTo: (fragment: string) => Promise<void>,
 ): TestHook {
   return createTestHook({
     ready,
@@ -411,6 +425,7 @@ function testHookOf(
       await workspace.idle();
       await frameLoop.idle();
     },
+    reset: resetTo,
     busy: () => files.busy || (frameLoop.busy && !store.get().play.playing),
   });
 }

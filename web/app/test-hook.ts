@@ -14,6 +14,11 @@ export interface TestHook {
   setTime(t: number): Promise<void>;
   /** Resolves when nothing is under way: no import, no build, no frame. */
   settled(): Promise<void>;
+  /**
+   * Back to how the page opens with this fragment in its address, for somebody who has been there before and has kept
+   * nothing, without loading it again; resolves when that is settled.
+   */
+  reset(fragment?: string): Promise<void>;
   readonly state: AppState;
   /** The time on the screen, which follows that of the state; `preview` while the frame is one of Sequence.preview. */
   readonly shown: { time: number; preview: boolean };
@@ -50,6 +55,7 @@ export interface TestHookParts {
   difference(): Float32Array | null;
   /** Stops what plays and draws the exact shape of a moment. */
   seekExactly(t: number): Promise<void>;
+  reset(fragment: string): Promise<void>;
   /** One round of waiting: what ends may start something else. */
   idle(): Promise<void>;
   busy(): boolean;
@@ -57,16 +63,21 @@ export interface TestHookParts {
 
 export function createTestHook(parts: TestHookParts): TestHook {
   const { viewer, sequence, state } = parts;
+  const settled = async (): Promise<void> => {
+    do {
+      await parts.idle();
+      await viewer.drawn();
+      // What the last frame changed is shown by the components on the next one.
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+    } while (parts.busy());
+  };
   return {
     ready: parts.ready,
     setTime: parts.seekExactly,
-    async settled() {
-      do {
-        await parts.idle();
-        await viewer.drawn();
-        // What the last frame changed is shown by the components on the next one.
-        await new Promise((resolve) => requestAnimationFrame(resolve));
-      } while (parts.busy());
+    settled,
+    async reset(fragment = '') {
+      await parts.reset(fragment);
+      await settled();
     },
     get state() {
       return structuredClone(state());

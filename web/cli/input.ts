@@ -102,7 +102,7 @@ const OBJ_HEAD = 1 << 16;
 /** Words of one name that it is looked for by. */
 const MOST_WORDS = 8;
 
-/** One name, which may hold blanks, or several: one ends where it names a file, or in .mtl. As `wasm/io/polygon` does. */
+/** One name, which may have spaces, or several: a name ends where it is a file or in .mtl (as in `wasm/io/polygon`). */
 export async function libraryNames(text: string, isFile: (name: string) => Promise<boolean>): Promise<string[]> {
   if (!/[ \t]/.test(text) || (await isFile(text))) return [text];
   const names: string[] = [];

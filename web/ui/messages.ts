@@ -233,7 +233,7 @@ export function createWelcome(onPick: () => void): {
 const [SHOWN_MS, READING_MS] = [4000, 2000];
 
 /** Short news that goes away by itself, read out by screen readers. */
-export function createToast(): { element: HTMLElement; say(text: string): void } {
+export function createToast(): { element: HTMLElement; say(text: string): void; clear(): void } {
   const element = h('div', { class: 'toast', role: 'status', 'aria-live': 'polite', 'data-testid': 'toast' });
   const waiting: string[] = [];
   let timer = 0;
@@ -254,6 +254,13 @@ export function createToast(): { element: HTMLElement; say(text: string): void }
       const left = readBy - performance.now();
       if (left > 0) timer = window.setTimeout(next, left);
       else next();
+    },
+    clear() {
+      window.clearTimeout(timer);
+      waiting.length = 0;
+      readBy = 0;
+      element.textContent = '';
+      setAttribute(element, 'data-shown', false);
     },
   };
 }

@@ -1,6 +1,6 @@
 /**
- * Real inputs that are not part of the repository. Tests that use them are skipped where the folder is missing, and fail
- * there where SHAPESPLINE_DATA_REQUIRED is set.
+ * Real inputs that are not part of the repository. Tests that use them are skipped where the folder is missing, or
+ * fail where SHAPESPLINE_DATA_REQUIRED is set.
  */
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';

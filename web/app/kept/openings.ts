@@ -35,6 +35,11 @@ export class Openings {
     this.earlier = lasting([...this.earlier, work]);
   }
 
+  forget(): void {
+    this.earlier = [];
+    this.later = [];
+  }
+
   /** All of it, what was left last first. */
   get all(): Work[] {
     return [...this.later, ...this.earlier].reverse();

@@ -42,6 +42,8 @@ export interface RememberedFiles {
    * a mark, and so does a visit that ends meanwhile: the next one does not open it unasked.
    */
   reopen(id: string, open: (remembered: Remembered) => Promise<boolean | null>): Promise<boolean>;
+  /** Nothing was ever kept, in this visit or before. */
+  forgetAll(): Promise<void>;
   /** Whether leaving the page now would lose the user's work. */
   readonly unsaved: boolean;
 }
@@ -103,6 +105,7 @@ export function createRememberedFiles({
   const dropped = new Set<string>();
   let shelf: readonly ProjectOnShelf[] = [];
   let timer = 0;
+  let telling = 0;
   /** The project that is written when the time is up. */
   let waiting: string | null = null;
   let saving: Promise<void> = Promise.resolve();
@@ -219,7 +222,7 @@ export function createRememberedFiles({
     void inTurn(id, NOT_WRITTEN).then(() => {
       if (told || !kept.has(id)) return;
       told = true;
-      window.setTimeout(say, TELL_DELAY_MS, KEPT);
+      telling = window.setTimeout(say, TELL_DELAY_MS, KEPT);
     });
   };
   const stopWaiting = (): void => {
@@ -286,6 +289,21 @@ export function createRememberedFiles({
       window.removeEventListener('pagehide', leave);
       changed();
       return opened === true;
+    },
+    async forgetAll() {
+      stopWaiting();
+      window.clearTimeout(telling);
+      await saving;
+      await readList();
+      for (const { id } of shelf) await forgetProject(id);
+      kept.clear();
+      dropped.clear();
+      shelf = [];
+      told = false;
+      newest = null;
+      lastNoted = null;
+      for (const key of [LEFT, NOTE, UNWANTED]) writeSetting(key, null);
+      changed();
     },
     get unsaved() {
       const { source, doc } = store.get();

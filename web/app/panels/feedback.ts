@@ -8,6 +8,8 @@ import type { ViewStateHolder } from './view-state.ts';
 export interface Feedback {
   toast: HTMLElement;
   say(text: string): void;
+  /** Nothing was said. */
+  clear(): void;
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
   onWorking(working: Progress | null): void;
@@ -19,6 +21,7 @@ export function createFeedback(viewState: ViewStateHolder): Feedback {
   return {
     toast: toast.element,
     say: toast.say,
+    clear: toast.clear,
     onStart: () => viewState.change({ errorMessage: null }),
     onWorking: (working) => viewState.change({ working }),
     onError(error) {

@@ -94,7 +94,7 @@ export interface OpenFiles {
   back(): Promise<boolean>;
   /** Redoes that. */
   forth(): Promise<boolean>;
-  readonly openings: Readonly<Pick<Openings, 'before' | 'after' | 'all' | 'left'>>;
+  readonly openings: Readonly<Pick<Openings, 'before' | 'after' | 'all' | 'left' | 'forget'>>;
   /** Takes the keys anew, at these seconds of the animation's own timeline. */
   resample(animation: number, times: number[]): Promise<boolean>;
   /** Takes the keys from the animation that the files hold themselves, at the times that are taken by default. */

@@ -8,8 +8,8 @@
 const held: IDBDatabase[] = [];
 
 /**
- * In the worker: takes the lock for as long as it lives; `taken` is called once it has it. Pages that may store nothing,
- * such as those in a sandboxed frame, have no locks: there an end goes unnoticed.
+ * In the worker: takes the lock for as long as it lives; `taken` is called once it has it. Pages that may store
+ * nothing, such as those in a sandboxed frame, have no locks: there an end goes unnoticed.
  */
 export function holdLock(name: string, taken: () => void): void {
   try {

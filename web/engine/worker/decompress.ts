@@ -66,7 +66,7 @@ async function decodeFile(job: Job): Promise<InputFile> {
   }
 }
 
-/** What an error of ours or of a library says in words; where it stumbled over the file (TypeError), it says nothing. */
+/** The message of an error of ours or of a library; of a TypeError nothing, as that speaks of the library's code. */
 function reasonOf(error: unknown): string {
   const isSentence = error instanceof Error && error.constructor === Error && /^[\w\s.,:()'"/-]+$/.test(error.message);
   return isSentence ? messageOf(error).replace(/\.$/, '') : '';

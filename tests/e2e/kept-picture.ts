@@ -1,0 +1,59 @@
+/**
+ * Pictures of the page that are kept, each part of it compared by itself: the stage, and each panel. They are shrunk to
+ * a quarter first, so that other software renderers pass.
+ */
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { changedShare, crop, decode, encode, shrink } from './png.ts';
+import type { Box } from './png.ts';
+import type { App } from './support.ts';
+import { expect } from './support.ts';
+
+export type Part = Box & { name: string };
+
+export const SHRUNK = 4;
+/** Levels of 255 by which a shrunk pixel may differ, and the share of a part's pixels that may differ by more. */
+const LEVELS = 28;
+const SHARE = 0.01;
+
+/** Where the parts of the page are on the screen, in shrunk pixels, as much of each as is seen. */
+export async function partsOf(app: App, selectors: Readonly<Record<string, string>>): Promise<Part[]> {
+  const { width, height } = app.page.viewportSize()!;
+  const parts: Part[] = [];
+  for (const [name, selector] of Object.entries(selectors)) {
+    const box = await app.page.locator(selector).first().boundingBox();
+    expect(box, `${name} is on the page`).not.toBeNull();
+    const within = (value: number, most: number): number => Math.min(Math.max(value, 0), most) / SHRUNK;
+    const [left, top] = [Math.ceil(within(box!.x, width)), Math.ceil(within(box!.y, height))];
+    const [right, bottom] = [
+      Math.floor(within(box!.x + box!.width, width)),
+      Math.floor(within(box!.y + box!.height, height)),
+    ];
+    parts.push({ name, x: left, y: top, width: right - left, height: bottom - top });
+  }
+  return parts;
+}
+
+/** The parts in which two pictures differ. */
+export function changedParts(kept: Buffer, now: Buffer, parts: readonly Part[]): string[] {
+  const [before, after] = [decode(kept), decode(now)];
+  return parts
+    .filter((part) => changedShare(encode(crop(before, part)), encode(crop(after, part)), LEVELS) > SHARE)
+    .map(({ name }) => name);
+}
+
+/** The page on the screen, shrunk. */
+export async function shrunk(app: App): Promise<Buffer> {
+  return shrink(await app.page.screenshot({ animations: 'disabled' }), SHRUNK);
+}
+
+/** Compares the picture with the one in the file, part by part, or takes it anew. */
+export function expectAsKept(file: string, now: Buffer, parts: readonly Part[], anew: boolean): void {
+  if (anew) {
+    mkdirSync(path.dirname(file), { recursive: true });
+    writeFileSync(file, now);
+    return;
+  }
+  expect(existsSync(file), `${file} is there`).toBe(true);
+  expect(changedParts(readFileSync(file), now, parts), 'what looks different').toEqual([]);
+}

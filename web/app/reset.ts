@@ -1,0 +1,82 @@
+/** Back to what a visit starts with, without loading the page again: for tests, which share a page so. */
+import { DEFAULT_REQUEST } from '../model/export-request.ts';
+import { DEFAULT_VIEW, EMPTY_STATE } from '../model/state.ts';
+import type { Theme } from '../ui/theme.ts';
+import type { Feedback } from './panels/feedback.ts';
+import type { ViewStateHolder } from './panels/view-state.ts';
+import type { Session } from './session/session.ts';
+import type { Ways } from './ways.ts';
+
+export interface ResetParts {
+  session: Session;
+  ways: Ways;
+  viewState: ViewStateHolder;
+  feedback: Feedback;
+  theme: { theme(): Theme; next(): void };
+  /** What waits for the user's word. */
+  withdrawOffers(): void;
+  /** Fits the view to the shape again. */
+  refit(): void;
+  /** Opens what a visit starts with whose address has this fragment. */
+  visit(fragment: string): Promise<void>;
+}
+
+export async function reset(parts: ResetParts, fragment: string): Promise<void> {
+  const { session, ways, viewState, feedback, theme } = parts;
+  const { files, remembered, animation, exporting } = ways;
+  exporting.cancel();
+  animation.cancel();
+  session.cancel();
+  await files.idle();
+  closeAll();
+  animation.dropTruth();
+  session.store.set({ project: null, view: DEFAULT_VIEW, play: EMPTY_STATE.play });
+  await remembered.forgetAll();
+  while (theme.theme() !== 'system') theme.next();
+  history.replaceState(null, '', location.pathname + location.search + fragment);
+  parts.withdrawOffers();
+  feedback.clear();
+  viewState.change({
+    errorMessage: null,
+    welcome: true,
+    singleKeys: true,
+    original: false,
+    exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
+  });
+  await parts.visit(fragment);
+  files.openings.forget();
+  viewState.change({ welcome: session.store.get().source.kind === 'sample' });
+  // The shape is fitted below what is said over it, which is drawn with the next frame.
+  await files.idle();
+  await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  const { view } = session.store.get();
+  if (view.camera) return;
+  parts.refit();
+  session.store.set({ view });
+}
+
+/** What a hand has opened, chosen and scrolled to. */
+function closeAll(): void {
+  const { body } = document;
+  for (const dialog of document.querySelectorAll<HTMLDialogElement>('dialog[open]')) dialog.close();
+  for (const key of ['pointerdown', 'pointerup']) body.dispatchEvent(new PointerEvent(key, { bubbles: true }));
+  for (const card of document.querySelectorAll('.card:not([hidden]), .app[data-sheet]'))
+    card.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
+  for (const opened of document.querySelectorAll<HTMLDetailsElement>('details[open]')) opened.open = false;
+  for (const part of document.querySelectorAll('.side, .key-list')) part.scrollTo(0, 0);
+  takeBackChoices();
+  if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+}
+
+/** Choices of the charts, which stay when something else is opened. */
+function takeBackChoices(): void {
+  const control = (testId: string): HTMLInputElement | null =>
+    document.querySelector<HTMLInputElement>(`[data-testid="${testId}"]`);
+  for (const field of [control('face-number'), control('patch-number')]) {
+    if (!field?.value) continue;
+    field.value = '';
+    field.dispatchEvent(new Event('change'));
+  }
+  control('part-face')?.click();
+  if (control('minimised')?.checked) control('minimised')?.click();
+}
