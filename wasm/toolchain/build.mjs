@@ -206,7 +206,8 @@ export const npmPackage = guarded(
 );
 
 // Installed later, the peer that stands beside Eigen is compiled in.
-const hasCholmod = () => ['/usr/include/suitesparse', '/usr/include'].some((folder) => existsSync(`${folder}/cholmod.h`));
+const hasCholmod = () =>
+  ['/usr/include/suitesparse', '/usr/include'].some((folder) => existsSync(`${folder}/cholmod.h`));
 
 export const benchPrograms = guarded(
   'bench-programs',
