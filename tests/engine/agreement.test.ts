@@ -27,7 +27,7 @@ function objOf(positions: number[]): Uint8Array {
 it('wasm agrees with native double to 1e-6 of the diagonal', async () => {
   const files = shared.keys.map((key, i) => ({ name: `key-${i}.obj`, bytes: objOf(key) }));
   const keys = await engine.importKeyframes(files);
-  const sequence = await engine.createSequence(keys);
+  const sequence = await engine.createSequence(keys, { precision: 'exact' });
   for (const [k, t] of shared.times.entries()) {
     const { positions } = await frameAt(sequence, t);
     const some = positions.filter((_, i) => Math.floor(i / 3) % shared.every === 0);

@@ -60,13 +60,11 @@ describe('objects in another order', () => {
     const folder = await folderOf([file('a.obj', 0), file('b.obj', 1)]);
     const { code } = await runCli(folder, 'complete', 'a.obj', 'b.obj', '--frames', '2', '--output', 'frames/');
     expect(code).toBe(0);
-    const [, ...lines] = readFileSync(path.join(folder, 'frames/frame-001.obj'), 'utf8')
+    const lines = readFileSync(path.join(folder, 'frames/0001.obj'), 'utf8')
       .split('\n')
-      .filter((line) => /^(v|o|usemtl|f)\b/.test(line))
-      .join('\n')
-      .split(/^v .*\n/m)
-      .filter(Boolean);
-    expect(lines.join('')).toMatch(/^o Größe 体\nusemtl skin\nf 1 2 3 4\no Hat\nusemtl felt\nf 5 6 7 8$/m);
+      .filter((line) => /^(o|usemtl|f)\b/.test(line));
+    const names = ['o Größe 体', 'usemtl skin', 'f 1//1 2//2 3//3 4//4', 'o Hat', 'usemtl felt', 'f 5//5 6//6 7//7 8//8'];
+    expect(lines).toEqual(names);
   });
 });
 
