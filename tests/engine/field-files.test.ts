@@ -63,7 +63,14 @@ describe('objects in another order', () => {
     const lines = readFileSync(path.join(folder, 'frames/0001.obj'), 'utf8')
       .split('\n')
       .filter((line) => /^(o|usemtl|f)\b/.test(line));
-    const names = ['o Größe 体', 'usemtl skin', 'f 1//1 2//2 3//3 4//4', 'o Hat', 'usemtl felt', 'f 5//5 6//6 7//7 8//8'];
+    const names = [
+      'o Größe 体',
+      'usemtl skin',
+      'f 1//1 2//2 3//3 4//4',
+      'o Hat',
+      'usemtl felt',
+      'f 5//5 6//6 7//7 8//8',
+    ];
     expect(lines).toEqual(names);
   });
 });
