@@ -181,7 +181,7 @@ test('contrast themes keep the timeline, the choices and what is chosen', async 
 test.describe('with a service worker', () => {
   test.use({ ownProfile: true });
 
-  test('works offline after the first visit', async ({ app, context }, info) => {
+  test('works offline after the first visit', { tag: '@all' }, async ({ app, context }, info) => {
     test.skip(info.project.name === 'dev', 'the development server has no service worker');
     await app.open();
     await app.page.evaluate(() => navigator.serviceWorker.ready);

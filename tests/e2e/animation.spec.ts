@@ -323,7 +323,7 @@ test('on a phone the sheet leaves room for the shape, upright and sideways', asy
   await app.expectNoProblems();
 });
 
-test('a motion that ends as it began offers to go on as a loop', async ({ app }) => {
+test('a motion that ends as it began offers to go on as a loop', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });

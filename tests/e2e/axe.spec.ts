@@ -72,7 +72,7 @@ test('a phone: two motions beside a divider, each sheet, and the gallery', async
   await expectAccessible(app, { parts: ['.app-header'] });
 });
 
-test('charts of faces and patches with their values', async ({ app }) => {
+test('charts of faces and patches with their values', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear&colour=distance&boundary=hermite' });
   const parts = ['[data-testid="panel-analysis"]', '.colour-bar'];
   await app.by('face-number').fill('3');
@@ -87,7 +87,7 @@ test('charts of faces and patches with their values', async ({ app }) => {
   await expectAccessible(app, { parts: ['[data-testid="faces"]'] });
 });
 
-test('ghost sizes that were compared', async ({ app }) => {
+test('ghost sizes that were compared', { tag: '@all' }, async ({ app }) => {
   test.slow();
   await app.open({ hash: '#sample=twisted-bar' });
   await app.by('ghost').check();
@@ -99,7 +99,7 @@ test('ghost sizes that were compared', async ({ app }) => {
   await expectAccessibleInBoth(app, ['[data-testid="panel-ghost"]', '.colour-bar']);
 });
 
-test('the guide, with the playground beside it, and on a projector', async ({ app }) => {
+test('the guide, with the playground beside it, and on a projector', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#tour=6' });
   await expect(app.page.frameLocator('.framed').getByTestId('curve-notice')).not.toBeEmpty();
   await app.settled();

@@ -99,48 +99,49 @@ async function opensAnotherSample(app: App): Promise<void> {
   expect(await app.positions()).not.toEqual(before);
 }
 
-test('leaves open tabs as they are, is offered, and takes over where it is asked for', async ({
-  app,
-  context,
-}, info) => {
-  test.skip(info.project.name === 'dev', 'the development server has no service worker');
-  const host = new Host();
-  try {
-    const url = await host.listen();
-    await open(app, url);
-    await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-    const other = new App(await context.newPage());
-    await open(other, url);
-    const first = await entry(app);
-    await expect(app.by('new-version')).toBeHidden();
+test(
+  'leaves open tabs as they are, is offered, and takes over where it is asked for',
+  { tag: '@all' },
+  async ({ app, context }, info) => {
+    test.skip(info.project.name === 'dev', 'the development server has no service worker');
+    const host = new Host();
+    try {
+      const url = await host.listen();
+      await open(app, url);
+      await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+      const other = new App(await context.newPage());
+      await open(other, url);
+      const first = await entry(app);
+      await expect(app.by('new-version')).toBeHidden();
 
-    host.deploy('B');
-    await askForUpdate(app);
-    await expect(app.by('new-version')).toBeVisible();
-    await expect(other.by('new-version')).toBeVisible();
-    await opensAnotherSample(app);
+      host.deploy('B');
+      await askForUpdate(app);
+      await expect(app.by('new-version')).toBeVisible();
+      await expect(other.by('new-version')).toBeVisible();
+      await opensAnotherSample(app);
 
-    await app.by('new-version-accept').click();
-    await expect.poll(() => entry(app).catch(() => first)).not.toBe(first);
-    const second = await entry(app);
-    await expect(app.by('new-version')).toBeHidden();
-    // The other tab runs on, by the new service worker and the old files.
-    await opensAnotherSample(other);
-    expect(await entry(other)).toBe(first);
-    expect(await kept(other)).toEqual(expect.arrayContaining([first, second]));
-    await app.expectNoProblems();
+      await app.by('new-version-accept').click();
+      await expect.poll(() => entry(app).catch(() => first)).not.toBe(first);
+      const second = await entry(app);
+      await expect(app.by('new-version')).toBeHidden();
+      // The other tab runs on, by the new service worker and the old files.
+      await opensAnotherSample(other);
+      expect(await entry(other)).toBe(first);
+      expect(await kept(other)).toEqual(expect.arrayContaining([first, second]));
+      await app.expectNoProblems();
 
-    // The old files go when no page uses them.
-    await other.page.close();
-    await open(app, url);
-    await expect.poll(async () => (await kept(app)).includes(first)).toBe(false);
-    expect(await kept(app)).toContain(second);
-  } finally {
-    host.close();
-  }
-});
+      // The old files go when no page uses them.
+      await other.page.close();
+      await open(app, url);
+      await expect.poll(async () => (await kept(app)).includes(first)).toBe(false);
+      expect(await kept(app)).toContain(second);
+    } finally {
+      host.close();
+    }
+  },
+);
 
-test('nothing is kept under a file name but that file', async ({ app }, info) => {
+test('nothing is kept under a file name but that file', { tag: '@all' }, async ({ app }, info) => {
   test.skip(info.project.name === 'dev', 'the development server has no service worker');
   const host = new Host();
   try {

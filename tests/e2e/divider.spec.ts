@@ -114,7 +114,7 @@ test('is dragged by pointer and touch, and told to who cannot see it', async ({ 
   await app.expectNoProblems();
 });
 
-test('says the volumes of a large shape, too', async ({ app }) => {
+test('says the volumes of a large shape, too', { tag: '@all' }, async ({ app }) => {
   test.slow();
   await app.open();
   await app.openGenerated(70_000);
@@ -202,7 +202,7 @@ test.describe('a first visit', () => {
 test.describe('a first visit with reduced motion', () => {
   test.use({ ownProfile: true });
 
-  test('stands still where the blend has collapsed', async ({ app }) => {
+  test('stands still where the blend has collapsed', { tag: '@all' }, async ({ app }) => {
     await app.open({ first: true });
     expect((await app.state()).play.playing).toBe(false);
     const [method, blend] = await volumes(app);

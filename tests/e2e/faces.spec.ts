@@ -158,7 +158,7 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   await app.expectNoProblems();
 });
 
-test('the shape goes on moving when another face is marked, and when none is', async ({ app }) => {
+test('the shape goes on moving when another face is marked, and when none is', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&floor=0' });
   await app.by('faces').scrollIntoViewIfNeeded();
   for (const numbers of [['3', '30'], ['']]) {
@@ -212,9 +212,9 @@ test('a patch that is clicked shows how it turns against each neighbour, natural
   await app.expectNoProblems();
 });
 
-test('a patch that the next shape does not have is let go without a word; one that is typed wrongly is said', async ({
-  app,
-}) => {
+test('a patch that the next shape does not have is let go without a word; one that is typed wrongly is said', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ hash: '#sample=cactus' });
   await app.by('part-patch').check({ force: true });
   await app.by('patch-number').fill('120');
@@ -251,7 +251,9 @@ for (const { width, height } of [
   { width: 360, height: 740 },
   { width: 1024, height: 768 },
 ])
-  test(`at ${width} px no words of the colour bar lie over names of views or buttons`, async ({ app }) => {
+  test(`at ${width} px no words of the colour bar lie over names of views or buttons`, { tag: '@all' }, async ({
+    app,
+  }) => {
     await app.page.setViewportSize({ width, height });
     await app.open({ hash: '#figure=7' });
     await expect(app.by('colour-bar-now')).toContainText('at most');
@@ -281,7 +283,7 @@ for (const { width, height } of [
       }
   });
 
-test('at 360 px no words of the colour bar lie over the first of three shapes', async ({ app }) => {
+test('at 360 px no words of the colour bar lie over the first of three shapes', { tag: '@all' }, async ({ app }) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await app.open({ hash: '#sample=hand&compare=linear,cubic-vertex&colour=stretch&t=0.3' });
   await expect(app.by('colour-bar-now')).toContainText('at most');

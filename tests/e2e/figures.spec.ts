@@ -48,7 +48,7 @@ for (const { plots, part } of [
   { plots: ['face-rotation'], part: 'face' },
   { plots: ['patch-angles', 'patch-rotation'], part: 'patch' },
 ])
-  test(`values are read and saved as SVG, PNG and CSV: ${plots.join(', ')}`, async ({ app }) => {
+  test(`values are read and saved as SVG, PNG and CSV: ${plots.join(', ')}`, { tag: '@all' }, async ({ app }) => {
     await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
     if (part) await choosePart(app, part, '3');
     await app.by('plot-bending').scrollIntoViewIfNeeded();
@@ -76,7 +76,9 @@ for (const { plots, part } of [
   });
 
 for (const colorScheme of ['light', 'dark'] as const)
-  test(`an image that is saved names its curves, on the background of the ${colorScheme} theme`, async ({ app }) => {
+  test(`an image that is saved names its curves, on the background of the ${colorScheme} theme`, {
+    tag: '@all',
+  }, async ({ app }) => {
     await app.page.emulateMedia({ colorScheme });
     await app.open({ hash: '#sample=cactus&compare=geodesic,linear' });
     await app.by('plot-bending').scrollIntoViewIfNeeded();

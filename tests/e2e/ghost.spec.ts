@@ -78,9 +78,9 @@ test('size, transfer and placement change the ghost, and are in the link', async
   await app.expectNoProblems();
 });
 
-test('its wireframe lies over the shape, and it stands beside the shape with lines to its vertices', async ({
-  app,
-}) => {
+test('its wireframe lies over the shape, and it stands beside the shape with lines to its vertices', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open();
   await app.setTime(0.2);
   await app.by('ghost').check();
@@ -108,7 +108,7 @@ test('its wireframe lies over the shape, and it stands beside the shape with lin
   await app.expectNoProblems();
 });
 
-test('the difference to no ghost is shown as colours, with its range', async ({ app }) => {
+test('the difference to no ghost is shown as colours, with its range', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.by('ghost').check();
   await app.by('ghost-faces').fill('300');
@@ -208,7 +208,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
   await app.expectNoProblems();
 });
 
-test('a comparison can be cancelled, and so can a ghost that is being made', async ({ app }) => {
+test('a comparison can be cancelled, and so can a ghost that is being made', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.openGenerated(80_000); // a sample's ghost may be there before the page has drawn that it is being made
   const before = await app.positionsAt(0.2);

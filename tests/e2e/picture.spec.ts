@@ -135,7 +135,9 @@ test('the film strip shows the motion in a row, and goes away again', async ({ a
   expect((await app.state()).view.film).toBe(false);
 });
 
-test('a film strip has names under its shapes, as many shapes as are asked for, and is in links', async ({ app }) => {
+test('a film strip has names under its shapes, as many shapes as are asked for, and is in links', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ sample: 'cactus' });
   const names = app.by('film-labels').locator('span');
   await expect(names).toHaveCount(0);
@@ -168,7 +170,9 @@ test('a film strip has names under its shapes, as many shapes as are asked for, 
   expect((await app.state()).view.filmShapes).toBeNull();
 });
 
-test('the view is after a film strip what it was before, also where onion skins follow', async ({ app }) => {
+test('the view is after a film strip what it was before, also where onion skins follow', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   await app.by('view-right').click();
   await app.settled();
@@ -274,7 +278,7 @@ test.describe('with a context that is lost', () => {
   });
 });
 
-test('a resize while playing loses nothing', async ({ app }) => {
+test('a resize while playing loses nothing', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.by('play').click();
   for (const [width, height] of [
@@ -331,7 +335,9 @@ test.describe('with what is drawn into counted', () => {
   });
 });
 
-test('no sample stands under the first sentence, and names of views move with them', async ({ app }) => {
+test('no sample stands under the first sentence, and names of views move with them', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.page.setViewportSize({ width: 1024, height: 768 });
   for (const sample of ['cactus', 'twisted-bar']) {
     await app.open({ sample });

@@ -139,7 +139,9 @@ test('own files are remembered with all that was done to them, until the user sa
   await app.expectNoProblems();
 });
 
-test('changes that never pause are kept, and so is the last one before the page is left', async ({ app }) => {
+test('changes that never pause are kept, and so is the last one before the page is left', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   await drop(app, BAR);
   await isRemembered(app);
@@ -252,7 +254,7 @@ test.describe('two tabs', () => {
     expect(projects.map(([, project]) => (project as Kept['project']).state.time).sort()).toEqual([0.3, 0.7]);
   });
 
-  test('forget for both', async ({ app, context }) => {
+  test('forget for both', { tag: '@all' }, async ({ app, context }) => {
     await app.open();
     await drop(app, BAR);
     await isRemembered(app);
@@ -269,7 +271,7 @@ test.describe('two tabs', () => {
   });
 });
 
-test('what an earlier visit left and does not read is set aside with a word', async ({ app }) => {
+test('what an earlier visit left and does not read is set aside with a word', { tag: '@all' }, async ({ app }) => {
   test.slow(); // many pages, one after the other
   await app.open();
   for (const project of ['nonsense', { format: 3, id: 'x', opening: false, poses: [], state: {} }, { format: 99 }]) {
@@ -322,7 +324,7 @@ const EARLIER = {
 };
 
 for (const [how, records] of Object.entries(EARLIER)) {
-  test(`what an earlier version of the page remembered ${how} opens`, async ({ app }) => {
+  test(`what an earlier version of the page remembered ${how} opens`, { tag: '@all' }, async ({ app }) => {
     await app.open();
     await drop(app, BAR);
     await app.setTime(0.25);
@@ -339,7 +341,9 @@ for (const [how, records] of Object.entries(EARLIER)) {
   });
 }
 
-test('files that ended the last visit while they were opened are opened on demand only', async ({ app }) => {
+test('files that ended the last visit while they were opened are opened on demand only', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   await drop(app, BAR);
   await isRemembered(app);
@@ -358,7 +362,9 @@ test('files that ended the last visit while they were opened are opened on deman
   await expect.poll(async () => (await kept(app.page))['twisted-bar.glb']?.project.opening).toBe(false);
 });
 
-test('files whose opening was interrupted by a reload are opened by the next visit', async ({ app }) => {
+test('files whose opening was interrupted by a reload are opened by the next visit', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   await drop(app, BAR);
   await isRemembered(app);

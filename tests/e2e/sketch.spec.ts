@@ -76,7 +76,7 @@ interface Seen {
   stage: string;
 }
 
-test('a large file moves before its motion is made, and exactly from there on', async ({ app }) => {
+test('a large file moves before its motion is made, and exactly from there on', { tag: '@all' }, async ({ app }) => {
   const letGo = await held(app);
   await app.open({ hash: '#sample=cactus&t=0.2' });
   await app.page.evaluate(watch);

@@ -122,10 +122,9 @@ test('an isolated page that was opened once works without a network, with two th
 test.describe('with files that are changed or stopped on their way', () => {
   test.use({ serviceWorkers: 'block' }); // whose requests cannot be stopped here
 
-  test('on an isolated page two threads work on a large shape where that is faster, and make the frames of a page without', async ({
-    app,
-    browser,
-  }) => {
+  test('on an isolated page two threads work on a large shape where that is faster, and make the frames of a page without', {
+    tag: '@all',
+  }, async ({ app, browser }) => {
     test.setTimeout(240_000);
     await changeWorker(app, (text) => `(${slowAlone.toString()})();\n${text}`);
     await app.open();

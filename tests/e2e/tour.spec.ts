@@ -129,7 +129,9 @@ test('left while its page is still being opened, it gives back what was open, an
 test.describe('while it is loaded', () => {
   test.use({ fresh: true });
 
-  test('turned to before anything is there, it opens, and gives back what was on its way', async ({ app }) => {
+  test('turned to before anything is there, it opens, and gives back what was on its way', { tag: '@all' }, async ({
+    app,
+  }) => {
     const heldBack = async (what: RegExp) => {
       let arrive = (): void => undefined;
       const held = new Promise<void>((done) => (arrive = done));
@@ -181,7 +183,9 @@ test.describe('while it is loaded', () => {
   });
 });
 
-test('the way back in the browser leads out of the tour, too, and the one onward into it', async ({ app }) => {
+test('the way back in the browser leads out of the tour, too, and the one onward into it', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
@@ -261,7 +265,9 @@ test('the playground is a part of its step: an angle of the shape, dragged besid
   await app.expectNoProblems();
 });
 
-test('on a projector a step is large, with nothing to press, and a clicker turns the pages', async ({ app }) => {
+test('on a projector a step is large, with nothing to press, and a clicker turns the pages', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.page.setViewportSize({ width: 1024, height: 768 });
   await app.open({ hash: '#tour=2' });
   await expectStep(app, 1);
@@ -346,7 +352,9 @@ for (const [width, height] of [
     expect(next.y + next.height).toBeLessThanOrEqual(guide.y + guide.height);
   });
 
-test('own files, edited, are there again when the page was loaded anew in the middle of the tour', async ({ app }) => {
+test('own files, edited, are there again when the page was loaded anew in the middle of the tour', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');

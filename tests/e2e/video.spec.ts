@@ -142,7 +142,9 @@ test('a video takes as long as was watched, whatever the machine takes, and the 
   await expect(app.by('export-duration')).toHaveValue('0.5');
 });
 
-test('the playing shape is saved as WebM: every frame at its time, as long as was asked', async ({ app }) => {
+test('the playing shape is saved as WebM: every frame at its time, as long as was asked', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   const { download, bytes } = await exported(app, async () => {
     await chooseVideo(app, 'webm', { 'export-duration': '0.5' });
@@ -298,7 +300,7 @@ async function decodedGif(page: Page, bytes: Buffer): Promise<{ frames: Buffer[]
 test.describe('with code that is loaded when it is needed', () => {
   test.use({ fresh: true });
 
-  test('a GIF has its frames, their times and the colours of the view', async ({ app }) => {
+  test('a GIF has its frames, their times and the colours of the view', { tag: '@all' }, async ({ app }) => {
     await app.open();
     const code = (): string[] => app.requests.filter((url) => /(gif-encoder|video-encoder|video)-[^/]*\.js$/.test(url));
     expect(code()).toEqual([]);
@@ -372,10 +374,9 @@ test('a turntable takes the seconds that the dialog says, once around, and leave
 test.describe('without WebCodecs', () => {
   test.use({ fresh: true });
 
-  test('where a browser has no WebCodecs its recorder makes the video, with times and length set right', async ({
-    app,
-    page,
-  }) => {
+  test('where a browser has no WebCodecs its recorder makes the video, with times and length set right', {
+    tag: '@all',
+  }, async ({ app, page }) => {
     await page.addInitScript(() => Reflect.deleteProperty(window, 'VideoEncoder'));
     await app.open();
     const { download, bytes } = await exported(app, async () => {
@@ -396,7 +397,7 @@ test.describe('without WebCodecs', () => {
   });
 });
 
-test('a long video is stopped and leaves everything as it was', async ({ app }) => {
+test('a long video is stopped and leaves everything as it was', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await stated(app, () => chooseVideo(app, 'mp4', { 'export-duration': '300' }));
   await app.by('export-go').click();
@@ -479,7 +480,9 @@ test('a picture is cropped to the shape, or has the floor and the ground of the 
   expect(new Set(row).size).toBeGreaterThan(5);
 });
 
-test('a picture of a film strip has the strip of every method, the keys in it, and their names', async ({ app }) => {
+test('a picture of a film strip has the strip of every method, the keys in it, and their names', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open();
   await app.by('compare-linear').check();
   await app.settled();
@@ -521,7 +524,7 @@ test('a picture of a film strip has the strip of every method, the keys in it, a
   expect(names(810, 1080)).toBeGreaterThan(100);
 });
 
-test('a comparison carries the names of its methods', async ({ app }) => {
+test('a comparison carries the names of its methods', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.setTime(0.25);
   const single = await exported(app, async () => {
