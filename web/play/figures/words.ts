@@ -17,10 +17,11 @@ export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
 
 export const ENDS_WORDS: Record<Ends, string> = { natural: 'Free', hermite: 'Given speeds', periodic: 'Loop' };
 
-/** Four digits at most, with a minus sign that reads as one; a dash where there is no value. */
+/** Three digits, a minus sign that reads as one, powers of ten for large numbers, a dash where there is no value. */
 export function number(value: number): string {
   if (Number.isNaN(value)) return '–';
   if (value === Infinity) return '∞';
-  const text = Math.abs(value) < 5e-4 ? '0' : String(Number(value.toPrecision(3)));
+  const rounded = Math.abs(value) < 5e-4 ? 0 : Number(value.toPrecision(3));
+  const text = Math.abs(rounded) < 1e6 ? String(rounded) : rounded.toExponential().replace('e+', 'e');
   return text.replace('-', '−');
 }
