@@ -7,7 +7,7 @@ import path from 'node:path';
 import { chromium } from '@playwright/test';
 import { build, type Plugin } from 'esbuild';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
-import { serve } from '../../wasm/toolchain/serve.mjs';
+import { developmentGuards, serve } from '../../wasm/toolchain/serve.mjs';
 import { wasmStaysOutside } from '../../wasm/toolchain/wasm-outside.mjs';
 import type { Runner } from './runner.ts';
 
@@ -43,7 +43,7 @@ async function bundle(repository: string): Promise<void> {
 
 export async function browserRunner(repository: string): Promise<Runner> {
   await bundle(repository);
-  const { url, server } = await serve(repository, { port: 4273, isolated: true });
+  const { url, server } = await serve(repository, { port: 4273, isolated: true, headers: developmentGuards });
   const args = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
   const browser = await chromium.launch({ executablePath: findBrowser(chromium) ?? undefined, args });
   const page = await browser.newPage();

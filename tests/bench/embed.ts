@@ -10,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium, type Page } from '@playwright/test';
 import type { Size, Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
-import { serve } from '../../wasm/toolchain/serve.mjs';
+import { developmentGuards, serve } from '../../wasm/toolchain/serve.mjs';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
 
 const DEFAULT_SIZES: Size[] = [{ faces: 10_000, keys: null }];
@@ -94,7 +94,7 @@ export async function benchEmbed({ sizes }: Wanted): Promise<void> {
   mkdirSync(folder, { recursive: true });
   for (const name of readdirSync(library).filter((file) => /^cdn\.js$|\.wasm$/.test(file)))
     copyFileSync(path.join(library, name), path.join(folder, name));
-  const { url, server } = await serve(folder, { port: 4276 });
+  const { url, server } = await serve(folder, { port: 4276, headers: developmentGuards });
   const args = [
     '--use-angle=swiftshader',
     '--enable-unsafe-swiftshader',

@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { chromium, type Page } from '@playwright/test';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
-import { serve } from '../../wasm/toolchain/serve.mjs';
+import { developmentGuards, serve } from '../../wasm/toolchain/serve.mjs';
 import type { Loaded } from './load-babylon.ts';
 import { residentOf } from './process-memory.ts';
 
@@ -53,7 +53,7 @@ async function loadInThree(page: Page, url: string): Promise<Played<InPage>> {
 
 /** `file` lies below `repository`, which is served. */
 export async function inThree(repository: string, file: string): Promise<Played<InThree>> {
-  const { url, server } = await serve(repository, { port: 4275 });
+  const { url, server } = await serve(repository, { port: 4275, headers: developmentGuards });
   const args = [
     '--use-angle=swiftshader',
     '--enable-unsafe-swiftshader',

@@ -7,7 +7,7 @@ import { type Browser, chromium, type Page } from '@playwright/test';
 import { Triangle, Vector3 } from 'three';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
-import { serve } from '../../wasm/toolchain/serve.mjs';
+import { developmentGuards, serve } from '../../wasm/toolchain/serve.mjs';
 import { changedShare } from '../e2e/png.ts';
 import { paintedMotion, type Made } from './made.ts';
 
@@ -38,7 +38,7 @@ let served: Awaited<ReturnType<typeof serve>>;
 beforeAll(async () => {
   if (!executablePath) return;
   made = await paintedMotion();
-  served = await serve(repository, { port: 4290 });
+  served = await serve(repository, { port: 4290, headers: developmentGuards });
   browser = await chromium.launch({ executablePath, args });
 });
 afterAll(async () => {

@@ -42,7 +42,7 @@ const policy = [
 const nosniff = { 'x-content-type-options': 'nosniff' };
 /** No file is taken for another type than is said, none does more than the page needs, no other host frames it. */
 export const guards = { ...nosniff, 'content-security-policy': policy };
-/** The development server connects to itself in ways of its own. */
+/** For pages that have no policy: the development server's, and those of tests and benchmarks. */
 export const developmentGuards = { ...nosniff, 'content-security-policy': noFrames };
 const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
 
@@ -71,20 +71,26 @@ function locate(folder, prefix, url) {
     .find(({ stats }) => stats?.isFile());
 }
 
-/** Serves `folder` on the first free port from `port` on; resolves to the page's URL and the server. */
-export async function serve(folder, { port = 4173, prefix = '/', tries = 50, isolated = false } = {}) {
+/**
+ * Serves `folder` on the first free port from `port` on, every answer with `headers`; resolves to the page's URL and the
+ * server.
+ */
+export async function serve(
+  folder,
+  { port = 4173, prefix = '/', tries = 50, isolated = false, headers = guards } = {},
+) {
   const top = path.resolve(folder);
   const server = createServer((request, response) => {
     const found = ['GET', 'HEAD'].includes(request.method) ? locate(top, prefix, request.url) : null;
     if (!found) {
-      response.writeHead(404, { 'content-type': 'text/plain', ...guards }).end('not found\n');
+      response.writeHead(404, { 'content-type': 'text/plain', ...headers }).end('not found\n');
       return;
     }
     response.writeHead(200, {
       'content-type': types[path.extname(found.file)] ?? 'application/octet-stream',
       'content-length': found.stats.size,
       'cache-control': 'no-cache',
-      ...guards,
+      ...headers,
       ...(isolated ? isolation : {}),
     });
     if (request.method === 'HEAD') response.end();

@@ -4,7 +4,7 @@
  */
 import { EngineError } from '../../engine/api/errors.ts';
 import { sequenceText, sequencesIn } from '../../engine/api/numbered-names.ts';
-import { fileName, isModel } from '../../engine/api/paths.ts';
+import { fileName, isModel, withoutLeftovers } from '../../engine/api/paths.ts';
 import { isMismatch } from '../../engine/api/read-poses.ts';
 import type { Offer } from '../../ui/messages.ts';
 import type { Source } from '../../model/state.ts';
@@ -129,7 +129,10 @@ export function createTakeFiles({ store, files, say, onOffer, onPick }: TakeFile
   return {
     forget,
     async take(picked, place = null) {
-      await files.run(picked, async (taken) => !askWhich(taken, place) && take(taken, place));
+      await files.run(picked, async (all) => {
+        const taken = withoutLeftovers(all);
+        return !askWhich(taken, place) && take(taken, place);
+      });
     },
   };
 }
