@@ -72,8 +72,8 @@ function locate(folder, prefix, url) {
 }
 
 /**
- * Serves `folder` on the first free port from `port` on, every answer with `headers`; resolves to the page's URL and the
- * server.
+ * Serves `folder` on the first free port from `port` on, every answer with `headers`. Resolves to the page's URL and
+ * the server.
  */
 export async function serve(
   folder,
