@@ -47,7 +47,7 @@ export async function shrunk(app: App): Promise<Buffer> {
   return shrink(await app.page.screenshot({ animations: 'disabled' }), SHRUNK);
 }
 
-/** Compares the picture with the one in the file, part by part, or takes it anew. */
+/** Compares the picture with the one in the file, part by part, or retakes it. */
 export function expectAsKept(file: string, now: Buffer, parts: readonly Part[], anew: boolean): void {
   if (anew) {
     mkdirSync(path.dirname(file), { recursive: true });

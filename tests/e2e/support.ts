@@ -21,7 +21,7 @@ export function realFile(name: string): string | null {
 }
 
 export interface OpenOptions {
-  /** As it opens for somebody who has never been there: on a page of its own. */
+  /** As on a first visit: on a page of its own. */
   first?: boolean;
   search?: string;
   hash?: string;
@@ -59,7 +59,7 @@ export class App {
   }
 
   /**
-   * Opens the page as for somebody who has kept nothing, and waits for the first shape; the motion stands still unless
+   * Opens the page with nothing kept, and waits for the first shape; the motion stands still unless
    * the test wants it. A page that is open already is reset instead of loaded, the first time in a test.
    */
   async open({ first = false, search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
@@ -287,7 +287,7 @@ async function drawnAt(sharpness: number, context: BrowserContext): Promise<Page
   return page;
 }
 
-/** As it is for the first test of the file, but for what is open: that is opened anew, or reset. */
+/** As for the first test of the file; what is open is reopened or reset. */
 async function sharedPage(shared: Shared, file: string, sharpness: number): Promise<Page> {
   const of = `${file} ${sharpness}`;
   if (!shared.page || shared.of !== of || shared.page.isClosed()) {

@@ -102,7 +102,7 @@ test('left while its page is still being opened, it gives back what was open, an
   await app.page.route(/samples\/twisted-bar/, async (route) => {
     asked += 1;
     await held;
-    await route.continue().catch(() => undefined); // nobody wants it any more
+    await route.continue().catch(() => undefined); // the page no longer waits for it
   });
   await app.by('help').focus();
   await app.page.keyboard.press('Enter');
@@ -138,7 +138,7 @@ test.describe('while it is loaded', () => {
       const asked = app.page.waitForRequest(what);
       await app.page.route(what, async (route) => {
         await held;
-        await route.continue().catch(() => undefined); // nobody wants it any more
+        await route.continue().catch(() => undefined); // the page no longer waits for it
       });
       return { asked, arrive };
     };
@@ -352,7 +352,7 @@ for (const [width, height] of [
     expect(next.y + next.height).toBeLessThanOrEqual(guide.y + guide.height);
   });
 
-test('own files, edited, are there again when the page was loaded anew in the middle of the tour', {
+test('own files, edited, are there again when the page was reloaded in the middle of the tour', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open();

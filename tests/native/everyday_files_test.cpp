@@ -69,7 +69,7 @@ void append(Bytes& bytes, T value, bool bigEndian) {
 
 const std::string kPlyVertices =
     "element vertex 6\nproperty uchar x\nproperty uchar y\nproperty uchar z\nelement tristrips 2\n";
-// Two strips in the first row, one of them started anew, with a corner named twice to turn; one in the second.
+// Two strips in the first row, one of them restarted, with a corner named twice to turn; one in the second.
 const std::vector<std::vector<int>> kStrips{{0, 1, 2, 3, -1, 2, 3, 4, 4, 5}, {5, 4, 3}};
 const std::vector<Triangle> kStripFaces{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {5, 4, 3}};
 const std::vector<std::vector<int>> kStripPoints{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 1}};
@@ -129,7 +129,7 @@ TEST_CASE("OBJ: a line names several material libraries, whose names may hold bl
   CHECK(says(imported(missing), "missing-materials", "\"not there.mtl\""));
 }
 
-TEST_CASE("PLY: strips of triangles, started anew at -1, every other triangle turned") {
+TEST_CASE("PLY: strips of triangles, restarted at -1, every other triangle turned") {
   const auto check = [&](const Bytes& bytes) { CHECK(facesOf("a.ply", bytes) == kStripFaces); };
   std::string text = "ply\nformat ascii 1.0\n" + kPlyVertices + "property list int int vertex_index\nend_header\n";
   const auto addRow = [&](const std::vector<int>& row) {

@@ -4,7 +4,6 @@
 
 #include "core/base/format.h"
 #include "core/spline/key_times.h"
-#include "io/base/byte_text.h"
 
 namespace shapespline {
 
@@ -14,6 +13,7 @@ namespace {
 constexpr std::uint64_t kMostKeyVertices = 60'000'000;
 // Keys of one file; more are a recording, not key poses.
 constexpr std::size_t kMostKeys = 10'000;
+
 Status checkTimes(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i)
     if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
