@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
@@ -138,19 +139,31 @@ void showBareMeshes(tinygltf::Model& model) {
   model.scenes.clear();
 }
 
-Status loadModel(json& doc, GltfDocument& out) {
+// How many primitives each mesh has in the file.
+std::vector<std::size_t> primitiveCounts(const json& doc) {
+  std::vector<std::size_t> counts;
+  const auto meshes = doc.find("meshes");
+  if (meshes == doc.end()) return counts;
+  for (const json& mesh : *meshes) {
+    const auto primitives = mesh.find("primitives");
+    counts.push_back(primitives == mesh.end() ? 0 : primitives->size());
+  }
+  return counts;
+}
+
+Status loadModel(json doc, GltfDocument& out) {
   for (const char* unread : {"buffers", "images", "cameras", "extensions", "extras"}) doc.erase(unread);
+  const std::vector<std::size_t> primitives = primitiveCounts(doc);
   const std::string text = doc.dump();
+  doc = nullptr;  // tinygltf makes its own; both at once would be the most memory of all
   tinygltf::TinyGLTF loader;
   std::string error, warning;
   if (!loader.LoadASCIIFromString(&out.model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), ""))
     return malformed(out.where, "it is not valid glTF" + (error.empty() ? "" : " (" + oneLine(error) + ")"));
   // tinygltf skips primitives that it cannot read.
-  for (std::size_t m = 0; m < out.model.meshes.size(); ++m) {
-    const auto primitives = doc["meshes"][m].find("primitives");
-    if (primitives != doc["meshes"][m].end() && primitives->size() != out.model.meshes[m].primitives.size())
+  for (std::size_t m = 0; m < out.model.meshes.size(); ++m)
+    if (primitives[m] != out.model.meshes[m].primitives.size())
       return malformed(out.where, "mesh " + std::to_string(m) + " has a primitive without valid attributes");
-  }
   showBareMeshes(out.model);
   return {};
 }
@@ -177,7 +190,7 @@ Result<GltfDocument> openGltf(const NamedBytes& file, std::span<const NamedBytes
   for (const NamedBytes& given : files) out.fileBytes += given.bytes.size();
   out.fileBytes = std::min<std::uint64_t>(out.fileBytes, source.chunks.json.size() + out.bufferBytes);
   readImages(*doc, source, out);
-  if (Status model = loadModel(*doc, out); !model) return model.error();
+  if (Status model = loadModel(std::move(*doc), out); !model) return model.error();
   return out;
 }
 

@@ -105,6 +105,7 @@ Result<NodeGraph> readNodes(const GltfDocument& doc) {
         return malformed(doc.where, "its scene shows node " + std::to_string(node) + ", which does not exist");
     graph.shown = depthFirst(doc, doc.model.scenes[scene].nodes);
   }
+  graph.rest.reserve(n);
   for (int i = 0; i < n; ++i) {
     auto transform = readTransform(doc, i);
     if (!transform) return transform.error();

@@ -100,7 +100,7 @@ SceneState restState(const GltfDocument& doc, const NodeGraph& graph) {
 
 Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state,
                                 Positions* normals, const FractionReport& onProgress) {
-  const auto world = worldTransforms(shape.graph, state.local);
+  const auto world = worldTransforms(*shape.graph, state.local);
   std::vector<Matrices> ofSkins(shape.skins.size());
   Positions out;
   out.reserve(shape.vertexCount);
@@ -133,7 +133,7 @@ Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape,
 }
 
 double storedRounding(const GltfShape& shape, const SceneState& state) {
-  const auto world = worldTransforms(shape.graph, state.local);
+  const auto world = worldTransforms(*shape.graph, state.local);
   const auto scaleOf = [](const Eigen::Affine3d& m) { return m.linear().colwise().norm().maxCoeff(); };
   std::vector<Matrices> ofSkins(shape.skins.size());
   double largest = 0;

@@ -267,8 +267,8 @@ struct ShapeReader {
     object.meshName = shortName(doc.model.meshes[doc.model.nodes[node].mesh].name);
     // The names above it tell apart what has one name; a few of them are enough.
     constexpr int most = 8;
-    int above = shape.graph.parent[node];
-    for (int i = 0; i < most && above >= 0; ++i, above = shape.graph.parent[above])
+    int above = shape.graph->parent[node];
+    for (int i = 0; i < most && above >= 0; ++i, above = shape.graph->parent[above])
       object.path = std::string(shortName(doc.model.nodes[above].name, 64)) + "/" + object.path;
     return object;
   }
@@ -278,7 +278,7 @@ struct ShapeReader {
     if (!skins) return skins.error();
     shape.skins = std::move(*skins);
     shape.hasNormals = true;
-    const auto world = worldTransforms(shape.graph, shape.graph.rest);
+    const auto world = worldTransforms(*shape.graph, shape.graph->rest);
     for (std::size_t i = 0; i < meshNodes.size(); ++i) {
       const double count = static_cast<double>(meshNodes.size()), before = static_cast<double>(i);
       const int node = meshNodes[i];
@@ -301,7 +301,7 @@ struct ShapeReader {
 Result<GltfShape> readShape(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes,
                             const FractionReport& onProgress) {
   ShapeReader reader{doc, meshNodes, onProgress, {}};
-  reader.shape.graph = graph;
+  reader.shape.graph = &graph;
   if (Status read = reader.read(); !read) return read.error();
   return std::move(reader.shape);
 }

@@ -35,7 +35,7 @@ struct GltfSkin {
 };
 
 struct GltfShape {
-  NodeGraph graph;
+  const NodeGraph* graph = nullptr;  ///< of the scene, which must outlive the shape
   std::vector<GltfPart> parts;
   std::vector<GltfSkin> skins;
   std::vector<Triangle> faces;        ///< over all parts, in the file's order
@@ -48,7 +48,7 @@ struct GltfShape {
 
 /// Reads every triangle primitive (lists, strips, fans) of every copy of these mesh nodes (see readScene), primitives
 /// in the file's order. Lines and points are skipped with a warning. Faces of mirrored nodes are turned around. The
-/// document must outlive the result. Errors: NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
+/// document and the graph must outlive the result. Errors: NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.
 Result<GltfShape> readShape(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes,
                             const FractionReport& onProgress = {});
 
