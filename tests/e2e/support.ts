@@ -14,10 +14,12 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js');
 const dataFolder = process.env['SHAPESPLINE_DATA'] ?? path.join(repository, '..', 'shared', 'data');
 
-/** Path of a real input, or null where the folder is missing. */
+/** Path of a real input, or null where the folder is missing. Where SHAPESPLINE_DATA_REQUIRED is 1 it must be there. */
 export function realFile(name: string): string | null {
   const file = path.join(dataFolder, name);
-  return existsSync(file) ? file : null;
+  if (existsSync(file)) return file;
+  if (process.env['SHAPESPLINE_DATA_REQUIRED'] === '1') throw new Error(`${file} is missing`);
+  return null;
 }
 
 export interface OpenOptions {

@@ -33,7 +33,7 @@ export async function reset(parts: ResetParts, fragment: string): Promise<void> 
   session.store.set({ project: null, view: DEFAULT_VIEW, play: EMPTY_STATE.play });
   await remembered.forgetAll();
   while (theme.theme() !== 'system') theme.next();
-  history.replaceState(null, '', location.pathname + location.search + fragment);
+  ways.link.replace(fragment);
   parts.withdrawOffers();
   feedback.clear();
   viewState.change({

@@ -23,6 +23,8 @@ export interface PageLink {
   copy(): Promise<void>;
   /** Keeps a fragment in the address, whatever the state becomes; null: no longer. */
   pin(fragment: string | null): void;
+  /** Writes a fragment (with its `#`, or '') into the address. */
+  replace(fragment: string): void;
   /** The whole address; null where the user's own files are open, or nothing. */
   address(): string | null;
 }
@@ -48,6 +50,13 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   let timer = 0;
   let pinned: string | null = null;
   let listening = false;
+  /** The last fragment that was written or heard of. */
+  let known = location.hash;
+
+  const replace = (fragment: string): void => {
+    history.replaceState(null, '', location.pathname + location.search + fragment);
+    known = location.hash;
+  };
 
   const stopWaiting = (): void => {
     window.clearTimeout(timer);
@@ -68,6 +77,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     stopWaiting(); // it would write what was, while the new one is on its way
     // What was written into the address since then is not what was asked for.
     const { hash } = new URL(newURL);
+    known = hash;
     const page = guideLink(hash);
     const link = readPermalink(hash);
     if (page) onGuide(page);
@@ -82,6 +92,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   return {
     listen() {
       window.addEventListener('hashchange', onChange);
+      known = location.hash;
       listening = true;
       if (initial()) this.follow();
     },
@@ -89,10 +100,12 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
       if (!listening || timer) return;
       timer = window.setTimeout(() => {
         timer = 0;
+        if (location.hash !== known) return; // the user has gone elsewhere, and its event is still to come
         const link = pinned ?? text();
-        history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
+        replace(link ? `#${link}` : '');
       }, WRITE_DELAY_MS);
     },
+    replace,
     address,
     async copy() {
       const url = address();
@@ -101,7 +114,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
         await navigator.clipboard.writeText(url);
         say('Link copied.');
       } catch {
-        history.replaceState(null, '', url);
+        replace(new URL(url).hash);
         say('The link is in the address bar now.');
       }
     },
