@@ -231,6 +231,8 @@ describe('complete', () => {
   it('writes a point cache with the OBJ that it moves beside it', async () => {
     const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'walk.pc2', '--fps', '4');
     expect([code, stderr]).toEqual([0, '']);
+    const inspected = await runCli(folder, 'inspect', 'walk.obj', 'walk.pc2');
+    expect((JSON.parse(inspected.stdout) as { animations: object[] }).animations).toMatchObject([{ start: 0, end: 2 }]);
     const cache = await readFile(path.join(folder, 'walk.pc2'));
     // Two seconds: one from pose to pose.
     expect(cache.readInt32LE(28)).toBe(9);

@@ -123,6 +123,10 @@ TEST_CASE("OBJ: a line names several material libraries, whose names may hold bl
   colours("my paint.mtl other paint.mtl", "my paint.mtl", "other paint.mtl");
   colours("paint library", "paint", "library");
   colours("a.mtl \\ \n b.mtl", "a.mtl", "b.mtl");
+  colours("./a.mtl ./b.mtl", "a.mtl", "b.mtl");
+  colours("mats/a.mtl mats/b.mtl", "mats/a.mtl", "mats/b.mtl");
+  colours(".\\a.mtl .\\b.mtl", "a.mtl", "b.mtl");
+  colours("my mats/a.mtl my mats/b.mtl", "my mats/a.mtl", "my mats/b.mtl");
 
   Files missing = Files().add("a.obj", bytesOf("mtllib a.mtl not there.mtl\n" + squareObj() + kFace));
   missing.add("b.obj", bytesOf(squareObj(1) + kFace)).add("a.mtl", bytesOf("newmtl red\n"));
@@ -239,11 +243,43 @@ TEST_CASE("numbers in names may be negative; whether a hyphen is a sign, all nam
     const auto series = numberedFiles(meshes);
     CHECK(series.has_value() == !one.at("frames").is_null());
     for (std::size_t i = 0; series && i < files.size(); ++i) {
-      const int frame = one.at("frames")[i], first = one.at("frames")[0];
+      const double frame = one.at("frames")[i], first = one.at("frames")[0];
       CHECK(series->seconds[i] == doctest::Approx((frame - first) / 24.0));
     }
     CHECK(sequencesAmong(meshes).empty() == (one.value("sequences", 1) < 2));
   }
+}
+
+TEST_CASE("frames of formats without times are at those that their files state") {
+  ImportOptions options;
+  options.everyFrame = true;
+  options.frameTimes = {0, 0.5, 2};
+  Files files;
+  for (int i = 0; i < 3; ++i) files.add("s" + std::to_string(i) + ".obj", bytesOf(squareObj(i) + kFace));
+  const auto times = [&] {
+    const auto import = files.import(options);
+    REQUIRE(import.ok());
+    std::vector<double> out;
+    for (const Key& key : import->keyframes.keys) out.push_back(key.time);
+    return out;
+  };
+  CHECK(times() == options.frameTimes);
+  options.frameTimes = {0, 1};  // of others
+  CHECK(times()[1] == doctest::Approx(1.0 / 24));
+  options.frameTimes = {0, 1, 1};
+  CHECK(times()[1] == doctest::Approx(1.0 / 24));
+}
+
+TEST_CASE("names that are no UTF-8 are read as Latin-1") {
+  const std::string named =
+      "o K\xe4"
+      "fer\n";
+  const Import import =
+      imported(Files().add("a.obj", bytesOf(named + squareObj() + kFace)).add("b.obj", bytesOf(squareObj(1) + kFace)));
+  REQUIRE(import.scene.objects.size() == 1);
+  CHECK(import.scene.objects[0].name ==
+        "K\xc3\xa4"
+        "fer");
 }
 
 TEST_CASE("two numbered sequences that become keys of one motion are named in a warning") {

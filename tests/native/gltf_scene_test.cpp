@@ -373,6 +373,43 @@ TEST_CASE("files with one still action each are keys: the actions, not the pose 
   CHECK(places(*further) == std::vector<double>{7, 7});
 }
 
+TEST_CASE("a still action poses its file beside others that have none, or one that moves") {
+  const auto file = [](std::vector<double> xs) {
+    GltfMaker maker = boxFile();
+    if (!xs.empty()) addMove(maker, "Action", std::move(xs));
+    return maker.glb();
+  };
+  const auto of = [&](std::vector<std::vector<double>> actions) {
+    Files files;
+    for (std::size_t i = 0; i < actions.size(); ++i) files.add("f" + std::to_string(i) + ".glb", file(actions[i]));
+    const auto import = files.import();
+    REQUIRE(import.ok());
+    return places(*import);
+  };
+  CHECK(of({{}, {2, 2}}) == std::vector<double>{0, 2});
+  CHECK(of({{}, {2}, {5, 5}}) == std::vector<double>{0, 2, 5});
+  CHECK(of({{2, 2}, {}, {5, 5}}) == std::vector<double>{2, 0, 5});
+  CHECK(of({{2, 2}, {0, 7}, {5, 5}}) == std::vector<double>{2, 0, 5});
+}
+
+TEST_CASE("what the first file shows is found in others that hide it") {
+  const auto file = [](bool visible, double x) {
+    GltfMaker maker = boxFile();
+    maker.doc["nodes"][0]["translation"] = {x, 0, 0};
+    addBox(maker, 9, "lamp", visible);
+    return maker.glb();
+  };
+  const auto both = Files().add("a.glb", file(true, 0)).add("b.glb", file(false, 1)).import();
+  REQUIRE(both.ok());
+  CHECK(both->keyframes.vertexCount() == 16);
+  REQUIRE(warningOf(*both, "visibility-changes"));
+  CHECK(says(warningOf(*both, "visibility-changes")->message, "b.glb"));
+  CHECK(!warningOf(*both, "left-out-objects"));
+  const auto one = Files().add("a.glb", file(false, 0)).add("b.glb", file(true, 1)).import();
+  REQUIRE(one.ok());
+  CHECK(one->keyframes.vertexCount() == 8);
+}
+
 TEST_CASE("two pose libraries follow each other; one that is in every file counts once") {
   const auto library = [](std::vector<double> xs) {
     GltfMaker maker = boxFile();
@@ -433,6 +470,17 @@ TEST_CASE("what a few bytes repeat is counted before a vertex is read") {
   for (int t = 0; t < 2000; ++t) targets.doc["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", zeros}});
   targets.node({{"mesh", 0}});
   CHECK(says(messageOf(tried(targets)), "shows 3,600 vertices in 2,001 keys, more than is supported for a file of"));
+
+  // As many keys as the file has frames, where each is asked for.
+  GltfMaker frames = grid(60);
+  for (int i = 0; i < 4; ++i) frames.node({{"mesh", 0}, {"translation", {70 * i, 0, 0}}});
+  std::vector<double> moves;
+  for (int i = 0; i < 1000; ++i) moves.push_back(i);
+  addMove(frames, "walk", moves);
+  ImportOptions every;
+  every.everyFrame = true;
+  CHECK(says(messageOf(tried(frames, every)), "shows 14,400 vertices in 1,000 keys, more than is supported"));
+  CHECK(tried(frames).ok());
 
   GltfMaker skins = grid(60);
   const int joints = skins.add("accessors", {{"componentType", kUInt8}, {"count", 3600}, {"type", "VEC4"}});

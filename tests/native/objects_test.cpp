@@ -120,6 +120,20 @@ TEST_CASE("objects of OBJ files are matched by name as well, and keep those of t
   CHECK(import.scene.objects[1].count == 12);
 }
 
+TEST_CASE("of alike objects one may be renamed: the others keep their names' places") {
+  const auto eye = [](const char* name, double x) { return Object{name, "", {x, x * x, 0}}; };
+  const auto third = eye("Third", 1), other = eye("Other", 1);
+  const Import alike = joined({kLeft, kRight, third}, {kRight, other, kLeft});
+  checkMoved(alike, kShift);
+  CHECK(rules(alike) == "nns");
+  const Import unlike = joined({kLeft, kRight, kHat}, {kRight, {"Cap", "", {0, 0, 5}, true}, kLeft});
+  checkMoved(unlike, kShift);
+  CHECK(rules(unlike) == "nns");
+  const Import apart = joined({kLeft, kRight, kHat}, {kRight, {"Box", "", {0, 0, 5}}, kLeft});
+  checkMoved(apart, kShift);
+  CHECK(apart.keyframes.vertexCount() == 16);
+}
+
 TEST_CASE("names of meshes count where nodes have none, and numbers at the end do not") {
   const auto eye = [](const char* node, const char* mesh, double x) { return Object{node, mesh, {x, 0, 0}}; };
   checkMoved(joined({eye("", "L", -3), eye("", "R", 3)}, {eye("", "R", 3), eye("", "L", -3)}), kShift);

@@ -174,6 +174,7 @@ ImportOptions importOptionsFrom(const Json& json) {
   if (animation.is_string()) options.animation = animation.get<std::string>();
   if (animation.is_number()) options.animation = animation.get<int>();
   options.sampleTimes = json.at("sampleTimes").get<std::vector<double>>();
+  options.frameTimes = json.at("frameTimes").get<std::vector<double>>();
   options.everyFrame = json.at("everyFrame");
   if (!json.at("sampleCount").is_null()) {
     options.sampleCount = json.at("sampleCount");

@@ -1,6 +1,7 @@
 #include "io/frame_source.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -49,6 +50,12 @@ struct FrameReader {
 };
 
 }  // namespace
+
+std::vector<double> statedTimes(const ImportOptions& options, std::vector<double> own) {
+  const std::vector<double>& stated = options.frameTimes;
+  const bool increase = std::adjacent_find(stated.begin(), stated.end(), std::greater_equal<>()) == stated.end();
+  return stated.size() == own.size() && increase ? stated : std::move(own);
+}
 
 AnimationInfo infoOf(const FrameSource& source) {
   return {source.name, source.seconds.front(), source.seconds.back(), static_cast<int>(source.seconds.size())};

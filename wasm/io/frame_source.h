@@ -17,6 +17,9 @@ struct FrameSource {
   std::function<Result<Positions>(std::size_t)> frame;
 };
 
+/// The times that the files state for these frames, or those that their format or number gives (`own`).
+std::vector<double> statedTimes(const ImportOptions& options, std::vector<double> own);
+
 AnimationInfo infoOf(const FrameSource& source);
 
 /// Puts keys in the place of those that the import holds: at the sample times, on straight lines between frames. Where

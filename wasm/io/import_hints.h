@@ -14,6 +14,7 @@ struct FileFacts {
   int files = 0, skinned = 0;   ///< all that were read; those with bones
   int animated = 0, posed = 0;  ///< with a motion of the mesh; with nothing but animations that are one pose each
   bool gltf = false;            ///< all of them are glTF
+  bool isPosed = false;         ///< some file by one animation, which does not move
 };
 
 /// Warns of neighbouring keys that are one pose: which, why that happens, and what to do.

@@ -129,17 +129,18 @@ Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedF
       return vertexCountMismatch(where, static_cast<int>(index), count, static_cast<std::size_t>(n));
     return std::move(one.keyframes.keys[1].positions);
   };
-  const FrameSource source{series.name, series.seconds, frame};
+  const FrameSource source{series.name, statedTimes(options, series.seconds), frame};
   const std::string where = std::string(baseName(meshes[0].file->name));
   if (Status sampled = sampleFrames(source, options, where, out, progress); !sampled) return sampled.error();
+  const bool stated = source.seconds != series.seconds;
   if (!options.animationAsked())
-    out.warnings.push_back(
-        {"numbered-files",
-         grouped(static_cast<std::int64_t>(meshes.size())) +
-             " numbered files are taken as frames of an animation, 24 a second: " + grouped(out.keyframes.keyCount()) +
-             " evenly spaced ones of them are the keys. Choose others on its timeline (on the "
-             "command line, with --sample).",
-         static_cast<int>(meshes.size())});
+    out.warnings.push_back({"numbered-files",
+                            grouped(static_cast<std::int64_t>(meshes.size())) +
+                                " numbered files are taken as frames of an animation" +
+                                (stated ? "" : ", 24 a second") + ": " + grouped(out.keyframes.keyCount()) +
+                                " evenly spaced ones of them are the keys. Choose others on its timeline (on the "
+                                "command line, with --sample).",
+                            static_cast<int>(meshes.size())});
   return out;
 }
 
@@ -173,7 +174,7 @@ Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, std::spa
       for (Vec3& p : positions) p = axes * p;
     return movedBy(offset, std::move(positions));
   };
-  const FrameSource source{keyName(*moves.file), cache->seconds, frame};
+  const FrameSource source{keyName(*moves.file), statedTimes(options, cache->seconds), frame};
   if (Status sampled = sampleFrames(source, options, place, out, progress); !sampled) return sampled.error();
   return out;
 }

@@ -1,6 +1,7 @@
 #include "io/import_poses.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "io/base/byte_text.h"
@@ -46,15 +47,43 @@ std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std:
   return common.size() < import.objects.size() ? common : std::vector<std::string>();
 }
 
+// Keys are called after the actions that pose their files, where these tell them apart.
+void nameByActions(const std::vector<std::string>& actions, std::vector<Key>& keys) {
+  const std::set<std::string> names(actions.begin(), actions.end());
+  if (names.size() < keys.size() || names.contains("")) return;
+  for (std::size_t k = 0; k < keys.size(); ++k) keys[k].name = actions[k];
+}
+
+// The key of a file that hides some of what key 1 shows.
+Status addHidden(PoseFile&& pose, const NamedBytes& file, Import& out, const std::string& where) {
+  const auto said = static_cast<std::ptrdiff_t>(out.warnings.size());
+  if (Status added = addPose(std::move(pose), keyName(file), out, where); !added) return added;
+  const auto isExtra = [](const Warning& warning) { return warning.code == "left-out-objects"; };
+  out.warnings.erase(std::remove_if(out.warnings.begin() + said, out.warnings.end(), isExtra), out.warnings.end());
+  out.warnings.push_back({"visibility-changes",
+                          where + ": other meshes are visible here than in key 1 (KHR_node_visibility). Shown is what "
+                                  "key 1 shows.",
+                          1});
+  return {};
+}
+
+int samePoses(const Import& import) {
+  int count = 0;
+  for (const Warning& warning : import.warnings)
+    if (warning.code == "same-poses") count += warning.count;
+  return count;
+}
+
 // `common`: filled where files that are not of one mesh do not hold the same objects.
 Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                         const ImportOptions& options, const StageProgress& progress,
-                         std::vector<std::string>& common) {
+                         const ImportOptions& options, const StageProgress& progress, std::vector<std::string>& common,
+                         FileFacts& facts) {
   Import out;
   ImportOptions unfiltered = options;
   unfiltered.objects.clear();
   PoseReader reader{files, options}, everything{files, unfiltered};
-  FileFacts facts{static_cast<int>(meshes.size()), 0, 0, 0, areAll(meshes, FileKind::Gltf)};
+  std::vector<std::string> actions;
+  facts = {static_cast<int>(meshes.size()), 0, 0, 0, areAll(meshes, FileKind::Gltf), false};
   std::vector<AnimationInfo> animations;
   bool writtenZUp = false;
   for (std::size_t j = 0; j < meshes.size(); ++j) {
@@ -73,23 +102,33 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const Na
     }
     if (!pose) return atKey(pose.error(), key);
     facts.skinned += pose->skinned;
+    facts.isPosed |= pose->isPosed;
     const bool moves = std::any_of(pose->animations.begin(), pose->animations.end(), [](auto& a) { return a.moves; });
     facts.animated += moves;
     facts.posed += !moves && !pose->animations.empty();
     if (j == 0) animations = std::move(pose->animations);
     if (j == 0) writtenZUp = pose->writtenZUp;
-    if (Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where); !added) {
+    actions.push_back(pose->action);
+    const bool hides = pose->hides;
+    Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where);
+    if (!added && hides) {
+      ImportOptions hidden = options;
+      hidden.withHidden = true;
+      auto whole = PoseReader{files, hidden}.read(meshes[j], where);
+      if (whole && addHidden(std::move(*whole), *meshes[j].file, out, where)) continue;
+    }
+    if (!added) {
       if (options.objects.empty()) common = commonObjects(meshes, j, {files, options}, out);
       return atKey(added.error(), key);
     }
   }
   hintAtUpAxis(meshes[0].kind, writtenZUp, options, std::string(baseName(meshes[0].file->name)), out);
   setTimesInSeconds(out.keyframes);
+  nameByActions(actions, out.keyframes.keys);
   warnOfSamePoses(facts, out);
   // Where nothing moves, the keys can be taken from what the files hold besides.
-  const bool still = std::any_of(out.warnings.begin(), out.warnings.end(),
-                                 [](const Warning& warning) { return warning.code == "same-poses"; });
-  if (still && (facts.animated == facts.files || facts.posed == facts.files)) out.animations = std::move(animations);
+  if (samePoses(out) > 0 && (facts.animated == facts.files || facts.posed == facts.files))
+    out.animations = std::move(animations);
   return out;
 }
 
@@ -145,11 +184,19 @@ void setTimesInSeconds(Keyframes& keyframes) {
 Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
                            const ImportOptions& options, const StageProgress& progress) {
   std::vector<std::string> common;
-  auto import = readPoses(meshes, files, options, progress, common);
+  FileFacts facts;
+  auto import = readPoses(meshes, files, options, progress, common, facts);
+  // A character in its bind pose with a constant action is meant to be posed by it.
+  if (import && facts.isPosed && samePoses(*import) > 0 && !options.posedByActions) {
+    ImportOptions posed = options;
+    posed.posedByActions = true;
+    auto actions = importPoses(meshes, files, posed, progress);
+    if (actions && (!options.like.empty() || samePoses(*actions) < samePoses(*import))) return actions;
+  }
   if (import || common.empty()) return import;
   ImportOptions narrowed = options;
   narrowed.objects = std::exchange(common, {});
-  auto without = readPoses(meshes, files, narrowed, progress, common);
+  auto without = readPoses(meshes, files, narrowed, progress, common, facts);
   if (!without) return import;
   std::erase_if(without->warnings, [](const Warning& warning) { return warning.code == "left-out-objects"; });
   without->warnings.push_back(

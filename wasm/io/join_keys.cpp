@@ -182,6 +182,7 @@ Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added
   const ObjectMesh first{import_.scene.objects, k.faces, k.keys[0].positions}, other{objects, faces, *poses[0]};
   ObjectMatch same;
   if (first.isWhole() && other.isWhole()) same = matchObjects(first, other);
+  if (!same.otherOf.empty() && !same.isComplete() && same.namesMoveObjects()) return otherObjects(where, key);
   const bool isArranged = !same.otherOf.empty() && same.isComplete() && !same.isInOrder();
   const auto match = isArranged ? findArranged(first, other, same, poses)
                                 : PoseMatcher(k.faces, k.keys[0].positions).find(faces, poses);

@@ -1,7 +1,7 @@
 #include "io/numbered_files.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <string_view>
@@ -14,45 +14,74 @@ namespace shapespline {
 
 namespace {
 
+using Sequence = std::pair<std::string_view, std::string>;
+
 struct Numbered {
   std::string_view path;  // before the number and its sign
   std::string extension;
-  std::optional<std::int64_t> number;
+  std::optional<double> number;
+
+  Sequence sequence() const { return {path, extension}; }
 };
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-Numbered numberIn(std::string_view path) {
-  const std::string_view stem = path.substr(0, path.rfind('.'));
-  std::size_t start = stem.size();
-  while (start > 0 && isDigit(stem[start - 1])) --start;
-  Numbered out{stem.substr(0, start), extensionOf(path), {}};
-  std::int64_t number = -1;
-  const auto read = std::from_chars(stem.data() + start, stem.data() + stem.size(), number);
-  if (read.ec == std::errc() && number >= 0 && number <= 1'000'000'000) out.number = number;
+std::string_view withoutDigits(std::string_view path) {
+  while (!path.empty() && isDigit(path.back())) path.remove_suffix(1);
+  return path;
+}
+
+std::string_view stemOf(std::string_view path) { return path.substr(0, path.rfind('.')); }
+
+Numbered numberedFrom(std::string_view path, std::string_view start) {
+  constexpr std::size_t mostDigits = 24;
+  const std::string digits(stemOf(path).substr(start.size()));
+  Numbered out{start, extensionOf(path), {}};
+  const double number = digits.empty() || digits.size() > mostDigits ? -1 : std::strtod(digits.c_str(), nullptr);
+  if (number >= 0 && number <= 1e9) out.number = number;
   return out;
 }
 
-// A hyphen before the number is a sign behind a dot, an underscore or nothing. Behind anything else it only parts the
-// number from the name, unless another file has the same name and a number without a hyphen: walk-1, walk0.
-void readSigns(std::vector<Numbered>& files) {
-  std::set<std::pair<std::string_view, std::string_view>> unsignedPaths;
+// What stands before a number is its sign behind a dot, an underscore or nothing. Behind anything else it only parts
+// the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
+void readSign(Numbered& file, const std::set<Sequence>& unsignedOnes) {
+  if (!file.number || !(file.path.ends_with('-') || file.path.ends_with('+'))) return;
+  const std::string_view before = file.path.substr(0, file.path.size() - 1);
+  const char last = before.empty() ? '/' : before.back();
+  const bool isSign = std::string_view("/\\._").find(last) != std::string_view::npos ||
+                      (!isDigit(last) && unsignedOnes.contains({before, file.extension}));
+  if (!isSign) return;
+  if (file.path.ends_with('-')) file.number = -*file.number;
+  file.path = before;
+}
+
+// Frames between whole ones (sim.1, sim.1.25, sim.2): a fraction where without it the file would be in a sequence of
+// its own beside whole numbers.
+void readFraction(Numbered& file, std::string_view name, const std::set<Sequence>& unsignedOnes,
+                  const std::set<Sequence>& whole) {
+  if (!file.number || !file.path.ends_with('.')) return;
+  const std::string_view before = file.path.substr(0, file.path.size() - 1), start = withoutDigits(before);
+  if (start.size() == before.size()) return;
+  Numbered fraction = numberedFrom(name, start);
+  readSign(fraction, unsignedOnes);
+  if (fraction.number && whole.contains(fraction.sequence())) file = fraction;
+}
+
+std::set<Sequence> sequencesOf(const std::vector<Numbered>& files) {
+  std::set<Sequence> out;
   for (const Numbered& file : files)
-    if (file.number) unsignedPaths.insert({file.path, file.extension});
-  for (Numbered& file : files) {
-    if (!file.number || !file.path.ends_with('-')) continue;
-    const std::string_view before = file.path.substr(0, file.path.size() - 1);
-    const char last = before.empty() ? '/' : before.back();
-    const bool isSign = std::string_view("/\\._").find(last) != std::string_view::npos ||
-                        (!isDigit(last) && unsignedPaths.contains({before, file.extension}));
-    if (isSign) file.path = before, file.number = -*file.number;
-  }
+    if (file.number) out.insert(file.sequence());
+  return out;
 }
 
 std::vector<Numbered> numbersIn(const std::vector<MeshFile>& meshes) {
   std::vector<Numbered> files;
-  for (const MeshFile& mesh : meshes) files.push_back(numberIn(mesh.file->name));
-  readSigns(files);
+  for (const MeshFile& mesh : meshes)
+    files.push_back(numberedFrom(mesh.file->name, withoutDigits(stemOf(mesh.file->name))));
+  const std::set<Sequence> unsignedOnes = sequencesOf(files);
+  for (Numbered& file : files) readSign(file, unsignedOnes);
+  const std::set<Sequence> whole = sequencesOf(files);
+  for (std::size_t i = 0; i < files.size(); ++i) readFraction(files[i], meshes[i].file->name, unsignedOnes, whole);
   return files;
 }
 
@@ -73,7 +102,7 @@ std::optional<NumberedFiles> numberedFiles(const std::vector<MeshFile>& meshes) 
     const Numbered& at = files[i];
     if (meshes[i].kind != kind || !at.number || at.path != files[0].path) return {};
     if (i > 0 && *at.number <= *files[i - 1].number) return {};
-    out.seconds.push_back(static_cast<double>(*at.number - *files[0].number) / kFramesPerSecond);
+    out.seconds.push_back((*at.number - *files[0].number) / kFramesPerSecond);
   }
   out.name = nameOf(files[0].path);
   return out;
@@ -81,9 +110,9 @@ std::optional<NumberedFiles> numberedFiles(const std::vector<MeshFile>& meshes) 
 
 std::string sequencesAmong(const std::vector<MeshFile>& meshes) {
   const std::vector<Numbered> files = numbersIn(meshes);
-  std::map<std::pair<std::string_view, std::string_view>, int> counts;
+  std::map<Sequence, int> counts;
   for (const Numbered& file : files)
-    if (file.number) ++counts[{file.path, file.extension}];
+    if (file.number) ++counts[file.sequence()];
   std::erase_if(counts, [](const auto& entry) { return entry.second < 2; });
   if (counts.size() < 2) return {};
   std::string list;

@@ -301,11 +301,12 @@ struct Matcher {
     }
   }
 
-  // Where names tell some objects, others that have different ones are different, however alike.
+  // As many are left in both poses: they have been renamed. Else, where names tell some objects, others that have
+  // different ones are different, however alike.
   void matchRest() {
     const bool namesTell = std::find(out.rule.begin(), out.rule.end(), MatchRule::Name) != out.rule.end();
     std::vector<int> mine = openFirst(), others = openOther();
-    if (!namesTell) return matchShapes(mine, others);
+    if (!namesTell || mine.size() == others.size()) return matchShapes(mine, others);
     std::erase_if(mine, [&](int i) { return isNamed(first.objects[i]) && !unsure[i]; });
     std::erase_if(others, [&](int j) { return isNamed(other.objects[j]) && !otherUnsure[j]; });
     matchShapes(mine, openOther());
@@ -343,6 +344,12 @@ bool ObjectMesh::isWhole() const {
 
 bool ObjectMatch::isComplete() const {
   return std::none_of(otherOf.begin(), otherOf.end(), [](int other) { return other < 0; });
+}
+
+bool ObjectMatch::namesMoveObjects() const {
+  for (std::size_t i = 0; i < otherOf.size(); ++i)
+    if (otherOf[i] >= 0 && otherOf[i] != static_cast<int>(i) && rule[i] == MatchRule::Name) return true;
+  return false;
 }
 
 bool ObjectMatch::isInOrder() const {

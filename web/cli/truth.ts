@@ -1,7 +1,7 @@
 /** The animation that `measure` compares with: its frames, and where they lie on the timeline of the keys. */
 import type { CallOptions, Engine, Keys } from '../engine/api/api.ts';
 import { EngineError } from '../engine/api/errors.ts';
-import { readNote } from '../engine/api/export-note.ts';
+import { noteOf } from '../engine/api/export-note.ts';
 import { CACHES, extensionOf } from '../engine/api/paths.ts';
 import { isMismatch, likeOf } from '../engine/api/read-poses.ts';
 import type { ImportOptions, InputFile, KeysInfo } from '../engine/api/types.ts';
@@ -43,7 +43,7 @@ export async function readTruth(
   own: TruthOptions,
 ): Promise<Truth> {
   const [{ name } = { name: '' }] = input;
-  const note = noteIn(input);
+  const note = noteOf(input);
   const lies = note ? {} : { up: given.up, unit: given.unit };
   const { objects, animation } = given;
   const options: ImportOptions = { ...lies, ...own, objects, animation, ...likeOf(keys) };
@@ -61,7 +61,7 @@ export async function readTruth(
     return read({ sample: EVEN_FRAMES });
   });
   const inFile = frames.info.times;
-  const { times, placed } = placeFrames(frames.info, keys.info, input, note?.times ?? null, played);
+  const { times, placed } = placeFrames(frames.info, keys.info, input, Boolean(note?.times), played);
   const truthOf = (held: Keys, at: number[], said: string): Truth => ({
     times: at,
     frame: (index) => held.positions(index),
@@ -77,17 +77,6 @@ export async function readTruth(
     },
   });
   return truthOf(frames, times, placed);
-}
-
-/** Of the first file that has one; frames of a series each say their own time. */
-function noteIn(input: InputFile[]): { times: number[] | null } | null {
-  const notes = input
-    .filter(({ name }) => ['obj', 'ply'].includes(extensionOf(name)))
-    .map(({ bytes }) => readNote(bytes as Uint8Array));
-  if (notes.length === 0 || notes.some((note) => note === null)) return null;
-  if (notes.length === 1) return notes[0]!;
-  const times = notes.flatMap((note) => note?.times ?? []);
-  return { times: times.length === notes.length ? times : null };
 }
 
 const isGltf = (input: InputFile[]): boolean => input.some(({ name }) => ['glb', 'gltf'].includes(extensionOf(name)));
@@ -106,14 +95,13 @@ async function playOf(
 }
 
 function placeFrames(
-  { times, names }: KeysInfo,
+  { times }: KeysInfo,
   keys: KeysInfo,
   input: InputFile[],
-  noted: number[] | null,
+  isNoted: boolean,
   played: { speed: number; span: [number, number] } | null,
 ): { times: number[]; placed: string } {
-  if (noted?.length === names.length && isIncreasing(noted))
-    return { times: noted, placed: 'at the times that its files state' };
+  if (isNoted) return { times: [...times], placed: 'at the times that its files state' };
   const [start, end] = [times[0]!, times.at(-1)!];
   if (played) {
     const { speed, span } = played;
@@ -133,8 +121,6 @@ function placeFrames(
   };
 }
 
-const isIncreasing = (times: readonly number[]): boolean => times.every((t, i) => i === 0 || t > times[i - 1]!);
-
 /** The value at t, straight between the places; beyond both ends it stays. */
 function interpolated(t: number, places: readonly number[], values: readonly number[]): number {
   const next = places.findIndex((place) => place > t);
@@ -145,4 +131,7 @@ function interpolated(t: number, places: readonly number[], values: readonly num
 }
 
 export const noFrames = (file: string, [first, last]: readonly [number, number]): UsageError =>
-  new UsageError(`--against: give at least two times from ${first} to ${last}, where ${file} has frames`);
+  new UsageError(
+    `--against: give at least two times from ${first} to ${last}, where ${file} has frames, or give the keys its times ` +
+      'with --key-times',
+  );

@@ -73,6 +73,23 @@ bool isUtf16(std::span<const std::uint8_t> bytes) {
   return 4 * little >= 3 * pairs || 4 * big >= 3 * pairs;
 }
 
+std::string asUtf8(std::string_view name) {
+  std::string latin;
+  bool isUtf8 = true;
+  for (std::string_view rest = name; !rest.empty() && isUtf8;) {
+    const Character first = characterOf(rest);
+    isUtf8 = first.code != 0 || rest.front() == 0;
+    rest.remove_prefix(first.bytes);
+  }
+  if (isUtf8) return std::string(name);
+  for (const char c : name) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code >= 0x80) latin += static_cast<char>(0xc0 | code >> 6);
+    latin += static_cast<char>(code < 0x80 ? code : 0x80 | (code & 0x3f));
+  }
+  return latin;
+}
+
 std::string inQuotes(std::string_view text) {
   constexpr int longest = 80;
   std::string out = "\"";

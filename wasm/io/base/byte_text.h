@@ -22,6 +22,9 @@ constexpr const char* kUtf16 = " is text in UTF-16, which is not supported. Save
 /// Whether the bytes are text in UTF-16, with a byte order mark or without.
 bool isUtf16(std::span<const std::uint8_t> bytes);
 
+/// A name as UTF-8: what is none is read as Latin-1, which programs write that know of one alphabet.
+std::string asUtf8(std::string_view name);
+
 /// Text of a hostile file made fit for a sentence: at most 80 characters in UTF-8. What is no text, or would change how
 /// the sentence is shown (control characters, marks of the writing direction), is a '?'.
 std::string inQuotes(std::string_view text);

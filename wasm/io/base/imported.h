@@ -19,10 +19,13 @@ struct ImportOptions {
   int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
   bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
   bool everyFrame = false;   ///< each frame of the animation is a key; wins over sampleCount
-  bool oneKeyWillDo = false;     ///< an animation that does not move is a key: the file is one of several
-  std::vector<double> keyTimes;  ///< default: the animation's own times, else evenly over [0, 1]
-  bool zUp = false;              ///< OBJ, PLY and OFF only
-  double unit = 1;               ///< metres per unit, OBJ, PLY and OFF only
+  bool posedByActions = false;     ///< poses: as an animation shows them that is the only one and does not move
+  bool withHidden = false;         ///< poses: what KHR_node_visibility hides, too
+  bool oneKeyWillDo = false;       ///< an animation that does not move is a key: the file is one of several
+  std::vector<double> frameTimes;  ///< that the files state for frames of a format without times; seconds
+  std::vector<double> keyTimes;    ///< default: the animation's own times, else evenly over [0, 1]
+  bool zUp = false;                ///< OBJ, PLY and OFF only
+  double unit = 1;                 ///< metres per unit, OBJ, PLY and OFF only
   /// Faces and a pose of a mesh that the files are further poses of: polygons are cut into its triangles, and keys come
   /// in its vertices where the pose is given.
   std::vector<Triangle> like;

@@ -1,14 +1,20 @@
 // The vertices of a glTF scene in one state: morph targets, then skin or node transform.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "core/base/status.h"
 #include "io/gltf/gltf_animation.h"
 #include "io/gltf/gltf_shape.h"
 
 namespace shapespline {
 
-/// More steps than an import may take: some ten seconds.
-constexpr std::uint64_t kMostPoseCost = 4'000'000'000;
+/// Steps that the poses of a file of this size may take: for each of its bytes, up to some ten seconds.
+constexpr std::uint64_t mostPoseCost(std::uint64_t fileBytes) {
+  constexpr std::uint64_t base = 200'000'000, perByte = 10'000, most = 4'000'000'000;
+  return fileBytes < most / perByte ? std::min(most, base + perByte * fileBytes) : most;
+}
 
 /// What posing the vertices in this state takes, in steps of a few nanoseconds. Morph targets may share their bytes, so
 /// that a small file could ask for any amount.

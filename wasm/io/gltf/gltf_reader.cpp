@@ -78,11 +78,15 @@ std::vector<AnimationInfo> infosOf(const std::vector<GltfAnimation>& animations)
 }
 
 // What a pose's file could move by. Broken animations are no reason to refuse the pose.
-std::vector<AnimationInfo> animationsOf(const GltfDocument& doc, const NodeGraph& graph,
+std::vector<GltfAnimation> animationsOf(const GltfDocument& doc, const NodeGraph& graph,
                                         const std::vector<int>& meshNodes) {
   std::vector<Warning> unsaid;
-  const auto animations = movingAnimations(doc, graph, meshNodes, unsaid);
-  return animations ? infosOf(*animations) : std::vector<AnimationInfo>();
+  auto animations = movingAnimations(doc, graph, meshNodes, unsaid);
+  return animations ? std::move(*animations) : std::vector<GltfAnimation>();
+}
+
+bool hidesMeshes(const GltfScene& scene) {
+  return visibleNodes(scene, scene.meshNodes, scene.graph.visible).size() < scene.meshNodes.size();
 }
 
 Error allHidden(const GltfDocument& doc) {
@@ -206,6 +210,8 @@ struct KeyReader {
     const bool ownTimes = options.sampleTimes.empty() && lone && animation.weightsOnly && !options.sampleAsked &&
                           animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= kMostOwnKeys;
     const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
+    // So many keys the file asks for, not the user.
+    if (everyFrame) keysOfFile = animation.keyTimes.size();
     if (ownTimes || everyFrame) return animation.keyTimes;
     return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
                        doc.where + ": the animation " + inQuotes(animation.name), out.warnings);
@@ -286,7 +292,8 @@ struct KeyReader {
     const std::uint64_t cost = poseCost(shape, state) + (key.animation ? animationCost(*key.animation) : 0);
     work += cost;
     // The keys to come will take as much as this one, most likely.
-    if (work > kMostPoseCost || cost > kMostPoseCost / count)
+    const std::uint64_t most = mostPoseCost(doc.fileBytes);
+    if (work > most || cost > most / count)
       return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " +
                                             grouped(std::int64_t(count)) + " keys. Take fewer keys.");
     auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr, onKey);
@@ -364,23 +371,32 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   if (!doc) return doc.error();
   const auto scene = readScene(*doc);
   if (!scene) return scene.error();
-  const auto nodes = shownNodes(*doc, *scene, scene->graph.visible, options.objects);
+  const std::vector<char> visible =
+      options.withHidden ? std::vector<char>(scene->graph.visible.size(), 1) : scene->graph.visible;
+  const auto nodes = shownNodes(*doc, *scene, visible, options.objects);
   if (!nodes) return nodes.error();
   if (Status fits = checkAmount(*doc, *nodes, {}); !fits) return fits.error();
   auto shape = readShape(*doc, scene->graph, *nodes, partOf(onProgress, 0.2, 0.6));
   if (!shape) return shape.error();
   PoseFile out;
-  const SceneState rest = restState(*doc, scene->graph);
-  if (poseCost(*shape, rest) > kMostPoseCost)
+  SceneState state = restState(*doc, scene->graph);
+  const std::vector<GltfAnimation> animations = animationsOf(*doc, scene->graph, *nodes);
+  out.isPosed = animations.size() == 1 && !animations[0].moves;
+  if (options.posedByActions && out.isPosed) {
+    applyAnimation(animations[0], animations[0].keyTimes[0], state);
+    out.action = animations[0].name;
+  }
+  if (poseCost(*shape, state) > mostPoseCost(doc->fileBytes))
     return Error{ErrorCode::TooLarge,
                  where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
-  auto positions = posedVertices(*doc, *shape, rest, &out.normals, partOf(onProgress, 0.6, 1));
+  auto positions = posedVertices(*doc, *shape, state, &out.normals, partOf(onProgress, 0.6, 1));
   if (!positions) return positions.error();
   out.positions = std::move(*positions);
-  out.rounding = storedRounding(*shape, rest);
-  out.animations = animationsOf(*doc, scene->graph, *nodes);
+  out.rounding = storedRounding(*shape, state);
+  out.animations = infosOf(animations);
+  out.hides = hidesMeshes(*scene);
   out.skinned = std::any_of(shape->parts.begin(), shape->parts.end(), [](auto& part) { return part.influences > 0; });
-  out.objects = objectNames(*doc, visibleNodes(*scene, scene->meshNodes, scene->graph.visible));
+  out.objects = objectNames(*doc, visibleNodes(*scene, scene->meshNodes, visible));
   out.scene = readLook(*doc, *shape);
   out.faces = std::move(shape->faces);
   joinVertices(*doc, *shape, {&out.positions}, out.normals, out.faces, out.scene);

@@ -22,7 +22,10 @@ struct PoseFile {
   Scene scene;
   std::vector<Warning> warnings;
   std::vector<std::string> objects;       ///< names of what may be left out, each once
-  std::vector<AnimationInfo> animations;  ///< of the file's own, which the pose does not show
+  std::vector<AnimationInfo> animations;  ///< of the file's own
+  bool isPosed = false;                   ///< by one animation, which does not move
+  std::string action;                     ///< that animation, where it is shown
+  bool hides = false;                     ///< some of its meshes are hidden (KHR_node_visibility)
   bool skinned = false;                   ///< bones pose it
   bool writtenZUp = false;                ///< its program writes this format with z up
   Vec3 offset = Vec3::Zero();             ///< that the file says its numbers are relative to; the positions include it

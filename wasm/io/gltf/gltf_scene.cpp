@@ -15,7 +15,7 @@ namespace shapespline {
 
 namespace {
 
-// What a file may become whatever its size, and for each of its bytes; counted in vertices of a key (24 bytes).
+// What a file may become whatever its size, and for each of its bytes; counted in vertices.
 constexpr std::uint64_t kSmall = 1'000'000, kPerByte = 16;
 
 // Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
@@ -25,8 +25,9 @@ constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
 struct Amount {
   std::uint64_t vertices = 0, corners = 0, weights = 0;
 
-  // In vertices of a key: beside its keys a vertex has a place and a normal in its part, and copies of them meanwhile.
-  std::uint64_t inKeys(std::size_t keys) const { return vertices * (keys + 4) + corners / 4 + weights; }
+  // What they take until the first shape is there, in vertices that are only read: a key's are encoded as well, and a
+  // corner is part of the systems.
+  std::uint64_t inKeys(std::size_t keys) const { return vertices * (4 * keys + 1) + 3 * corners + weights; }
 };
 
 std::size_t countOf(const GltfDocument& doc, const tinygltf::Primitive& primitive, const std::string& attribute) {

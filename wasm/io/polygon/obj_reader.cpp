@@ -97,7 +97,7 @@ struct MtlReader {
       if (word == "newmtl") {
         current = nullptr;
         if (mesh.scene.materials.size() >= kMostMaterials) continue;
-        const std::string name(trimmed(line));
+        const std::string name = asUtf8(trimmed(line));
         materialOf[name] = static_cast<int>(mesh.scene.materials.size());
         current = &mesh.scene.materials.emplace_back();
         current->name = name;
@@ -304,10 +304,19 @@ struct ObjReader {
     for (int& corner : mesh.corners) corner = vertexOf[corner];
   }
 
+  bool isFile(std::string_view name) const { return bool(resolveUri(name, file.name, files, where)); }
+
+  // Of "./a.mtl ./b.mtl" all that follows the last slash may be a file as well.
+  bool beginsWithLibrary(std::string_view text) const {
+    std::string_view rest = text;
+    for (std::string_view word = takeWord(rest); !rest.empty(); word = takeWord(rest))
+      if (extensionOf(word) == "mtl") return isFile(text.substr(0, text.size() - rest.size()));
+    return false;
+  }
+
   // One name, which may hold blanks, or several: one ends where it names a file, or in .mtl.
   void readLibraries(std::string_view text) {
-    const auto isFile = [&](std::string_view name) { return bool(resolveUri(name, file.name, files, where)); };
-    if (isFile(text)) return readLibrary(text);
+    if (!beginsWithLibrary(text) && isFile(text)) return readLibrary(text);
     int words = 0;
     std::string_view name = text, rest = text;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
@@ -355,9 +364,9 @@ struct ObjReader {
       if (hasDecimalComma(text)) return decimalComma(where + ", line " + grouped(line));
       normals.push_back(normal);
     } else if (word == "o" || word == "g") {
-      startRun(word == "o" ? objects : groups, trimmed(text));
+      startRun(word == "o" ? objects : groups, asUtf8(trimmed(text)));
     } else if (word == "usemtl") {
-      useMaterial(trimmed(text));
+      useMaterial(asUtf8(trimmed(text)));
     } else if (word == "mtllib") {
       readLibraries(trimmed(text));
     } else if (word == "l" || word == "p" || word == "curv" || word == "curv2" || word == "surf") {

@@ -3,10 +3,14 @@
  * frames that they hold or, beside a point cache, name. Neither format has a place for it.
  */
 
+import { extensionOf } from './paths.ts';
+import type { InputFile } from './types.ts';
+
 const MARK = 'shapespline: Y up, metres';
 /** Uneven times that are listed. */
 const MOST_LISTED = 4000;
-/** A note comes first in its file. */
+/** A note comes first in its file, in a PLY after its mark and format. */
+const BEFORE_MARK = 200;
 const HEAD = 1 << 16;
 /** Of the length that the times lie in. */
 const EVEN = 1e-9;
@@ -45,8 +49,26 @@ export function withNote(format: string, bytes: Uint8Array, times: readonly numb
 
 const endOfLine = (bytes: Uint8Array, from: number): number => bytes.indexOf(10, from) + 1;
 
+/**
+ * What files of ours that belong together say: of the first that has a note, and of a series, whose frames each say
+ * their own time. null where one of them is not ours.
+ */
+export function noteOf(files: readonly InputFile[]): ExportNote | null {
+  const notes: ExportNote[] = [];
+  for (const { name, bytes } of files) {
+    if (!['obj', 'ply'].includes(extensionOf(name))) continue;
+    const note = readNote(bytes);
+    if (!note) return null;
+    notes.push(note);
+  }
+  if (notes.length < 2) return notes[0] ?? null;
+  const times = notes.flatMap((note) => note.times ?? []);
+  return { times: times.length === notes.length ? times : null };
+}
+
 /** null where a file has no note of ours. */
 export function readNote(bytes: Uint8Array): ExportNote | null {
+  if (!new TextDecoder().decode(bytes.subarray(0, BEFORE_MARK)).includes(MARK)) return null;
   const lines = new TextDecoder()
     .decode(bytes.subarray(0, HEAD))
     .split('\n')

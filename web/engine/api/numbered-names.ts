@@ -24,34 +24,49 @@ interface Numbered {
 const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
 
 const NUMBER_AT_END = /^(.*?)(\d+)\.[^./\\]*$/s;
-const MOST_DIGITS = 9;
+const FRACTION_AT_END = /^(.*?)(\d+\.\d+)\.[^./\\]*$/s;
+const MOST = 1e9;
 
-const sequenceOf = (start: string, extension: string): string => `${start}\0${extension}`;
+const sequenceOf = ({ start, extension }: Pick<Numbered, 'start' | 'extension'>): string => `${start}\0${extension}`;
+
+function numberAt(pattern: RegExp, name: string, place: number): Numbered | null {
+  const [, start = '', digits = ''] = pattern.exec(name) ?? [];
+  const number = Number(digits);
+  return digits === '' || number > MOST ? null : { name, place, start, extension: extensionOf(name), number };
+}
 
 /**
- * A hyphen before the number is a sign behind a dot, an underscore or nothing. Behind anything else it only parts the
- * number from the name, unless another file has the same name and a number without a hyphen: walk-1, walk0.
+ * What stands before a number is its sign behind a dot, an underscore or nothing. Behind anything else it only parts
+ * the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
+ */
+function withSign(file: Numbered, unsigned: ReadonlySet<string>): Numbered {
+  const sign = file.start.at(-1);
+  if (sign !== '-' && sign !== '+') return file;
+  const start = file.start.slice(0, -1);
+  const isSign = /(^|[/\\._])$/.test(start) || (!/\d$/.test(start) && unsigned.has(sequenceOf({ ...file, start })));
+  return isSign ? { ...file, start, number: sign === '-' ? -file.number : file.number } : file;
+}
+
+/**
+ * Frames between whole ones (sim.1, sim.1.25, sim.2) have a fraction where without it they would be in a sequence of
+ * their own beside whole numbers.
  */
 function numbered(names: readonly string[]): Numbered[] {
-  const files = names.flatMap((name, place): Numbered[] => {
-    const [, start = '', digits = ''] = NUMBER_AT_END.exec(name) ?? [];
-    const number = Number(digits);
-    if (digits === '' || number > 10 ** MOST_DIGITS) return [];
-    return [{ name, place, start, extension: extensionOf(name), number }];
-  });
-  const known = new Set(files.map(({ start, extension }) => sequenceOf(start, extension)));
-  return files.map((file) => {
-    if (!file.start.endsWith('-')) return file;
-    const start = file.start.slice(0, -1);
-    const isSign = /(^|[/\\._])$/.test(start) || (!/\d$/.test(start) && known.has(sequenceOf(start, file.extension)));
-    return isSign ? { ...file, start, number: -file.number } : file;
+  const files = names.flatMap((name, place) => numberAt(NUMBER_AT_END, name, place) ?? []);
+  const unsigned = new Set(files.map(sequenceOf));
+  const whole = files.map((file) => withSign(file, unsigned));
+  const known = new Set(whole.map(sequenceOf));
+  return whole.map((file) => {
+    const read = numberAt(FRACTION_AT_END, file.name, file.place);
+    const fraction = read && withSign(read, unsigned);
+    return fraction && known.has(sequenceOf(fraction)) ? fraction : file;
   });
 }
 
 function grouped(names: readonly string[]): Numbered[][] {
   const groups = new Map<string, Numbered[]>();
   for (const file of numbered(names)) {
-    const key = sequenceOf(file.start, file.extension);
+    const key = sequenceOf(file);
     const group = groups.get(key);
     if (group) group.push(file);
     else groups.set(key, [file]);
@@ -59,12 +74,11 @@ function grouped(names: readonly string[]): Numbered[][] {
   return [...groups.values()];
 }
 
-/** Natural order of names; what is numbered below zero comes first in its sequence, -2 before -1. */
+/** Natural order of names, and within a sequence that of the numbers: -2, -1, 0, +1, 1.5. */
 export function inNaturalOrder<T extends { name: string }>(files: readonly T[]): T[] {
   const sorted = [...files].sort((a, b) => naturally.compare(a.name, b.name));
   const result = [...sorted];
   for (const group of grouped(sorted.map(({ name }) => name))) {
-    if (!group.some(({ number }) => number < 0)) continue;
     const byNumber = [...group].sort((a, b) => a.number - b.number);
     group.forEach(({ place }, index) => (result[place] = sorted[byNumber[index]!.place]!));
   }

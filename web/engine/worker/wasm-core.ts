@@ -1,6 +1,7 @@
 /** The core as TypeScript sees it: typed calls into the bindings, arrays copied in and out. Runs inside a worker. */
 import { IMPORT } from '../api/option-table.ts';
 import { EngineError, outOfMemory } from '../api/errors.ts';
+import { noteOf } from '../api/export-note.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
 import type { FrameBuffers, FrameData, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
@@ -120,6 +121,7 @@ export class WasmCore {
         sampleTimes: Array.isArray(sample) ? sample : [],
         everyFrame: everyFrame === true,
         sampleCount: typeof sample === 'number' ? sample : null,
+        frameTimes: noteOf(files)?.times ?? [],
         keyTimes: keyTimes ?? [],
         zUp: (up ?? IMPORT.up.default) === 'z',
         unit: unit ?? IMPORT.unit.default,
