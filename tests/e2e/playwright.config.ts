@@ -67,9 +67,8 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   use: {
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
-    // Its steps alone: pictures and copies of the page would cost every test an eighth of its time, for the few that
-    // fail.
-    trace: { mode: 'retain-on-failure', screenshots: false, snapshots: false, sources: false },
+    // What is kept of every test for the few that fail costs time in all of them; `--trace on` asks for it.
+    trace: 'off',
     screenshot: 'only-on-failure',
   },
   // Everything is asked of the built page under a sub-path; of the development server what a server can break (tagged

@@ -74,9 +74,9 @@ const all = {
   },
   chromium: {
     name: 'Chromium',
-    hint: 'npm ci && npx playwright install chromium; Debian: apt-get install chromium',
+    hint: 'npm ci && npx playwright install chromium; Debian: apt-get install chromium-headless-shell',
     has: hasBrowser,
-    packages: ['chromium', 'fonts-liberation'],
+    packages: ['chromium-headless-shell', 'fonts-liberation'],
   },
   formatter: {
     name: 'clang-format 19',

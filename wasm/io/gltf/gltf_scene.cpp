@@ -63,7 +63,11 @@ int instanceAttribute(const tinygltf::Value& attributes, const char* name) {
 }
 
 Error tooMuch(const GltfDocument& doc, const Amount& all, std::size_t keys) {
+  const bool isOfFaces = 3 * all.corners > all.vertices * keys;
+  const std::string faces =
+      isOfFaces ? " and " + grouped(static_cast<std::int64_t>(all.corners / 3)) + " faces" : std::string();
   return {ErrorCode::TooLarge, doc.where + " shows " + grouped(static_cast<std::int64_t>(all.vertices)) + " vertices" +
+                                   faces +
                                    (keys == 1 ? "" : " in " + grouped(static_cast<std::int64_t>(keys)) + " keys") +
                                    ", more than is supported for a file of " + sizeText(doc.fileBytes) +
                                    ". Export fewer copies of its meshes, or fewer morph targets."};
