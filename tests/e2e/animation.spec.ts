@@ -171,7 +171,9 @@ test('another animation and number of keys are taken at once, and undone', async
   await app.expectNoProblems();
 });
 
-test('as few keys as an error allows are found, and the animation stands beside the motion', async ({ app }) => {
+test('as few keys as an error allows are found, and the animation stands beside the motion', { tag: '@all' }, async ({
+  app,
+}) => {
   const file = realFile('skin/CesiumMan.glb');
   test.skip(file === null, 'the real inputs are not there');
   test.slow();

@@ -26,6 +26,10 @@ test('poses are picked one by one: the first waits, the second opens the motion,
   app,
 }) => {
   await app.open();
+  // One that waits is let go of with one click.
+  await pick(app, 'other.obj', TRIANGLE(0));
+  await app.by('pose-offer-later').click();
+  await expect(app.by('pose-offer')).toBeHidden();
   await pick(app, 'a.obj', QUAD(0.5));
   await expect(app.by('pose-offer')).toContainText('“a.obj” is the first pose');
   await expect(app.by('error')).toBeHidden();
@@ -113,7 +117,9 @@ test('a pose of another mesh asks before it takes the place of own work, which c
   await app.expectNoProblems();
 });
 
-test('several poses of another mesh ask, too, and are opened in its place where that is meant', async ({ app }) => {
+test('several poses of another mesh ask, too, and are opened in its place where that is meant', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open();
   await openTwo(app);
   const others = [0, 0.5].map((x, index) => ({
@@ -129,18 +135,6 @@ test('several poses of another mesh ask, too, and are opened in its place where 
   await app.settled();
   await expect(app.by('pose-offer')).toBeHidden();
   await app.expectNoProblems();
-});
-
-test('a first pose that waits is let go of with one click', async ({ app }) => {
-  await app.open();
-  await pick(app, 'a.obj', QUAD(0.5));
-  await app.by('pose-offer-later').click();
-  await expect(app.by('pose-offer')).toBeHidden();
-  await pick(app, 'other.obj', TRIANGLE(0));
-  await expect(app.by('pose-offer')).toContainText('“other.obj” is the first pose');
-  await app.pick('octopus');
-  await app.settled();
-  await expect(app.by('pose-offer')).toBeHidden();
 });
 
 test('two poses of the open mesh that come together become keys, and undo takes both back', async ({ app }, info) => {

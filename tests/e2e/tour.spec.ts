@@ -30,7 +30,9 @@ async function expectPage(app: App, step: GuidePage): Promise<void> {
 
 const expectStep = (app: App, index: number): Promise<void> => expectPage(app, TOUR[index]!);
 
-test('a figure of the paper is reached by its link, with how its shape is encoded', async ({ app }) => {
+test('a figure of the paper is reached by its link, with how its shape is encoded', { tag: '@all' }, async ({
+  app,
+}) => {
   const figure = FIGURES.find(({ link }) => link === 'figure=7')!;
   await app.open({ hash: `#${figure.link}` });
   await expectPage(app, figure);
@@ -53,9 +55,9 @@ test('a step is reached by its link, and its numbers are those of the engine', a
   await expect(app.by('guide-live')).toHaveText(`Volume now: ${blended} % blended, ${ours} % in shape space.`);
 });
 
-test('of the eighth step, a face would be inside out far out; with logarithmic stretch it would not', async ({
-  app,
-}) => {
+test('of the eighth step, a face would be inside out far out; with logarithmic stretch it would not', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ hash: '#tour=8' });
   await expect(app.by('guide-live')).toHaveText(/has -\d+ % of its width at 1\.4: it would be inside out/);
   await app.by('stretch-log').check();
