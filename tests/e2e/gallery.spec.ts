@@ -96,9 +96,9 @@ test('where motion is welcome the cards move, and nothing is opened for it', { t
 test.describe('with what is fetched counted', () => {
   test.use({ fresh: true });
 
-  test('pictures are fetched when the cards are seen, which stand still where less motion is asked for', async ({
-    app,
-  }) => {
+  test('pictures are fetched when the cards are seen, which stand still where less motion is asked for', {
+    tag: '@all',
+  }, async ({ app }) => {
     await app.open();
     const pictures = (): number => new Set(app.requests.filter((url) => url.includes('/gallery/'))).size;
     expect(pictures()).toBe(0);
