@@ -188,7 +188,7 @@ test('whole frames: the field, the steps and the slider keep to them', async ({ 
   expect(difference(await app.positions(), between)).toBeGreaterThan(0);
 });
 
-test('what plays is what an export holds', async ({ app }) => {
+test('what plays is what an export holds', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&between=0.25,0.75&fps=8' });
   await app.by('export').click();
   await expect(app.by('export-from')).toHaveValue('0.25');

@@ -89,7 +89,7 @@ test('a folder is dropped: the poses in it and in its folders are opened, with t
   await app.expectNoProblems();
 });
 
-test('ten files dropped twice are opened once, and nothing is left behind', async ({ app }) => {
+test('ten files dropped twice are opened once, and nothing is left behind', { tag: '@all' }, async ({ app }) => {
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
   const poses = Array.from({ length: 10 }, (_, index) => ({

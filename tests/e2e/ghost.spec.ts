@@ -144,7 +144,9 @@ test('the difference to no ghost is shown as colours, with its range', { tag: '@
   await app.expectNoProblems();
 });
 
-test('three sizes of the ghost stand beside the full solve, each coloured by what it differs', async ({ app }) => {
+test('three sizes of the ghost stand beside the full solve, each coloured by what it differs', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open({ hash: '#sample=cactus&ghostFaces=300&transfer=paper&ghostSizes=1&t=0.25' });
   const tiles = ['300', '600', '1,200'];
   for (const [index, faces] of tiles.entries())

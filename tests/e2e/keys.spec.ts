@@ -136,7 +136,7 @@ test('keys are spaced by how different they are, and overshoot is taken away', a
     .toBeGreaterThan(0);
 });
 
-test('the motion runs backwards through the same keys', async ({ app }) => {
+test('the motion runs backwards through the same keys', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const [first, second, last] = (await app.state()).doc.keys;
   const both = first!.time + last!.time;

@@ -1,7 +1,7 @@
 /** Links come from anywhere: whatever stands in one, the sample opens, and what is drawn is drawn from numbers. */
 import { expect, test } from './support.ts';
 
-test('a number out of bounds in a link is left out, with a word about it', async ({ app }) => {
+test('a number out of bounds in a link is left out, with a word about it', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&patches=1e300&camera=1e300,0,0,0,0,0' });
   await expect(app.by('toast')).toContainText('left out: patches, camera.');
   expect((await app.positions()).every(Number.isFinite)).toBe(true);

@@ -74,7 +74,7 @@ test('arrow keys move the point without moving the time', async ({ app }) => {
   expect(await app.positions()).toEqual(motion);
 });
 
-test('a path that is drawn plays', async ({ app }) => {
+test('a path that is drawn plays', { tag: '@all' }, async ({ app }) => {
   await openPlane(app);
   const motion = await app.positions();
   await app.by('plane-draw').click();

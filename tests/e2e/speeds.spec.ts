@@ -120,7 +120,7 @@ test('the handles can be dragged at 360 px, and stay apart at their longest', as
   await app.expectNoProblems();
 });
 
-test('a handle in the shape plane bends the curve along its tangent', async ({ app }) => {
+test('a handle in the shape plane bends the curve along its tangent', { tag: '@all' }, async ({ app }) => {
   await openHermite(app);
   await app.by('plot-plane').scrollIntoViewIfNeeded();
   const curve = app.by('plot-plane').locator('path.curve.lri');

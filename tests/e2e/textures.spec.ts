@@ -137,7 +137,7 @@ async function sampledSquare(sampler: { wrap: 10497 | 33071 | 33648; image: Buff
   return Buffer.from(await new WebIO().writeBinary(document));
 }
 
-test('a texture repeats, stops or is mirrored as its sampler says', async ({ app }) => {
+test('a texture repeats, stops or is mirrored as its sampler says', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // at u = 0.25, 0.75, 1.25, 1.75
   const ways: [10497 | 33071 | 33648, Channel[]][] = [

@@ -202,7 +202,9 @@ test('the way back in the browser leads out of the tour, too, and the one onward
   await app.expectNoProblems();
 });
 
-test('what a step speaks of under the options is in sight, although plots above it come later', async ({ app }) => {
+test('what a step speaks of under the options is in sight, although plots above it come later', {
+  tag: '@all',
+}, async ({ app }) => {
   for (const [link, part] of [
     ['tour=3', 'faces'],
     ['tour=5', 'plot-bending'],

@@ -142,7 +142,7 @@ test.describe('with changed answers of the workers', () => {
     await app.expectNoProblems();
   });
 
-  test('and not for one in ten thousand', async ({ app }) => {
+  test('and not for one in ten thousand', { tag: '@all' }, async ({ app }) => {
     await withChangedResults(app.page, { indefiniteFaces: 1, indefiniteFace: 40 });
     await app.open();
     await app.setTime(0.25);
