@@ -153,7 +153,6 @@ test('S puts it between any motion and a blend, and takes away what came with it
   await expect(app.by('divider')).toHaveAttribute('aria-valuetext', /Geodesic/);
   // Three views have no two sides.
   await app.by('compare-linear').check();
-  await app.settled();
   await expect(app.by('divider')).toBeHidden();
   await app.by('compare-linear').uncheck();
   await app.page.keyboard.press('s');

@@ -55,13 +55,11 @@ test('a foot that rests stays where it stands', async ({ app }, testInfo) => {
   expect(plain).toBeGreaterThan(0.002);
   const keys = [await app.positionsAt(1), await app.positionsAt(2)];
 
-  for (const hold of ['contact', 'anchored']) {
-    await app.by(`hold-${hold}`).check();
-    await app.settled();
-    expect(await slide(app), hold).toBeLessThan(0.6 * plain);
-    for (const [index, key] of keys.entries())
-      expect(difference(await app.positionsAt(index + 1), key)).toBeLessThan(1e-5 * diagonal(key));
-  }
+  await app.by('hold-contact').check();
+  await app.settled();
+  expect(await slide(app)).toBeLessThan(0.6 * plain);
+  for (const [index, key] of keys.entries())
+    expect(difference(await app.positionsAt(index + 1), key)).toBeLessThan(1e-5 * diagonal(key));
   await app.setTime(1.5);
   // Plots are computed where they are seen.
   const value = async (): Promise<number> => {
@@ -72,10 +70,12 @@ test('a foot that rests stays where it stands', async ({ app }, testInfo) => {
   await expect.poll(value).toBeLessThan(0.6 * 100 * plain);
   await app.by('hold-off').check();
   await expect.poll(value).toBeGreaterThan(0.05);
-  await app.by('undo').click();
+  await app.by('hold-anchored').check();
   await expect(app.by('hold-hint')).toContainText('bends are bent less');
   await app.by('undo').click();
+  await app.by('undo').click();
   await expect(app.by('hold-contact')).toBeChecked();
+  await app.settled();
   const held = await app.positionsAt(1.5);
   await app.reload();
   await expect(app.by('hold-contact')).toBeChecked();

@@ -1,5 +1,5 @@
 /** Pins: a foot of the walking dachshund is held by hand, and stays held wherever the work goes. */
-import { exported } from './exporting.ts';
+import { exported, type } from './exporting.ts';
 import { diagonal, difference, expect, test, type App } from './support.ts';
 
 /** The lowest vertex in the first key, and where it is on the page. */
@@ -75,6 +75,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
     await app.by('export-targets-principal').check();
     await expect(app.by('export-dialog')).toContainText('keeps only pins on their own splines');
     await app.by('export-targets-every').check();
+    await type(app, 'export-frames', '4');
     await expect(app.by('export-dialog')).not.toContainText('keeps only pins on their own splines');
   });
   const saved = testInfo.outputPath('pinned.glb');
