@@ -378,7 +378,7 @@ test.describe('with a service worker', () => {
       test.skip(info.project.name === 'dev', 'the room is measured once the files of the page are kept');
       await app.open();
       await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-      // Room for the first files, not for the next: the browser looks at its limit before the first write, and then seldom.
+      // Room for the first files, not for the next: the browser looks at its limit before the first write, then seldom.
       const session = await context.newCDPSession(app.page);
       const { origin } = new URL(app.page.url());
       const { usage } = await session.send('Storage.getUsageAndQuota', { origin });
