@@ -20,34 +20,26 @@ test('shows the first sample with its counts and a picture that is not flat', { 
   await app.expectNoProblems();
 });
 
-test.describe('where motion is welcome', () => {
-  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
-
-  test('the sample is moving by itself, and stops when the slider is taken', { tag: '@server' }, async ({ app }) => {
-    await app.open();
-    expect((await app.state()).play.playing).toBe(true);
-    await expect(app.by('welcome')).toBeVisible();
-    const before = (await app.state()).time;
-    await expect.poll(async () => (await app.state()).time).not.toBe(before);
-    await app.by('timeline').click({ position: { x: 120, y: 30 } });
-    expect((await app.state()).play.playing).toBe(false);
-    await expect(app.by('welcome')).toBeHidden();
-    await app.expectNoProblems();
-  });
-});
-
-test.describe('where motion is welcome, own files', () => {
-  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
-
-  test('play as soon as they are open', async ({ app }) => {
-    await app.open();
-    await app.by('play').click();
-    await app.openGenerated(2000);
-    expect((await app.state()).source.kind).toBe('files');
-    expect((await app.state()).play.playing).toBe(true);
-    const before = (await app.state()).time;
-    await expect.poll(async () => (await app.state()).time).not.toBe(before);
-  });
+test('where motion is welcome the sample is moving by itself until the slider is taken, and own files as soon as they are open', async ({
+  app,
+}) => {
+  await app.page.emulateMedia({ reducedMotion: 'no-preference' });
+  await app.open();
+  expect((await app.state()).play.playing).toBe(true);
+  await expect(app.by('welcome')).toBeVisible();
+  const before = (await app.state()).time;
+  await expect.poll(async () => (await app.state()).time).not.toBe(before);
+  await app.by('timeline').click({ position: { x: 120, y: 30 } });
+  expect((await app.state()).play.playing).toBe(false);
+  await expect(app.by('welcome')).toBeHidden();
+  await app.openGenerated(2000);
+  expect((await app.state()).source.kind).toBe('files');
+  expect((await app.state()).play.playing).toBe(true);
+  const opened = (await app.state()).time;
+  await expect.poll(async () => (await app.state()).time).not.toBe(opened);
+  // The address names no sample any more, though the motion plays.
+  await expect.poll(() => app.page.url()).not.toContain('sample');
+  await app.expectNoProblems();
 });
 
 test('stands still where the visitor wants no motion, and plays when asked to', async ({ app }) => {

@@ -187,7 +187,7 @@ test('nothing is kept under a file name but that file', { tag: '@all' }, async (
 });
 
 /** Only a browser has a service worker, its cache and scripts that come from there. */
-test('what is damaged in the cache is fetched again, with a word', async ({ app }, info) => {
+test('what is damaged in the cache is fetched again, with a word', { tag: '@all' }, async ({ app }, info) => {
   test.skip(info.project.name === 'dev', 'the development server has no service worker');
   const host = new Host();
   try {

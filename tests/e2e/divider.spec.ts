@@ -51,7 +51,9 @@ test('each side shows its own motion, as much of it as the divider leaves', asyn
   await app.expectNoProblems();
 });
 
-test('a shape that its side does not show is out of view, unless the divider was drawn over it', async ({ app }) => {
+test('a shape that its side does not show is out of view, unless the divider was drawn over it', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ hash: SPLIT });
   const hint = app.by('fit-hint');
   await expect(hint).toBeHidden();
@@ -151,7 +153,6 @@ test('S puts it between any motion and a blend, and takes away what came with it
   await expect(app.by('divider')).toHaveAttribute('aria-valuetext', /Geodesic/);
   // Three views have no two sides.
   await app.by('compare-linear').check();
-  await app.settled();
   await expect(app.by('divider')).toBeHidden();
   await app.by('compare-linear').uncheck();
   await app.page.keyboard.press('s');
@@ -160,13 +161,18 @@ test('S puts it between any motion and a blend, and takes away what came with it
   await app.expectNoProblems();
 });
 
-for (const [width, height] of [
-  [360, 740],
-  [820, 1180],
-] as const)
-  test(`no words lie over others at ${width} px`, async ({ app }) => {
+test('no words lie over others at 820 px and 360 px', async ({ app }) => {
+  await app.page.setViewportSize({ width: 820, height: 1180 });
+  await app.open({ hash: SPLIT });
+  for (const [width, height] of [
+    [820, 1180],
+    [360, 740],
+  ] as const) {
     await app.page.setViewportSize({ width, height });
-    await app.open({ hash: SPLIT });
+    await expect.poll(() => app.page.evaluate(() => window.innerWidth)).toBe(width);
+    await app.nextFrame();
+    await app.settled();
+    await app.nextFrame();
     const boxes = await Promise.all(
       ['.welcome', '.tile-label:first-child', '.tile-label:last-child', '.view-buttons', '.phase'].map(
         async (selector) => (await app.page.locator(selector).boundingBox())!,
@@ -175,15 +181,17 @@ for (const [width, height] of [
     boxes.forEach((a, i) =>
       boxes.slice(i + 1).forEach((b) => {
         const overlap = a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-        expect(overlap, JSON.stringify([a, b])).toBe(false);
+        expect(overlap, `${width} px: ${JSON.stringify([a, b])}`).toBe(false);
       }),
     );
-  });
+  }
+});
 
 test.describe('a first visit', () => {
-  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
+  test.use({ fresh: true });
 
   test('opens with a blend collapsing beside this method, and only the first', async ({ app }) => {
+    await app.page.emulateMedia({ reducedMotion: 'no-preference' });
     await app.open({ first: true });
     const { view, play } = await app.state();
     expect(view).toMatchObject({ split: 0.5, compare: ['linear'] });
@@ -197,12 +205,8 @@ test.describe('a first visit', () => {
     expect((await app.state()).view).toMatchObject({ split: null, compare: [] });
     await app.expectNoProblems();
   });
-});
 
-test.describe('a first visit with reduced motion', () => {
-  test.use({ ownProfile: true });
-
-  test('stands still where the blend has collapsed', { tag: '@all' }, async ({ app }) => {
+  test('stands still with reduced motion where the blend has collapsed', { tag: '@all' }, async ({ app }) => {
     await app.open({ first: true });
     expect((await app.state()).play.playing).toBe(false);
     const [method, blend] = await volumes(app);

@@ -139,18 +139,20 @@ test('what is open in the app is shown by the lines and the file that it gives f
   expect(shown.range).toBe(doc.keys.at(-1)!.time - doc.keys[0]!.time);
 });
 
-test('the example in React is a live one: it shows where it is, and begins anew at its button', async ({
-  page,
-}, info) => {
-  test.skip(info.project.name === 'dev', 'the examples are built');
-  const problems = await open(page);
-  await page.locator('#in-react').scrollIntoViewIfNeeded();
-  const shape = page.locator('#in-react shape-spline');
-  await expect.poll(() => shape.evaluate((one: ShapeSplineElement) => one.report !== null)).toBe(true);
-  await shape.evaluate((one: ShapeSplineElement) => one.seek(0.5));
-  const said = page.locator('#in-react output');
-  await expect(said).toHaveText('0.50 s');
-  await page.getByRole('button', { name: 'From the start' }).click();
-  await expect(said).toHaveText('0.00 s');
-  expect(problems).toEqual([]);
-});
+test(
+  'the example in React is a live one: it shows where it is, and begins anew at its button',
+  { tag: '@all' },
+  async ({ page }, info) => {
+    test.skip(info.project.name === 'dev', 'the examples are built');
+    const problems = await open(page);
+    await page.locator('#in-react').scrollIntoViewIfNeeded();
+    const shape = page.locator('#in-react shape-spline');
+    await expect.poll(() => shape.evaluate((one: ShapeSplineElement) => one.report !== null)).toBe(true);
+    await shape.evaluate((one: ShapeSplineElement) => one.seek(0.5));
+    const said = page.locator('#in-react output');
+    await expect(said).toHaveText('0.50 s');
+    await page.getByRole('button', { name: 'From the start' }).click();
+    await expect(said).toHaveText('0.00 s');
+    expect(problems).toEqual([]);
+  },
+);

@@ -6,20 +6,29 @@ import { unzip } from '../unzip.ts';
 const namesIn = async (zip: Buffer): Promise<string[]> =>
   (await unzip(new Blob([new Uint8Array(zip)]))).map(({ name }) => name);
 
-for (const { format, files } of [
-  { format: 'obj', files: ['0000.obj', '0001.obj', '0002.obj', 'cactus.mtl', 'README.txt'] },
-  { format: 'pc2', files: ['cactus.pc2', 'cactus.obj', 'cactus.mtl', 'README.txt'] },
-  { format: 'mdd', files: ['cactus.mdd', 'cactus.obj', 'cactus.mtl', 'README.txt'] },
-])
-  test(`an animation comes as ${format.toUpperCase()} in a zip`, async ({ app }) => {
-    await app.open();
-    const { download, bytes } = await exported(app, async () => {
-      await app.by(`export-animation-${format}`).check();
-      await type(app, 'export-frames', '3');
-    });
+test('an animation comes as OBJ, PC2 and MDD in a zip, or as keys and in-betweens for Blender', async ({ app }) => {
+  await app.open();
+  const zipped = async (choose: () => Promise<void>): Promise<string[]> => {
+    const { download, bytes } = await exported(app, choose);
     expect(download.suggestedFilename()).toBe('cactus.zip');
-    expect((await namesIn(bytes)).sort()).toEqual([...files].sort());
+    return (await namesIn(bytes)).sort();
+  };
+  expect(
+    await zipped(async () => {
+      await app.by('export-animation-obj').check();
+      await type(app, 'export-frames', '3');
+    }),
+  ).toEqual(['0000.obj', '0001.obj', '0002.obj', 'README.txt', 'cactus.mtl']);
+  for (const format of ['pc2', 'mdd'])
+    expect(await zipped(() => app.by(`export-animation-${format}`).check())).toEqual(
+      ['README.txt', `cactus.${format}`, 'cactus.mtl', 'cactus.obj'].sort(),
+    );
+  const keys = await zipped(async () => {
+    await app.by('export-animation-glb').check();
+    await app.by('export-targets-principal').check();
   });
+  expect(keys).toEqual(['cactus.csv', 'cactus.glb', 'cactus.py']);
+});
 
 test('as few morph targets as the tolerance needs are exported, and the dialog says how many', async ({ app }) => {
   await app.open();
@@ -36,12 +45,6 @@ test('as few morph targets as the tolerance needs are exported, and the dialog s
   await app.expectNoProblems();
 });
 
-test('keys and in-betweens come with a table of weights and drivers for Blender', async ({ app }) => {
-  await app.open();
-  const { bytes } = await exported(app, () => app.by('export-targets-principal').check());
-  expect(await namesIn(bytes)).toEqual(['cactus.glb', 'cactus.csv', 'cactus.py']);
-});
-
 test('the current pose is saved as PLY, and as OBJ with its materials', async ({ app }) => {
   await app.open();
   await app.setTime(0.3);
@@ -56,7 +59,7 @@ test('the current pose is saved as PLY, and as OBJ with its materials', async ({
   expect(await namesIn(obj.bytes)).toEqual(expect.arrayContaining(['cactus.obj', 'cactus.mtl']));
 });
 
-test('numbers are saved as CSV at the frames that are exported, rounded, with version, options and units', async ({
+test('numbers are saved as CSV with version, options and units: at the frames that are exported, and of every face', async ({
   app,
 }) => {
   await app.open();
@@ -83,6 +86,15 @@ test('numbers are saved as CSV at the frames that are exported, rounded, with ve
     expect(row[1]).toBeCloseTo(frame / 10, 9);
   });
   for (const cell of cells.flat()) expect(cell.replace(/e.*|[-.]/g, '').replace(/^0+/, '').length).toBeLessThan(13);
+
+  const table = await exported(app, () => app.by('export-numbers-patches').check());
+  const ofFaces = table.bytes
+    .toString()
+    .trim()
+    .split('\n')
+    .filter((line) => /^\d/.test(line));
+  expect(ofFaces.length).toBe(Number((await app.by('status-faces').innerText()).replace(/\D/g, '')));
+  expect(new Set(ofFaces.map((row) => row.split(',')[1])).size).toBe((await app.stats()).patches);
 });
 
 test('poses without times get a second each, which the timeline says, and play in it', async ({ app }) => {
@@ -102,22 +114,6 @@ test('poses without times get a second each, which the timeline says, and play i
   expect(text).toMatch(/^120 frames, 4 s, /);
   await expect(app.by('export-duration')).toHaveValue('2');
   await expect(app.by('export-pace')).toHaveText('as it plays here');
-});
-
-test('the patch of every face is saved as CSV', async ({ app }) => {
-  await app.open();
-  const { bytes } = await exported(app, async () => {
-    await app.by('export-kind-numbers').check();
-    await app.by('export-numbers-patches').check();
-  });
-  const rows = bytes
-    .toString()
-    .trim()
-    .split('\n')
-    .filter((line) => /^\d/.test(line));
-  const faces = Number((await app.by('status-faces').innerText()).replace(/\D/g, ''));
-  expect(rows.length).toBe(faces);
-  expect(new Set(rows.map((row) => row.split(',')[1])).size).toBe((await app.stats()).patches);
 });
 
 test('a link brings the whole view back', async ({ app, page }) => {

@@ -43,67 +43,74 @@ async function opened(
   }, svg);
 }
 
-for (const { plots, part } of [
-  { plots: ['plane', 'volume', 'distance'], part: null },
-  { plots: ['face-rotation'], part: 'face' },
-  { plots: ['patch-angles', 'patch-rotation'], part: 'patch' },
-])
-  test(`values are read and saved as SVG, PNG and CSV: ${plots.join(', ')}`, { tag: '@all' }, async ({ app }) => {
-    await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
-    if (part) await choosePart(app, part, '3');
-    await app.by('plot-bending').scrollIntoViewIfNeeded();
-    await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(2);
-    for (const plot of plots) {
-      await expect(app.by(`plot-${plot}`)).toBeVisible();
-      const values = app.by(`${plot}-values`);
-      await values.locator('summary').press('Enter');
-      await expect(values.locator('tbody tr').nth(9), plot).toBeVisible();
-      const svg = await saved(app, `${plot}-svg`);
-      expect(svg.name).toBe(`shapespline-${plot}.svg`);
-      const { width, height, colours } = await opened(app, svg.bytes.toString());
-      expect([width, height > 80, colours > 8], plot).toEqual([272, true, true]);
-      expect(wordsOf(svg.bytes.toString()), plot).toContain(await app.by(`plot-${plot}`).locator('strong').innerText());
-      expect(svg.bytes.toString().match(/<path[^>]+stroke="rgb\(/g)?.length, plot).toBeGreaterThan(0);
-    }
-    const last = plots.at(-1)!;
+/** Reads a chart, and saves it as SVG. */
+async function readAndSave(app: App, plot: string): Promise<void> {
+  await expect(app.by(`plot-${plot}`)).toBeVisible();
+  const values = app.by(`${plot}-values`);
+  await values.locator('summary').press('Enter');
+  await expect(values.locator('tbody tr').nth(9), plot).toBeVisible();
+  const svg = await saved(app, `${plot}-svg`);
+  expect(svg.name).toBe(`shapespline-${plot}.svg`);
+  const { width, height, colours } = await opened(app, svg.bytes.toString());
+  expect([width, height > 80, colours > 8], plot).toEqual([272, true, true]);
+  expect(wordsOf(svg.bytes.toString()), plot).toContain(await app.by(`plot-${plot}`).locator('strong').innerText());
+  expect(svg.bytes.toString().match(/<path[^>]+stroke="rgb\(/g)?.length, plot).toBeGreaterThan(0);
+}
+
+test('values are read and saved as SVG, PNG and CSV: of the motion, a face and a patch', { tag: '@all' }, async ({
+  app,
+}) => {
+  await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
+  await app.by('plot-bending').scrollIntoViewIfNeeded();
+  await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(2);
+  for (const plot of ['plane', 'distance']) await readAndSave(app, plot);
+  for (const [part, plot] of [
+    ['face', 'face-rotation'],
+    ['patch', 'patch-rotation'],
+  ] as const) {
+    await choosePart(app, part, '3');
+    await readAndSave(app, plot);
+  }
+  for (const last of ['distance', 'patch-rotation']) {
     const png = await saved(app, `${last}-png`);
     expect(png.bytes.readUInt32BE(16)).toBe(3 * 272);
     const [head, ...rows] = (await saved(app, `${last}-csv`)).bytes.toString().trim().split('\n');
     expect(head!.split(',')[0]).toBe('Time');
     expect(rows.length).toBeGreaterThan(12);
     for (const row of rows) expect(row.split(',')).toHaveLength(head!.split(',').length);
-    await app.expectNoProblems();
-  });
+  }
+  await app.expectNoProblems();
+});
 
-for (const colorScheme of ['light', 'dark'] as const)
-  test(`an image that is saved names its curves, on the background of the ${colorScheme} theme`, {
-    tag: '@all',
-  }, async ({ app }) => {
-    await app.page.emulateMedia({ colorScheme });
-    await app.open({ hash: '#sample=cactus&compare=geodesic,linear' });
-    await app.by('plot-bending').scrollIntoViewIfNeeded();
-    await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3);
-    for (const plot of ['plane', 'bending']) {
-      await app.by(`${plot}-values`).locator('summary').press('Enter');
-      const svg = (await saved(app, `${plot}-svg`)).bytes.toString();
-      const words = wordsOf(svg);
-      for (const word of ['Shape spline (LRI)', 'Geodesic (LRI)', 'Morph targets (linear)'])
-        expect(
-          words.filter((one) => one === word),
-          `${plot}: ${word}`,
-        ).toHaveLength(1);
-      // The peaks of the geodesic would leave the others flat.
-      if (plot === 'bending') expect(words.join(' ')).toContain('logarithmic');
-      const { ground } = await opened(app, svg);
-      if (colorScheme === 'light') expect(Math.min(...ground), plot).toBeGreaterThan(200);
-      else expect(Math.max(...ground), plot).toBeLessThan(60);
-    }
-  });
+test('an image that is saved names its curves, on the background of the theme', { tag: '@all' }, async ({ app }) => {
+  await app.open({ hash: '#sample=cactus&compare=geodesic,linear' });
+  await app.by('plot-bending').scrollIntoViewIfNeeded();
+  await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3);
+  for (const plot of ['plane', 'bending']) {
+    await app.page.emulateMedia({ colorScheme: 'light' });
+    await app.by(`${plot}-values`).locator('summary').press('Enter');
+    const svg = (await saved(app, `${plot}-svg`)).bytes.toString();
+    const words = wordsOf(svg);
+    for (const word of ['Shape spline (LRI)', 'Geodesic (LRI)', 'Morph targets (linear)'])
+      expect(
+        words.filter((one) => one === word),
+        `${plot}: ${word}`,
+      ).toHaveLength(1);
+    // The peaks of the geodesic would leave the others flat.
+    if (plot === 'bending') expect(words.join(' ')).toContain('logarithmic');
+    expect(Math.min(...(await opened(app, svg)).ground), plot).toBeGreaterThan(200);
+    await app.page.emulateMedia({ colorScheme: 'dark' });
+    const dark = (await saved(app, `${plot}-svg`)).bytes.toString();
+    expect(Math.max(...(await opened(app, dark)).ground), plot).toBeLessThan(60);
+  }
+});
 
-test('a figure fills the screen by key, in type that is read from afar, and gives the focus back', async ({ app }) => {
+test('a figure fills the screen by key, in type that is read from afar, and gives the focus back', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear&colour=distance&t=0.2' });
   await choosePart(app, 'face', '3');
-  for (const plot of ['plane', 'volume', 'face-stretch']) {
+  for (const plot of ['plane', 'face-stretch']) {
     const figure = app.by(`plot-${plot}`);
     await figure.scrollIntoViewIfNeeded();
     await expect(figure.locator('svg.plot .curve').first(), plot).toBeVisible();

@@ -10,7 +10,8 @@ import { changedShare, shrink } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-test.use({ sharpness: 1 });
+// All but the shape is hidden for good.
+test.use({ sharpness: 1, fresh: true });
 
 const folder = fileURLToPath(new URL('../../public/gallery', import.meta.url));
 /** Drawn so many times larger than they are kept. */

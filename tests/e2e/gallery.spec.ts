@@ -54,14 +54,6 @@ test('one of more than 300,000 faces is made on the spot, and nothing is fetched
   await app.expectNoProblems();
 });
 
-test('the column wears its painted stripes', async ({ app }) => {
-  await app.open({ hash: '#sample=column&floor=0' });
-  const own = await app.picture();
-  await app.by('look-toggle').click();
-  await app.by('colouring-phase').check();
-  expect(changedShare(own, await app.picture())).toBeGreaterThan(0.05);
-});
-
 test('is reached by keyboard, says what is open, and closes', async ({ app }) => {
   await app.open();
   const [gallery, button] = [app.by('gallery'), app.by('sample')];
@@ -85,31 +77,28 @@ test('is reached by keyboard, says what is open, and closes', async ({ app }) =>
   await app.expectNoProblems();
 });
 
-test.describe('where motion is welcome', () => {
-  test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
-
-  test('the cards move, and nothing is opened for it', async ({ app }) => {
-    await app.open();
-    await app.by('play').click();
-    await app.by('sample').click();
-    const card = app.by('sample-card-hand').locator('.sample-picture');
-    await expect
-      .poll(() => card.locator('img').evaluate((one: HTMLImageElement) => [one.naturalWidth, one.naturalHeight]))
-      .toEqual([MOMENTS * PICTURE.width, PICTURE.height]);
-    const first = await card.screenshot();
-    await expect.poll(async () => changedShare(first, await card.screenshot())).toBeGreaterThan(0.02);
-    expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
-    await app.page.keyboard.press('Escape');
-    await app.expectNoProblems();
-  });
+test('where motion is welcome the cards move, and nothing is opened for it', { tag: '@all' }, async ({ app }) => {
+  await app.page.emulateMedia({ reducedMotion: 'no-preference' });
+  await app.open();
+  await app.by('play').click();
+  await app.by('sample').click();
+  const card = app.by('sample-card-hand').locator('.sample-picture');
+  await expect
+    .poll(() => card.locator('img').evaluate((one: HTMLImageElement) => [one.naturalWidth, one.naturalHeight]))
+    .toEqual([MOMENTS * PICTURE.width, PICTURE.height]);
+  const first = await card.screenshot();
+  await expect.poll(async () => changedShare(first, await card.screenshot())).toBeGreaterThan(0.02);
+  expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
+  await app.page.keyboard.press('Escape');
+  await app.expectNoProblems();
 });
 
 test.describe('with what is fetched counted', () => {
   test.use({ fresh: true });
 
-  test('pictures are fetched when the cards are seen, which stand still where less motion is asked for', async ({
-    app,
-  }) => {
+  test('pictures are fetched when the cards are seen, which stand still where less motion is asked for', {
+    tag: '@all',
+  }, async ({ app }) => {
     await app.open();
     const pictures = (): number => new Set(app.requests.filter((url) => url.includes('/gallery/'))).size;
     expect(pictures()).toBe(0);

@@ -6,7 +6,9 @@ const { packages } = JSON.parse(readFileSync(new URL('../../package-lock.json', 
   packages: Record<string, { version: string }>;
 };
 
-test('the paper is cited with one press', async ({ app }) => {
+test('the help has the paper cited with one press, and links the notices of everything that is bundled', async ({
+  app,
+}) => {
   await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await app.open();
   await app.by('help').click();
@@ -15,11 +17,7 @@ test('the paper is cited with one press', async ({ app }) => {
   const copied = await app.page.evaluate(() => navigator.clipboard.readText());
   expect(copied).toMatch(/^@article\{xia2019shapecompletion,[\s\S]*Computers \\& Graphics[\s\S]*\}\n$/);
   await app.page.context().clearPermissions();
-});
 
-test('the help links the notices of everything that is bundled', async ({ app }) => {
-  await app.open();
-  await app.by('help').click();
   const href = await app.by('notices').getAttribute('href');
   const response = await app.page.request.get(new URL(href!, app.page.url()).href);
   expect(response.ok()).toBe(true);

@@ -58,46 +58,15 @@ function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
 /** The shape alone, all of it in the colour of the phase. */
 const COLOURED = '#sample=cactus&colour=phase&floor=0';
 
-test('the drawn silhouette is that of the engine’s vertices, at two times', async ({ app }) => {
+test('the drawn silhouette is that of the engine’s vertices', async ({ app }) => {
   await app.open({ hash: COLOURED });
-  for (const t of [0.3, 1.2]) {
-    const { verticesOnShape, shapeNearVertices, shapePixels } = await overlap(app, t);
-    expect(shapePixels, `t = ${t}`).toBeGreaterThan(2000);
-    expect(verticesOnShape, `t = ${t}`).toBeGreaterThan(0.99);
-    expect(shapeNearVertices, `t = ${t}`).toBeGreaterThan(0.97);
-  }
+  const { verticesOnShape, shapeNearVertices, shapePixels } = await overlap(app, 1.2);
+  expect(shapePixels).toBeGreaterThan(2000);
+  expect(verticesOnShape).toBeGreaterThan(0.99);
+  expect(shapeNearVertices).toBeGreaterThan(0.97);
   // Another moment's vertices do not fit the picture: the comparison can tell shapes apart.
   const wrong = await overlap(app, 1.2, 0);
   expect(Math.min(wrong.verticesOnShape, wrong.shapeNearVertices)).toBeLessThan(0.9);
-});
-
-/** Degrees of the mean of all strong colours. */
-function meanHue(file: Buffer): number {
-  const sum: [number, number, number] = [0, 0, 0];
-  for (const colour of colours(decode(file))) {
-    if (saturation(colour) <= 60) continue;
-    colour.forEach((level, channel) => {
-      sum[channel]! += level;
-    });
-  }
-  const [r, g, b] = sum;
-  return ((Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180) / Math.PI + 360) % 360;
-}
-
-test('key, between and beyond have their own colours', async ({ app }) => {
-  await app.open({ hash: COLOURED });
-  const hues: number[] = [];
-  for (const t of [0, 0.25, 1.3]) {
-    await app.setTime(t);
-    hues.push(meanHue(await app.picture()));
-  }
-  const [blue, green, yellow] = hues as [number, number, number];
-  expect(blue).toBeGreaterThan(190);
-  expect(blue).toBeLessThan(225);
-  expect(green).toBeGreaterThan(145);
-  expect(green).toBeLessThan(185);
-  expect(yellow).toBeGreaterThan(30);
-  expect(yellow).toBeLessThan(55);
 });
 
 test('the look changes the picture and not the shape', async ({ app }) => {
@@ -109,7 +78,6 @@ test('the look changes the picture and not the shape', async ({ app }) => {
   for (const [what, change] of [
     ['flat', () => app.by('shading-flat').check()],
     ['wireframe', () => app.by('wireframe').check()],
-    ['floor', () => app.by('floor').uncheck()],
     ['patches', () => app.by('colouring-patches').check()],
     ['onion', () => app.by('onion').check()],
   ] as const) {
@@ -122,7 +90,7 @@ test('the look changes the picture and not the shape', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('the film strip shows the motion in a row, and goes away again', async ({ app }) => {
+test('the film strip shows the motion in a row, and goes away again', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.page.keyboard.press('g');
   const before = await app.picture();
@@ -247,17 +215,6 @@ test('dark and light look different, and the choice is kept', async ({ app }) =>
   expect(await background()).toBe(dark);
 });
 
-test('a shape that has left the picture is said to have, and is fitted again', async ({ app }) => {
-  await app.open({ hash: '#sample=cactus&camera=0,0,9,9,0,9' });
-  const hint = app.by('out-of-view');
-  await expect(hint).toBeVisible();
-  await app.by('fit-hint').click();
-  await expect(hint).toBeHidden();
-  await app.by('fit').click();
-  await app.settled();
-  await expect(hint).toBeHidden();
-});
-
 test.describe('with a context that is lost', () => {
   test.use({ fresh: true });
 
@@ -320,7 +277,9 @@ test.describe('with what is drawn into counted', () => {
     await app.open({ hash: COLOURED });
     const image = app.by('key-0').locator('img');
     await expect(image).toHaveAttribute('src', /^data:image\/png;base64,/);
-    await expect(app.by('key-1').locator('img')).toHaveAttribute('src', /^data:image\/png;base64,/);
+    const images = app.by('keys').locator('img[src^="data:image/png;base64,"]');
+    await expect(images).toHaveCount(3);
+    expect(new Set(await images.evaluateAll((all) => all.map((one) => one.getAttribute('src')))).size).toBe(3);
     const thumbnail = Buffer.from((await image.getAttribute('src'))!.split(',')[1]!, 'base64');
     const { width, height, data } = decode(thumbnail);
     expect([width, height]).toEqual([88, 60]);

@@ -45,7 +45,7 @@ test('poses that are all one are said to be, and another mesh says what to do', 
   await expect(app.by('error-message')).toContainText(/c.glb \(key 2\) has .* vertices, but key 1 has .* In Blender/);
 });
 
-test('files that hold one animation at rest offer its keys', async ({ app }) => {
+test('files that hold one animation at rest offer its keys', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const { bytes } = await rigFile();
   await opened(app, [upload('a.glb', bytes), upload('b.glb', bytes)]);
@@ -72,7 +72,7 @@ test('objects are left out and taken again by their ticks', async ({ app }) => {
   await count(3);
 });
 
-test('many numbered files are the frames of an animation', async ({ app }) => {
+test('many numbered files are the frames of an animation', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await opened(
     app,

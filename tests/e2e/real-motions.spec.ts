@@ -2,11 +2,10 @@
 import type { App } from './support.ts';
 import { expect, realFile, test } from './support.ts';
 
-test.use({ contextOptions: { reducedMotion: 'no-preference' }, ownProfile: true });
-
 async function opened(app: App, names: readonly string[]): Promise<void> {
   const files = names.map(realFile);
   test.skip(files.includes(null), 'the real files are not here');
+  await app.page.emulateMedia({ reducedMotion: 'no-preference' });
   await app.open();
   await app.by('play').click();
   await app.by('file-input').setInputFiles(files as string[]);

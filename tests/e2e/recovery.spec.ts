@@ -2,7 +2,8 @@
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-test.use({ ownProfile: true });
+// Its workers are ended.
+test.use({ fresh: true });
 
 /** Ends every worker from its inside, which tells the page nothing. */
 async function killWorkers(app: App): Promise<void> {
@@ -33,7 +34,7 @@ test('a worker that the browser ends is started again with all that there was', 
   await expect(app.by('error')).toBeHidden();
 });
 
-test('a worker that ends while the motion plays comes back by itself', async ({ app }) => {
+test('a worker that ends while the motion plays comes back by itself', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const before = await app.positionsAt(0.3);
   await app.by('play').click();
@@ -45,7 +46,7 @@ test('a worker that ends while the motion plays comes back by itself', async ({ 
   await expect(app.by('error')).toBeHidden();
 });
 
-test('a worker that ends is noticed on a page without https, too, where there are no locks', async ({
+test('a worker that ends is noticed on a page without https, too, where there are no locks', { tag: '@all' }, async ({
   app,
   baseURL,
 }) => {
@@ -134,7 +135,7 @@ async function openBig(app: App, kind: 'model' | 'junk', size: number): Promise<
 
 const heart = (app: App): Promise<Big> => app.page.evaluate(() => (window as unknown as { heart: Big }).heart);
 
-test('a file of 200 MB is opened while the page answers', async ({ app }) => {
+test('a file of 200 MB is opened while the page answers', { tag: '@all' }, async ({ app }) => {
   test.setTimeout(240_000);
   await app.open();
   await openBig(app, 'model', 200_000_000);

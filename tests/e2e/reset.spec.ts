@@ -140,19 +140,3 @@ test('after everything was changed it is as on a fresh visit', async ({ app }) =
   await expect(app.by('export-kind-animation')).toBeChecked();
   await app.expectNoProblems();
 });
-
-test('with the fragment of a link it is as that link opens', async ({ app }) => {
-  await app.open();
-  await app.by('boundary-hermite').check();
-  await app.settled();
-  await app.page.evaluate(() => window.__shapespline!.reset('#sample=twisted-bar&compare=linear&t=0.25'));
-  const { source, doc, time, view } = await app.state();
-  expect([source, doc.motion.boundary, time, view.compare]).toEqual([
-    { kind: 'sample', id: 'twisted-bar' },
-    'natural',
-    0.25,
-    ['linear'],
-  ]);
-  await expect(app.by('undo')).toBeDisabled();
-  await app.expectNoProblems();
-});

@@ -5,8 +5,6 @@
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-const FACES = 40_000;
-
 /** Largest difference between what is drawn and the engine's own answer for the moment of the state. */
 function distanceAtRest(app: App): Promise<number> {
   return app.page.evaluate(async () => {
@@ -24,7 +22,6 @@ const shown = (app: App): Promise<{ time: number; preview: boolean }> =>
 
 test('a shape is a preview while it plays, and exact when it rests', async ({ app }) => {
   await app.open({ search: '?moving=preview' });
-  await app.openGenerated(FACES);
   await app.setTime(0.25);
   expect(await shown(app)).toEqual({ time: 0.25, preview: false });
   await expect(app.by('status-ms')).toHaveText(/ms per frame, exact$/);

@@ -74,7 +74,7 @@ test('arrow keys move the point without moving the time', async ({ app }) => {
   expect(await app.positions()).toEqual(motion);
 });
 
-test('a path that is drawn plays', async ({ app }) => {
+test('a path that is drawn plays', { tag: '@all' }, async ({ app }) => {
   await openPlane(app);
   const motion = await app.positions();
   await app.by('plane-draw').click();
@@ -101,8 +101,13 @@ test('a path that is drawn plays', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('samples that bend least are drawn, with how far they are off the spline', async ({ app }) => {
-  await openPlane(app);
+test('blends of vertices are drawn with how far they leave the plane, samples that bend least with how far they are off', async ({
+  app,
+}) => {
+  await openPlane(app, '#sample=cactus&compare=linear');
+  await expect(app.by('plot-plane').locator('path.curve.linear')).toBeVisible();
+  const text = await app.by('plane-notes').innerText();
+  expect(Number(/up to ([\d.]+)\s%/.exec(text)![1])).toBeGreaterThan(1);
   await app.by('minimised').check();
   const samples = app.by('plot-plane').locator('circle.sample');
   await app.by('minimised-samples').fill('7');
@@ -111,11 +116,4 @@ test('samples that bend least are drawn, with how far they are off the spline', 
   await expect(app.by('plane-notes')).toContainText(/at most [\d.]+\s%/);
   await app.by('minimised').uncheck();
   await expect(samples).toHaveCount(0);
-});
-
-test('blends of vertices are drawn with how far they leave the plane', async ({ app }) => {
-  await openPlane(app, '#sample=cactus&compare=linear');
-  await expect(app.by('plot-plane').locator('path.curve.linear')).toBeVisible();
-  const text = await app.by('plane-notes').innerText();
-  expect(Number(/up to ([\d.]+)\s%/.exec(text)![1])).toBeGreaterThan(1);
 });

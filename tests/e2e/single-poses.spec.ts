@@ -26,6 +26,10 @@ test('poses are picked one by one: the first waits, the second opens the motion,
   app,
 }) => {
   await app.open();
+  // One that waits is let go of with one click.
+  await pick(app, 'other.obj', TRIANGLE(0));
+  await app.by('pose-offer-later').click();
+  await expect(app.by('pose-offer')).toBeHidden();
   await pick(app, 'a.obj', QUAD(0.5));
   await expect(app.by('pose-offer')).toContainText('“a.obj” is the first pose');
   await expect(app.by('error')).toBeHidden();
@@ -79,18 +83,20 @@ test('a pose that is dropped between two keys becomes a key between them', async
   await app.expectNoProblems();
 });
 
-test('a pose that is dropped at the corner of a phone, where no keys are shown, is the last key', async ({
-  app,
-}, info) => {
-  await app.page.setViewportSize({ width: 360, height: 740 });
-  await app.open();
-  await openTwo(app);
-  const file = info.outputPath('next.obj');
-  writeFileSync(file, QUAD(0.9));
-  await app.drop([file], { x: 0, y: 0 });
-  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'b', 'next']);
-  await app.expectNoProblems();
-});
+test(
+  'a pose that is dropped at the corner of a phone, where no keys are shown, is the last key',
+  { tag: '@all' },
+  async ({ app }, info) => {
+    await app.page.setViewportSize({ width: 360, height: 740 });
+    await app.open();
+    await openTwo(app);
+    const file = info.outputPath('next.obj');
+    writeFileSync(file, QUAD(0.9));
+    await app.drop([file], { x: 0, y: 0 });
+    await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'b', 'next']);
+    await app.expectNoProblems();
+  },
+);
 
 test('a pose of another mesh asks before it takes the place of own work, which comes back by undo', async ({ app }) => {
   await app.open();
@@ -113,7 +119,9 @@ test('a pose of another mesh asks before it takes the place of own work, which c
   await app.expectNoProblems();
 });
 
-test('several poses of another mesh ask, too, and are opened in its place where that is meant', async ({ app }) => {
+test('several poses of another mesh ask, too, and are opened in its place where that is meant', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open();
   await openTwo(app);
   const others = [0, 0.5].map((x, index) => ({
@@ -129,18 +137,6 @@ test('several poses of another mesh ask, too, and are opened in its place where 
   await app.settled();
   await expect(app.by('pose-offer')).toBeHidden();
   await app.expectNoProblems();
-});
-
-test('a first pose that waits is let go of with one click', async ({ app }) => {
-  await app.open();
-  await pick(app, 'a.obj', QUAD(0.5));
-  await app.by('pose-offer-later').click();
-  await expect(app.by('pose-offer')).toBeHidden();
-  await pick(app, 'other.obj', TRIANGLE(0));
-  await expect(app.by('pose-offer')).toContainText('“other.obj” is the first pose');
-  await app.pick('octopus');
-  await app.settled();
-  await expect(app.by('pose-offer')).toBeHidden();
 });
 
 test('two poses of the open mesh that come together become keys, and undo takes both back', async ({ app }, info) => {
@@ -168,9 +164,9 @@ test('two poses of the open mesh that come together become keys, and undo takes 
 });
 
 // Only here do the files that were picked, the question and what is opened then meet.
-test('of two numbered sequences one is asked for, in the order of its signed numbers, or all are keys', async ({
-  app,
-}) => {
+test('of two numbered sequences one is asked for, in the order of its signed numbers, or all are keys', {
+  tag: '@all',
+}, async ({ app }) => {
   const run = [0, 1].map((i) => given(`run_000${i}.obj`, QUAD(0.1 * i)));
   const sim = [-1, -2, 0].map((i) => given(`sim.${i}.obj`, QUAD(0.5 + 0.1 * i)));
   await app.open();

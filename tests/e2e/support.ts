@@ -214,9 +214,12 @@ interface Fixtures {
    * what they look like have all of them.
    */
   sharpness: number;
-  /** For tests of what happens while the page is loaded, or that change its functions: a page of their own. */
+  /**
+   * For tests of what happens while the page is loaded, that change its functions, or that begin with an empty shelf: a
+   * page of their own.
+   */
   fresh: boolean;
-  /** For tests of what a visit leaves in the browser, or of a visitor who differs: a profile of their own. */
+  /** For tests with a service worker, or of a visitor who differs: a profile of their own, which costs most. */
   ownProfile: boolean;
 }
 
@@ -224,9 +227,9 @@ interface Shared {
   profile: BrowserContext;
   /** A page of it, in whose process all others are. */
   first: Page;
-  /** The page that tests of a file share, with pixels of this sharpness. */
+  /** The page that tests share, with pixels of this sharpness. */
   page: Page | null;
-  of: string;
+  sharpness: number;
 }
 
 interface WorkerFixtures {
@@ -250,7 +253,7 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
       const profile = await browser.newContext(options);
       const first = await profile.newPage();
       await first.goto('./icons/icon.svg');
-      await use({ profile, first, page: null, of: '' });
+      await use({ profile, first, page: null, sharpness: 0 });
       await profile.close();
     },
     { scope: 'worker' },
@@ -264,9 +267,9 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     await use(shared.profile);
     for (const page of shared.profile.pages()) if (page !== shared.first && page !== shared.page) await page.close();
   },
-  page: async ({ context, ownProfile, fresh, sharpness, shared }, use, { file }) => {
+  page: async ({ context, ownProfile, fresh, sharpness, shared }, use) => {
     if (!ownProfile && !fresh) {
-      const page = await sharedPage(shared, file, sharpness);
+      const page = await sharedPage(shared, sharpness);
       await use(page);
       return page.unrouteAll({ behavior: 'ignoreErrors' });
     }
@@ -289,14 +292,13 @@ async function drawnAt(sharpness: number, context: BrowserContext): Promise<Page
   return page;
 }
 
-/** As for the first test of the file; what is open is reopened or reset. */
-async function sharedPage(shared: Shared, file: string, sharpness: number): Promise<Page> {
-  const of = `${file} ${sharpness}`;
-  if (!shared.page || shared.of !== of || shared.page.isClosed()) {
+/** As for the first test; what is open is reopened or reset. */
+async function sharedPage(shared: Shared, sharpness: number): Promise<Page> {
+  if (!shared.page || shared.sharpness !== sharpness || shared.page.isClosed()) {
     await shared.page?.close();
     await forget(shared.first, new URL(shared.first.url()).origin);
     shared.page = await drawnAt(sharpness, shared.profile);
-    shared.of = of;
+    shared.sharpness = sharpness;
     return shared.page;
   }
   const { page } = shared;

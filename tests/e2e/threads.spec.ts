@@ -9,7 +9,6 @@ const BUILT = fileURLToPath(new URL('../../dist', import.meta.url));
 
 const FACES = 84_000; // 42,002 vertices: above what threads are tried for
 const PLAIN = `http://localhost:${process.env['SHAPESPLINE_BUILT_PORT'] ?? '5274'}/some/sub/path/`;
-const HELPER = /second-thread\.worker-[\w-]+\.js/g;
 const TIMES = [0.1, 0.35, 0.5, 0.8, 1.2];
 
 interface Shown {
@@ -138,28 +137,6 @@ test.describe('with files that are changed or stopped on their way', () => {
     expect(isolated).toMatchObject({ isolated: true, helper: true, threads: 2, said: '2' });
     expect(plain).toMatchObject({ isolated: false, helper: false, threads: 1, said: '1' });
     expect(isolated.positions).toEqual(plain.positions);
-  });
-
-  test('an isolated page works without the module for two threads', { tag: '@all' }, async ({ app }) => {
-    test.setTimeout(240_000);
-    await app.page.route(/shapespline_threads.*\.wasm$/, (route) => route.abort());
-    await app.open();
-    const shown = await show(app);
-    expect(shown).toMatchObject({ isolated: true, helper: false, threads: 1 });
-    expect(shown.positions).toHaveLength(TIMES.length);
-  });
-
-  test('an isolated page works without the second thread itself', { tag: '@all' }, async ({ app }) => {
-    test.setTimeout(240_000);
-    await changeWorker(app, (text) => {
-      // requests of workers themselves cannot be stopped
-      expect(text).toMatch(HELPER);
-      return text.replaceAll(HELPER, 'no-such-file.js');
-    });
-    await app.open();
-    const shown = await show(app);
-    expect(shown).toMatchObject({ isolated: true, threads: 1 });
-    expect(shown.positions).toHaveLength(TIMES.length);
   });
 });
 

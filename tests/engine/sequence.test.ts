@@ -16,10 +16,13 @@ const positionsAt = async (sequence: Sequence, t: number): Promise<Float32Array>
   (await frameAt(sequence, t)).positions;
 
 describe('a sequence', () => {
-  it('passes through its keys, to 1e-5 of the diagonal in float32', async () => {
-    for (const [key, t] of [0, 0.5, 1].entries()) {
-      const pose = bend.poses[key]!;
-      expect(largestDistance(await positionsAt(bend.sequence, t), pose)).toBeLessThan(1e-5 * diagonal(pose));
+  it('passes through its keys whatever its ends, to 1e-5 of the diagonal in float32', async () => {
+    for (const boundary of ['hermite', 'periodic', 'natural'] as const) {
+      await bend.sequence.update({ boundary });
+      for (const [key, t] of [0, 0.5, 1].entries()) {
+        const pose = bend.poses[key]!;
+        expect(largestDistance(await positionsAt(bend.sequence, t), pose)).toBeLessThan(1e-5 * diagonal(pose));
+      }
     }
   });
 
