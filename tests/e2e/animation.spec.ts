@@ -144,7 +144,7 @@ test('marks and numbers of many keys stay apart', { tag: '@all' }, async ({ app 
   expect(Math.min(...gaps)).toBeGreaterThan(0);
 });
 
-test('another animation and number of keys are taken at once, and undone', async ({ app }) => {
+test('another animation and number of keys are taken at once, and undone', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));
   await app.by('opening-close').click();

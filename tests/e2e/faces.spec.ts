@@ -288,70 +288,74 @@ test('coordinates are reached and read with the keyboard alone', async ({ app })
   await expect(app.by('face-rotation-svg')).toBeFocused();
 });
 
-test('an animation of the same mesh is dropped on the distances, which are from it then', async ({ app }, testInfo) => {
-  const mesh = barMesh();
-  const last = bent(mesh, 60).slice();
-  const rows = (word: string, numbers: ArrayLike<number>, offset = 0): string =>
-    Array.from(
-      { length: numbers.length / 3 },
-      (_, i) => `${word} ${[0, 1, 2].map((axis) => numbers[3 * i + axis]! + offset).join(' ')}\n`,
-    ).join('');
-  const file = (name: string, content: string | Buffer): string => {
-    const at = testInfo.outputPath(name);
-    writeFileSync(at, content);
-    return at;
-  };
-  const obj = (pose: Float32Array): string => rows('v', pose) + rows('f', mesh.indices, 1);
-  // Straight from the one pose to the other: the linear blend is the truth.
-  const count = 24;
-  const head = Buffer.alloc(32);
-  head.write('POINTCACHE2\0', 'latin1');
-  [1, last.length / 3].forEach((value, i) => head.writeInt32LE(value, 12 + 4 * i));
-  head.writeFloatLE(1, 24);
-  head.writeInt32LE(count, 28);
-  const frames = Array.from({ length: count }, (_, i) =>
-    mesh.positions.map((value, at) => value + (i / (count - 1)) * (last[at]! - value)),
-  );
-  const cache = Buffer.concat([head, ...frames.map(({ buffer }) => Buffer.from(buffer as ArrayBuffer))]);
-  await app.open();
-  await app.by('file-input').setInputFiles([file('a.obj', obj(mesh.positions)), file('b.obj', obj(last))]);
-  await expect.poll(async () => (await app.state()).doc.keys.map(({ name }) => name)).toEqual(['a', 'b']);
-  await app.settled();
-  await app.by('method').selectOption('linear');
-  await app.by('heat-distance').check({ force: true });
-  const drop = async (...files: string[]): Promise<void> => {
-    // As a hand does: it lets go where the page says what becomes of them, and what is above may grow until then.
-    let at = { x: 0, y: 0 };
-    await expect(async () => {
-      await app.by('truth-pick').scrollIntoViewIfNeeded();
-      const { x, y, width, height } = (await app.by('truth-pick').boundingBox())!;
-      at = { x: x + width / 2, y: y + height / 2 };
-      await app.dragOver(files, at);
-      await expect(app.by('drop-zone')).toHaveText(/is compared with the motion$/, { timeout: 500 });
-    }).toPass();
-    await app.drop(files, at);
-  };
-  await drop(file('bar.obj', obj(mesh.positions)), file('bar.pc2', cache));
-  await expect(app.by('tile-1')).toContainText('The animation');
-  const kg = async (): Promise<number> =>
-    Number(/KG error ([\d.]+)/.exec(await app.by('distance-kg').innerText())?.[1] ?? NaN);
-  await expect.poll(kg).toBeLessThan(0.01);
-  await expect(app.by('plot-distance')).toContainText('from “bar”');
-  await expect(app.by('colour-bar')).toContainText('from the animation');
-  await app.by('method').selectOption('lri');
-  await expect.poll(kg).toBeGreaterThan(1);
-  const shape = await app.positionsAt(0.5);
-  const halfway = Array.from(mesh.positions, (value, at) => (value + last[at]!) / 2);
-  expect(difference(await app.positions(1), halfway)).toBeLessThan(1e-3 * diagonal(shape));
-  expect((await app.state()).doc.keys).toHaveLength(2);
+test(
+  'an animation of the same mesh is dropped on the distances, which are from it then',
+  { tag: '@all' },
+  async ({ app }, testInfo) => {
+    const mesh = barMesh();
+    const last = bent(mesh, 60).slice();
+    const rows = (word: string, numbers: ArrayLike<number>, offset = 0): string =>
+      Array.from(
+        { length: numbers.length / 3 },
+        (_, i) => `${word} ${[0, 1, 2].map((axis) => numbers[3 * i + axis]! + offset).join(' ')}\n`,
+      ).join('');
+    const file = (name: string, content: string | Buffer): string => {
+      const at = testInfo.outputPath(name);
+      writeFileSync(at, content);
+      return at;
+    };
+    const obj = (pose: Float32Array): string => rows('v', pose) + rows('f', mesh.indices, 1);
+    // Straight from the one pose to the other: the linear blend is the truth.
+    const count = 24;
+    const head = Buffer.alloc(32);
+    head.write('POINTCACHE2\0', 'latin1');
+    [1, last.length / 3].forEach((value, i) => head.writeInt32LE(value, 12 + 4 * i));
+    head.writeFloatLE(1, 24);
+    head.writeInt32LE(count, 28);
+    const frames = Array.from({ length: count }, (_, i) =>
+      mesh.positions.map((value, at) => value + (i / (count - 1)) * (last[at]! - value)),
+    );
+    const cache = Buffer.concat([head, ...frames.map(({ buffer }) => Buffer.from(buffer as ArrayBuffer))]);
+    await app.open();
+    await app.by('file-input').setInputFiles([file('a.obj', obj(mesh.positions)), file('b.obj', obj(last))]);
+    await expect.poll(async () => (await app.state()).doc.keys.map(({ name }) => name)).toEqual(['a', 'b']);
+    await app.settled();
+    await app.by('method').selectOption('linear');
+    await app.by('heat-distance').check({ force: true });
+    const drop = async (...files: string[]): Promise<void> => {
+      // As a hand does: it lets go where the page says what becomes of them, and what is above may grow until then.
+      let at = { x: 0, y: 0 };
+      await expect(async () => {
+        await app.by('truth-pick').scrollIntoViewIfNeeded();
+        const { x, y, width, height } = (await app.by('truth-pick').boundingBox())!;
+        at = { x: x + width / 2, y: y + height / 2 };
+        await app.dragOver(files, at);
+        await expect(app.by('drop-zone')).toHaveText(/is compared with the motion$/, { timeout: 500 });
+      }).toPass();
+      await app.drop(files, at);
+    };
+    await drop(file('bar.obj', obj(mesh.positions)), file('bar.pc2', cache));
+    await expect(app.by('tile-1')).toContainText('The animation');
+    const kg = async (): Promise<number> =>
+      Number(/KG error ([\d.]+)/.exec(await app.by('distance-kg').innerText())?.[1] ?? NaN);
+    await expect.poll(kg).toBeLessThan(0.01);
+    await expect(app.by('plot-distance')).toContainText('from “bar”');
+    await expect(app.by('colour-bar')).toContainText('from the animation');
+    await app.by('method').selectOption('lri');
+    await expect.poll(kg).toBeGreaterThan(1);
+    const shape = await app.positionsAt(0.5);
+    const halfway = Array.from(mesh.positions, (value, at) => (value + last[at]!) / 2);
+    expect(difference(await app.positions(1), halfway)).toBeLessThan(1e-3 * diagonal(shape));
+    expect((await app.state()).doc.keys).toHaveLength(2);
 
-  // What is no animation is none, and nothing is lost by it.
-  await drop(file('alone.obj', obj(last)));
-  await expect(app.by('error-message')).toBeVisible();
-  await app.by('error-close').click();
-  await expect(app.by('tile-1')).toContainText('The animation');
-  await app.by('truth-leave').click();
-  await expect(app.by('tile-1')).toBeHidden();
-  await expect(app.by('truth-leave')).toBeHidden();
-  expect((await app.state()).doc.keys).toHaveLength(2);
-});
+    // What is no animation is none, and nothing is lost by it.
+    await drop(file('alone.obj', obj(last)));
+    await expect(app.by('error-message')).toBeVisible();
+    await app.by('error-close').click();
+    await expect(app.by('tile-1')).toContainText('The animation');
+    await app.by('truth-leave').click();
+    await expect(app.by('tile-1')).toBeHidden();
+    await expect(app.by('truth-leave')).toBeHidden();
+    expect((await app.state()).doc.keys).toHaveLength(2);
+  },
+);

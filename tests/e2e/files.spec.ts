@@ -136,7 +136,9 @@ test('a key with polygons is added however it would be cut by itself, and the fi
   await app.expectNoProblems();
 });
 
-test('a shape is stood up between two edits, and undo goes back over the three in their order', async ({ app }) => {
+test('a shape is stood up between two edits, and undo goes back over the three in their order', {
+  tag: '@all',
+}, async ({ app }) => {
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
   await app.open();

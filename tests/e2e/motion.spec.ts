@@ -64,46 +64,48 @@ async function openTwo(app: App, file: MakeFile): Promise<void> {
   await app.settled();
 }
 
-test('a shape from a file is taken as end tangent: chosen, dropped, undone, and kept in the project', async ({
-  app,
-}, testInfo) => {
-  const file = filesIn(testInfo);
-  await openTwo(app, file);
-  const before = await app.positionsAt(0.3);
-  const chosen = app.page.waitForEvent('filechooser');
-  await app.by('start-tangent').selectOption({ label: 'a shape from a file…' });
-  await (await chosen).setFiles(file('far.obj', 1.4));
-  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
-  await app.settled();
-  const towards = await app.positionsAt(0.3);
-  expect(difference(towards, before)).toBeGreaterThan(0.005 * diagonal(before));
-  expect((await app.state()).doc.keys).toHaveLength(2);
-  // It lies in the shape plane, which two keys alone do not span.
-  await app.by('plot-plane').scrollIntoViewIfNeeded();
-  await expect(app.by('plane-start-tangent')).toBeAttached();
-  await expect(app.by('plane-end-tangent')).toHaveCount(0);
+test(
+  'a shape from a file is taken as end tangent: chosen, dropped, undone, and kept in the project',
+  { tag: '@all' },
+  async ({ app }, testInfo) => {
+    const file = filesIn(testInfo);
+    await openTwo(app, file);
+    const before = await app.positionsAt(0.3);
+    const chosen = app.page.waitForEvent('filechooser');
+    await app.by('start-tangent').selectOption({ label: 'a shape from a file…' });
+    await (await chosen).setFiles(file('far.obj', 1.4));
+    await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
+    await app.settled();
+    const towards = await app.positionsAt(0.3);
+    expect(difference(towards, before)).toBeGreaterThan(0.005 * diagonal(before));
+    expect((await app.state()).doc.keys).toHaveLength(2);
+    // It lies in the shape plane, which two keys alone do not span.
+    await app.by('plot-plane').scrollIntoViewIfNeeded();
+    await expect(app.by('plane-start-tangent')).toBeAttached();
+    await expect(app.by('plane-end-tangent')).toHaveCount(0);
 
-  await app.by('end-tangent').scrollIntoViewIfNeeded();
-  const at = (await app.by('end-tangent').boundingBox())!;
-  await app.drop([file('back.obj', -0.9)], { x: at.x + at.width / 2, y: at.y + at.height / 2 });
-  await expect(app.by('end-tangent').locator('option:checked')).toHaveText('back');
-  await app.settled();
-  expect(difference(await app.positionsAt(0.8), towards)).toBeGreaterThan(0);
-  expect((await app.state()).doc.keys).toHaveLength(2);
-  await app.by('undo').click();
-  await expect(app.by('end-tangent')).toHaveValue('');
-  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
-  await app.settled();
-  expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
+    await app.by('end-tangent').scrollIntoViewIfNeeded();
+    const at = (await app.by('end-tangent').boundingBox())!;
+    await app.drop([file('back.obj', -0.9)], { x: at.x + at.width / 2, y: at.y + at.height / 2 });
+    await expect(app.by('end-tangent').locator('option:checked')).toHaveText('back');
+    await app.settled();
+    expect(difference(await app.positionsAt(0.8), towards)).toBeGreaterThan(0);
+    expect((await app.state()).doc.keys).toHaveLength(2);
+    await app.by('undo').click();
+    await expect(app.by('end-tangent')).toHaveValue('');
+    await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
+    await app.settled();
+    expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
 
-  // Several poses are no tangent, and another mesh is none either; nothing is lost.
-  await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);
-  await expect(app.by('error-message')).toContainText('These files hold 2 poses, but a tangent is one shape.');
-  await app.by('error-close').click();
-  await app.reload();
-  await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
-  expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
-});
+    // Several poses are no tangent, and another mesh is none either; nothing is lost.
+    await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);
+    await expect(app.by('error-message')).toContainText('These files hold 2 poses, but a tangent is one shape.');
+    await app.by('error-close').click();
+    await app.reload();
+    await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');
+    expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
+  },
+);
 
 test(
   'a tangent that lies close is offered greater speeds everywhere, and any speed can be typed',

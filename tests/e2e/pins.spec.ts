@@ -93,7 +93,9 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   expect(difference(plain, await app.positionsAt(t))).toBeLessThan(1e-3 * size);
 });
 
-test('a pin says where it stays, what it does otherwise, and comes into sight when it is placed', async ({ app }) => {
+test('a pin says where it stays, what it does otherwise, and comes into sight when it is placed', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ sample: 'dachshund' });
   const keys = (await app.state()).doc.keys.map(({ time }) => time);
   const [t0, t1] = [keys[0]!, keys[1]!];

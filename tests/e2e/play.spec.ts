@@ -296,7 +296,7 @@ test('contrast themes keep the curves and what is chosen', async ({ page }) => {
   await expect(play.by('system-row-1')).toHaveCSS('outline-style', 'solid');
 });
 
-test('takes an angle of the shape that is open in another tab, and gives times and ends back', async ({
+test('takes an angle of the shape that is open in another tab, and gives times and ends back', { tag: '@all' }, async ({
   page,
   context,
 }) => {

@@ -227,7 +227,7 @@ test.describe('two tabs', () => {
     }
   });
 
-  test('that change the same files keep both versions', async ({ app, context }) => {
+  test('that change the same files keep both versions', { tag: '@all' }, async ({ app, context }) => {
     await app.open();
     await drop(app, BAR);
     await isRemembered(app);
