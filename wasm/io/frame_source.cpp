@@ -51,10 +51,10 @@ struct FrameReader {
 
 }  // namespace
 
-std::vector<double> statedTimes(const ImportOptions& options, std::vector<double> own) {
+std::vector<double> statedTimes(const ImportOptions& options, const std::vector<double>& own) {
   const std::vector<double>& stated = options.frameTimes;
   const bool increase = std::adjacent_find(stated.begin(), stated.end(), std::greater_equal<>()) == stated.end();
-  return stated.size() == own.size() && increase ? stated : std::move(own);
+  return stated.size() == own.size() && increase ? stated : own;
 }
 
 AnimationInfo infoOf(const FrameSource& source) {

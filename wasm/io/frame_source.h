@@ -18,7 +18,7 @@ struct FrameSource {
 };
 
 /// The times that the files state for these frames, or those that their format or number gives (`own`).
-std::vector<double> statedTimes(const ImportOptions& options, std::vector<double> own);
+std::vector<double> statedTimes(const ImportOptions& options, const std::vector<double>& own);
 
 AnimationInfo infoOf(const FrameSource& source);
 

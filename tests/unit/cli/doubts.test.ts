@@ -43,6 +43,8 @@ describe('a comparison is doubted', () => {
       )[0],
     ).toMatch(/lies .* away/);
     const beside = pairs((x, y, z) => [x + 0.2, y, z]);
-    expect(doubtsOfPlace(beside, { up: 'y', unit: 1 })[0]).toMatch(/lies 8.16 % of the shape's size away from the keys/);
+    expect(doubtsOfPlace(beside, { up: 'y', unit: 1 })[0]).toMatch(
+      /lies 8.16 % of the shape's size away from the keys/,
+    );
   });
 });
