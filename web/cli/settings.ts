@@ -1,4 +1,5 @@
 /** The options of the commands, from the engine's table: which there are, how their text is read, and the help. */
+import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import { wrongWith, wrongWithList } from '../engine/api/options.ts';
 import type { KeyOption, NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
@@ -176,17 +177,14 @@ export function importOptions(args: Arguments): ImportOptions {
   return given(args, importFlags);
 }
 
-/** Between two keys the motion is straight, so that speeds at its ends have no meaning. */
-const STRAIGHT: readonly Method[] = ['geodesic', 'linear'];
-
 /** All but the shapes, which are files. */
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
-  const { method = 'lri', boundary, hold = 'off', pins = [] } = options;
-  if (boundary === 'hermite' && STRAIGHT.includes(method))
+  const { method = OWN_METHOD, boundary, hold = 'off', pins = [] } = options;
+  if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(`--boundary hermite sets speeds at the ends: --method ${method} is straight from key to key`);
-  if (method !== 'lri' && (hold !== 'off' || pins.length > 0))
+  if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
     throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} is of --method lri: ${method} holds nothing`);
   return options;
 }

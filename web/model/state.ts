@@ -2,6 +2,7 @@
  * The one serialisable state: what is loaded, the keys and their times, the options, the moment and the view.
  * Permalinks, undo, the saved project and the test hook all read this and nothing else.
  */
+import { METHOD } from '../engine/api/methods.ts';
 import type { CameraPose } from './camera.ts';
 import { ENCODING, MOTION } from '../engine/api/option-table.ts';
 import type { Boundary, Hold, Method } from '../engine/api/types.ts';
@@ -111,7 +112,6 @@ export interface AppState {
   view: View;
 }
 
-export const METHODS: readonly Method[] = MOTION.method.choices;
 export const HOLDS: readonly Hold[] = MOTION.hold.choices;
 /** Of a film strip. */
 export const [LEAST_FILM_SHAPES, MOST_FILM_SHAPES] = [4, 24];
@@ -155,19 +155,9 @@ export function isFaceAmount(colouring: Colouring): colouring is FaceAmount {
   return colouring === 'rotation' || colouring === 'stretch';
 }
 
-/** The methods in which the end derivatives have no meaning: the motion is straight between the keys. */
-export function ignoresHermite(method: Method): boolean {
-  return method === 'geodesic' || method === 'linear';
-}
-
 /** Something rests or is pinned, so that the motion is not the method's as published. */
 export function holds({ method, hold, pins }: Motion): boolean {
-  return method === 'lri' && (hold !== 'off' || pins.length > 0);
-}
-
-/** The methods of LRI space; the others blend positions, where neither stretches nor a ghost mesh have a part. */
-export function isInLri(method: Method): boolean {
-  return method === 'lri' || method === 'geodesic';
+  return METHOD[method].holds && (hold !== 'off' || pins.length > 0);
 }
 
 /** Index of the reference among the keys; the first key where the chosen pose is no longer one of them. */

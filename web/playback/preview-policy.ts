@@ -2,8 +2,8 @@
  * Whether previews are drawn while shapes move. Measured, not guessed from their size: only where exact frames are too
  * slow for a smooth motion, previews are much faster, and close at that time. The page's address may ask for either.
  */
+import { METHOD } from '../engine/api/methods.ts';
 import type { PreviewError } from '../engine/api/types.ts';
-import { isInLri } from '../model/state.ts';
 import { FrameCost } from './frame-cost.ts';
 import type { FrameSet, RunningMotion } from './frame-set.ts';
 import { PreviewTrust } from './preview-trust.ts';
@@ -92,7 +92,7 @@ export class PreviewPolicy {
   }
 
   private get possible(): boolean {
-    return this.sequences.some(({ method }) => isInLri(method));
+    return this.sequences.some(({ method }) => METHOD[method].space === 'lri');
   }
 
   /** Other sequences have other costs; the same ones keep theirs when they are refitted, but the motion is another. */

@@ -1,4 +1,5 @@
 /** Volume, area, bending energy and shape plane of a motion over time, and a table of several motions. */
+import { METHOD } from '../engine/api/methods.ts';
 import type { Sequence } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
 
@@ -26,8 +27,7 @@ export interface MotionMeasures extends MotionName {
 export async function measureMotion(sequence: Sequence, name: MotionName, times: number[]): Promise<MotionMeasures> {
   const { method, plain } = name;
   const { volume, area, sliding } = await sequence.measures(times);
-  const inLri = method === 'lri' || method === 'geodesic';
-  const plane = inLri ? (await sequence.shapePlane(times)).curve : null;
+  const plane = METHOD[method].space === 'lri' ? (await sequence.shapePlane(times)).curve : null;
   const [start, end] = sequence.range;
   const none = NO_BENDING / (end - start) ** 4;
   const bending = (await sequence.bendingEnergy(times)).map((energy) => (energy < none ? 0 : energy));

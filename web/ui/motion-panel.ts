@@ -1,4 +1,5 @@
 /** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
+import { METHOD, METHODS } from '../engine/api/methods.ts';
 import type { Boundary, Hold, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
@@ -8,7 +9,7 @@ import type { DropPoint } from './file-drop.ts';
 import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME, TYPED_SPEED } from '../model/speeds.ts';
-import { BOUNDARIES, DEFAULT_MOTION, HOLDS, METHODS, holds, ignoresHermite } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_MOTION, HOLDS, holds } from '../model/state.ts';
 import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
 import { createPinList } from './pin-list.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
@@ -244,14 +245,14 @@ export function createMotionPanel(
     }
     boundary.update(
       motion.boundary,
-      ignoresHermite(motion.method)
+      METHOD[motion.method].curve === 'polygon'
         ? { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' }
         : {},
     );
     hold.update(motion.hold);
     setText(holdHint, HOLD_WORDS[motion.hold].hint);
-    setHidden(holding, motion.method !== 'lri' || props.keys.length < 3);
-    setHidden(pins.element, motion.method !== 'lri');
+    setHidden(holding, !METHOD[motion.method].holds || props.keys.length < 3);
+    setHidden(pins.element, !METHOD[motion.method].holds);
     const { keys, placing, disabled } = props;
     pins.update({ pins: motion.pins, keys, placing, periodic: motion.boundary === 'periodic', disabled });
     setText(boundaryHint, BOUNDARY_WORDS[motion.boundary].hint);
@@ -262,7 +263,7 @@ export function createMotionPanel(
     tangents.start.update(props, props.encoding.startTangentPose, 'the next key');
     tangents.end.update(props, props.encoding.endTangentPose, 'the key before');
     tightness.update(Number(props.tightness.toFixed(3)));
-    setHidden(tight, ignoresHermite(motion.method));
+    setHidden(tight, METHOD[motion.method].curve === 'polygon');
     setField(period, String(Number((motion.period ?? props.period).toFixed(4))));
     periodReset.disabled = motion.period === null;
     setAttribute(periodReset, 'data-idle', motion.period === null);

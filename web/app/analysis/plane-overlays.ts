@@ -2,9 +2,9 @@
  * Further curves in the shape plane: the discretised minimisation that the spline solves in closed form (the paper's
  * third curve in Fig. 2b), and blends of vertices, which leave the plane.
  */
+import { METHOD } from '../../engine/api/methods.ts';
 import type { Sequence } from '../../engine/api/api.ts';
 import type { Method } from '../../engine/api/types.ts';
-import { isInLri } from '../../model/state.ts';
 import type { AnalysisInput } from './analysis.ts';
 
 export interface MinimisedCurve {
@@ -53,7 +53,7 @@ export async function blendCurves({ sequences, range, ms }: AnalysisInput): Prom
   const times = Array.from({ length: count }, (_, i) => range[0] + ((range[1] - range[0]) * i) / (count - 1));
   const curves: BlendCurve[] = [];
   for (const { method, sequence } of sequences) {
-    if (isInLri(method)) continue;
+    if (METHOD[method].space === 'lri') continue;
     const { curve, distance } = await sequence.shapePlane(times);
     curves.push({ method, points: curve, off: Math.max(...distance) });
   }

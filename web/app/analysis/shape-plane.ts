@@ -1,8 +1,8 @@
 /** The motions in the principal plane of the keys, with the tangents at the ends. */
+import { METHOD } from '../../engine/api/methods.ts';
 import type { ShapePlane } from '../../engine/api/types.ts';
 import { USUAL_MOST, mostSpeed } from '../../model/speeds.ts';
 import type { End, Speeds } from '../../model/speeds.ts';
-import { isInLri } from '../../model/state.ts';
 import type { Towards } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -39,7 +39,7 @@ export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapeP
   const { sequences, keyTimes, range, towards } = input;
   const times = plottedTimes(range, keyTimes, POINTS);
   // What holds moves shapes, not their coordinates: without it the curve is the same.
-  const inLri = sequences.filter(({ method, plain }) => isInLri(method) && !plain);
+  const inLri = sequences.filter(({ method, plain }) => METHOD[method].space === 'lri' && !plain);
   const planes = await Promise.all(
     inLri.map(async ({ method, sequence }) => {
       const plane = await sequence.shapePlane(times);

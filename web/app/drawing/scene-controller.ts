@@ -1,9 +1,9 @@
 /** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
+import { METHOD } from '../../engine/api/methods.ts';
 import type { Sequence, SketchFrame } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
-import { isInLri } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { motionWords } from '../../model/method-words.ts';
 import { OFF_CURVE, PHASE_COLOURS, phaseOf } from '../../model/time-scale.ts';
@@ -429,7 +429,7 @@ export class SceneController {
     running: RunningMotion | undefined,
     { ghostWire, ghostBeside, film }: View,
   ): Promise<void> {
-    const wanted = (ghostWire || ghostBeside) && !film && running?.ghost && isInLri(running.method);
+    const wanted = (ghostWire || ghostBeside) && !film && running?.ghost && METHOD[running.method].space === 'lri';
     if (wanted && this.ghost?.of !== running.sequence)
       this.ghost = { of: running.sequence, mesh: await running.sequence.ghost() };
     const mesh = wanted ? this.ghost?.mesh : null;

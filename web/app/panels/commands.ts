@@ -1,4 +1,5 @@
 /** What the controls do to the document, the time and the view. */
+import { METHOD, METHODS, OWN_METHOD } from '../../engine/api/methods.ts';
 import { PER_KEY } from '../../engine/api/option-table.ts';
 import type { KeyPace, Method, Pin } from '../../engine/api/types.ts';
 import {
@@ -28,11 +29,9 @@ import {
   DEFAULT_ENCODING,
   DEFAULT_MOTION,
   GHOST_FACES,
-  METHODS,
   SPEEDS,
   PRESENTED,
   holds,
-  ignoresHermite,
 } from '../../model/state.ts';
 import { SAME_TIME, clampTime, formatTime, length, neighbourKey, timeScale } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -128,7 +127,7 @@ export function createCommands(parts: CommandParts) {
       const { method } = state().doc.motion;
       beside = compare;
       const held = holds(state().doc.motion);
-      const usual = held || method === 'linear' ? 'lri' : 'linear';
+      const usual = held || method === 'linear' ? OWN_METHOD : 'linear';
       const other = compare.find((one) => one !== method || held) ?? usual;
       view({ split: 0.5, compare: [other] });
     },
@@ -241,7 +240,7 @@ export function createCommands(parts: CommandParts) {
     },
     nextBoundary: (): void => {
       const { method, boundary } = state().doc.motion;
-      const usable = BOUNDARIES.filter((one) => one !== 'hermite' || !ignoresHermite(method));
+      const usable = BOUNDARIES.filter((one) => one !== 'hermite' || METHOD[method].curve === 'spline');
       motion({ boundary: usable[(usable.indexOf(boundary) + 1) % usable.length]! });
     },
     fit,
@@ -250,7 +249,7 @@ export function createCommands(parts: CommandParts) {
 
 /** A method that has no use for Hermite takes natural ends. */
 function withBoundary(change: Partial<Motion>, { boundary }: Motion): Partial<Motion> {
-  const straight = change.method !== undefined && ignoresHermite(change.method);
+  const straight = change.method !== undefined && METHOD[change.method].curve === 'polygon';
   return straight && boundary === 'hermite' ? { ...change, boundary: 'natural' } : change;
 }
 

@@ -1,10 +1,11 @@
 /** The components, what they are shown of the state, and which command each of their events is. */
+import { METHOD } from '../../engine/api/methods.ts';
 import type { Warning } from '../../engine/api/types.ts';
 import { tightness } from '../../model/edits.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ExportRequest } from '../../model/export-request.ts';
 import type { AppState } from '../../model/state.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, bounces, endTangents, isInLri, referenceKey } from '../../model/state.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, bounces, endTangents, referenceKey } from '../../model/state.ts';
 import { playRange } from '../../model/frames.ts';
 import { OFF_CURVE, phaseOf, timeScale } from '../../model/time-scale.ts';
 import type { End } from '../../model/speeds.ts';
@@ -441,14 +442,14 @@ export function createComponents(input: ComponentsInput): Components {
       objects: viewState.objects,
       disabled,
       defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING,
-      lriMethod: isInLri(doc.motion.method),
+      lriMethod: METHOD[doc.motion.method].space === 'lri',
     });
     ghostPanel.update({
       encoding: doc.encoding,
       view,
       faces: info?.report.faces ?? 0,
       stats: viewState.stats,
-      lriMethod: isInLri(doc.motion.method),
+      lriMethod: METHOD[doc.motion.method].space === 'lri',
       disabled,
     });
     // Not before the first shape is seen, which needs none of it.

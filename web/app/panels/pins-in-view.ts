@@ -1,4 +1,5 @@
 /** Pins on the shape: placed with a click, dragged where they are to be at a time. */
+import { METHOD } from '../../engine/api/methods.ts';
 import { changedPin, withPin, withoutPin } from '../../model/pins.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { createPinHandles } from '../../ui/pin-handles.ts';
@@ -42,7 +43,7 @@ export function createPinsInView({ store, viewState, scene, commands, range, say
   /** Of the method itself, on the curve; film strips and presentations are to be looked at. */
   const shown = (): boolean => {
     const { doc, view } = store.get();
-    return doc.motion.method === 'lri' && !view.film && view.present === null && viewState.get().blend === null;
+    return METHOD[doc.motion.method].holds && !view.film && view.present === null && viewState.get().blend === null;
   };
   const update = (): void => handles.update(shown() ? pinPlaces(scene.viewer, pins()) : []);
   scene.viewer.follow(update);

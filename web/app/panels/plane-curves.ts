@@ -1,6 +1,6 @@
 /** Further curves of the shape plane, with what is to be said of them. */
+import { METHOD, OWN_METHOD } from '../../engine/api/methods.ts';
 import { EngineError } from '../../engine/api/errors.ts';
-import { isInLri } from '../../model/state.ts';
 import type { PlaneOverlay } from '../../plots/shape-plane.ts';
 import { checkbox, numberField } from '../../ui/controls.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
@@ -78,7 +78,7 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
   };
 
   const refresh = async (): Promise<void> => {
-    const spline = input?.sequences.find(({ method }) => method === 'lri');
+    const spline = input?.sequences.find(({ method }) => method === OWN_METHOD);
     setHidden(row, !spline);
     const mine = ++asked;
     problem = '';
@@ -109,7 +109,7 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
       blends = [];
       window.clearTimeout(timer);
       await refresh();
-      if (next.sequences.some(({ method }) => !isInLri(method)))
+      if (next.sequences.some(({ method }) => METHOD[method].space !== 'lri'))
         timer = window.setTimeout(() => void refreshBlends().catch(onError), REST_MS);
     },
   };

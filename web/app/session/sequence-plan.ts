@@ -1,4 +1,5 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
+import { METHOD } from '../../engine/api/methods.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
@@ -6,7 +7,7 @@ import type { EncodingOptions, Method, MotionOptions, Pin, SequenceOptions } fro
 import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
 import type { Doc, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, holds, ignoresHermite, isInLri, referenceKey } from '../../model/state.ts';
+import { DEFAULT_VIEW, holds, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
 
@@ -35,7 +36,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   const { referencePose: _, startTangentPose, endTangentPose, ...plain } = encoding;
   const hermite = motion.boundary === 'hermite';
   const ghost = plain.ghostFaces;
-  const sizes = ghost > 0 && isInLri(method) ? besides(ghost, shown) : [];
+  const sizes = ghost > 0 && METHOD[method].space === 'lri' ? besides(ghost, shown) : [];
   return {
     order: keys.map((key) => key.pose),
     // Files name every target.
@@ -96,7 +97,8 @@ export function optionsFor(plan: SequencePlan, variant: Variant, keys: Keys): Pa
 
 /** The boundary that a method makes use of: straight motion has no end derivatives. */
 export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
-  const boundary = ignoresHermite(method) && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
+  const boundary =
+    METHOD[method].curve === 'polygon' && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
   const { hold, pins } = plain ? MOTION_DEFAULTS : plan.motion;
   return { ...plan.motion, method, boundary, hold, pins: [...pins] };
 }

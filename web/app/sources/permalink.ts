@@ -2,6 +2,7 @@
  * The state of a built-in sample as a link's fragment, and back. Only what differs from the defaults is written. A link
  * comes from anywhere: whatever it holds that does not fit is left out.
  */
+import { METHODS } from '../../engine/api/methods.ts';
 import { ENCODING, MOST_TIME, MOST_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import type { Option } from '../../engine/api/option-table.ts';
 import { wrongWith } from '../../engine/api/options.ts';
@@ -16,7 +17,7 @@ import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
 import { LEAST_SHARE } from '../../ui/divider.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, LEAST_FILM_SHAPES, METHODS, MOST_FILM_SHAPES, PRESENTED, SPEEDS } from '../../model/state.ts';
+import { DEFAULT_VIEW, LEAST_FILM_SHAPES, MOST_FILM_SHAPES, PRESENTED, SPEEDS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
