@@ -20,5 +20,5 @@ export const METHOD: Readonly<Record<Method, MethodFacts>> = {
 
 export const METHODS: readonly Method[] = MOTION.method.choices;
 
-/** The paper's. */
+/** The method of the paper. */
 export const OWN_METHOD: Method = MOTION.method.default;
