@@ -1,0 +1,45 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { createPageLink } from '../../web/app/sources/page-link.ts';
+import { createStore } from '../../web/app/session/store.ts';
+import { EMPTY_STATE } from '../../web/model/state.ts';
+
+/** The address bar: a fragment that the user sets counts at once, and its event comes later. */
+const location = { hash: '', pathname: '/', search: '', href: 'http://a.test/' };
+let hashChange: (event: { newURL: string }) => void;
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  vi.stubGlobal('location', location);
+  vi.stubGlobal('history', {
+    replaceState: (_: unknown, __: unknown, url: string) => (location.hash = new URL(url, location.href).hash),
+  });
+  vi.stubGlobal('window', {
+    setTimeout: (work: () => void, ms: number) => setTimeout(work, ms),
+    clearTimeout: (timer: number) => clearTimeout(timer),
+    addEventListener: (_: string, listener: typeof hashChange) => (hashChange = listener),
+  });
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+it('an address whose change is still to be heard is not overwritten', () => {
+  location.hash = '#tour=1';
+  const onGuide = vi.fn();
+  const parts = { store: createStore(EMPTY_STATE), initial: () => null, say: vi.fn(), onLink: vi.fn(), onGuide };
+  const link = createPageLink(parts);
+  link.listen();
+  link.pin('tour=2');
+  vi.runAllTimers();
+  expect(location.hash).toBe('#tour=2');
+  link.pin('tour=3'); // to be written in a moment
+  location.hash = '#tour=4'; // the user turns on meanwhile
+  vi.runAllTimers();
+  expect(location.hash).toBe('#tour=4');
+  hashChange({ newURL: 'http://a.test/#tour=4' });
+  expect(onGuide).toHaveBeenCalledWith('tour=4');
+  link.pin('tour=5');
+  vi.runAllTimers();
+  expect(location.hash).toBe('#tour=5');
+});
