@@ -140,7 +140,7 @@ test('what is open in the app is shown by the lines and the file that it gives f
 });
 
 test(
-  'the example in React is a live one: it shows where it is, and begins anew at its button',
+  'the example in React is live: it shows its time, and its button restarts it',
   { tag: '@all' },
   async ({ page }, info) => {
     test.skip(info.project.name === 'dev', 'the examples are built');

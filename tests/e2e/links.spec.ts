@@ -32,7 +32,7 @@ test('a camera inside the shape of its moment is left out of a link, also where 
   for (const axis of [0, 1, 2]) expect((await app.state()).view.camera!.position[axis]).toBeCloseTo(middle[axis]!, 3);
 });
 
-test('a link that names nothing is told of, and a camera that looks away leads back', async ({ app }) => {
+test('a link that names nothing gives a message, and a camera that looks away leads back', async ({ app }) => {
   await app.open({ hash: '#t=0.5' });
   await expect(app.by('toast')).toContainText('The link names no sample and no page of the tour');
   await app.page.goto('about:blank');

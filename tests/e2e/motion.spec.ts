@@ -160,7 +160,7 @@ test('each method moves otherwise between the keys, refits only, and has Hermite
   await expect(app.by('boundary-hermite')).toBeEnabled();
   await expect(app.by('boundary-reason')).toBeHidden();
   const after = await app.stats();
-  // What was made anew would have taken another time.
+  // A new encoding would have taken another time.
   expect([after.encodeMs, after.factorMs]).toEqual([counters.encodeMs, counters.factorMs]);
 });
 

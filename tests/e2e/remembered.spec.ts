@@ -351,7 +351,7 @@ test('files whose opening was interrupted by a reload are opened by the next vis
   await drop(app, BAR);
   await isRemembered(app);
   await untilWritten(app);
-  // The page is loaded anew as soon as it has written that it opens them.
+  // The page is reloaded as soon as it has written that it opens them.
   await app.page.addInitScript(() => {
     const visit = Number(sessionStorage.getItem('visit')) + 1;
     sessionStorage.setItem('visit', String(visit));
@@ -372,7 +372,7 @@ test.describe('with a service worker', () => {
   test.use({ ownProfile: true });
 
   test(
-    'a full disk is told of, and what was remembered before is kept',
+    'a full disk gives a message, and what was remembered before is kept',
     { tag: '@all' },
     async ({ app, context }, info) => {
       test.skip(info.project.name === 'dev', 'the room is measured once the files of the page are kept');

@@ -42,8 +42,8 @@ Numbered numberedFrom(std::string_view path, std::string_view start) {
   return out;
 }
 
-// What stands before a number is its sign behind a dot, an underscore or nothing. Behind anything else it only parts
-// the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
+// A hyphen or plus before the number is its sign after a dot, after an underscore or at the start. Elsewhere it
+// separates the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
 void readSign(Numbered& file, const std::set<Sequence>& unsignedOnes) {
   if (!file.number || !(file.path.ends_with('-') || file.path.ends_with('+'))) return;
   const std::string_view before = file.path.substr(0, file.path.size() - 1);
@@ -55,8 +55,7 @@ void readSign(Numbered& file, const std::set<Sequence>& unsignedOnes) {
   file.path = before;
 }
 
-// Frames between whole ones (sim.1, sim.1.25, sim.2): a fraction where without it the file would be in a sequence of
-// its own beside whole numbers.
+// Frames between whole ones: sim.1.25 beside sim.1 and sim.2 is frame 1.25, not frame 25 of a sequence sim.1.
 void readFraction(Numbered& file, std::string_view name, const std::set<Sequence>& unsignedOnes,
                   const std::set<Sequence>& whole) {
   if (!file.number || !file.path.ends_with('.')) return;

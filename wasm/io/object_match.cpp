@@ -301,8 +301,8 @@ struct Matcher {
     }
   }
 
-  // As many are left in both poses: they have been renamed. Else, where names tell some objects, others that have
-  // different ones are different, however alike.
+  // If both poses have equally many objects left, these have been renamed. Otherwise, where some names match, objects
+  // with different names are different, however alike.
   void matchRest() {
     const bool namesTell = std::find(out.rule.begin(), out.rule.end(), MatchRule::Name) != out.rule.end();
     std::vector<int> mine = openFirst(), others = openOther();

@@ -24,7 +24,7 @@ struct ObjectMatch {
   int extra = 0;                ///< objects that only the other pose has
 
   bool isComplete() const;
-  /// Names say that some object has another place in the file than in the first pose's.
+  /// By their names, some objects stand in another order than in the first pose.
   bool namesMoveObjects() const;
   /// Each is where it is in the first pose.
   bool isInOrder() const;

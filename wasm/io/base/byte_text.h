@@ -22,7 +22,7 @@ constexpr const char* kUtf16 = " is text in UTF-16, which is not supported. Save
 /// Whether the bytes are text in UTF-16, with a byte order mark or without.
 bool isUtf16(std::span<const std::uint8_t> bytes);
 
-/// A name as UTF-8: what is none is read as Latin-1, which programs write that know of one alphabet.
+/// A name as UTF-8. Bytes that are not UTF-8 are read as Latin-1, which older programs write.
 std::string asUtf8(std::string_view name);
 
 /// Text of a hostile file made fit for a sentence: at most 80 characters in UTF-8. What is no text, or would change how

@@ -10,7 +10,7 @@
 
 namespace shapespline {
 
-/// Steps that the poses of a file of this size may take: for each of its bytes, up to some ten seconds.
+/// The most steps for the poses of a file of this size. It grows with the file, up to some ten seconds of work.
 constexpr std::uint64_t mostPoseCost(std::uint64_t fileBytes) {
   constexpr std::uint64_t base = 200'000'000, perByte = 10'000, most = 4'000'000'000;
   return fileBytes < most / perByte ? std::min(most, base + perByte * fileBytes) : most;

@@ -1,4 +1,4 @@
-/** What the methods are, for whoever asks whether something goes with one of them. */
+/** What each method interpolates, and which options it has. */
 import { MOTION } from './option-table.ts';
 import type { Method } from './types.ts';
 

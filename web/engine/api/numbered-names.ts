@@ -36,8 +36,8 @@ function numberAt(pattern: RegExp, name: string, place: number): Numbered | null
 }
 
 /**
- * What stands before a number is its sign behind a dot, an underscore or nothing. Behind anything else it only parts
- * the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
+ * A hyphen or plus before the number is its sign after a dot, after an underscore or at the start. Elsewhere it
+ * separates the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
  */
 function withSign(file: Numbered, unsigned: ReadonlySet<string>): Numbered {
   const sign = file.start.at(-1);
@@ -47,10 +47,7 @@ function withSign(file: Numbered, unsigned: ReadonlySet<string>): Numbered {
   return isSign ? { ...file, start, number: sign === '-' ? -file.number : file.number } : file;
 }
 
-/**
- * Frames between whole ones (sim.1, sim.1.25, sim.2) have a fraction where without it they would be in a sequence of
- * their own beside whole numbers.
- */
+/** Frames between whole ones: sim.1.25 beside sim.1 and sim.2 is frame 1.25, not frame 25 of a sequence sim.1. */
 function numbered(names: readonly string[]): Numbered[] {
   const files = names.flatMap((name, place) => numberAt(NUMBER_AT_END, name, place) ?? []);
   const unsigned = new Set(files.map(sequenceOf));
