@@ -60,15 +60,15 @@ void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnin
 }
 
 // A lone OBJ, PLY or OFF cannot be enough, but what is wrong in it comes first.
-Error onePoseOnly(const MeshFile& mesh, std::span<const NamedBytes> files, const ImportOptions& options) {
+Error onePoseOnly(const MeshFile& mesh, const GivenFiles& files, const ImportOptions& options) {
   const std::string where = placeName(*mesh.file, 0, 1);
   const auto pose = PoseReader{files, options}.read(mesh, where);
   if (!pose) return pose.error();
   return {ErrorCode::TooFewKeys, where + " holds one pose only. Add a file for every other key."};
 }
 
-Result<Import> readCaches(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                          const ImportOptions& options, const StageProgress& progress) {
+Result<Import> readCaches(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+                          const StageProgress& progress) {
   if (meshes.size() == 1)
     return Error{ErrorCode::TooFewKeys, placeName(*meshes[0].file, 0, 1) +
                                             " holds a motion without its mesh. Give the OBJ that it belongs to, too."};
@@ -87,7 +87,7 @@ bool showsActions(const Import& import) {
 }
 
 // The poses of the animations, each of which is a key, where these differ. Further poses of a mesh come one at a time.
-Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
+Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes, const GivenFiles& files,
                            const ImportOptions& options, const StageProgress& progress) {
   auto actions = importAnimations(meshes, files, options, progress);
   const bool useful = actions && actions->animation < 0 && actions->keyframes.keyCount() > 1 &&
@@ -95,8 +95,8 @@ Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes,
   return useful ? std::move(actions) : Result<Import>(std::move(import));
 }
 
-Result<Import> readSeveral(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                           const ImportOptions& options, const StageProgress& progress) {
+Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+                           const StageProgress& progress) {
   const auto series = numberedFiles(meshes);
   const bool many = series && meshes.size() > kMostOwnKeys && options.keyTimes.empty() && options.like.empty();
   if (series && (many || options.animationAsked())) return importSeries(meshes, *series, files, options, progress);
@@ -151,8 +151,8 @@ Status checkLike(const ImportOptions& options) {
   return {};
 }
 
-Result<Import> readKeys(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                        const ImportOptions& options, const StageProgress& progress) {
+Result<Import> readKeys(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+                        const StageProgress& progress) {
   if (meshes.empty())
     return Error{ErrorCode::TooFewKeys, files.empty()
                                             ? "No files were given. Give at least two poses of one mesh."
@@ -203,7 +203,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   if (!found) return found.error();
   if (Status like = checkLike(options); !like) return like.error();
   const std::vector<MeshFile>& meshes = found->meshes;
-  auto read = readKeys(meshes, files, options, progress);
+  auto read = readKeys(meshes, GivenFiles(files), options, progress);
   // The keys that are missing may be in what was left out.
   if (!read && read.error().code == ErrorCode::TooFewKeys && !found->others.empty()) return found->others[0];
   if (!read) return read;

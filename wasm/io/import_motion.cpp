@@ -59,8 +59,8 @@ Axes axesOf(const PointCache& cache, const Positions& mesh) {
 
 }  // namespace
 
-Result<Import> importAnimations(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                                ImportOptions options, const StageProgress& progress) {
+Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const GivenFiles& files, ImportOptions options,
+                                const StageProgress& progress) {
   options.oneKeyWillDo = true;
   std::optional<Import> out;
   Keyframes first;
@@ -100,9 +100,8 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, std::span<c
   return std::move(*out);
 }
 
-Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedFiles& series,
-                            std::span<const NamedBytes> files, const ImportOptions& options,
-                            const StageProgress& progress) {
+Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedFiles& series, const GivenFiles& files,
+                            const ImportOptions& options, const StageProgress& progress) {
   Import out;
   PoseReader reader{files, options};
   const std::string first = placeName(*meshes[0].file, 0, meshes.size());
@@ -144,7 +143,7 @@ Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedF
   return out;
 }
 
-Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, std::span<const NamedBytes> files,
+Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, const GivenFiles& files,
                            const ImportOptions& options, const StageProgress& progress) {
   const std::string where = placeName(*mesh.file, 0, 1), place = placeName(*moves.file, 0, 1);
   PoseReader reader{files, options};

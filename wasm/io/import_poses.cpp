@@ -75,9 +75,8 @@ int samePoses(const Import& import) {
 }
 
 // `common`: filled where files that are not of one mesh do not hold the same objects.
-Result<Import> readPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                         const ImportOptions& options, const StageProgress& progress, std::vector<std::string>& common,
-                         FileFacts& facts) {
+Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+                         const StageProgress& progress, std::vector<std::string>& common, FileFacts& facts) {
   Import out;
   ImportOptions unfiltered = options;
   unfiltered.objects.clear();
@@ -181,8 +180,8 @@ void setTimesInSeconds(Keyframes& keyframes) {
   for (int j = 0; j < keyframes.keyCount(); ++j) keyframes.keys[j].time = j;
 }
 
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                           const ImportOptions& options, const StageProgress& progress) {
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+                           const StageProgress& progress) {
   std::vector<std::string> common;
   FileFacts facts;
   auto import = readPoses(meshes, files, options, progress, common, facts);

@@ -1,11 +1,11 @@
 // Several files, each of which is a key.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "io/base/given_files.h"
 #include "io/base/imported.h"
 #include "io/base/named_bytes.h"
 #include "io/pose_reader.h"
@@ -37,7 +37,7 @@ void setTimesInSeconds(Keyframes& keyframes);
 
 /// Files -> keys, in their order. Files of which some hold objects that others lack (a ground plane) are poses of what
 /// all of them have, with a warning. Errors: of the readers, and of files that are not of one mesh.
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, std::span<const NamedBytes> files,
-                           const ImportOptions& options, const StageProgress& progress);
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+                           const StageProgress& progress);
 
 }  // namespace shapespline

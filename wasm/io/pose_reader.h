@@ -2,10 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 
 #include "core/base/progress.h"
+#include "io/base/given_files.h"
 #include "io/base/imported.h"
 #include "io/base/named_bytes.h"
 #include "io/file_kind.h"
@@ -25,7 +25,7 @@ void orient(Positions& positions, bool zUp, double scale);
 
 /// Reads one pose after the other; polygons are cut as in the first one that has any.
 struct PoseReader {
-  std::span<const NamedBytes> files;
+  const GivenFiles& files;
   const ImportOptions& options;
   std::optional<PolygonCuts> cuts{};
 

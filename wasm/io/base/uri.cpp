@@ -104,46 +104,9 @@ bool hasScheme(std::string_view uri) {
   return true;
 }
 
-struct Path {
-  std::string text;     // segments joined by '/', "." and ".." resolved
-  bool leaves = false;  // climbs above where it started
-};
-
-Path normalised(std::string_view path) {
-  std::vector<std::string_view> segments;
-  Path out;
-  while (!path.empty()) {
-    const std::size_t slash = path.find_first_of("/\\");
-    const std::string_view segment = path.substr(0, slash);
-    path.remove_prefix(slash == std::string_view::npos ? path.size() : slash + 1);
-    if (segment.empty() || segment == ".") continue;
-    const bool goesBack = segment == ".." && !segments.empty() && segments.back() != "..";
-    if (goesBack) segments.pop_back();
-    else segments.push_back(segment);
-  }
-  out.leaves = !segments.empty() && segments.front() == "..";
-  for (std::string_view segment : segments) out.text += (out.text.empty() ? "" : "/") + std::string(segment);
-  return out;
-}
-
-const NamedBytes* findFile(std::string_view path, std::string_view from, std::span<const NamedBytes> files) {
-  const std::string_view folder = from.substr(0, from.size() - baseName(from).size());
-  const std::string joined = normalised(std::string(folder) + std::string(path)).text;
-  for (const NamedBytes& file : files)
-    if (baseName(file.name) == baseName(joined) && normalised(file.name).text == joined) return &file;
-  if (normalised(path).leaves) return nullptr;
-  const NamedBytes* byName = nullptr;  // dropped without its folder
-  for (const NamedBytes& file : files) {
-    if (baseName(file.name) != baseName(path)) continue;
-    if (byName) return nullptr;  // ambiguous
-    byName = &file;
-  }
-  return byName;
-}
-
 }  // namespace
 
-Result<Resource> resolveUri(std::string_view uri, std::string_view from, std::span<const NamedBytes> files,
+Result<Resource> resolveUri(std::string_view uri, std::string_view from, const GivenFiles& files,
                             const std::string& where) {
   if (uri.starts_with("data:")) return dataResource(uri, where);
   const std::string head = headOf(uri);
@@ -156,12 +119,12 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, std::sp
   const std::string start = headOf(path);
   const bool absolute = start.starts_with('/') || start.starts_with('\\') || hasScheme(start);
   if (!absolute)
-    if (const NamedBytes* file = findFile(path, from, files)) {
+    if (const NamedBytes* file = files.find(path, from)) {
       Resource resource;
       resource.bytes = file->bytes;
       return resource;
     }
-  if (absolute || normalised(path).leaves)
+  if (absolute || leavesItsFolder(path))
     return Error{ErrorCode::ExternalResource,
                  where + " refers to " + inQuotes(uri) +
                      ", which lies outside the given files. Put it into the same folder and give both together."};

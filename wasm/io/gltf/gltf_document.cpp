@@ -24,7 +24,7 @@ std::uint64_t whole(const json& object, const char* name, std::uint64_t otherwis
 
 struct Source {
   const NamedBytes& file;
-  std::span<const NamedBytes> files;
+  const GivenFiles& files;
   GlbChunks chunks;
 };
 
@@ -82,8 +82,8 @@ std::span<const std::uint8_t> viewBytes(const json& doc, std::uint64_t view, con
 void readImages(const json& doc, const Source& source, GltfDocument& out) {
   const auto images = doc.find("images");
   if (images == doc.end()) return;
-  std::size_t room = 0, missing = 0;
-  for (const NamedBytes& file : source.files) room += file.bytes.size();
+  std::uint64_t room = source.files.bytes();
+  std::size_t missing = 0;
   std::string first;
   std::map<const std::uint8_t*, int> known;
   for (const json& image : *images) {
@@ -170,7 +170,7 @@ Status loadModel(json doc, GltfDocument& out) {
 
 }  // namespace
 
-Result<GltfDocument> openGltf(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where) {
+Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where) {
   Source source{file, files, {}};
   if (isGlb(file.bytes)) {
     auto chunks = splitGlb(file.bytes, where);
@@ -187,7 +187,7 @@ Result<GltfDocument> openGltf(const NamedBytes& file, std::span<const NamedBytes
   if (const auto& extras = (*doc)["extras"]; extras.is_object() && extras.contains("shapespline"))
     out.project = extras["shapespline"].dump();
   if (Status buffers = readBuffers(*doc, source, out); !buffers) return buffers.error();
-  for (const NamedBytes& given : files) out.fileBytes += given.bytes.size();
+  out.fileBytes += files.bytes();
   out.fileBytes = std::min<std::uint64_t>(out.fileBytes, source.chunks.json.size() + out.bufferBytes);
   readImages(*doc, source, out);
   if (Status model = loadModel(std::move(*doc), out); !model) return model.error();

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/status.h"
 #include "core/base/warning.h"
+#include "io/base/given_files.h"
 #include "io/base/named_bytes.h"
 #include "io/base/scene.h"
 #include "io/base/uri.h"
@@ -30,6 +30,6 @@ struct GltfDocument {
 };
 
 /// Opens .glb (told by its magic) or .gltf. Errors: all of reading; see ErrorCode.
-Result<GltfDocument> openGltf(const NamedBytes& file, std::span<const NamedBytes> files, const std::string& where);
+Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where);
 
 }  // namespace shapespline

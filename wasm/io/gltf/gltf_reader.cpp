@@ -365,7 +365,7 @@ struct KeyReader {
 
 }  // namespace
 
-Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
                               const std::string& where, const FractionReport& onProgress) {
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
@@ -406,7 +406,7 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes
   return out;
 }
 
-Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
                             const std::string& where, const StageProgress& progress) {
   if (progress) progress("reading the file", 0);
   auto doc = openGltf(file, files, where);

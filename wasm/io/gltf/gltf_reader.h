@@ -1,13 +1,13 @@
 // glTF -> keys: one pose, morph targets, a sampled animation, or the keys of a saved project.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/status.h"
 #include "core/base/warning.h"
+#include "io/base/given_files.h"
 #include "io/base/imported.h"
 #include "io/base/named_bytes.h"
 #include "io/base/scene.h"
@@ -33,11 +33,11 @@ struct PoseFile {
 };
 
 /// The scene as the file itself poses it. `where` is how messages call the file.
-Result<PoseFile> readGltfPose(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
                               const std::string& where, const FractionReport& onProgress = {});
 
 /// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
-Result<Import> readGltfKeys(const NamedBytes& file, std::span<const NamedBytes> files, const ImportOptions& options,
+Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
                             const std::string& where, const StageProgress& progress);
 
 }  // namespace shapespline

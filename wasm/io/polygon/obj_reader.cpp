@@ -43,7 +43,7 @@ void warnOfMaterials(const std::string& why, PolygonMesh& mesh) {
 // The materials of an MTL file: colour, opacity and colour texture.
 struct MtlReader {
   std::string from;  // its own path: images are named as seen from there
-  std::span<const NamedBytes> files;
+  const GivenFiles& files;
   const std::string& where;
   PolygonMesh& mesh;
   std::map<std::string, int, std::less<>>& materialOf;
@@ -132,7 +132,7 @@ struct NamedRun {
 
 struct ObjReader {
   const NamedBytes& file;
-  std::span<const NamedBytes> files;
+  const GivenFiles& files;
   const std::vector<std::string>& wanted;  // objects, none for all
   const std::string& where;
   const FractionReport& onProgress;
@@ -481,9 +481,8 @@ void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {
         {"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
 }
 
-Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files,
-                            const std::vector<std::string>& objects, const std::string& where,
-                            const FractionReport& onProgress) {
+Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,
+                            const std::string& where, const FractionReport& onProgress) {
   return ObjReader{file, files, objects, where, onProgress, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
 }
 

@@ -1,11 +1,11 @@
 // OBJ, PLY and OFF -> one pose of polygons.
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "core/base/progress.h"
 #include "core/base/status.h"
+#include "io/base/given_files.h"
 #include "io/base/named_bytes.h"
 #include "io/polygon/polygon_mesh.h"
 
@@ -15,9 +15,8 @@ namespace shapespline {
 /// Lines, points and everything curved are left out. Coordinates belong to corners; a vertex has the mean of its
 /// normals. With `objects`, the faces of these alone (o, or g where there is no o). Errors: MalformedFile,
 /// IndexOutOfRange, NoTriangles, TooLarge, which name the line; InvalidOption of an object that is not there.
-Result<PolygonMesh> readObj(const NamedBytes& file, std::span<const NamedBytes> files,
-                            const std::vector<std::string>& objects, const std::string& where,
-                            const FractionReport& onProgress = {});
+Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,
+                            const std::string& where, const FractionReport& onProgress = {});
 
 /// Stanford PLY 1.0: ascii, binary little and big endian; elements vertex, face and tristrips.
 /// Errors: MalformedFile, TruncatedFile, IndexOutOfRange, NoTriangles, TooLarge.
