@@ -113,13 +113,12 @@ export async function buildRepeatedly(
   };
 }
 
-/** Heap after many refits, each with an exact frame and a cheap one, over the heap after the first. */
+/** Heap after many refits, each with a frame, over the heap after the first. */
 export async function refitGrowth(sequence: Sequence): Promise<number> {
   let first = 0;
   for (let k = 0; k <= REFITS; ++k) {
     await sequence.update({ boundary: k % 2 === 0 ? 'hermite' : 'natural' });
     (await sequence.evaluate(0.1 + 0.07 * k))?.release();
-    (await sequence.preview(0.1 + 0.07 * k))?.release();
     if (k === 0) first = (await sequence.stats()).heapBytes;
   }
   return (await sequence.stats()).heapBytes / first;

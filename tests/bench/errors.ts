@@ -8,8 +8,6 @@ import { SWEEP, sweptParts, type DistanceAt, type SweptParts } from './sweep.ts'
 export interface Errors {
   /** From the shape computed in double. */
   double: SweptParts;
-  /** Of the preview. */
-  preview: SweptParts;
   /** Of the shape that a ghost leads; null without one. */
   ghost: SweptParts | null;
 }
@@ -26,15 +24,10 @@ async function withFrame<T>(pending: Promise<Frame | null>, use: (positions: Flo
 
 export async function errorsOf(sequence: Sequence, withGhost: Sequence | null, reference: Reference): Promise<Errors> {
   const double: DistanceAt[] = [],
-    preview: DistanceAt[] = [],
     ghost: DistanceAt[] = [];
   for (const [k, t] of SWEEP.entries()) {
     const exact = await frameOf(sequence.evaluate(t));
     double.push({ t, ...distanceOf(exact.positions, await reference(k)) });
-    preview.push({
-      t,
-      ...(await withFrame(sequence.preview(t), (positions) => distanceOf(positions, exact.positions))),
-    });
     if (withGhost)
       ghost.push({
         t,
@@ -42,5 +35,5 @@ export async function errorsOf(sequence: Sequence, withGhost: Sequence | null, r
       });
     exact.release();
   }
-  return { double: sweptParts(double), preview: sweptParts(preview), ghost: withGhost ? sweptParts(ghost) : null };
+  return { double: sweptParts(double), ghost: withGhost ? sweptParts(ghost) : null };
 }

@@ -1,4 +1,4 @@
-/** Single frames of one sequence: exact ones with their stages, and the cheap ones for while a slider moves. */
+/** Single frames of one sequence: their time and their stages. */
 import type { Sequence } from '../../web/engine/api/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/api/types.ts';
 import type { ReadBandwidth } from './bandwidth.ts';
@@ -21,8 +21,6 @@ export interface Round {
   stats: SequenceStats[];
   native: NativeRound;
   bandwidth: number;
-  cheapFirstMs: number;
-  cheapMs: number[];
 }
 
 /** Milliseconds. */
@@ -49,12 +47,6 @@ export interface RoundMedians {
   frameMs: number;
   native: NativeRound;
   bandwidth: number;
-}
-
-export interface CheapFrames {
-  /** The first one makes what all need. */
-  firstMs: number;
-  preview: Spread;
 }
 
 /** What the last exact frame took from its frames (of patches or of a ghost's faces) to what is drawn. */
@@ -90,7 +82,6 @@ export async function roundOf(
   const firstMs = await msOf(sequence.evaluate(0));
   const native = await runNative();
   const ms: number[] = [],
-    cheapMs: number[] = [],
     stats: SequenceStats[] = [],
     bandwidths: number[] = [];
   const read = (): void => {
@@ -102,9 +93,7 @@ export async function roundOf(
     stats.push(await sequence.stats());
   }
   read();
-  const cheapFirstMs = await msOf(sequence.preview(0.1));
-  for (let k = 0; k <= FRAMES; ++k) cheapMs.push(await msOf(sequence.preview(timeOf(k, FRAMES))));
-  return { buildMs, firstMs, ms, stats, native, bandwidth: quantile(bandwidths), cheapFirstMs, cheapMs };
+  return { buildMs, firstMs, ms, stats, native, bandwidth: quantile(bandwidths) };
 }
 
 export function exactFrames(rounds: readonly Round[]): ExactFrames {
@@ -129,8 +118,4 @@ export function exactFrames(rounds: readonly Round[]): ExactFrames {
       bandwidth: round.bandwidth,
     })),
   };
-}
-
-export function cheapFrames(rounds: readonly Round[]): CheapFrames {
-  return { firstMs: rounds[0]!.cheapFirstMs, preview: spread(rounds.flatMap(({ cheapMs }) => cheapMs)) };
 }

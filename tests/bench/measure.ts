@@ -6,7 +6,7 @@ import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
 import type { RunNative } from './native-round.ts';
 import { errorsOf, type Errors, type Reference } from './errors.ts';
-import { cheapFrames, exactFrames, roundOf, type CheapFrames, type ExactFrames, type Round } from './frames.ts';
+import { exactFrames, roundOf, type ExactFrames, type Round } from './frames.ts';
 import { createWithGhost, ghostFrames, type GhostFrames } from './ghost-frames.ts';
 
 /** The paper's ghost, and shapes to take its time from. */
@@ -21,7 +21,6 @@ export interface Run {
   importSilence: Silence;
   builds: Builds;
   exact: ExactFrames;
-  cheap: CheapFrames;
   /** For GHOST_SHAPES shapes, with how many that is; null where the mesh is hardly larger than the ghost. */
   withGhost: (GhostFrames & { shapes: number }) | null;
   /** Heap after many refits over the heap after one. */
@@ -71,7 +70,6 @@ export async function measure(
     importSilence: listener.silence,
     builds,
     exact: exactFrames(rounds),
-    cheap: cheapFrames(rounds),
     withGhost: ghostTimes,
     refitGrowth: growth,
     // The import's memory was the first build's heap.

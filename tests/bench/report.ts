@@ -5,7 +5,6 @@ import { PAPER_MACHINE, table1, table2, type Table2Row } from './paper.ts';
 import type { Resolutions } from './resolutions.ts';
 import {
   buildTable,
-  cheapTable,
   errorTable,
   frameTable,
   keysTable,
@@ -52,9 +51,6 @@ export function report({ where, sizes, motions, resolutions, keys }: Results): {
     '"patches": their rotations; "faces": splined faces and right-hand side; "frame" has the copy out of the wasm heap, too. Ratios are\n' +
       'medians of five rounds, with the lowest and highest; the targets are the same medians.',
     frameTable(sizes),
-    '## The cheap shape while a slider moves',
-    'Beside the exact frame; "first" makes what the others need.',
-    cheapTable(sizes),
     '## How far shapes are off',
     '"double": the same keys in double, native. Distances to the exact frame of the default precision over a sweep of times between the keys (0 to 1) and in the margins (0.4 on\n' +
       'either side), in % of the diagonal of the bounding box: mean of all, largest mean of one shape, worst vertex with its time.',

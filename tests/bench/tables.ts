@@ -148,16 +148,6 @@ export function frameTable(results: Result[]): string {
   );
 }
 
-export function cheapTable(results: Result[]): string {
-  return table(
-    ['mesh', 'first', 'preview', 'exact'],
-    results.map((result) => {
-      const { cheap, exact } = result.run;
-      return [meshName(result), msText(cheap.firstMs), both(cheap.preview), both(exact.frame)];
-    }),
-  );
-}
-
 const sweptCells = ({ mean, largestMean, worst, at }: Swept): string[] => [
   ...[mean, largestMean, worst].map(percent),
   at.toFixed(2),
@@ -170,14 +160,14 @@ export function errorTable(results: Result[]): string {
   return table(
     titles,
     results.flatMap((result) => {
-      const { double, preview, ghost } = result.run.errors;
+      const { double, ghost } = result.run.errors;
       const row = (what: string, { inside, margins }: SweptParts): string[] => [
         meshName(result),
         what,
         ...sweptCells(inside),
         ...sweptCells(margins),
       ];
-      return [row('double', double), row('preview', preview), ...(ghost ? [row('led by a ghost', ghost)] : [])];
+      return [row('double', double), ...(ghost ? [row('led by a ghost', ghost)] : [])];
     }),
   );
 }

@@ -17,7 +17,7 @@ export interface Target {
 }
 
 const GB = 2 ** 30;
-/** Faces: at most so many for 60 exact frames a second, and for 30; larger meshes have a preview while they move. */
+/** Faces: at most so many for 60 frames a second, and for 30; above that for 10. */
 const SIXTY_A_SECOND = 100_000,
   THIRTY_A_SECOND = 400_000;
 /** The heap of a smaller mesh is too small to matter, whatever is kept of it. */
@@ -35,22 +35,17 @@ export function targetsOf(mesh: string, run: Run): Target[] {
   const add = (what: string, value: number, limit: number, atLeast = false): void => {
     targets.push(target(mesh, what, value, limit, atLeast));
   };
-  const { faces, builds, exact, cheap, errors } = run;
+  const { faces, builds, exact, errors } = run;
   const small = faces <= SIXTY_A_SECOND,
     large = faces > THIRTY_A_SECOND;
   add('bytes to first frame, s', ofRounds(run, untilFrameMs) / 1000, small ? 1 : large ? 10 : 2);
-  if (large) add('preview, ms', cheap.preview.median, 1000 / 30);
-  else add('frame, ms', exact.frame.median, small ? 1000 / 60 : 1000 / 30);
+  add('frame, ms', exact.frame.median, 1000 / (small ? 60 : large ? 10 : 30));
   if (!small)
     for (const peer of PEERS) {
       if (!exact.rounds[0]?.native[peer]) continue;
       add(`${PEER_NAMES[peer]}'s factorisation / ours`, ofRounds(run, over(peer, 'factorMs')), 1, true);
       add(`${PEER_NAMES[peer]}'s solve / ours`, ofRounds(run, over(peer, 'solveMs')), 1, true);
     }
-  add('preview in the mean, % of the diagonal', 100 * errors.preview.inside.largestMean, 0.1);
-  add('preview at worst, % of the diagonal', 100 * errors.preview.inside.worst, 0.5);
-  add('preview in the margins in the mean, %', 100 * errors.preview.margins.largestMean, 1);
-  add('preview in the margins at worst, %', 100 * errors.preview.margins.worst, 5);
   add(
     'off native double, 1e-6 of the diagonal',
     1e6 * Math.max(errors.double.inside.worst, errors.double.margins.worst),

@@ -114,8 +114,8 @@ TEST_CASE("beyond the keys logarithmic stretch keeps between both limits") {
   }
 }
 
-TEST_CASE("beyond the keys logarithmic stretch grows boundedly, with a ghost and without, exact and about") {
-  double exact = 0, about = 0;
+TEST_CASE("beyond the keys logarithmic stretch grows boundedly, with a ghost and without") {
+  double largest = 0;
   for (const unsigned seed : {1, 2, 3, 4, 5, 6})
     for (const int ghostFaces : {0, 60}) {
       const Keyframes k = randomStretches(seed);
@@ -123,15 +123,11 @@ TEST_CASE("beyond the keys logarithmic stretch grows boundedly, with a ghost and
       for (const double t : {-0.4, -0.2, 1.2, 1.4}) {  // two intervals out
         const Frame frame = frameAt(s, t);
         CHECK(frame.indefiniteFaces == 0);
-        Frame preview;
-        REQUIRE(s.preview(t, preview).ok());
-        exact = std::max(exact, diagonalOf(toPositions(frame.positions)) / boundOf(k));
-        about = std::max(about, diagonalOf(toPositions(preview.positions)) / boundOf(k));
+        largest = std::max(largest, diagonalOf(toPositions(frame.positions)) / boundOf(k));
       }
     }
-  MESSAGE("largest box over the bound: " << exact << ", of the preview " << about);
-  CHECK(exact < 1);
-  CHECK(about < 1);
+  MESSAGE("largest box over the bound: " << largest);
+  CHECK(largest < 1);
 }
 
 TEST_CASE("the motion is C2 where it goes on beyond the keys") {

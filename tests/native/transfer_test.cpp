@@ -460,8 +460,6 @@ TEST_CASE("ghost: a frame and the ghost's own shape have clocks of their own") {
   REQUIRE(s.evaluateGhost(0.4, ghost).ok());
   CHECK(s.stats().ghostMs > 0);
   CHECK(s.stats().framesMs == exact.framesMs);
-  REQUIRE(s.preview(0.4, frame).ok());
-  CHECK(s.stats().framesMs == 0);  // the parts are those of an exact frame
 }
 
 TEST_CASE("ghost: wrong and pointless options") {

@@ -1,28 +1,27 @@
 import { describe, expect, it } from 'vitest';
+import type { RunningMotion } from '../../web/playback/frame-set.ts';
 import { FrameCost } from '../../web/playback/frame-cost.ts';
 
-function costOf(exact: number[], previews: number[] = []): FrameCost {
-  const cost = new FrameCost();
-  for (const ms of exact) cost.note({ preview: false, ms });
-  for (const ms of previews) cost.note({ preview: true, ms });
-  return cost;
-}
+const running = (): RunningMotion[] => [{ method: 'lri', ghost: 0, sequence: {} } as unknown as RunningMotion];
 
 describe('the cost of frames', () => {
-  it('is not known before there were some', () => {
-    const cost = costOf([300]);
-    expect([cost.knowsExact, cost.typical(false), cost.least(true), cost.hasPreviews]).toEqual([false, 0, 0, false]);
+  it('is not known before there were two', () => {
+    const [cost, sequences] = [new FrameCost(), running()];
+    expect(cost.typical(sequences)).toBe(0);
+    cost.note({ sequences, ms: 300 });
+    expect(cost.typical(sequences)).toBe(0);
   });
 
-  it('is told by the last three', () => {
-    const cost = costOf([1, 300, 90, 80]);
-    expect([cost.knowsExact, cost.least(false), cost.typical(false)]).toEqual([true, 80, 90]);
+  it('is the middle one of the last three', () => {
+    const [cost, sequences] = [new FrameCost(), running()];
+    for (const ms of [1, 300, 90, 80]) cost.note({ sequences, ms });
+    expect(cost.typical(sequences)).toBe(90);
   });
 
-  it('leaves out the first preview, which makes what all need', () => {
-    expect(costOf([], [500]).hasPreviews).toBe(true);
-    expect(costOf([], [500]).least(true)).toBe(0);
-    expect(costOf([], [500, 20, 30]).least(true)).toBe(20);
-    expect(costOf([], [500, 20, 30]).typical(true)).toBe(20);
+  it('stays where the same sequences are refitted, and is unknown of others', () => {
+    const [cost, sequences] = [new FrameCost(), running()];
+    for (const ms of [20, 30]) cost.note({ sequences, ms });
+    expect(cost.typical([{ ...sequences[0]! }])).toBe(20);
+    expect(cost.typical(running())).toBe(0);
   });
 });

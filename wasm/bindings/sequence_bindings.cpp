@@ -69,12 +69,12 @@ EXPORT const char* shapespline_update(int handle, const char* request) {
   });
 }
 
-/// {positions, normals, indefiniteFaces, indefiniteFace} of the shape at t, or of its preview where that is not 0: 3n
-/// floats each, valid until the next frame of this handle.
-EXPORT const char* shapespline_evaluate(int handle, double t, int preview) {
+/// {positions, normals, indefiniteFaces, indefiniteFace} of the shape at t: 3n floats each, valid until
+/// the next frame of this handle.
+EXPORT const char* shapespline_evaluate(int handle, double t) {
   return callResult([&]() -> Result<Json> {
     auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
-    const Status status = preview ? sequence.preview(t, frame) : sequence.evaluate(t, frame);
+    const Status status = sequence.evaluate(t, frame);
     if (!status) return status.error();
     return described(frame);
   });
@@ -87,15 +87,6 @@ EXPORT const char* shapespline_blend(int handle, const char* request) {
     const Status status = sequence.evaluateBlend(numbersIn(request, "weights"), frame);
     if (!status) return status.error();
     return described(frame);
-  });
-}
-
-/// {mean, largest}: what the preview at t is off, as a share of the reference pose's diagonal.
-EXPORT const char* shapespline_preview_error(int handle, double t) {
-  return callResult([&]() -> Result<Json> {
-    const auto error = sequenceOf(handle).previewError(t);
-    if (!error) return error.error();
-    return Json{{"mean", error->mean}, {"largest", error->largest}};
   });
 }
 

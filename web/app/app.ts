@@ -249,10 +249,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     if (viewState.get().blend) viewState.change({ blend: null });
   };
   followState({ session, display, ways, applyLook, onEdit, onMoved, onOpened, redraw });
-  listenToPointer((down) => {
-    store.hold(down);
-    if (!down) frameLoop.settle();
-  });
+  listenToPointer((down) => store.hold(down));
   listenToLeaving(
     () => remembered.unsaved,
     () => remembered.flush(),

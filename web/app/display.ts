@@ -10,13 +10,11 @@ import type { Feedback } from './panels/feedback.ts';
 import type { Layout } from './panels/layout.ts';
 import { shownView } from './panels/view-state.ts';
 import type { ViewStateHolder } from './panels/view-state.ts';
-import { reducedMotion } from './panels/window-events.ts';
 import type { CameraPose } from '../model/camera.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
 import type { Playback } from './playback/playback.ts';
 import { SketchPlayer } from './playback/sketch-player.ts';
-import { readMoving } from '../playback/preview-policy.ts';
 import type { Session } from './session/session.ts';
 
 export interface DisplayParts {
@@ -50,16 +48,15 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
   const scene = new SceneController(layout.viewport, events, layout.showFilmLabels);
   void scene.viewer.firstSeen.then(() => performance.mark('shapespline seen'));
   const yields = (): boolean => viewState.get().working !== null;
-  const show = async (frames: FrameSet, eased: boolean): Promise<void> => {
+  const show = async (frames: FrameSet): Promise<void> => {
     // What is asked for of what is open is seen.
     if (sketch.time !== null) sketch.end();
-    await scene.show(frames, store.get(), range(), eased && !reducedMotion());
-    viewState.change(shownView(frames.frames[0], frames.preview));
+    await scene.show(frames, store.get(), range());
+    viewState.change(shownView(frames.frames[0]));
   };
   const playback = createPlayback({
     store,
     range,
-    moving: readMoving(location.search),
     sequences: () => workspace.sequences,
     blend: () => viewState.get().blend?.weights ?? null,
     screen: {

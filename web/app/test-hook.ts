@@ -20,8 +20,8 @@ export interface TestHook {
    */
   reset(fragment?: string): Promise<void>;
   readonly state: AppState;
-  /** The time on the screen, which follows that of the state; `preview` while the frame is one of Sequence.preview. */
-  readonly shown: { time: number; preview: boolean };
+  /** The time on the screen, which follows that of the state. */
+  readonly shown: { time: number };
   /** The time of the approximate shape that is on the screen instead, of files that are being opened; else null. */
   readonly sketch: number | null;
   /** Counters of the main sequence: encodings, factorisations, solves. */
@@ -50,7 +50,7 @@ export interface TestHookParts {
   /** The first running sequence. */
   sequence(): Sequence | undefined;
   state(): AppState;
-  shown(): { t: number; preview: boolean };
+  shown(): { t: number };
   sketch(): number | null;
   difference(): Float32Array | null;
   /** Stops what plays and draws the exact shape of a moment. */
@@ -95,8 +95,7 @@ export function createTestHook(parts: TestHookParts): TestHook {
       return mesh && { ...mesh, positions: await of!.ghostPositions(state().time) };
     },
     get shown() {
-      const { t, preview } = parts.shown();
-      return { time: t, preview };
+      return { time: parts.shown().t };
     },
     get sketch() {
       return parts.sketch();

@@ -10,7 +10,6 @@ import { Demand } from '../playback/demand.ts';
 import { FrameLoop } from '../playback/frame-loop.ts';
 import type { FrameSet, RunningMotion } from '../playback/frame-set.ts';
 import { Player } from '../playback/player.ts';
-import { PreviewPolicy } from '../playback/preview-policy.ts';
 import { listenToCamera } from '../viewer/camera-keys.ts';
 import { extentOf } from '../viewer/bounds.ts';
 import { patchColours } from '../viewer/patch-colours.ts';
@@ -97,7 +96,7 @@ export class CanvasViewer {
     );
     listenToCamera(this.viewer, host, () => this.turnable);
     const screen = {
-      show: (frames: FrameSet, eased: boolean) => this.show(frames, eased),
+      show: (frames: FrameSet) => this.show(frames),
       drawn: async () => {
         if (this.motions.length === 0) return;
         await this.viewer.drawn();
@@ -105,7 +104,7 @@ export class CanvasViewer {
       },
       onError: (error: unknown) => this.failed(error),
     };
-    this.loop = new FrameLoop(screen, new Demand(() => this.motions, new PreviewPolicy()));
+    this.loop = new FrameLoop(screen, new Demand(() => this.motions));
     this.player = new Player(
       () => ({ time: this.now, play: this.play, range: this.range, periodic: this.periodic }),
       (time, playing) => {
@@ -226,13 +225,13 @@ export class CanvasViewer {
     this.events.onEnd();
   }
 
-  private show({ t, frames }: FrameSet, eased: boolean): void {
+  private show({ t, frames }: FrameSet): void {
     if (frames.length === 0) return;
     const keys = this.keyTimes.map((time, index) => ({ time, name: this.keys?.info.names[index] ?? '' }));
     const tolerance = this.play.playing ? PLAYING_TOLERANCE : undefined;
     const phase = phaseOf({ t, keys, range: this.range, periodic: this.periodic, tolerance });
     const colour = this.events.colourOf(phase.kind);
-    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, colour, eased));
+    frames.forEach((frame, view) => this.viewer.setFrame(view, frame.positions, frame.normals, colour));
     this.events.onTime(t, phase);
   }
 

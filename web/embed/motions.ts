@@ -150,7 +150,6 @@ export function userOf(sequence: Sequence, onComputed: (ms: number) => void): Se
   const own: Partial<Sequence> = {
     evaluateAhead,
     evaluate: (t) => evaluateAhead(t),
-    preview: (t) => evaluateAhead(t, { preview: true }),
   };
   return new Proxy(sequence, {
     get(target, name) {

@@ -22,8 +22,6 @@ export interface FrameSet {
   blend: readonly number[] | null;
   frames: readonly Frame[];
   sequences: readonly RunningMotion[];
-  /** Not exact: made by Sequence.preview. */
-  preview: boolean;
   /** Milliseconds of the slowest. */
   ms: number;
   release(): void;
@@ -33,7 +31,7 @@ export interface FrameSet {
 export async function gather(
   sequences: readonly RunningMotion[],
   t: number,
-  { preview, blend }: Pick<FrameSet, 'preview' | 'blend'>,
+  blend: FrameSet['blend'],
   ask: (sequence: Sequence) => Promise<Frame | null>,
 ): Promise<FrameSet | null> {
   const outcomes = await Promise.allSettled(sequences.map(({ sequence }) => ask(sequence)));
@@ -42,7 +40,7 @@ export async function gather(
   );
   const ms = frames.reduce((most, frame) => Math.max(most, frame.ms), 0);
   const release = (): void => frames.forEach((frame) => frame.release());
-  const set: FrameSet = { t, blend, frames, sequences, preview, ms, release };
+  const set: FrameSet = { t, blend, frames, sequences, ms, release };
   if (frames.length === sequences.length) return set;
   set.release();
   const failure = outcomes.find((outcome) => outcome.status === 'rejected');

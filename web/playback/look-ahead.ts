@@ -14,8 +14,8 @@ export interface Clock {
 export interface LookAheadParts {
   clock: Clock;
   source: FrameSource<FrameSet>;
-  /** What a frame costs at a time, in milliseconds; 0 where that is not known yet. */
-  frameMs(t: number): number;
+  /** What a frame costs, in milliseconds; 0 where that is not known yet. */
+  frameMs(): number;
   onError(error: unknown): void;
 }
 
@@ -30,7 +30,7 @@ export class LookAhead {
     this.player ??= new FramePlayer(source, {
       timeOf: (tick) => clock.timeOf(tick),
       tickSeconds: () => clock.tickSeconds(),
-      frameMs: () => frameMs(clock.timeOf(clock.tick)),
+      frameMs,
       onError: (error) => {
         this.player = null;
         onError(error);

@@ -8,8 +8,6 @@ export interface StatusProps {
   faces: number;
   /** Milliseconds of the last frame in the worker, or null before the first. */
   ms: number | null;
-  /** That frame is a preview, as long as something moves. */
-  preview: boolean;
   warnings: number;
   offline: boolean;
 }
@@ -25,8 +23,7 @@ export function createStatusLine(onWarnings: (from: HTMLElement) => void): {
   const ms = h('span', {
     'data-testid': 'status-ms',
     class: 'ms',
-    title:
-      'Time to compute the shape on the screen. Slow shapes are shown as previews while they move, and exactly at rest',
+    title: 'Time to compute the shape on the screen',
   });
   const offline = h('span', { hidden: true }, 'offline');
   const count = h('span', {});
@@ -54,7 +51,7 @@ export function createStatusLine(onWarnings: (from: HTMLElement) => void): {
     offline,
   );
 
-  const drawCounts = memo((props: Omit<StatusProps, 'ms' | 'preview'>) => {
+  const drawCounts = memo((props: Omit<StatusProps, 'ms'>) => {
     setText(keys, plural(props.keys, 'key', 'keys'));
     setText(vertices, plural(props.vertices, 'vertex', 'vertices'));
     setText(faces, plural(props.faces, 'face', 'faces'));
@@ -66,10 +63,10 @@ export function createStatusLine(onWarnings: (from: HTMLElement) => void): {
 
   return {
     element,
-    update({ ms: time, preview, ...rest }) {
+    update({ ms: time, ...rest }) {
       drawCounts(rest);
       const digits = time !== null && time < 9.95 ? 1 : 0;
-      setText(ms, time === null ? '' : `${time.toFixed(digits)} ms per frame, ${preview ? 'preview' : 'exact'}`);
+      setText(ms, time === null ? '' : `${time.toFixed(digits)} ms per frame`);
     },
   };
 }

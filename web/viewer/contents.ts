@@ -11,7 +11,6 @@ import { decodeTextures } from './textures.ts';
 import type { Extra, GhostPicture, Look, SketchPicture } from './types.ts';
 
 /** How long a shape takes to go over into the exact one. */
-const EASE_MS = 150;
 /** The first picture waits no longer for its textures. */
 const TEXTURES_MS = 200;
 const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe: false, floor: true, dark: false };
@@ -50,8 +49,6 @@ export class Contents {
   private current = DEFAULT_LOOK;
   private patchColours: Float32Array | null = null;
   private hideShapes = false;
-  /** When the shapes began to be eased: 0 = with the next drawing, null = they are not. */
-  private easedSince: number | null = null;
 
   /** `onTextures`: they are decoded later than the shapes are shown. */
   constructor(
@@ -72,10 +69,6 @@ export class Contents {
   /** Whether a film strip is shown instead of the moving shapes. */
   get isStrip(): boolean {
     return this.hideShapes && !this.sketched;
-  }
-
-  get easing(): boolean {
-    return this.easedSince !== null;
   }
 
   /** Resolves once what is open is seen in its own textures. */
@@ -149,17 +142,12 @@ export class Contents {
     }
   }
 
-  /**
-   * A frame of another import, which was on its way when this one came, is left out. `eased`: the frame before goes
-   * over into it; all views are eased together, or none.
-   */
-  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
+  /** A frame of another import, which was on its way when this one came, is left out. */
+  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string): void {
     const shape = this.shapes[view];
     if (!shape || !this.fits(positions)) return;
-    if (eased) shape.setFrameEased(positions, normals);
-    else shape.setFrame(positions, normals);
+    shape.setFrame(positions, normals);
     if (this.warming) this.warming.object.visible = false;
-    this.easedSince = eased ? 0 : null;
     shape.object.visible = true;
     this.colours[view] = colour;
     this.applyColours();
@@ -260,15 +248,6 @@ export class Contents {
     );
   }
 
-  /** The clock starts with the first drawing: large shapes take a moment to reach the graphics card. */
-  ease(now: number): void {
-    if (this.easedSince === null) return;
-    if (this.easedSince === 0) this.easedSince = now;
-    const share = Math.min((now - this.easedSince) / EASE_MS, 1);
-    for (const shape of this.shapes) shape.ease(share * share * (3 - 2 * share));
-    if (share === 1) this.easedSince = null;
-  }
-
   /** What a view shows. The ghost belongs to the first view's motion. */
   layersOf(view: number): Layers {
     const layers = new Layers();
@@ -294,7 +273,6 @@ export class Contents {
     this.ghost?.dispose();
     this.ghost = null;
     this.hideShapes = false;
-    this.easedSince = null;
   }
 
   dispose(): void {

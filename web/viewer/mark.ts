@@ -9,8 +9,7 @@ import {
   MeshBasicMaterial,
   MeshStandardMaterial,
 } from 'three';
-import { disposeShared, shareBuffers } from './easing.ts';
-import type { Easing } from './easing.ts';
+import { disposeShared, shareBuffers } from './shared-buffers.ts';
 import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
 
@@ -40,22 +39,16 @@ export class Mark {
   });
 
   /** index: 3 drawn vertices a face. */
-  constructor(index: Uint32Array, shape: BufferGeometry, easing: Easing, studio: Studio, layer: number) {
+  constructor(index: Uint32Array, shape: BufferGeometry, studio: Studio, layer: number) {
     this.geometry.setIndex(new BufferAttribute(index, 1));
-    this.follow(shape);
+    shareBuffers(shape, this.geometry);
     studio.install(this.seen, new Rim());
     for (const material of [this.seen, this.hidden]) {
-      easing.install(material);
       const mesh = new Mesh(this.geometry, material);
       mesh.frustumCulled = false;
       mesh.layers.set(layer);
       this.object.add(mesh);
     }
-  }
-
-  /** The shape has other buffers now: the mark is drawn from the same. */
-  follow(shape: BufferGeometry): void {
-    shareBuffers(shape, this.geometry);
   }
 
   dispose(): void {

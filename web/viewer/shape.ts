@@ -11,7 +11,6 @@ import {
 import type { Material as ThreeMaterial, Texture } from 'three';
 import type { KeysInfo, Material, Scene } from '../engine/api/types.ts';
 import { CASTER_LAYERS } from './contact-shadow.ts';
-import { Easing } from './easing.ts';
 import { Mark } from './mark.ts';
 import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
@@ -83,14 +82,11 @@ export function plainTopology(vertices: number, faces: Uint32Array): Topology {
 export class Shape {
   readonly object = new Group();
   private readonly geometry = new BufferGeometry();
-  private readonly easing = new Easing();
   private readonly rim = new Rim();
   private clay = false;
   private rimmed = false;
-  private position: BufferAttribute;
-  private normal: BufferAttribute;
-  /** What is eased from; made when it is first needed. */
-  private before: { position: BufferAttribute; normal: BufferAttribute } | null = null;
+  private readonly position: BufferAttribute;
+  private readonly normal: BufferAttribute;
   private readonly plain = new MeshStandardMaterial({
     roughness: 0.6,
     metalness: 0,
@@ -125,7 +121,6 @@ export class Shape {
     for (const [index, group] of topology.scene.groups.entries())
       this.geometry.addGroup(group.start * 3, group.count * 3, index);
     this.mesh = new Mesh(this.geometry, this.plain);
-    this.easing.install(this.plain);
     studio.install(this.plain, this.rim);
     this.mesh.frustumCulled = false;
     this.mesh.layers.set(layer);
@@ -138,7 +133,7 @@ export class Shape {
     return this.mesh;
   }
 
-  /** The positions that are drawn now, or eased to, 3 x vertices. A view, valid until the next frame. */
+  /** The positions that are drawn now, 3 x vertices. A view, valid until the next frame. */
   get positions(): Float32Array {
     return (this.position.array as Float32Array).subarray(0, 3 * this.topology.vertices);
   }
@@ -146,30 +141,6 @@ export class Shape {
   setFrame(positions: Float32Array, normals: Float32Array): void {
     this.fill(this.position, positions);
     this.fill(this.normal, normals);
-    this.easing.share = 1;
-  }
-
-  /** The same, but what is drawn until now goes over into it as `ease` says. */
-  setFrameEased(positions: Float32Array, normals: Float32Array): void {
-    // What is on the graphics card stays there: the two sets of buffers change places.
-    const { position, normal } = this;
-    const spare = this.before ?? { position: dynamic(position.count), normal: dynamic(position.count) };
-    this.position = spare.position;
-    this.normal = spare.normal;
-    this.before = { position, normal };
-    this.geometry.setAttribute('position', this.position);
-    this.geometry.setAttribute('normal', this.normal);
-    this.geometry.setAttribute('fromPosition', position);
-    this.geometry.setAttribute('fromNormal', normal);
-    this.mark?.follow(this.geometry);
-    this.wire?.follow(this.geometry);
-    this.setFrame(positions, normals);
-    this.easing.share = 0;
-  }
-
-  /** share in [0, 1]: how much of the new frame is drawn. */
-  ease(share: number): void {
-    this.easing.share = share;
   }
 
   /** 3 x vertices, linear RGB in [0, 1], for the colouring by patches; null takes the colours away. */
@@ -185,7 +156,7 @@ export class Shape {
   /** Marks faces, 3 drawn vertices each, over every colouring; null takes the mark away. */
   setMark(index: Uint32Array | null): void {
     this.mark?.dispose();
-    this.mark = index && new Mark(index, this.geometry, this.easing, this.studio, this.layer);
+    this.mark = index && new Mark(index, this.geometry, this.studio, this.layer);
     if (this.mark) this.object.add(this.mark.object);
   }
 
@@ -235,7 +206,7 @@ export class Shape {
   private showWire({ wireframe, dark }: Look): void {
     if (wireframe && !this.wire) {
       const edges = edgesOf(this.topology.index.array, this.topology.scene.polygons);
-      this.wire = new Wire(edges, this.geometry, this.easing, this.layer);
+      this.wire = new Wire(edges, this.geometry, this.layer);
       this.object.add(this.wire.object);
     }
     if (!this.wire) return;
@@ -281,10 +252,7 @@ export class Shape {
       this.textured = this.topology.scene.groups.map((group) =>
         texturedMaterial(this.topology.scene.materials[group.material], this.topology.textures[group.material]),
       );
-      for (const material of this.textured) {
-        this.easing.install(material);
-        this.studio.install(material, this.rim);
-      }
+      for (const material of this.textured) this.studio.install(material, this.rim);
     }
     for (const material of this.textured) this.setShading(material, look.shading, this.topology.tint !== null);
     return this.textured;

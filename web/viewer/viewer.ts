@@ -226,9 +226,8 @@ export class Viewer {
     this.change();
   }
 
-  /** `eased`: the frame before goes over into it; all views are eased together, or none. */
-  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string, eased = false): void {
-    this.contents.setFrame(view, positions, normals, colour, eased);
+  setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string): void {
+    this.contents.setFrame(view, positions, normals, colour);
     this.phase = colour;
     this.stage.setPhase(this.contents.isStrip ? null : colour);
     this.change();
@@ -468,10 +467,10 @@ export class Viewer {
     if (this.pending === 0) this.pending = requestAnimationFrame(() => this.draw());
   }
 
-  /** Resolves once everything set so far has been drawn, no view is being turned to and no shape eased. */
+  /** Resolves once everything set so far has been drawn, no view is being turned to. */
   async drawn(): Promise<void> {
     // One draw shows all that was set before it; what is set meanwhile, as by a motion that plays, is not waited for.
-    if (this.pending === 0 && !this.moving && !this.compiling && this.floored === (this.flooring !== null)) return;
+    if (this.pending === 0 && !this.rig.turning && !this.compiling && this.floored === (this.flooring !== null)) return;
     do {
       await Promise.race([this.flooring, this.ended]);
       if (this.over.signal.aborted) return;
@@ -479,7 +478,7 @@ export class Viewer {
         this.waiting.push(resolve);
         this.invalidate();
       });
-    } while (this.moving || (this.flooring !== null && !this.floored));
+    } while (this.rig.turning || (this.flooring !== null && !this.floored));
   }
 
   /** The same, once the graphics card has done it. */
@@ -525,10 +524,6 @@ export class Viewer {
     return this.starting !== null && !this.started;
   }
 
-  private get moving(): boolean {
-    return this.rig.turning || this.contents.easing;
-  }
-
   /** What covers the views, as shares of their height; never so much that little is left. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
@@ -558,8 +553,6 @@ export class Viewer {
     cancelAnimationFrame(this.pending);
     this.pending = 0;
     if (this.compiling) return;
-    this.contents.ease(performance.now());
-    if (this.contents.easing) this.invalidate();
     // Until the first frame of what was opened, the picture stays what it was: an empty floor would flash.
     if (this.contents.isShown || !this.hasSeen) this.render();
     const waiting = this.waiting;

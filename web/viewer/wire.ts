@@ -1,7 +1,6 @@
 /** The edges of a shape's polygons as lines over it; those along which polygons were cut into faces are left out. */
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
-import { disposeShared, shareBuffers } from './easing.ts';
-import type { Easing } from './easing.ts';
+import { disposeShared, shareBuffers } from './shared-buffers.ts';
 
 /**
  * Two corners for each edge of each polygon. faces: 3 corners each; polygons: of how many of them each polygon was cut,
@@ -36,10 +35,9 @@ export class Wire {
   private readonly lines = new LineBasicMaterial({ transparent: true, opacity: 0.35 });
 
   /** edges: 2 drawn vertices each. */
-  constructor(edges: Uint32Array, shape: BufferGeometry, easing: Easing, layer: number) {
+  constructor(edges: Uint32Array, shape: BufferGeometry, layer: number) {
     this.geometry.setIndex(new BufferAttribute(edges, 1));
-    this.follow(shape);
-    easing.install(this.lines);
+    shareBuffers(shape, this.geometry);
     this.object = new LineSegments(this.geometry, this.lines);
     this.object.frustumCulled = false;
     this.object.layers.set(layer);
@@ -47,11 +45,6 @@ export class Wire {
 
   setDark(dark: boolean): void {
     this.lines.color.set(dark ? 0xffffff : 0x10151b);
-  }
-
-  /** The shape has other buffers now: its edges are drawn from the same. */
-  follow(shape: BufferGeometry): void {
-    shareBuffers(shape, this.geometry);
   }
 
   dispose(): void {

@@ -74,7 +74,6 @@ class Reconstructor {
   void faceRotations(const CurvePoint& point, const Frames& frames, std::vector<Quaternion>& rotation) const;
 
   const LriCoordinates<Real>& coordinates() const { return lri_; }
-  Stretch stretch() const { return stretch_; }
   CholeskyStats solverStats() const { return poisson_.stats(); }
   const Times& times() const { return times_; }
 

@@ -122,51 +122,6 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = welded_[weldedOf[v]];
 }
 
-void Evaluator::embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding,
-                      const CurvePoint& point, PlacedShape<float>& placed) {
-  encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
-  embedding.at(poseWeights(point, encoded.shape().roles()), frames_.rotation, embeddingScratch_, placed.places);
-  placed.move = Vec3::Zero();
-}
-
-void Evaluator::preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t,
-                        Frame& frame) {
-  const CurvePoint point = pointAt(motion, t);
-  frame.indefiniteFaces = 0;
-  frame.indefiniteFace = -1;
-  stats_.framesMs = stats_.facesMs = stats_.solveMs = stats_.placeMs = 0;
-  embed(encoded, motion, embedding, point, placed_);
-  holdPlaced(encoded, motion, t, point, placed_);
-  draw(encoded, motion.globalMotion(encoded, t, point), frame);
-}
-
-PreviewError Evaluator::previewError(const EncodedShape& encoded, const Motion& motion,
-                                     const PreviewEmbedding& embedding, double t) {
-  const CurvePoint point = pointAt(motion, t);
-  PlacedShape<float> exact, about;
-  const double framesMs = stats_.framesMs;  // of the last frame
-  place(encoded, motion, point, exact, nullptr);
-  holdPlaced(encoded, motion, t, point, exact);
-  stats_.framesMs = framesMs;
-  embed(encoded, motion, embedding, point, about);
-  holdPlaced(encoded, motion, t, point, about);
-  const auto at = [](const PlacedShape<float>& shape, int place) -> Vec3 {
-    const float* p = &shape.places[4 * static_cast<std::size_t>(place)];
-    return Vec3(p[0], p[1], p[2]) + shape.move;
-  };
-  const std::vector<int>& weldedOf = encoded.input().welding.weldedOfRaw;
-  PreviewError error;
-  for (int w : weldedOf) {
-    const int place = encoded.placeOf()[w];
-    const double distance = (at(exact, place) - at(about, place)).norm();
-    error.mean += distance / static_cast<double>(weldedOf.size());
-    error.largest = std::max(error.largest, distance);
-  }
-  const Positions* reference = &encoded.shape().poses[encoded.shape().reference];
-  const double size = boundingDiagonal({&reference, 1});
-  return {error.mean / size, error.largest / size};
-}
-
 // From `placed_` to what is drawn.
 void Evaluator::draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame) {
   Stopwatch watch;

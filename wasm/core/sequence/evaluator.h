@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/base/fork_join.h"
-#include "core/reconstruct/preview_embedding.h"
 #include "core/sequence/encoded_shape.h"
 #include "core/sequence/motion.h"
 
@@ -16,11 +15,6 @@ struct Frame {
   std::vector<float> normals;    ///< 3n, unit, xyz interleaved
   int indefiniteFaces = 0;       ///< faces whose interpolated S_f is not positive definite
   int indefiniteFace = -1;       ///< one of them, of the input; -1 where there is none
-};
-
-/// How far the preview's vertices are from the shape's, as a share of the reference pose's diagonal.
-struct PreviewError {
-  double mean = 0, largest = 0;
 };
 
 /// Every result is a pure function of its arguments, bit for bit. Times must be finite.
@@ -37,14 +31,6 @@ class Evaluator {
 
   /// The shape at an affine combination of the keys, one weight per key.
   void blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& weights, Frame& frame);
-
-  /// The shape at time t as it is embedded in its frames (preview_embedding.h); embedding: of the same shape.
-  void preview(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding, double t,
-               Frame& frame);
-
-  /// What that is off, over the input's vertices, which are what is seen.
-  PreviewError previewError(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding,
-                            double t);
 
   /// xyz of each vertex of the ghost at time t; there must be one.
   void ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions);
@@ -63,8 +49,6 @@ class Evaluator {
   void holdPlaced(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
                   PlacedShape<float>& placed);
   void moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);
-  void embed(const EncodedShape& encoded, const Motion& motion, const PreviewEmbedding& embedding,
-             const CurvePoint& point, PlacedShape<float>& placed);
   void reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame);
   void draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame);
   Reconstructor<float>::Scratch& scratch(const Reconstructor<float>&) { return single_; }
@@ -76,7 +60,6 @@ class Evaluator {
   Frames frames_;
   Reconstructor<float>::Scratch single_;
   Reconstructor<double>::Scratch double_;
-  PreviewEmbedding::Scratch embeddingScratch_;
   HeldMotion::Scratch heldScratch_;
   PinnedMotion::Scratch pinnedScratch_;
   VertexNormals::Scratch normalsScratch_;

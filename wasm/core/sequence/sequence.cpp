@@ -84,29 +84,6 @@ double Sequence::sliding(double t, const Positions& shape) {
   return sliding_->at(t, shape, encoded_.input().welding.weldedOfRaw);
 }
 
-Status Sequence::preparePreview() {
-  if (preview_) return {};
-  auto made = makePreview(encoded_);
-  if (!made) return made.error();
-  preview_ = std::move(*made);
-  return {};
-}
-
-Status Sequence::preview(double t, Frame& frame) {
-  if (motion_.blendsVertices()) return evaluate(t, frame);
-  if (Status status = checkTime(t); !status) return status;
-  if (Status status = preparePreview(); !status) return status;
-  evaluator_.preview(encoded_, motion_, *preview_, t, frame);
-  return {};
-}
-
-Result<PreviewError> Sequence::previewError(double t) {
-  if (Status status = checkTime(t); !status) return status.error();
-  if (motion_.blendsVertices()) return PreviewError{};
-  if (Status status = preparePreview(); !status) return status.error();
-  return evaluator_.previewError(encoded_, motion_, *preview_, t);
-}
-
 Status Sequence::evaluateBlend(const std::vector<double>& weights, Frame& frame) {
   const int keys = encoded_.shape().keys;
   if (static_cast<int>(weights.size()) != keys)

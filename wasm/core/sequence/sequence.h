@@ -11,7 +11,6 @@
 #include "core/sequence/evaluator.h"
 #include "core/sequence/feature_curve.h"
 #include "core/sequence/motion.h"
-#include "core/sequence/preview.h"
 
 namespace shapespline {
 
@@ -42,15 +41,6 @@ class Sequence {
   /// How far what rests between its keys is from its place in `shape`, which is evaluate(t) (hold/sliding.h); NaN where
   /// nothing rests, and where the shape moves on with a loop or is kept in place.
   double sliding(double t, const Positions& shape);
-
-  /// An approximate shape at time t, in about half the time from 332,000 faces on, for while a slider moves. Meets
-  /// every key; how far it is off between and beyond them depends on the motion: ask previewError. Measured on real
-  /// shapes (wasm/core/README.md): 0.02 to 5 % of the diagonal in the mean between the keys, and up to 18 % at one
-  /// place. indefiniteFaces is not counted. The baselines are exact.
-  Status preview(double t, Frame& frame);
-
-  /// What preview(t) is off. Costs one evaluation and one preview, in one thread.
-  Result<PreviewError> previewError(double t);
 
   /// The shape at an affine combination of the keys: one weight per key, sum 1. evaluate(t) is this at the curve's
   /// weights, but for what the motion holds.
@@ -95,7 +85,6 @@ class Sequence {
 
  private:
   Sequence(EncodedShape encoded, Motion motion) : encoded_(std::move(encoded)), motion_(std::move(motion)) {}
-  Status preparePreview();
   void collectWarnings();
   FeatureCurve featureCurve();
 
@@ -104,7 +93,6 @@ class Sequence {
   Evaluator evaluator_;
   std::vector<Warning> warnings_;
   // Made when they are first asked for.
-  std::optional<PreviewEmbedding> preview_;
   Eigen::MatrixXd gram_;
   std::unique_ptr<const Sliding> sliding_;  // of the motion's key times
 };

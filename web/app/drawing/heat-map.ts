@@ -47,12 +47,9 @@ export class HeatMap {
     this.colours = [];
   }
 
-  /**
-   * The next frame; of previews the difference waits for the exact one. `original`: of the animation that the keys were
-   * taken from, where it is shown, in the last view.
-   */
+  /** The next frame. `original`: of the animation that the keys were taken from, where that is shown. */
   show(
-    { frames, sequences, preview }: FrameSet,
+    { frames, sequences }: FrameSet,
     { view, doc }: AppState,
     info: KeysInfo,
     pool: PosePool,
@@ -63,18 +60,12 @@ export class HeatMap {
     const other = differing(sequences, view);
     const { colouring } = view;
     if (other >= 0) {
-      if (preview) this.wait();
-      else this.showDifferences(frames, sequences, other, info.report.diagonal);
+      this.showDifferences(frames, sequences, other, info.report.diagonal);
     } else if (colouring === 'distance') {
-      if (preview) this.wait();
-      else this.showDistances(frames, sequences, original, info.report.diagonal);
+      this.showDistances(frames, sequences, original, info.report.diagonal);
     } else if (isFaceAmount(colouring)) {
       this.showFaces(frames, main, colouring, this.facesOf(doc, info, pool));
     }
-  }
-
-  private wait(): void {
-    if (this.bar) this.bar = { ...this.bar, now: 'updated when the shape rests' };
   }
 
   /** Colours every shape that a ghost leads, where the same motion without one stands beside it (Fig. 7). */

@@ -207,12 +207,9 @@ export class SceneController {
     }
   }
 
-  /**
-   * Copies the frames of a time to the screen, with what belongs to it; measures and onion skins wait for the exact
-   * ones.
-   */
-  async show(set: FrameSet, state: AppState, range: Range, eased: boolean): Promise<void> {
-    const { t, blend, frames, sequences, preview } = set;
+  /** Copies the frames of a time to the screen, with what belongs to it. */
+  async show(set: FrameSet, state: AppState, range: Range): Promise<void> {
+    const { t, blend, frames, sequences } = set;
     const input = onionSkinInput(t, state, range);
     const phase = blend
       ? OFF_CURVE
@@ -222,10 +219,10 @@ export class SceneController {
     const views = sequences.length + (this.original ? 1 : 0);
     if (this.viewer.views !== views) this.setViews(views);
     frames.forEach((frame, view) =>
-      this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind], eased),
+      this.viewer.setFrame(view, frame.positions, frame.normals, PHASE_COLOURS[phase.kind]),
     );
     const original = this.original?.(t);
-    if (original) this.viewer.setFrame(sequences.length, original.positions, original.normals, ORIGINAL_COLOUR, eased);
+    if (original) this.viewer.setFrame(sequences.length, original.positions, original.normals, ORIGINAL_COLOUR);
     if (!this.heatMap && wantsHeat(sequences, state.view)) {
       const { info } = this;
       const { HeatMap: Loaded } = await import('./heat-map.ts');
@@ -234,7 +231,6 @@ export class SceneController {
       this.heatMap ??= new Loaded(this.viewer);
     }
     if (this.info && this.pool) this.heatMap?.show(set, state, this.info, this.pool, original?.positions ?? null);
-    if (preview) return this.showGhost(t, led, state.view);
     const measures = this.measuresNow(state.play.playing) || this.labels.length !== views;
     this.labels = views > 1 ? this.tileLabels(frames, sequences, original?.positions, measures) : [];
     await this.showGhost(t, led, state.view);

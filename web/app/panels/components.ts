@@ -482,8 +482,7 @@ export function createComponents(input: ComponentsInput): Components {
       keys: doc.keys.length,
       vertices: info?.report.vertices ?? 0,
       faces: info?.report.faces ?? 0,
-      ms: viewState.previewMs ?? viewState.ms,
-      preview: viewState.previewMs !== null,
+      ms: viewState.ms,
       warnings: viewState.warnings.length,
       offline: viewState.offline,
     });

@@ -41,8 +41,6 @@ export interface ViewState {
   ms: number | null;
   /** Threads that work on an exact frame; null before the first. */
   threads: number | null;
-  /** Milliseconds of the frame on the screen where that is a preview, else null. */
-  previewMs: number | null;
   /** Indefinite faces of the last exact frame, and one of them; -1 where none is known. */
   indefinite: number;
   indefiniteFace: number;
@@ -118,12 +116,10 @@ function asksForKeys({ animation, animations, names, project, warnings }: KeysIn
 }
 
 /** What is to be said of the frame on the screen. */
-export function shownView(frame: Frame | undefined, preview: boolean): Partial<ViewState> {
-  if (preview) return { previewMs: frame?.ms ?? null };
+export function shownView(frame: Frame | undefined): Partial<ViewState> {
   return {
     ms: frame?.ms ?? null,
     threads: frame?.threads ?? null,
-    previewMs: null,
     indefinite: frame?.indefiniteFaces ?? 0,
     indefiniteFace: frame?.indefiniteFace ?? -1,
   };
@@ -154,7 +150,6 @@ const EMPTY_VIEW_STATE: ViewState = {
   stats: null,
   ms: null,
   threads: null,
-  previewMs: null,
   indefinite: 0,
   indefiniteFace: -1,
   thumbnails: new Map(),

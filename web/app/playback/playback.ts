@@ -8,13 +8,10 @@ import { Demand } from '../../playback/demand.ts';
 import { FrameLoop } from '../../playback/frame-loop.ts';
 import type { Screen } from '../../playback/frame-loop.ts';
 import { Player } from '../../playback/player.ts';
-import { PreviewPolicy } from '../../playback/preview-policy.ts';
-import type { Moving } from '../../playback/preview-policy.ts';
 
 export interface PlaybackParts {
   store: Store;
   screen: Screen;
-  moving: Moving;
   sequences(): readonly RunningSequence[];
   range(): Range;
   /** The blend of the keys that is shown instead of the motion, or null. */
@@ -30,8 +27,8 @@ export interface Playback {
   follow(state: AppState, changed: StateChanges): void;
 }
 
-export function createPlayback({ store, screen, moving, sequences, range, blend }: PlaybackParts): Playback {
-  const frameLoop = new FrameLoop(screen, new Demand(sequences, new PreviewPolicy(moving), blend));
+export function createPlayback({ store, screen, sequences, range, blend }: PlaybackParts): Playback {
+  const frameLoop = new FrameLoop(screen, new Demand(sequences, blend));
   const player = new Player(
     () => {
       const { time, play, doc } = store.get();

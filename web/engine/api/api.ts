@@ -12,7 +12,6 @@ import type {
   KeysInfo,
   Measures,
   MotionOptions,
-  PreviewError,
   Progress,
   SequenceOptions,
   SequenceStats,
@@ -56,8 +55,6 @@ export interface CreateOptions extends CallOptions {
 
 /** How frames are fetched ahead. */
 export interface AheadOptions {
-  /** Previews instead of exact frames. */
-  preview?: boolean;
   /** Takes the request back: what has not begun rejects with code 'cancelled'. */
   signal?: AbortSignal;
 }
@@ -91,15 +88,6 @@ export interface Sequence {
   readonly warnings: readonly Warning[];
   /** Latest wins: a request that a newer one overtakes resolves to null. */
   evaluate(t: number): Promise<Frame | null>;
-  /**
-   * An approximate shape at t, in about half the time on large meshes. For while a slider moves; the first one takes a
-   * moment longer. How far it is off depends on the motion: `previewError` measures it (on real shapes from 0.02 to 5 %
-   * of the diagonal in the mean between the keys, see wasm/core/README.md). Takes its place among evaluate's requests:
-   * latest wins.
-   */
-  preview(t: number): Promise<Frame | null>;
-  /** What the preview at t is off; costs one exact frame and one preview, and yields to evaluate. */
-  previewError(t: number): Promise<PreviewError>;
   /**
    * The shape at an affine combination of the keys, which need not lie on the curve: one weight per key, sum 1 within
    * 1e-6. Its `t` is NaN. Takes its place among evaluate's requests: latest wins.

@@ -294,12 +294,6 @@ export interface Frame {
   release(): void;
 }
 
-/** How far the vertices of a preview are from those of the shape, as a share of the reference pose's diagonal. */
-export interface PreviewError {
-  mean: number;
-  largest: number;
-}
-
 /** Volume and area of the shape at each time. */
 export interface Measures {
   times: number[];

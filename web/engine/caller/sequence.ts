@@ -30,7 +30,6 @@ import type {
   Ghost,
   Measures,
   MotionOptions,
-  PreviewError,
   SequenceOptions,
   SequenceStats,
   KeyPace,
@@ -108,17 +107,9 @@ export class SequenceClient implements Sequence {
   }
 
   async evaluate(t: number): Promise<Frame | null> {
-    return this.shownFrame(t, false);
-  }
-
-  async preview(t: number): Promise<Frame | null> {
-    return this.shownFrame(t, true);
-  }
-
-  private async shownFrame(t: number, preview: boolean): Promise<Frame | null> {
     this.checkAlive();
     checkTime(t);
-    return this.latest(() => this.frame(t, this.motion, preview));
+    return this.latest(() => this.frame(t, this.motion));
   }
 
   /** null where a newer one overtakes it. */
@@ -145,15 +136,10 @@ export class SequenceClient implements Sequence {
     return this.latest(() => this.blendFrame(checked, this.motion));
   }
 
-  async evaluateAhead(t: number, { preview = false, signal }: AheadOptions = {}): Promise<Frame> {
+  async evaluateAhead(t: number, { signal }: AheadOptions = {}): Promise<Frame> {
     this.checkAlive();
     checkTime(t);
-    return this.scheduler.run(urgency.ahead, () => this.frame(t, this.motion, preview), signal);
-  }
-
-  async previewError(t: number): Promise<PreviewError> {
-    const checked = checkTime(t);
-    return this.scheduled(urgency.ahead, 'previewError', () => ({ motion: this.motion, t: checked }));
+    return this.scheduler.run(urgency.ahead, () => this.frame(t, this.motion), signal);
   }
 
   async evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]> {
@@ -294,9 +280,9 @@ export class SequenceClient implements Sequence {
     return this.motion;
   }
 
-  private async frame(t: number, motion: MotionSpec, preview = false): Promise<Frame> {
+  private async frame(t: number, motion: MotionSpec): Promise<Frame> {
     const { buffers, transfer } = this.spare();
-    return this.pool.frame(t, await this.ask('evaluate', { motion, t, buffers, preview }, { transfer }));
+    return this.pool.frame(t, await this.ask('evaluate', { motion, t, buffers }, { transfer }));
   }
 
   private async blendFrame(weights: number[], motion: MotionSpec): Promise<Frame> {

@@ -15,7 +15,6 @@ import type {
   KeysInfo,
   MotionOptions,
   Point,
-  PreviewError,
   Scene,
   SequenceStats,
   KeyPace,
@@ -75,12 +74,11 @@ export interface Calls {
   /** Refits; on an error the motion before stays. */
   update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
   evaluate: {
-    request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null; preview: boolean };
+    request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null };
     result: FrameData;
   };
   /** The shape at an affine combination of the keys. */
   blend: { request: { motion: MotionSpec; weights: number[]; buffers: FrameBuffers | null }; result: FrameData };
-  previewError: { request: { motion: MotionSpec; t: number }; result: PreviewError };
   /** At the first of these times: one, and more as long as that takes no longer than a frame may. */
   measure: { request: { motion: MotionSpec; times: number[] }; result: MeasuresAt[] };
   plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };

@@ -54,8 +54,8 @@ export class RequestHandler {
   private readonly host: HandlerHost;
   private readonly handlers: Handlers;
   private core: Promise<WasmCore> | null = null;
-  /** Once there is a second thread: for exact frames, and for previews, of which it does less. */
-  private choices: Record<'exact' | 'preview', ThreadChoice> | null = null;
+  /** Once there is a second thread. */
+  private choice: ThreadChoice | null = null;
   private tail: Promise<void> = Promise.resolve();
   private sequence = 0;
   private motionVersion = -1;
@@ -87,7 +87,7 @@ export class RequestHandler {
     const start = core.secondThreadStart(compiled);
     if (start)
       this.host.startSecondThread(start, () => {
-        this.choices = { exact: new ThreadChoice(), preview: new ThreadChoice() };
+        this.choice = new ThreadChoice();
       });
     return core;
   }
@@ -127,13 +127,10 @@ export class RequestHandler {
         return null;
       },
       update: (core, { motion }) => this.refit(core, motion),
-      evaluate: (core, { motion, t, buffers, preview }) =>
-        this.timed(core, motion, preview ? 'preview' : 'exact', () =>
-          core.evaluate(this.sequence, t, buffers, preview),
-        ),
+      evaluate: (core, { motion, t, buffers }) =>
+        this.timed(core, motion, () => core.evaluate(this.sequence, t, buffers)),
       blend: (core, { motion, weights, buffers }) =>
-        this.timed(core, motion, 'exact', () => core.blend(this.sequence, weights, buffers)),
-      previewError: (core, { motion, t }) => core.previewError(this.follow(core, motion), t),
+        this.timed(core, motion, () => core.blend(this.sequence, weights, buffers)),
       measure: (core, { motion, times }) => this.measured(core, this.follow(core, motion), times),
       plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
       discretePath: (core, { motion, samples }) => core.discretePath(this.follow(core, motion), samples),
@@ -174,19 +171,14 @@ export class RequestHandler {
   }
 
   private get threads(): 1 | 2 {
-    return this.choices?.exact.chosen ?? 1;
+    return this.choice?.chosen ?? 1;
   }
 
-  /** A frame of the motion that is meant, made by as many threads as are best for its kind. */
-  private timed(
-    core: WasmCore,
-    motion: MotionSpec,
-    kind: 'exact' | 'preview',
-    make: () => Omit<FrameData, 'ms' | 'threads'>,
-  ): FrameData {
+  /** A frame of the motion that is meant, made by as many threads as are best. */
+  private timed(core: WasmCore, motion: MotionSpec, make: () => Omit<FrameData, 'ms' | 'threads'>): FrameData {
     const begun = performance.now();
     this.follow(core, motion);
-    const choice = this.choices?.[kind];
+    const { choice } = this;
     if (choice) core.setThreads(this.sequence, choice.threads);
     const start = performance.now();
     try {

@@ -13,7 +13,6 @@ import type {
   ImportOptions,
   InputFile,
   KeysInfo,
-  PreviewError,
   Scene,
   SequenceStats,
   KeyPace,
@@ -171,13 +170,8 @@ export class WasmCore {
   }
 
   /** Fills `buffers` where they are given and fit. */
-  evaluate(
-    handle: number,
-    t: number,
-    buffers: FrameBuffers | null,
-    preview = false,
-  ): Omit<FrameData, 'ms' | 'threads'> {
-    return this.frame(this.module._shapespline_evaluate(handle, t, preview ? 1 : 0), buffers);
+  evaluate(handle: number, t: number, buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {
+    return this.frame(this.module._shapespline_evaluate(handle, t), buffers);
   }
 
   /** The shape that the keys blend to in these weights; `buffers` as above. */
@@ -185,10 +179,6 @@ export class WasmCore {
     return this.lend((scope) =>
       this.frame(this.module._shapespline_blend(handle, scope.putJson({ weights })), buffers),
     );
-  }
-
-  previewError(handle: number, t: number): PreviewError {
-    return this.result(this.module._shapespline_preview_error(handle, t));
   }
 
   measure(handle: number, t: number): MeasuresAt {

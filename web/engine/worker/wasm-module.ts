@@ -22,9 +22,8 @@ export interface WasmModule extends JsImports {
   _shapespline_sequence(request: Address): Address;
   _shapespline_order(request: Address): Address;
   _shapespline_update(handle: number, request: Address): Address;
-  _shapespline_evaluate(handle: number, t: number, preview: number): Address;
+  _shapespline_evaluate(handle: number, t: number): Address;
   _shapespline_blend(handle: number, request: Address): Address;
-  _shapespline_preview_error(handle: number, t: number): Address;
   _shapespline_measure(handle: number, t: number): Address;
   _shapespline_plane(handle: number, request: Address): Address;
   _shapespline_discrete_path(handle: number, samples: number): Address;
