@@ -1,6 +1,6 @@
 /**
  * npm run bench -- hold FILE... [--save]: captured animations against what is made of every n-th of their frames: by
- * the method as published, with what rests held (contact, anchored), and by the cubic of the vertices; then what a
+ * the method as published, with what rests held, and by the cubic of the vertices; then what a
  * frame costs with these and with pins. In the place of an animation, a folder of single poses: its costs alone.
  */
 import { readFile, readdir, stat } from 'node:fs/promises';
@@ -25,8 +25,7 @@ const ROUNDS = 60;
 const MOTIONS = {
   'vertex cubic': { method: 'cubic-vertex', hold: 'off' },
   plain: { method: 'lri', hold: 'off' },
-  contact: { method: 'lri', hold: 'contact' },
-  anchored: { method: 'lri', hold: 'anchored' },
+  held: { method: 'lri', hold: 'on' },
 } as const satisfies Record<string, Partial<MotionOptions>>;
 type Name = keyof typeof MOTIONS;
 const NAMES = Object.keys(MOTIONS) as Name[];
@@ -143,12 +142,10 @@ async function timed(engine: Engine, input: InputFile[], name: string): Promise<
   const pins = PINNED.map((share) => ({ vertex: Math.floor(share * vertices), radius: 0.05 }));
   const motions: Record<string, Partial<MotionOptions>> = {
     plain: {},
-    contact: { hold: 'contact' },
-    anchored: { hold: 'anchored' },
+    held: { hold: 'on' },
     'one pin': { pins: pins.slice(0, 1) },
     'three pins': { pins },
-    'three pins, contact': { pins, hold: 'contact' },
-    'three pins, anchored': { pins, hold: 'anchored' },
+    'three pins, held': { pins, hold: 'on' },
   };
   const sequences: [string, Sequence][] = [];
   for (const [title, options] of Object.entries(motions))

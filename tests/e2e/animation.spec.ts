@@ -49,7 +49,7 @@ test('an animation is chosen, five keys taken, played, exported, and opened agai
   const labels = await app.by('animation').locator('option').allInnerTexts();
   await takeAt(app, labels.find((label) => label.startsWith('nod'))!, times);
   await app.by('opening-done').click();
-  await app.by('hold-anchored').check();
+  await app.by('hold').check();
   await app.by('boundary-hermite').check();
   await app.by('start-speed-number').fill('0.5');
   await app.by('start-speed-number').press('Enter');

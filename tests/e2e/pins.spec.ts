@@ -103,7 +103,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   await app.setTime(t0);
   // The button is the last that is in sight: what it says, and then the row, come up from below.
   await app.page.setViewportSize({ width: 1280, height: 800 });
-  await app.by('hold-off').scrollIntoViewIfNeeded();
+  await app.by('hold').scrollIntoViewIfNeeded();
   await app.by('pin-place').evaluate((button) => button.scrollIntoView({ block: 'end' }));
   await app.by('pin-place').click();
   await expect(app.by('pin-hint')).toBeInViewport({ ratio: 0.9 });

@@ -88,7 +88,7 @@ describe('the bindings', () => {
       far({ reference: 2 }),
       far({ patches: 3 }),
       far({ stretch: 'log' }),
-      far({ precision: 'double' }),
+      far({ precision: 'exact' }),
       far({}, 'hermite'),
       far({ ghostFaces: 80 }),
       far({ ghostFaces: 80, transfer: 'paper' }),

@@ -107,42 +107,40 @@ TEST_CASE("pins beside what is held, at every boundary: keys, smoothness, rigid 
   std::vector<Map> turns;
   for (int j = 0; j < 4; ++j) turns.push_back(turn({1, 2, 0.5}, radians(100.0) * j, Vec3(j * j, 2 * j, 0)));
   const Keyframes rigid = keyframes(bar(), turns);
-  for (const Hold hold : {Hold::Contact, Hold::Anchored})
-    for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
-      CAPTURE(static_cast<int>(hold));
-      CAPTURE(static_cast<int>(boundary));
-      MotionOptions plain, motion;
-      plain.boundary = motion.boundary = boundary;
-      motion.hold = hold;
-      motion.pins = {everyPin(k).front()};
-      Sequence free = make(k, plain), exact = make(k, motion);
-      for (const Key& key : k.keys)
-        CHECK(largestDistance(shapeAt(exact, key.time), key.positions) < 1e-7 * diagonalOf(k));
-      motion.pins = everyPin(k);
-      Sequence s = make(k, motion);
-      CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(free, 1.8)) > 1e-3 * diagonalOf(k));
-      const Sweep found = sweep(s);
-      CHECK(found.growth <= 4);
-      CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
-      CHECK(shapeAt(s, 1.3) == shapeAt(s, 1.3));
-      if (boundary != BoundaryKind::Periodic)
-        for (const double t : {-1.0, -2.0, 4.5, 6.0}) CHECK(shapeAt(s, t) == shapeAt(free, t));
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
+    CAPTURE(static_cast<int>(boundary));
+    MotionOptions plain, motion;
+    plain.boundary = motion.boundary = boundary;
+    motion.hold = true;
+    motion.pins = {everyPin(k).front()};
+    Sequence free = make(k, plain), exact = make(k, motion);
+    for (const Key& key : k.keys)
+      CHECK(largestDistance(shapeAt(exact, key.time), key.positions) < 1e-7 * diagonalOf(k));
+    motion.pins = everyPin(k);
+    Sequence s = make(k, motion);
+    CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(free, 1.8)) > 1e-3 * diagonalOf(k));
+    const Sweep found = sweep(s);
+    CHECK(found.growth <= 4);
+    CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
+    CHECK(shapeAt(s, 1.3) == shapeAt(s, 1.3));
+    if (boundary != BoundaryKind::Periodic)
+      for (const double t : {-1.0, -2.0, 4.5, 6.0}) CHECK(shapeAt(s, t) == shapeAt(free, t));
 
-      MotionOptions moved = motion;
-      for (Pin& pin : moved.pins)
-        for (PathKey& key : pin.path) key.move = r * key.move;
-      Sequence t = make(other, moved);
-      for (const double time : {0.3, 1.7, 2.8}) {
-        Positions expected = shapeAt(s, time);
-        for (Vec3& p : expected) p = r * p + Vec3(4, -3, 9);
-        CHECK(largestDistance(expected, shapeAt(t, time)) < 1e-5 * diagonalOf(k));
-      }
-
-      motion.pins = {everyPin(rigid).front()};
-      Sequence turning = make(rigid, plain), held = make(rigid, motion);
-      for (const double time : {0.1, 0.45, 0.8})
-        CHECK(largestDistance(shapeAt(held, time), shapeAt(turning, time)) < 1e-6 * diagonalOf(rigid));
+    MotionOptions moved = motion;
+    for (Pin& pin : moved.pins)
+      for (PathKey& key : pin.path) key.move = r * key.move;
+    Sequence t = make(other, moved);
+    for (const double time : {0.3, 1.7, 2.8}) {
+      Positions expected = shapeAt(s, time);
+      for (Vec3& p : expected) p = r * p + Vec3(4, -3, 9);
+      CHECK(largestDistance(expected, shapeAt(t, time)) < 1e-5 * diagonalOf(k));
     }
+
+    motion.pins = {everyPin(rigid).front()};
+    Sequence turning = make(rigid, plain), held = make(rigid, motion);
+    for (const double time : {0.1, 0.45, 0.8})
+      CHECK(largestDistance(shapeAt(held, time), shapeAt(turning, time)) < 1e-6 * diagonalOf(rigid));
+  }
 }
 
 TEST_CASE("a pin takes the parts of its body along, and leaves another object where it is") {

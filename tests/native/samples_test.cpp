@@ -158,7 +158,7 @@ TEST_CASE("samples: a paw that is planted on the way across the floor stays wher
 TEST_CASE("samples: the list names each file, its times, its boundary and what it holds") {
   Sample sample = makeTwistedBar();
   sample.boundary = BoundaryKind::Periodic;
-  sample.hold = Hold::Contact;
+  sample.hold = true;
   sample.description = "with \"quotes\"";
   const auto list = nlohmann::json::parse(sampleList({sample, sample}));
   REQUIRE(list.size() == 2);
@@ -166,7 +166,7 @@ TEST_CASE("samples: the list names each file, its times, its boundary and what i
   CHECK(list[0]["files"] == nlohmann::json{"twisted-bar.glb"});
   CHECK(list[0]["times"] == nlohmann::json{0.0, 0.5, 1.0});
   CHECK(list[0]["boundary"] == "periodic");
-  CHECK(list[0]["hold"] == "contact");
+  CHECK(list[0]["hold"] == "on");
   CHECK(list[0]["description"] == sample.description);
 }
 

@@ -19,7 +19,7 @@ const hold = (keys: number, animation: number, project: object | null = null): s
   }).motion.hold;
 
 it('moments of an animation are held where they rest; poses, projects and two keys are not', () => {
-  expect([hold(8, 0), hold(8, 1), hold(3, 0)]).toEqual(['contact', 'contact', 'contact']);
+  expect([hold(8, 0), hold(8, 1), hold(3, 0)]).toEqual(['on', 'on', 'on']);
   // An animation of morph targets whose keys are these poses, poses without any, a project, and two moments.
   expect([hold(4, 1), hold(8, -1), hold(8, 0, {}), hold(2, 0)]).toEqual(['off', 'off', 'off', 'off']);
 });

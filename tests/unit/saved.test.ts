@@ -29,6 +29,10 @@ function spelt(doc: Doc): object {
   return { keys, motion: doc.motion, encoding: doc.encoding };
 }
 
+/** Choices that had another name. */
+const asNow = (text: string): string =>
+  text.replace(/(hold\W+)(contact|anchored)/, '$1on').replace(/(precision\W+)double/, '$1exact');
+
 /** What a fixture does not name came later: it is as it is by default. */
 const withDefaults = <T extends { motion: object }>(expected: T): T => ({
   ...expected,
@@ -46,7 +50,7 @@ describe('what older versions saved', () => {
     const doc = applyPermalink(initial, readPermalink(link)!);
     expect(spelt(doc)).toEqual(withDefaults(expected));
     expect(writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, doc, time: 0.25 }, initial)).toBe(
-      link,
+      asNow(link),
     );
   });
 
@@ -73,7 +77,7 @@ describe('what older versions saved', () => {
         spelt(documentFromImport({ names: keys.names, times: keys.times, project } as unknown as KeysInfo, poolOf())),
       ).toEqual(withDefaults(expected));
       expect(JSON.parse(writeProject(keys, project, { vertices: 3, faces: 1, error: null }))).toMatchObject(
-        JSON.parse(text) as object,
+        JSON.parse(asNow(text)) as object,
       );
     },
   );

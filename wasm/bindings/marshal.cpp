@@ -30,14 +30,10 @@ constexpr std::pair<const char*, Method> methods[] = {{"lri", Method::Lri},
                                                       {"geodesic", Method::Geodesic},
                                                       {"linear", Method::Linear},
                                                       {"cubic-vertex", Method::CubicVertex}};
-constexpr std::pair<const char*, Hold> holds[] = {
-    {"off", Hold::Off}, {"contact", Hold::Contact}, {"anchored", Hold::Anchored}};
 constexpr std::pair<const char*, BoundaryKind> boundaries[] = {
     {"natural", BoundaryKind::Natural}, {"hermite", BoundaryKind::Hermite}, {"periodic", BoundaryKind::Periodic}};
 constexpr std::pair<const char*, Stretch> stretches[] = {{"linear", Stretch::Linear}, {"log", Stretch::Log}};
 constexpr std::pair<const char*, Transfer> transfers[] = {{"exact", Transfer::Exact}, {"paper", Transfer::Paper}};
-constexpr std::pair<const char*, Precision> precisions[] = {
-    {"single", Precision::Single}, {"double", Precision::Double}, {"exact", Precision::Exact}};
 constexpr std::pair<const char*, Material::Alpha> alphas[] = {
     {"OPAQUE", Material::Alpha::Opaque}, {"MASK", Material::Alpha::Mask}, {"BLEND", Material::Alpha::Blend}};
 constexpr std::pair<const char*, Material::Wrap> wraps[] = {
@@ -46,11 +42,9 @@ constexpr std::pair<const char*, Material::Wrap> wraps[] = {
 }  // namespace
 
 void from_json(const nlohmann::json& json, Method& value) { value = named(json, methods); }
-void from_json(const nlohmann::json& json, Hold& value) { value = named(json, holds); }
 void from_json(const nlohmann::json& json, BoundaryKind& value) { value = named(json, boundaries); }
 void from_json(const nlohmann::json& json, Stretch& value) { value = named(json, stretches); }
 void from_json(const nlohmann::json& json, Transfer& value) { value = named(json, transfers); }
-void from_json(const nlohmann::json& json, Precision& value) { value = named(json, precisions); }
 void from_json(const nlohmann::json& json, Material::Alpha& value) { value = named(json, alphas); }
 void from_json(const nlohmann::json& json, Material::Wrap& value) { value = named(json, wraps); }
 void to_json(nlohmann::json& json, Material::Alpha value) { json = nameOf(value, alphas); }
@@ -141,7 +135,7 @@ Keyframes keyframesFrom(const Json& json) {
 MotionOptions motionFrom(const Json& json) {
   MotionOptions motion;
   motion.method = json.at("method");
-  motion.hold = json.at("hold");
+  motion.hold = json.at("hold") == "on";
   motion.boundary = json.at("boundary");
   motion.startSpeed = json.at("startSpeed");
   motion.endSpeed = json.at("endSpeed");
@@ -162,7 +156,7 @@ EncodingOptions encodingFrom(const Json& json) {
   encoding.ghostFaces = json.at("ghostFaces");
   encoding.transfer = json.at("transfer");
   encoding.optimalPlacement = json.at("placement") == "optimal";
-  encoding.precision = json.at("precision");
+  if (json.at("precision") == "exact") encoding.precision = Precision::Exact;
   encoding.startTangent = tangentFrom(json.at("startTangent"));
   encoding.endTangent = tangentFrom(json.at("endTangent"));
   return encoding;

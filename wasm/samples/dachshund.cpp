@@ -210,7 +210,7 @@ Sample makeStroll() {
           BoundaryKind::Natural,
           posedKeyframes(body, poses, 1.0 / keysPerCycle, 24),
           0xc08d5f,
-          Hold::Contact};
+          true};
 }
 
 }  // namespace shapespline

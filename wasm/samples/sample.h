@@ -17,7 +17,7 @@ struct Sample {
   BoundaryKind boundary = BoundaryKind::Natural;
   Keyframes keyframes;
   std::uint32_t colour = 0xc9b5a4;  ///< of its surface: red, green and blue in sRGB
-  Hold hold = Hold::Off;
+  bool hold = false;                ///< what rests
 };
 
 Sample makeCactus();

@@ -21,8 +21,6 @@ const char* boundaryName(BoundaryKind boundary) {
   return "natural";
 }
 
-const char* holdName(Hold hold) { return hold == Hold::Off ? "off" : hold == Hold::Contact ? "contact" : "anchored"; }
-
 std::vector<double> timesOf(const Keyframes& keyframes) {
   std::vector<double> times;
   for (const Key& key : keyframes.keys) times.push_back(key.time);
@@ -83,7 +81,7 @@ std::string sampleList(const std::vector<Sample>& samples) {
                     {"files", {sampleFileName(sample)}},
                     {"times", timesOf(sample.keyframes)},
                     {"boundary", boundaryName(sample.boundary)},
-                    {"hold", holdName(sample.hold)},
+                    {"hold", sample.hold ? "on" : "off"},
                     {"credit", credit}});
   }
   return list.dump(2) + "\n";

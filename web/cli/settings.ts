@@ -1,7 +1,7 @@
 /** The options of the commands, from the engine's table: which there are, how their text is read, and the help. */
 import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
-import { wrongWith, wrongWithList } from '../engine/api/options.ts';
+import { choiceNow, wrongWith, wrongWithList } from '../engine/api/options.ts';
 import type { KeyOption, NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
 import type { ExportOptions, ImportOptions, Method, SequenceOptions } from '../engine/api/types.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments, type Known } from './arguments.ts';
@@ -44,7 +44,7 @@ function readNumber({ whole, above, least = -Infinity, zero }: NumberOption): Re
 
 function readOption(option: Option): Read | null {
   if (option.kind === 'shape') return readKind.shape; // a file's name, until the command reads it
-  if (option.kind === 'choice') return read.oneOf(...option.choices);
+  if (option.kind === 'choice') return (text, flag) => read.oneOf(...option.choices)(choiceNow(option, text), flag);
   const reader = option.kind === 'number' ? readNumber(option) : readKind[option.kind];
   return reader && inBounds(reader, (value) => wrongWith(option, value));
 }

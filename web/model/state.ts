@@ -5,7 +5,7 @@
 import { METHOD } from '../engine/api/methods.ts';
 import type { CameraPose } from './camera.ts';
 import { ENCODING, MOTION } from '../engine/api/option-table.ts';
-import type { Boundary, Hold, Method } from '../engine/api/types.ts';
+import type { Boundary, Method } from '../engine/api/types.ts';
 import type { PageOptions } from './page-options.ts';
 import { pageDefaults } from './page-options.ts';
 import type { Shaping } from './shaping.ts';
@@ -112,7 +112,6 @@ export interface AppState {
   view: View;
 }
 
-export const HOLDS: readonly Hold[] = MOTION.hold.choices;
 /** Of a film strip. */
 export const [LEAST_FILM_SHAPES, MOST_FILM_SHAPES] = [4, 24];
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;

@@ -1,6 +1,6 @@
 /** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
 import { METHOD, METHODS } from '../engine/api/methods.ts';
-import type { Boundary, Hold, Method } from '../engine/api/types.ts';
+import type { Boundary, Method } from '../engine/api/types.ts';
 import type { Encoding, KeyRef, Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import type { End, Speeds } from '../model/speeds.ts';
@@ -9,7 +9,7 @@ import type { DropPoint } from './file-drop.ts';
 import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TANGENT_NAME, TYPED_SPEED } from '../model/speeds.ts';
-import { BOUNDARIES, DEFAULT_MOTION, HOLDS, holds } from '../model/state.ts';
+import { BOUNDARIES, DEFAULT_MOTION, holds } from '../model/state.ts';
 import { button, checkbox, numberField, segments, select, slider } from './controls.ts';
 import { createPinList } from './pin-list.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
@@ -26,17 +26,8 @@ const BOUNDARY_WORDS: Record<Boundary, { label: string; hint: string }> = {
   periodic: { label: 'Loop', hint: 'Periodic spline: a closed loop without a seam.' },
 };
 
-const HOLD_WORDS: Record<Hold, { label: string; hint: string }> = {
-  off: { label: 'Off', hint: 'The method as published: feet can slide between keys where they stand.' },
-  contact: {
-    label: 'Contact',
-    hint: 'What hardly moves between two keys stays where it is; the shape follows its vertices’ splines as a whole.',
-  },
-  anchored: {
-    label: 'Anchored',
-    hint: 'Further, what hardly turns follows its vertices’ splines: nearer to captured motion, but bends are bent less.',
-  },
-};
+const HOLD_HINT =
+  'What hardly moves between two keys stays where it is, as feet do. Off: the method as published, in which they can slide.';
 
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
   { value: 'even', text: 'Evenly', hint: 'Intervals of equal length' },
@@ -144,18 +135,12 @@ export function createMotionPanel(
     onClick: () => events.onMotion({ period: null }),
   });
   const periodic = h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Period'), period, periodReset);
-  const hold = segments<Hold>(
-    'Hold what rests',
-    'hold',
-    HOLDS.map((value) => ({ value, ...HOLD_WORDS[value] })),
-    (value) => events.onMotion({ hold: value }),
-  );
-  const holdHint = h('p', { class: 'hint', 'data-testid': 'hold-hint' });
+  const hold = checkbox('Hold what rests', 'hold', (on) => events.onMotion({ hold: on ? 'on' : 'off' }));
   const pins = createPinList({
     onPins: (list) => events.onMotion({ pins: list.length > 0 ? list : DEFAULT_MOTION.pins }),
     onPlacing: events.onPlacing,
   });
-  const holding = h('div', { class: 'group' }, hold.element, holdHint);
+  const holding = h('div', { class: 'group' }, hold.element, h('p', { class: 'hint' }, HOLD_HINT));
   const tightness = slider({
     label: 'Tightness',
     testId: 'tightness',
@@ -249,8 +234,7 @@ export function createMotionPanel(
         ? { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' }
         : {},
     );
-    hold.update(motion.hold);
-    setText(holdHint, HOLD_WORDS[motion.hold].hint);
+    hold.update(motion.hold === 'on');
     setHidden(holding, !METHOD[motion.method].holds || props.keys.length < 3);
     setHidden(pins.element, !METHOD[motion.method].holds);
     const { keys, placing, disabled } = props;

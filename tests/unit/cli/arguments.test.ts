@@ -107,10 +107,16 @@ describe('the values of options', () => {
 
   it('refuse to hold anything with methods that hold nothing', () => {
     for (const method of ['geodesic', 'linear', 'cubic-vertex'])
-      for (const held of ['--hold=contact', '--pin=3'])
+      for (const held of ['--hold=on', '--pin=3'])
         expect(() => sequenceOptions(parse(held, '--method', method))).toThrow(/--method lri/);
     expect(sequenceOptions(parse('--hold=off', '--method=linear'))).toEqual({ hold: 'off', method: 'linear' });
-    expect(sequenceOptions(parse('--hold=contact', '--method=lri'))).toEqual({ hold: 'contact', method: 'lri' });
+    expect(sequenceOptions(parse('--hold=on', '--method=lri'))).toEqual({ hold: 'on', method: 'lri' });
+    // As they were called before.
+    for (const before of ['contact', 'anchored'])
+      expect(sequenceOptions(parse(`--hold=${before}`, '--precision=double'))).toEqual({
+        hold: 'on',
+        precision: 'exact',
+      });
   });
 
   it.each([

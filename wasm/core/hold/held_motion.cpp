@@ -9,7 +9,6 @@ namespace shapespline {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double contactWeight = 30;  // times a vertex's share in the area
 constexpr double leastAnchor = 1e-5, mostAnchor = 1e4, anchorTurn = 200 * degree;
 // Turns of the whole from key to key over which the placement gives way: its target is a blend of vertices.
 constexpr double turnsLittle = 30 * degree, turnsFar = 90 * degree;
@@ -37,17 +36,14 @@ double definedness(const FitSums& sums, const Mat3& fit) {
 
 }  // namespace
 
-Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& input, const Curve& curve, Hold hold,
+Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& input, const Curve& curve,
                                                              const HeldMotion* before) {
-  std::shared_ptr<HeldMotion> held(new HeldMotion(input, curve, hold));
-  const bool same = before && before->hold_ == hold && before->anchor_ == held->anchor_;
+  std::shared_ptr<HeldMotion> held(new HeldMotion(input, curve));
+  const bool same = before && before->anchor_ == held->anchor_;
   if (same) {
     held->system_ = before->system_;
   } else {
-    std::vector<double> weight = held->anchor_;
-    if (hold == Hold::Contact)
-      for (const double area : held->area_) weight.push_back(contactWeight * area);
-    auto system = HoldSystem::create(input.mesh, weight, input.precision);
+    auto system = HoldSystem::create(input.mesh, held->anchor_, input.precision);
     if (!system) return system.error();
     held->system_ = std::make_shared<const HoldSystem>(std::move(*system));
   }
@@ -69,13 +65,13 @@ void HeldMotion::findResting(const HoldInput& input) {
   resting_ = std::make_shared<const RestingPatches>(target_.path(), *system_, patchOf, patches, area_);
 }
 
-HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, Hold hold)
-    : hold_(hold), target_(input, curve), area_(vertexAreas(input.mesh)) {
+HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve)
+    : target_(input, curve), area_(vertexAreas(input.mesh)) {
   for (const auto& body : target_.bodies()) {
     std::vector<double>& share = placed_.emplace_back();
     for (const double turn : body->turns.wholeTurn) share.push_back(1 - fade(turn, turnsLittle, turnsFar));
   }
-  if (hold == Hold::Anchored) anchor_ = anchorWeights(input.mesh);
+  anchor_ = anchorWeights(input.mesh);
 }
 
 // The mean over its faces, by area, of what their frames' turns say.
@@ -119,25 +115,21 @@ void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Ve
   target_.at(t, frames, mean, scratch.target, scratch.body);
   this->place(place, frames, mean, scratch.target, shape);
   const bool holds = resting_->weightsAt(place, scratch.weight);
-  bool anchored = hold_ == Hold::Anchored;
-  if (anchored) pullsTo(shape, scratch.target, anchor_, place.within(), scratch.pulls);
-  if (anchored && (!holds || resting_->response().empty())) {
-    system_->addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
-    anchored = false;
-  }
-  if (holds) holdPatches(anchored, shape, scratch, forkJoin);
+  pullsTo(shape, scratch.target, anchor_, place.within(), scratch.pulls);
+  const bool together = holds && !resting_->response().empty();
+  if (!together) system_->addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
+  if (holds) holdPatches(together, shape, scratch, forkJoin);
 }
 
-// anchored: whether what draws the vertices to their paths is in scratch.pulls still: one solve does for both.
-void HeldMotion::holdPatches(bool anchored, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
+// together: what draws the vertices to their paths is in scratch.pulls still, and one solve does for both.
+void HeldMotion::holdPatches(bool together, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
   std::vector<Vec3>& pull = scratch.pull;
   resting_->meanWays(shape, scratch.target, pull);
   const std::vector<float>& response = resting_->response();
-  if (anchored) takeResponse(response, scratch.pulls, pull);
+  if (together) takeResponse(response, scratch.pulls, pull);
   for (std::size_t h = 0; h < pull.size(); ++h) pull[h] *= scratch.weight[h];
   resting_->pull(pull);
-  if (!anchored && !response.empty()) return addResponse(response, pull, shape);
-  if (!anchored) scratch.pulls.assign(shape.size(), Vec3::Zero());
+  if (!together) scratch.pulls.assign(shape.size(), Vec3::Zero());
   resting_->addTo(scratch.pulls, pull);
   system_->addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
 }

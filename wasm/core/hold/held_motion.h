@@ -1,6 +1,6 @@
-// Keeps what rests between the keys where it is: the shape is placed by what its vertices do, and resting patches are
-// held. Every correction is a weight times the difference of two curves that agree at the keys, so that the keys stay
-// exact and the motion as smooth as it was.
+// Keeps what rests between the keys where it is: the shape is placed by what its vertices do, what hardly turns is
+// drawn to its vertices' paths, and resting patches are held. Every correction is a weight times the difference of two
+// curves that agree at the keys, so that the keys stay exact and the motion as smooth as it was.
 #pragma once
 
 #include <memory>
@@ -12,19 +12,12 @@
 
 namespace shapespline {
 
-/// What the motion is corrected by.
-enum class Hold {
-  Off,       ///< nothing: the paper's method
-  Contact,   ///< the shape is the method's, placed by its vertices; resting patches are held
-  Anchored,  ///< further, what hardly turns is drawn to its vertices' paths
-};
-
 /// Immutable.
 class HeldMotion {
  public:
   /// before: of the same shape, whose system and handles are taken over where they are the same; or null. The curve
-  /// must be cubic and hold not Off. Error: that of the solver.
-  static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve, Hold hold,
+  /// must be cubic. Error: that of the solver.
+  static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve,
                                                           const HeldMotion* before);
 
   /// Whether the other's system was taken over, so that nothing was factorised.
@@ -43,18 +36,17 @@ class HeldMotion {
              ForkJoin* forkJoin) const;
 
  private:
-  HeldMotion(const HoldInput& input, const Curve& curve, Hold hold);
+  HeldMotion(const HoldInput& input, const Curve& curve);
   void findResting(const HoldInput& input);
   std::vector<double> anchorWeights(const HoldMesh& mesh) const;
   void place(const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean, const Positions& target,
              Positions& shape) const;
-  void holdPatches(bool anchored, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
+  void holdPatches(bool together, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
 
-  Hold hold_;
   RestTarget target_;
   std::vector<double> area_;                 // of each vertex
   std::vector<std::vector<double>> placed_;  // of each body, share of each span
-  std::vector<double> anchor_;               // of each vertex; with Hold::Anchored
+  std::vector<double> anchor_;               // of each vertex
   std::shared_ptr<const HoldSystem> system_;
   std::shared_ptr<const RestingPatches> resting_;
 };

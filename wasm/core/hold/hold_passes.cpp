@@ -109,22 +109,6 @@ void takeResponse(const std::vector<float>& response, const Positions& pull, std
   }
 }
 
-void addResponse(const std::vector<float>& response, const std::vector<Vec3>& pull, Positions& positions) {
-  std::vector<Float4> pulls;
-  for (const Vec3& p : pull) {
-    const float at[4] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), 0};
-    pulls.push_back(Float4::load(at));
-  }
-  const float* row = response.data();
-  for (Vec3& p : positions) {
-    Float4 sum = Float4::zero();
-    for (const Float4& h : pulls) sum = sum + Float4::loadSplat(row++) * h;
-    float at[4];
-    sum.store(at);
-    p += Vec3(at[0], at[1], at[2]);
-  }
-}
-
 void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions) {
   positions.resize(slot.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {

@@ -56,10 +56,9 @@ void moveBy(const Vec3& move, Positions& positions);
 void pullsTo(const Positions& from, const Positions& to, const std::vector<double>& weight, double share,
              Positions& pull);
 
-/// How pulls at all vertices move some handles, or theirs all vertices: `handles` numbers for each vertex.
-/// Takes what the handles are moved by away from `left`.
+/// How pulls at all vertices move some handles: `handles` numbers for each vertex. Takes what the handles are moved by
+/// away from `left`.
 void takeResponse(const std::vector<float>& response, const Positions& pull, std::vector<Vec3>& left);
-void addResponse(const std::vector<float>& response, const std::vector<Vec3>& pull, Positions& positions);
 
 /// Between positions and (x, y, z, pad) at `slot`.
 void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions);

@@ -61,8 +61,8 @@ Status Motion::hold(const EncodedShape& encoded, const Motion* before) {
   const int vertices = static_cast<int>(weldedOf.size()), keys = encoded.shape().keys;
   if (Status status = checkPins(options_.pins, vertices, keys); !status) return status;
   if (options_.method != Method::Lri) return {};
-  if (options_.hold != Hold::Off && keys > 2) {
-    auto held = HeldMotion::create(encoded.holdInput(), curve_, options_.hold, before ? before->held() : nullptr);
+  if (options_.hold && keys > 2) {
+    auto held = HeldMotion::create(encoded.holdInput(), curve_, before ? before->held() : nullptr);
     if (!held) return held.error();
     held_ = std::move(*held);
   }

@@ -36,7 +36,7 @@ struct MotionOptions {
   /// from the key before, from 0 to -1 to that to the key after (at an end key to the only one).
   std::vector<double> bias;
   std::vector<AddedTurns> turns;
-  Hold hold = Hold::Off;  ///< with Method::Lri and three keys or more
+  bool hold = false;      ///< what rests between keys stays (hold/); with Method::Lri and three keys or more
   std::vector<Pin> pins;  ///< with Method::Lri
   bool inPlace = false;   ///< take out the translation that accumulates along the sequence
 };

@@ -48,7 +48,7 @@ export function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
 export function ofFiles(doc: Doc, { animation, animations, project }: OfFiles): Doc {
   const keys = animations[animation]?.keys ?? doc.keys.length;
   const sampled = project === null && keys !== doc.keys.length;
-  return sampled && doc.keys.length >= 3 ? setMotion(doc, { hold: 'contact' }) : doc;
+  return sampled && doc.keys.length >= 3 ? setMotion(doc, { hold: 'on' }) : doc;
 }
 
 type OfFiles = Pick<KeysInfo, 'animation' | 'animations' | 'project'>;

@@ -5,7 +5,7 @@
 import { METHODS } from '../../engine/api/methods.ts';
 import { ENCODING, MOST_TIME, MOST_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import type { Option } from '../../engine/api/option-table.ts';
-import { wrongWith } from '../../engine/api/options.ts';
+import { choiceNow, wrongWith } from '../../engine/api/options.ts';
 import type { AddedTurns, Method } from '../../engine/api/types.ts';
 import { setShaping, setTurns } from '../../model/edits.ts';
 import { MAX_FPS, MIN_FPS } from '../../model/frames.ts';
@@ -195,7 +195,7 @@ type Take = <T>(name: string, read: (text: string) => T | undefined) => T | unde
 function optionValue(option: Option, text: string): unknown {
   if (isPose(option)) return index(text);
   if (option.kind === 'pins') return pinsFromText(text);
-  const value = option.kind === 'choice' ? text : option.kind === 'flag' ? flag(text) : number(text);
+  const value = option.kind === 'choice' ? choiceNow(option, text) : option.kind === 'flag' ? flag(text) : number(text);
   return value !== undefined && wrongWith(option, value) === null ? value : undefined;
 }
 

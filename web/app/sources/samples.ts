@@ -1,6 +1,6 @@
 /** The built-in samples: a list and their files, fetched from beside the page. */
 import type { Boundary, Hold, InputFile } from '../../engine/api/types.ts';
-import { BOUNDARIES, HOLDS } from '../../model/state.ts';
+import { BOUNDARIES } from '../../model/state.ts';
 
 export interface Sample {
   id: string;
@@ -103,7 +103,7 @@ function readSample(entry: unknown): Sample[] {
       names: null,
       times: Array.isArray(times) && times.every((time) => Number.isFinite(time)) ? times : null,
       boundary: BOUNDARIES.find((known) => known === boundary) ?? 'natural',
-      hold: HOLDS.find((known) => known === hold) ?? 'off',
+      hold: hold === 'on' ? hold : 'off',
     },
   ];
 }

@@ -119,6 +119,8 @@ export interface NumberOption extends Described {
 export interface ChoiceOption extends Described {
   kind: 'choice';
   choices: readonly string[];
+  /** What choices were called before: still read in links, projects and commands. */
+  formerly?: Readonly<Record<string, string>>;
   default?: string;
 }
 
@@ -164,10 +166,11 @@ export const MOTION = {
   },
   hold: {
     kind: 'choice',
-    choices: ['off', 'contact', 'anchored'],
+    choices: ['off', 'on'],
+    formerly: { contact: 'on', anchored: 'on' },
     default: 'off',
     flag: 'hold',
-    help: "what rests between keys: moves as the method has it (off, the paper's), stays (contact), or stays and draws what hardly turns to its vertices' splines (anchored)",
+    help: "what rests between two keys stays where it is (on), or moves as the paper's method has it (off)",
     page: 'hold',
     undo: 'hold',
   },
@@ -355,10 +358,11 @@ export const ENCODING = {
   },
   precision: {
     kind: 'choice',
-    choices: ['single', 'double', 'exact'],
+    choices: ['single', 'exact'],
+    formerly: { double: 'exact' },
     default: 'single',
     flag: 'precision',
-    help: 'exact: as accurate as double, in less memory',
+    help: 'exact: coordinates in double precision, and a solution refined to it',
   },
   /** Hermite: a shape that takes the neighbour key's place in the difference at that end. */
   startTangent: {

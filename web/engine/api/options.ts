@@ -183,6 +183,12 @@ function checkOf(option: Option): Check {
   return (v) => ofKind[kind](v) ?? (COUNTED.includes(kind) ? count(v) : null);
 }
 
+/** What a choice is called now. */
+export function choiceNow<T>(option: Option, value: T): T | string {
+  const before = option.kind === 'choice' ? option.formerly : undefined;
+  return before && typeof value === 'string' && Object.hasOwn(before, value) ? before[value]! : value;
+}
+
 /** What is wrong with an option's value, or null. */
 export function wrongWith(option: Option, value: unknown): string | null {
   return value === null && option.default === null ? null : checkOf(option)(value);

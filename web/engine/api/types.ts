@@ -43,7 +43,7 @@ export type Stretch = EncodingOptions['stretch'];
 export type Transfer = EncodingOptions['transfer'];
 /** Where the ghost's vertices stand: on vertices of the shape, or in each key where the error is least. */
 export type Placement = EncodingOptions['placement'];
-/** 'exact': as accurate as 'double' in less memory; the solution is refined on a factor in single precision. */
+/** 'exact': coordinates in double precision; the solution is refined on a factor in single precision. */
 export type Precision = EncodingOptions['precision'];
 
 /** Something the user should know that is no error. `code` is stable. */

@@ -3,8 +3,8 @@
  * same keys, times and options. The core finds the keys in it (wasm/io/gltf/project.h), the options are read here. The
  * text comes from a file and is trusted in nothing.
  */
-import { SHAPES } from '../api/option-table.ts';
-import { checkSequenceOptions } from '../api/options.ts';
+import { ENCODING, MOTION, SHAPES, optionsIn } from '../api/option-table.ts';
+import { checkSequenceOptions, choiceNow } from '../api/options.ts';
 import type { Point, SequenceOptions } from '../api/types.ts';
 
 const VERSION = 1;
@@ -89,8 +89,12 @@ export function readOptions(text: string): SequenceOptions | null {
     const { version, options } = record(JSON.parse(text));
     if (version !== VERSION) return null;
     const written = record(options);
+    const choices = [MOTION, ENCODING]
+      .flatMap(optionsIn)
+      .filter(([name]) => name in written)
+      .map(([name, option]) => [name, choiceNow(option, written[name])]);
     const shapes = SHAPES.map((name) => [name, fromBase64(written[name])]);
-    return checkSequenceOptions({ ...written, ...Object.fromEntries(shapes) });
+    return checkSequenceOptions({ ...written, ...Object.fromEntries([...choices, ...shapes]) });
   } catch {
     return null;
   }
