@@ -1,7 +1,7 @@
 /**
  * npm run bench -- drop [FACES,...]: the built page in Chromium, from a file that is given to it until its motion is
- * there: when it was read, when an approximate shape of it is there, when that is drawn, when its motion is made, when
- * its shape is drawn, and when the graphics card has finished that; and for how long the page does not answer then.
+ * there: when it was read, when its first key is shown, when its motion is made, when its shape is drawn, and when the
+ * graphics card has finished that; and for how long the page does not answer then.
  */
 import type { Page } from '@playwright/test';
 import { serve } from '../../wasm/toolchain/serve.mjs';
@@ -10,16 +10,15 @@ import { dist, isPageBuilt, startBrowser } from './built-page.ts';
 import { quantile } from './quantile.ts';
 
 const RUNS = 5;
-const COLUMNS = ['read', 'sketched', 'moves', 'made', 'drawn', 'finished', 'longest task', 'sketches'] as const;
+const COLUMNS = ['read', 'first key', 'made', 'drawn', 'finished', 'longest task'] as const;
 
-/** Milliseconds after the file was given, NaN for what did not happen; and how many approximate shapes were shown. */
+/** Milliseconds after the file was given, NaN for what did not happen. */
 type Times = Record<(typeof COLUMNS)[number], number>;
 
 /** Runs in the page, as what it waits for is soon over. */
 function watch(): Promise<Times> {
   const begin = performance.now();
   let longest = 0;
-  const sketches = new Set<number>();
   new PerformanceObserver((list) => {
     for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
   }).observe({ type: 'longtask' });
@@ -29,8 +28,6 @@ function watch(): Promise<Times> {
   };
   return new Promise((resolve) => {
     const look = (): void => {
-      const { sketch } = window.__shapespline!;
-      if (sketch !== null) sketches.add(sketch);
       const isOpen = window.__shapespline!.state.source.kind === 'files' && !Number.isNaN(after('made'));
       if (!isOpen) return void requestAnimationFrame(look);
       // Its first shape was drawn in the frame after this one.
@@ -42,13 +39,8 @@ function watch(): Promise<Times> {
         const poll = (): void => {
           if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return void setTimeout(poll, 4);
           const finished = performance.now() - begin;
-          const marks = {
-            read: after('read'),
-            sketched: after('sketched'),
-            moves: after('moves'),
-            made: after('made'),
-          };
-          resolve({ ...marks, drawn, finished, 'longest task': longest, sketches: sketches.size });
+          const marks = { read: after('read'), 'first key': after('first key'), made: after('made') };
+          resolve({ ...marks, drawn, finished, 'longest task': longest });
         };
         poll();
       };
@@ -72,9 +64,7 @@ export async function benchDrop(faces: readonly number[], meshOf: (faces: number
   if (!isPageBuilt()) return;
   const { url, server } = await serve(dist, { port: 4275 });
   const browser = await startBrowser();
-  console.log(
-    `Milliseconds after a file was given to the page, medians of ${RUNS}; "longest task": of the page, "sketches": so many.`,
-  );
+  console.log(`Milliseconds after a file was given to the page, medians of ${RUNS}; "longest task": of the page.`);
   console.log('');
   console.log(`| faces | ${COLUMNS.join(' | ')} |`);
   console.log(`|${'---|'.repeat(1 + COLUMNS.length)}`);

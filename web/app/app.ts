@@ -63,9 +63,9 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     },
     onWorking: feedback.onWorking,
     onRead: (info) => scene.expect(info),
-    onAwaited: (opening) => display.sketch.await(opening),
-    onSketch: (opening, frame) => display.sketch.take(opening, frame),
-    onGivenUp: () => display.sketch.end(),
+    onLarge: () => display.firstKey.begin(),
+    onKeys: (opening) => void display.firstKey.show(opening),
+    onGivenUp: () => display.firstKey.end(),
     onError: feedback.onError,
   });
   const { store, workspace, sequence } = session;
@@ -397,7 +397,7 @@ function followState({ session, display, ways, applyLook, onEdit, onMoved, onOpe
 function testHookOf(
   ready: Promise<void>,
   { store, workspace, sequence, range }: Session,
-  { scene, sketch, playback: { frameLoop } }: Display,
+  { scene, playback: { frameLoop } }: Display,
   files: OpenFiles,
   showMotion: () => void,
   resetTo: (fragment: string) => Promise<void>,
@@ -408,7 +408,6 @@ function testHookOf(
     viewer: scene.viewer,
     state: () => store.get(),
     shown: () => frameLoop.shown,
-    sketch: () => sketch.time,
     difference: () => scene.difference?.percent ?? null,
     async seekExactly(t) {
       const time = clampTime(t, range());

@@ -14,7 +14,7 @@ import type { CameraPose } from '../model/camera.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
 import type { Playback } from './playback/playback.ts';
-import { SketchPlayer } from './playback/sketch-player.ts';
+import { FirstKey } from './playback/first-key.ts';
 import type { Session } from './session/session.ts';
 
 export interface DisplayParts {
@@ -29,7 +29,7 @@ export interface DisplayParts {
 export interface Display {
   scene: SceneController;
   playback: Playback;
-  sketch: SketchPlayer;
+  firstKey: FirstKey;
   thumbnails: Thumbnails;
   timePictures: TimePictures;
   marking: Marking;
@@ -50,7 +50,7 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
   const yields = (): boolean => viewState.get().working !== null;
   const show = async (frames: FrameSet): Promise<void> => {
     // What is asked for of what is open is seen.
-    if (sketch.time !== null) sketch.end();
+    if (firstKey.isShown) firstKey.end();
     await scene.show(frames, store.get(), range());
     viewState.change(shownView(frames.frames[0]));
   };
@@ -69,14 +69,16 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
       },
     },
   });
-  const sketch = new SketchPlayer({
-    show: (opening, frame, shadow) => scene.showSketch(opening, frame, shadow),
-    end: () => scene.endSketch(),
-    finished: () => scene.viewer.finished(),
-    rest: () => playback.rest(),
-    resume: () => playback.resume(),
-    fraction: () => viewState.get().working?.fraction ?? 0,
-    onChange: (sketched) => viewState.change({ sketched }),
+  const firstKey = new FirstKey({
+    rest: playback.rest,
+    resume: playback.resume,
+    async show(opening) {
+      scene.showOpening(opening);
+      await scene.viewer.textured();
+      performance.mark('shapespline first key');
+    },
+    hide: () => scene.endOpening(),
+    dim: (dimmed) => viewState.change({ dimmed: dimmed && workspace.info !== null }),
   });
   const thumbnails = createThumbnails({
     store,
@@ -104,5 +106,5 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
     keyTimes: () => store.get().doc.keys.map(({ time }) => time),
     onWarning: (shownWarning) => viewState.change({ shownWarning }),
   });
-  return { scene, playback, sketch, thumbnails, timePictures, marking };
+  return { scene, playback, firstKey, thumbnails, timePictures, marking };
 }

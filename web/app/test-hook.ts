@@ -22,8 +22,6 @@ export interface TestHook {
   readonly state: AppState;
   /** The time on the screen, which follows that of the state. */
   readonly shown: { time: number };
-  /** The time of the approximate shape that is on the screen instead, of files that are being opened; else null. */
-  readonly sketch: number | null;
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
   /** The engine's own answer for a moment, 3 x vertices, without drawing it. */
@@ -51,7 +49,6 @@ export interface TestHookParts {
   sequence(): Sequence | undefined;
   state(): AppState;
   shown(): { t: number };
-  sketch(): number | null;
   difference(): Float32Array | null;
   /** Stops what plays and draws the exact shape of a moment. */
   seekExactly(t: number): Promise<void>;
@@ -96,9 +93,6 @@ export function createTestHook(parts: TestHookParts): TestHook {
     },
     get shown() {
       return { time: parts.shown().t };
-    },
-    get sketch() {
-      return parts.sketch();
     },
     difference: () => parts.difference()?.slice() ?? null,
     positions: (view = 0) => viewer.positions(view),

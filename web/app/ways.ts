@@ -68,7 +68,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
   };
   const onOpened = (opened: OpenedFiles): void => {
     const { info, pool, source, doc, camera } = opened;
-    display.sketch.settle();
+    display.firstKey.settle();
     viewState.change(openedView(opened, viewState.get()));
     const offer = withRoom(importOffer(opened, files, loopMotion));
     // The shape is fitted below what is offered, which is beside it where there is a sheet.
@@ -88,7 +88,6 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onError,
     samples: () => viewState.get().samples,
     onOpened,
-    sketched: (info) => display.sketch.reached(info),
     onRead: session.serve,
     onWorking,
   });

@@ -19,10 +19,10 @@ const STAGE_WORDS: Readonly<Record<string, string>> = {
   factorising: 'Preparing the motion',
 };
 
-/** The stage, a bar, and a way out; the shape behind it can still be played, or is a sketch of what is being made. */
+/** The stage, a bar, and a way out; what is open, or the first key of what is being opened, is seen behind it. */
 export function createProgress(onCancel: () => void): {
   element: HTMLElement;
-  update(working: Working | null, sketched: boolean): void;
+  update(working: Working | null): void;
 } {
   const stage = h('span', { class: 'stage', 'data-testid': 'stage' });
   const bar = h('div', { class: 'bar' });
@@ -47,11 +47,10 @@ export function createProgress(onCancel: () => void): {
   );
   return {
     element,
-    update(working, sketched) {
+    update(working) {
       setHidden(element, working === null);
       if (!working) return;
-      const words = STAGE_WORDS[working.stage] ?? working.stage;
-      setText(stage, sketched ? `${words}; what moves is approximate` : words);
+      setText(stage, STAGE_WORDS[working.stage] ?? working.stage);
       setAttribute(meter, 'aria-valuenow', Math.round(working.fraction * 100));
       setStyle(bar, 'width', `${(working.fraction * 100).toFixed(1)}%`);
     },

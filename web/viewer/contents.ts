@@ -3,14 +3,13 @@ import { Group, Layers } from 'three';
 import type { Camera, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
-import { Shape, plainTopology, topologyOf, triangleOf } from './shape.ts';
+import { Shape, topologyOf, triangleOf } from './shape.ts';
 import type { Topology } from './shape.ts';
 import { makePrograms } from './programs.ts';
 import type { Studio } from './studio.ts';
 import { decodeTextures } from './textures.ts';
-import type { Extra, GhostPicture, Look, SketchPicture } from './types.ts';
+import type { Extra, FirstKey, GhostPicture, Look } from './types.ts';
 
-/** How long a shape takes to go over into the exact one. */
 /** The first picture waits no longer for its textures. */
 const TEXTURES_MS = 200;
 const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe: false, floor: true, dark: false };
@@ -24,18 +23,20 @@ export const FIRST_EXTRAS = 8;
 /** Layers of shapes and of extras. */
 export const MOST_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
 
-/** The approximate shape of an import that is still being made. */
-interface Sketched {
-  faces: Uint32Array;
+/** An import whose first key is shown while its motion is made. */
+interface Opening {
+  of: KeysInfo;
+  topology: Topology;
+  textured: Promise<void>;
   shape: Shape;
   colour: string;
 }
 
 export class Contents {
   readonly object = new Group();
-  /** All but the sketch, which is shown alone. */
+  /** All but the first key of an import, which is shown alone. */
   private readonly open = new Group();
-  private sketched: Sketched | null = null;
+  private opening: Opening | null = null;
   /** The import that the topology is of. */
   private of: KeysInfo | null = null;
   private topology: Topology | null = null;
@@ -63,16 +64,21 @@ export class Contents {
   }
 
   get views(): number {
-    return this.sketched ? 1 : this.shapes.length;
+    return this.opening ? 1 : this.shapes.length;
   }
 
   /** Whether a film strip is shown instead of the moving shapes. */
   get isStrip(): boolean {
-    return this.hideShapes && !this.sketched;
+    return this.hideShapes && !this.opening;
   }
 
-  /** Resolves once what is open is seen in its own textures. */
-  textured: Promise<void> = Promise.resolve();
+  /** Of the open import. */
+  private ownTextures: Promise<void> = Promise.resolve();
+
+  /** Resolves once the shape is seen in its own textures. */
+  get textured(): Promise<void> {
+    return this.opening?.textured ?? this.ownTextures;
+  }
 
   /**
    * Draws a triangle without area until there is a shape, with what will draw the shapes of `info`: so that the
@@ -82,51 +88,68 @@ export class Contents {
   async warm(info: KeysInfo, renderer: WebGLRenderer, camera: Camera): Promise<void> {
     this.prepare(info);
     // With a texture a material is another program.
-    await Promise.race([this.textured, new Promise((resolve) => setTimeout(resolve, TEXTURES_MS))]);
+    await Promise.race([this.ownTextures, new Promise((resolve) => setTimeout(resolve, TEXTURES_MS))]);
     if (this.topology) this.warming = this.addShape(triangleOf(this.topology), FIRST_SHAPE);
     if (this.warming) await makePrograms(renderer, this.warming.surface, camera);
   }
 
-  /** A new import: fresh buffers. */
+  /** A new import: fresh buffers, or those of its first key, which stays until its first frame. */
   setImport(info: KeysInfo): void {
-    this.endSketch();
-    this.prepare(info);
+    const opening = this.opening?.of === info ? this.opening : null;
+    if (!opening) this.endOpening();
+    this.prepare(info, opening);
+    if (!opening) return;
+    this.opening = null;
+    this.open.visible = true;
+    this.open.add(opening.shape.object);
+    this.shapes = [opening.shape];
+    this.colours[0] = opening.colour;
   }
 
-  /** An approximate shape takes the place of what is shown, which stays as it is. */
-  setSketch({ faces, positions, normals, colour }: SketchPicture): void {
-    if (this.sketched?.faces !== faces) {
-      this.endSketch();
-      const topology = plainTopology(positions.length / 3, faces);
-      this.sketched = { faces, shape: this.addShape(topology, FIRST_SHAPE, this.object), colour };
-      this.open.visible = false;
-    }
-    this.sketched.shape.setFrame(positions, normals);
-    this.sketched.colour = colour;
+  /** It takes the place of what is shown, which stays as it is. Not seen before its textures, so it is drawn once. */
+  setOpening({ info, positions, normals, colour }: FirstKey): void {
+    this.endOpening();
+    // The import of a first visit is prepared already.
+    const own = this.of === info ? this.topology : null;
+    const topology = own ?? topologyOf(info);
+    const shape = this.addShape(topology, FIRST_SHAPE, this.object);
+    shape.setFrame(positions, normals);
+    shape.object.visible = false;
+    this.open.visible = false;
+    const opening = { of: info, topology, textured: this.ownTextures, shape, colour };
+    this.opening = opening;
+    if (!own) opening.textured = this.loadTextures(topology);
+    opening.textured = opening.textured.then(() => {
+      shape.object.visible = true;
+      this.onTextures();
+    });
     this.applyColours();
   }
 
   /** What was shown before is shown again. */
-  endSketch(): void {
-    this.sketched?.shape.dispose();
-    this.sketched = null;
+  endOpening(): void {
+    const { opening } = this;
+    if (!opening) return;
+    opening.shape.dispose();
+    if (opening.topology !== this.topology) disposeTextures(opening.topology);
+    this.opening = null;
     this.open.visible = true;
   }
 
   /** Its textures are decoded meanwhile. */
-  private prepare(info: KeysInfo): void {
+  private prepare(info: KeysInfo, opening: Opening | null = null): void {
     if (this.of === info && this.shapes.length === 0) return;
     this.of = info;
     this.clear();
-    for (const texture of this.topology?.textures ?? []) texture?.dispose();
-    this.topology = topologyOf(info);
+    disposeTextures(this.topology);
+    this.topology = opening?.topology ?? topologyOf(info);
     this.patchColours = null;
-    this.textured = this.loadTextures(this.topology);
+    this.ownTextures = opening?.textured ?? this.loadTextures(this.topology);
   }
 
   /** Whether a shape is in the picture. */
   get isShown(): boolean {
-    return this.drawn.some(({ object }) => object.visible) || this.extras.flat().length > 0;
+    return this.drawn.some(({ object }) => object.visible) || (!this.opening && this.extras.flat().length > 0);
   }
 
   /** How many shapes are shown side by side; those that exist keep their frame. */
@@ -219,7 +242,7 @@ export class Contents {
   setLook(look: Look): void {
     this.current = look;
     for (const shape of this.shapes) shape.setLook(look);
-    this.sketched?.shape.setLook(look);
+    this.opening?.shape.setLook(look);
     for (const shape of this.extras.flat()) shape.setLook(this.lookOf(shape.opacity));
     this.applyColours();
   }
@@ -230,10 +253,12 @@ export class Contents {
     return shape?.object.visible ? shape.positions.slice() : new Float32Array();
   }
 
-  /** A vertex of the first view's shape; empty before its first frame. */
+  /** A vertex of the first view's shape; empty before its first frame, and while an import is being opened. */
   vertex(index: number): Float32Array {
-    const shape = this.drawn[0];
-    return shape?.object.visible ? shape.positions.slice(3 * index, 3 * index + 3) : new Float32Array();
+    const shape = this.shapes[0];
+    return shape?.object.visible && !this.opening
+      ? shape.positions.slice(3 * index, 3 * index + 3)
+      : new Float32Array();
   }
 
   /** So many vertices of the first view's shape, or all, or none before its first frame. */
@@ -276,16 +301,16 @@ export class Contents {
   }
 
   dispose(): void {
-    this.endSketch();
+    this.endOpening();
     this.clear();
     this.warming?.dispose();
-    for (const texture of this.topology?.textures ?? []) texture?.dispose();
+    disposeTextures(this.topology);
     this.topology = null;
   }
 
-  /** The sketch, or the shapes of the views. */
+  /** The first key of an import, or the shapes of the views. */
   private get drawn(): readonly Shape[] {
-    return this.sketched ? [this.sketched.shape] : this.shapes;
+    return this.opening ? [this.opening.shape] : this.shapes;
   }
 
   private fits(positions: Float32Array): boolean {
@@ -308,7 +333,7 @@ export class Contents {
 
   private applyColours(): void {
     this.shapes.forEach((shape, index) => shape.setColour(this.colours[index] ?? '#888888'));
-    this.sketched?.shape.setColour(this.sketched.colour);
+    this.opening?.shape.setColour(this.opening.colour);
     this.extras.forEach((shapes, view) =>
       shapes.forEach((shape, index) => shape.setColour(this.extraColours[view]?.[index] ?? '#888888')),
     );
@@ -316,9 +341,13 @@ export class Contents {
 
   private async loadTextures(topology: Topology): Promise<void> {
     const textures = await decodeTextures(topology.scene.images, topology.scene.materials);
-    if (this.topology !== topology) return;
+    if (topology !== this.topology && topology !== this.opening?.topology) return;
     topology.textures = textures;
     this.setLook(this.current);
     this.onTextures();
   }
+}
+
+function disposeTextures(topology: Topology | null): void {
+  for (const texture of topology?.textures ?? []) texture?.dispose();
 }

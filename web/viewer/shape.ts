@@ -57,28 +57,6 @@ export function topologyOf({ report, faces, scene }: KeysInfo): Topology {
   };
 }
 
-const PLAIN: Scene = {
-  uvs: null,
-  seams: null,
-  colors: null,
-  polygons: null,
-  groups: [],
-  materials: [],
-  images: [],
-};
-
-/** Of a mesh without materials. */
-export function plainTopology(vertices: number, faces: Uint32Array): Topology {
-  return {
-    vertices,
-    scene: PLAIN,
-    index: new BufferAttribute(faces, 1),
-    uv: null,
-    tint: null,
-    textures: [],
-  };
-}
-
 export class Shape {
   readonly object = new Group();
   private readonly geometry = new BufferGeometry();

@@ -20,8 +20,6 @@ export class Stage {
   private readonly shadow = new ContactShadow();
   private readonly material = floorMaterial();
   private readonly floor: Mesh;
-  private hasShadow = true;
-  private darkness = 0;
 
   constructor() {
     const plane = new PlaneGeometry(1, 1);
@@ -64,21 +62,14 @@ export class Stage {
 
   /** Before each drawing; see ContactShadow.render. */
   prepare(renderer: WebGLRenderer, scene: Scene, layers: number, version: number): void {
-    if (this.floor.visible && this.hasShadow) this.shadow.render(renderer, scene, layers, version);
+    if (this.floor.visible) this.shadow.render(renderer, scene, layers, version);
   }
 
   setLook(floor: boolean, dark: boolean): void {
     this.floor.visible = floor;
-    this.darkness = dark ? 0.62 : 0.4;
-    this.setShadow(this.hasShadow);
+    this.set('darkness', dark ? 0.62 : 0.4);
     this.set('gridColour', raw(dark ? '#ffffff' : '#0a0f16'));
     this.set('gridStrength', dark ? 0.09 : 0.1);
-  }
-
-  /** Whether what stands on it throws one. */
-  setShadow(shown: boolean): void {
-    this.hasShadow = shown;
-    this.set('darkness', shown ? this.darkness : 0);
   }
 
   dispose(): void {

@@ -1,4 +1,6 @@
 /** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
+import type { KeysInfo } from '../engine/api/types.ts';
+
 export interface Look {
   /** `texture`: the file's own materials, or clay where it has none. */
   /** Amounts come as colours of their own; a shape without these, such as a thumbnail, looks like `texture`. */
@@ -21,16 +23,13 @@ export interface Extra {
   offset: number;
 }
 
-/** An approximate shape, without materials. */
-export interface SketchPicture {
-  /** 3 x faces; the same array as long as it is the same mesh. */
-  faces: Uint32Array;
+/** The first key of an import whose motion is still being made. */
+export interface FirstKey {
+  info: KeysInfo;
   /** 3 x vertices each; copied. */
   positions: Float32Array;
   normals: Float32Array;
   colour: string;
-  /** It throws one, which takes as long to draw as the shape itself. */
-  shadow: boolean;
 }
 
 /** The ghost mesh at a moment. */

@@ -15,7 +15,7 @@ import { Studio } from './studio.ts';
 import { ownSurface } from './surface.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { sides, tiles } from './tiles.ts';
-import type { Extra, GhostPicture, Look, PixelSize, Ray, Rect, SketchPicture } from './types.ts';
+import type { Extra, FirstKey, GhostPicture, Look, PixelSize, Ray, Rect } from './types.ts';
 
 export interface ViewerEvents {
   /** The user, or a standard view, has moved the camera. */
@@ -53,8 +53,8 @@ export class Viewer {
   private split: number | null = null;
   private phase: string | null = null;
   private bounds: Bounds | null = null;
-  /** Takes camera and floor back to what they were before a sketch. */
-  private leaveSketch: (() => void) | null = null;
+  /** Takes camera and floor back to what they were before the first key of an import was shown. */
+  private leaveOpening: (() => void) | null = null;
   /** Another one whenever what stands on the floor has changed. */
   private version = 0;
   private pending = 0;
@@ -155,11 +155,10 @@ export class Viewer {
     this.change();
   }
 
-  /** A new import; nothing of it is seen until its first frame, but its sketch. */
+  /** A new import; nothing of it is seen until its first frame, unless its first key is. */
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
     this.expect(info);
-    this.leaveSketch = null;
-    this.stage.setShadow(true);
+    this.leaveOpening = null;
     this.contents.setImport(info);
     this.tileAspect = 1;
     this.setBounds(bounds);
@@ -169,20 +168,17 @@ export class Viewer {
   }
 
   /**
-   * An approximate shape of an import that is about to be set, seen alone and as a whole. What is shown until now stays
-   * as it is: either `endSketch` or `setImport` is to follow.
+   * The first key of an import that is about to be set, seen alone; `camera` null: as a whole. What is shown until now
+   * stays as it is: either `endOpening` or `setImport` is to follow.
    */
-  setSketch(picture: SketchPicture, { bounds, points }: Extent): void {
-    const isFirst = this.leaveSketch === null;
-    this.leaveSketch ??= this.restoring();
-    this.contents.setSketch(picture);
-    this.stage.setPhase(picture.colour);
-    this.stage.setShadow(picture.shadow);
-    if (isFirst) {
-      this.tileAspect = 1;
-      this.setExtent(bounds, points);
-      this.fit('home', false);
-    }
+  setOpening(key: FirstKey, { bounds, points }: Extent, camera: CameraPose | null): void {
+    this.leaveOpening ??= this.restoring();
+    this.contents.setOpening(key);
+    this.stage.setPhase(key.colour);
+    this.tileAspect = 1;
+    this.setExtent(bounds, points);
+    if (camera) this.setCameraPose(camera);
+    else this.fit('home', false);
     this.change();
   }
 
@@ -192,7 +188,6 @@ export class Viewer {
     const { bounds, tileAspect, phase } = this;
     const { isStrip } = this.contents;
     return () => {
-      this.stage.setShadow(true);
       this.tileAspect = tileAspect;
       if (bounds) this.setBounds(bounds);
       this.stage.setPhase(isStrip ? null : phase);
@@ -202,16 +197,16 @@ export class Viewer {
     };
   }
 
-  endSketch(): void {
-    const leave = this.leaveSketch;
+  endOpening(): void {
+    const leave = this.leaveOpening;
     if (!leave) return;
-    this.leaveSketch = null;
-    this.contents.endSketch();
+    this.leaveOpening = null;
+    this.contents.endOpening();
     leave();
     this.change();
   }
 
-  /** Resolves once what is open is seen in its own textures. */
+  /** Resolves once the shape is seen in its own textures. */
   textured(): Promise<void> {
     return this.contents.textured;
   }

@@ -1,6 +1,6 @@
 /** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
 import { METHOD } from '../../engine/api/methods.ts';
-import type { Sequence, SketchFrame } from '../../engine/api/api.ts';
+import type { Sequence } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
@@ -26,6 +26,7 @@ import type { Measure } from './measures.ts';
 import type { Original } from './original.ts';
 import { pickFace } from './pick-face.ts';
 import { patchColours } from '../../viewer/patch-colours.ts';
+import { vertexNormals } from './vertex-normals.ts';
 import type { FrameSet, RunningMotion } from '../../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Opening } from '../session/workspace.ts';
@@ -89,17 +90,17 @@ export class SceneController {
   private width = 0;
   /** How far along x the ghost stands beside the shape now. */
   private beside: number | null = null;
-  /** An approximate shape of what is being opened is shown instead. */
-  private sketch: { info: KeysInfo; extent: Extent } | null = null;
+  /** The first key of what is being opened is shown instead. */
+  private opening: { info: KeysInfo; extent: Extent } | null = null;
 
   constructor(
     host: HTMLElement,
     events: ViewerEvents,
     private readonly onNames: (names: readonly FilmLabel[]) => void,
   ) {
-    // Where a sketch is looked at from is not of what is open.
+    // Where a first key is looked at from is not of what is open.
     this.onCamera = (pose) => {
-      if (!this.sketch) events.onCamera(pose);
+      if (!this.opening) events.onCamera(pose);
     };
     this.viewer = new Viewer(host, {
       ...events,
@@ -113,12 +114,12 @@ export class SceneController {
   }
 
   get colourBar(): ColourBarProps | null {
-    return (this.sketch ? null : this.heatMap?.bar) ?? null;
+    return (this.opening ? null : this.heatMap?.bar) ?? null;
   }
 
   /** What is written over the views. */
   get shownLabels(): TileLabel[] {
-    return this.sketch ? [] : this.labels;
+    return this.opening ? [] : this.labels;
   }
 
   /** What the colours of the first view show now, where that is the difference of two motions. */
@@ -139,25 +140,21 @@ export class SceneController {
     this.viewer.expect(info);
   }
 
-  /**
-   * An approximate shape of files that are being opened, alone in the picture; what is open stays as it is. `shadow`:
-   * drawn anew.
-   */
-  showSketch({ info, doc, pool }: Opening, { t, ...shape }: SketchFrame, shadow: boolean): void {
-    const { keys, motion } = doc;
-    this.sketch ??= { info, extent: extentOf(pool.poses(pool.imported)) };
-    const range: Range = [keys[0]?.time ?? 0, keys.at(-1)?.time ?? 1];
-    const periodic = motion.boundary === 'periodic';
-    const { kind } = phaseOf({ t, keys, range, periodic, tolerance: PLAYING_TOLERANCE });
-    this.viewer.setSketch({ ...shape, colour: PHASE_COLOURS[kind], shadow }, this.sketch.extent);
+  /** The first key of files that are being opened, alone in the picture; what is open stays as it is. */
+  showOpening({ info, doc, pool, camera }: Opening): void {
+    this.opening = { info, extent: extentOf(pool.poses(pool.imported)) };
+    const pose = doc.keys[0]?.pose ?? 0;
+    const positions = pool.keys.positions(pose);
+    const normals = (pose === 0 && pool.keys.normals()) || vertexNormals(positions, info.faces);
+    this.viewer.setOpening({ info, positions, normals, colour: PHASE_COLOURS.key }, this.opening.extent, camera);
     this.placeNames();
   }
 
   /** What is open is seen again, as it was. */
-  endSketch(): void {
-    if (!this.sketch) return;
-    this.viewer.endSketch();
-    this.sketch = null;
+  endOpening(): void {
+    if (!this.opening) return;
+    this.viewer.endOpening();
+    this.opening = null;
     this.placeNames();
   }
 
@@ -174,20 +171,22 @@ export class SceneController {
     this.beside = null;
     this.labels = [];
     this.heatMap?.clear();
-    const sketch = this.sketch?.info === info ? this.sketch : null;
-    this.sketch = null;
-    const { bounds, points } = sketch?.extent ?? extentOf(pool.poses(pool.imported));
-    const looksElsewhere = sketch !== null && !this.viewer.isFitted;
+    const opening = this.opening?.info === info ? this.opening : null;
+    this.opening = null;
+    const { bounds, points } = opening?.extent ?? extentOf(pool.poses(pool.imported));
+    const looksElsewhere = opening !== null && !this.viewer.isFitted;
     this.width = bounds.max[0] - bounds.min[0];
     this.base = measure(pool.keys.positions(0), info.faces);
     this.viewer.setImport(info, bounds, points);
     this.viewer.setViews(1);
+    if (looksElsewhere) return;
     if (camera) this.viewer.setCameraPose(camera);
-    else if (!looksElsewhere) this.viewer.fit('home', false);
+    else this.viewer.fit('home', false);
   }
 
   /** Fits the view to the keys and to what is drawn now, which may have left them. */
   fit(view: ViewName | null, eased: boolean): void {
+    if (this.opening) return this.viewer.fit(view, eased);
     if (!this.pool) return;
     this.setExtent(this.film?.shapes ?? this.withGhost(this.shown()));
     this.viewer.fit(view, eased);
@@ -279,7 +278,7 @@ export class SceneController {
 
   /** The face under a place of the canvas, in CSS pixels; -1 where there is none. */
   pick(x: number, y: number): number {
-    const at = this.film || this.sketch ? null : this.viewer.rayAt(x, y);
+    const at = this.film || this.opening ? null : this.viewer.rayAt(x, y);
     return at && this.info ? pickFace(this.viewer.positions(at.view), this.info.faces, at.ray) : -1;
   }
 
@@ -406,7 +405,7 @@ export class SceneController {
 
   /** Names of the shapes of a film strip, where a view has them on the canvas, in its pixels. */
   filmLabels(view: number): FilmLabel[] {
-    const film = this.sketch ? null : this.film;
+    const film = this.opening ? null : this.film;
     const places = film?.places[view];
     if (!film || !places) return [];
     const at = this.viewer.projectDrawn(places, view);

@@ -1,5 +1,5 @@
 /** Unit normals of the vertices of shapes that come without: faces weighted by their areas. 3 x vertices each. */
-export function vertexNormals(p: Float32Array, faces: Uint32Array, normals: Float32Array): void {
+export function vertexNormals(p: Float32Array, faces: Uint32Array, normals = new Float32Array(p.length)): Float32Array {
   normals.fill(0);
   for (let f = 0; f < faces.length; f += 3) {
     const [a, b, c] = [3 * faces[f]!, 3 * faces[f + 1]!, 3 * faces[f + 2]!];
@@ -18,4 +18,5 @@ export function vertexNormals(p: Float32Array, faces: Uint32Array, normals: Floa
     normals[i + 1]! /= length;
     normals[i + 2]! /= length;
   }
+  return normals;
 }

@@ -487,7 +487,7 @@ export function createComponents(input: ComponentsInput): Components {
       offline: viewState.offline,
     });
     warnings.update({ items: itemsOf(viewState.warnings), shown: viewState.shownWarning });
-    progress.update(viewState.working, viewState.sketched);
+    progress.update(viewState.working);
     errorMessage.update(viewState.errorMessage);
     const covered =
       heat !== null || (labels.length > 0 && !split) || viewState.errorMessage !== null || viewState.working !== null;

@@ -206,6 +206,7 @@ export function createPage(parts: PageParts): Page {
     if (parts.waits()) return;
     presentation.update(store.get().view.present);
     setAttribute(layout.viewport, 'data-placing', viewState.get().placing);
+    setAttribute(layout.viewport, 'data-dimmed', viewState.get().dimmed);
     components.update({
       state: store.get(),
       viewState: viewState.get(),

@@ -33,8 +33,8 @@ export interface ViewState {
   /** Index of the warning whose place is marked on the shape, or null. */
   shownWarning: number | null;
   working: Working | null;
-  /** An approximate shape of what is being opened is shown. */
-  sketched: boolean;
+  /** What is open rests behind large files that are being read. */
+  dimmed: boolean;
   errorMessage: ErrorMessage | null;
   stats: SequenceStats | null;
   /** Milliseconds of the last exact frame. */
@@ -145,7 +145,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   warnings: [],
   shownWarning: null,
   working: null,
-  sketched: false,
+  dimmed: false,
   errorMessage: null,
   stats: null,
   ms: null,

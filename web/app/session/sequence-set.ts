@@ -1,5 +1,5 @@
 /** The running sequences: one per motion that is shown. Follows the wanted plan, the newest one wins. */
-import type { Engine, Keys, Sketch } from '../../engine/api/api.ts';
+import type { Engine, Keys } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { RunningMotion, Variant } from '../../playback/frame-set.ts';
@@ -25,7 +25,6 @@ export class SequenceSet {
   private sequences: RunningSequence[] = [];
   private served: SequencePlan | null = null;
   private wanted: SequencePlan | null = null;
-  private sketch: Sketch | undefined;
   private building: { shape: string; abort: AbortController } | null = null;
   private running: Promise<void> | null = null;
 
@@ -48,10 +47,8 @@ export class SequenceSet {
     while (this.running) await this.running;
   }
 
-  /** `sketch`: of the first of them, while they are made. */
-  want(plan: SequencePlan, sketch?: Sketch): void {
+  want(plan: SequencePlan): void {
     this.wanted = plan;
-    this.sketch = sketch;
     if (this.building && this.building.shape !== buildKey(plan)) this.building.abort.abort();
     this.running ??= this.run();
   }
@@ -118,8 +115,7 @@ export class SequenceSet {
     const buildOne = async (variant: Variant, index: number): Promise<RunningSequence> => {
       const keys = this.pool.keys.arrange(plan.order, plan.times, plan.names);
       const options = optionsFor(plan, variant, this.pool.keys);
-      const sketch = index === 0 && this.sketch ? { sketch: this.sketch } : {};
-      const call = { signal: abort.signal, onProgress: progressOf(index), ...sketch };
+      const call = { signal: abort.signal, onProgress: progressOf(index) };
       return {
         ...variant,
         key: variantKey(plan, variant),

@@ -1,5 +1,5 @@
 /** What is open, with the engine that serves it: every edit becomes sequences, or is taken back. */
-import type { Engine, Sequence, SketchFrame } from '../../engine/api/api.ts';
+import type { Engine, Sequence } from '../../engine/api/api.ts';
 import type { KeysInfo, Progress } from '../../engine/api/types.ts';
 import { EMPTY_STATE } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -16,9 +16,10 @@ export interface SessionEvents {
   onWorking(working: Progress | null): void;
   /** Files are read; their motion is not made yet. */
   onRead(info: KeysInfo): void;
-  /** Approximate shapes of what is being opened are about to come. */
-  onAwaited(opening: Opening): void;
-  onSketch(opening: Opening, frame: SketchFrame): void;
+  /** Files that may be large are about to be read. */
+  onLarge(): void;
+  /** Their keys are read; their motion takes a while. */
+  onKeys(opening: Opening): void;
   /** What was being opened will not be. */
   onGivenUp(): void;
   /** The sequences follow the document now. */
@@ -52,7 +53,7 @@ export interface Session {
 
 export function createSession(
   started: StartedEngine,
-  { onWorking, onRead, onAwaited, onSketch, onGivenUp, onServed, onError, onRestart }: SessionEvents,
+  { onWorking, onRead, onLarge, onKeys, onGivenUp, onServed, onError, onRestart }: SessionEvents,
 ): Session {
   const store = createStore(EMPTY_STATE);
   const restart = new WorkerRestart(onRestart);
@@ -62,8 +63,8 @@ export function createSession(
   const workspace = new Workspace(engine, {
     onProgress: onWorking,
     onRead,
-    onAwaited,
-    onSketch,
+    onLarge,
+    onKeys,
     onGivenUp,
     onReady() {
       served.note(store.get());

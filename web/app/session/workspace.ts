@@ -1,9 +1,9 @@
 /** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
-import type { Engine, Keys, Sketch, SketchFrame } from '../../engine/api/api.ts';
+import type { Engine, Keys } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
-import { LARGE } from '../../engine/api/large.ts';
-import type { Doc } from '../../model/state.ts';
+import { LARGE, mayBeLarge } from '../../engine/api/large.ts';
+import type { Doc, View } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
 import { SequenceSet } from './sequence-set.ts';
@@ -17,19 +17,22 @@ export interface Opened {
   doc: Doc;
 }
 
-/** What is being opened: read, and shown as it will be once its motion is made. */
+/** What is being opened: its keys are read, its motion is not made yet. */
 export interface Opening extends Opened {
   pool: PosePool;
+  /** null: as a whole. */
+  camera: View['camera'];
 }
 
 export interface WorkspaceEvents {
   onProgress(progress: Progress | null): void;
   /** Files are read; the motion is not made yet. */
   onRead(info: KeysInfo): void;
-  /** The motion of what is being opened takes a while; approximate shapes of it are about to come. */
-  onAwaited(opening: Opening): void;
-  onSketch(opening: Opening, frame: SketchFrame): void;
-  /** It will not be opened. */
+  /** Files that may be large are about to be read. */
+  onLarge(): void;
+  /** Their keys are read; their motion takes a while. */
+  onKeys(opening: Opening): void;
+  /** What was being opened will not be. */
   onGivenUp(): void;
   onReady(plan: SequencePlan): void;
   onRefused(error: unknown, current: SequencePlan | null): void;
@@ -40,8 +43,8 @@ export interface OpeningSteps {
   otherwise?(info: KeysInfo): ImportOptions | null;
   /** May change the document that the files start with. */
   adjust(doc: Doc, pool: PosePool): Doc;
-  /** From where its motion is shown, and how fast, before it is made; null: not at all. */
-  sketch?(opened: Opened): Omit<Sketch, 'onFrame'> | null;
+  /** From where its first key is seen until then; null: what is open is seen, and used, until then. */
+  camera: (() => View['camera']) | null;
   /** The last moment of what was open before. */
   leave(): void;
 }
@@ -117,8 +120,9 @@ export class Workspace {
   async open(
     source: Input,
     given: ImportOptions,
-    { otherwise, adjust, sketch, leave }: OpeningSteps,
+    { otherwise, adjust, camera, leave }: OpeningSteps,
   ): Promise<Opened | null> {
+    if (this.opening) this.events.onGivenUp();
     this.opening?.abort();
     const abort = new AbortController();
     this.opening = abort;
@@ -133,6 +137,7 @@ export class Workspace {
           ? await source((fraction) => report('reading the files', fetched * fraction), abort.signal)
           : source;
       abort.signal.throwIfAborted();
+      if (camera && mayBeLarge(input)) this.events.onLarge();
       const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
       const read = { signal: abort.signal, onProgress };
       keys = await this.engine.importKeyframes(input, given, read);
@@ -147,11 +152,8 @@ export class Workspace {
       this.events.onRead(info);
       const pool = new PosePool(keys);
       const doc = adjust(documentFromImport(info, pool), pool);
-      const plays = sketch?.({ info, doc });
-      const onFrame = (frame: SketchFrame): void => this.events.onSketch(opening, frame);
-      const opening = { info, doc, pool };
-      if (plays && info.report.vertices >= LARGE) this.events.onAwaited(opening);
-      const set = await this.firstSet(pool, sequencePlan(doc), abort, plays ? { ...plays, onFrame } : undefined);
+      if (camera && info.report.vertices >= LARGE) this.events.onKeys({ info, doc, pool, camera: camera() });
+      const set = await this.firstSet(pool, sequencePlan(doc), abort);
       performance.mark('shapespline made');
       if (this.current) leave();
       this.close();
@@ -159,7 +161,7 @@ export class Workspace {
       return { info, doc };
     } catch (error) {
       keys?.dispose();
-      this.events.onGivenUp();
+      if (this.opening === abort) this.events.onGivenUp();
       if (isCancelled(error) || abort.signal.aborted) return null;
       throw error;
     } finally {
@@ -186,12 +188,7 @@ export class Workspace {
     if (this.opening === abort) this.events.onProgress(progress);
   }
 
-  private async firstSet(
-    pool: PosePool,
-    plan: SequencePlan,
-    abort: AbortController,
-    sketch: Sketch | undefined,
-  ): Promise<SequenceSet> {
+  private async firstSet(pool: PosePool, plan: SequencePlan, abort: AbortController): Promise<SequenceSet> {
     let failure: unknown = null;
     let open = false;
     const set = new SequenceSet(this.engine, pool, {
@@ -209,7 +206,7 @@ export class Workspace {
     });
     const stop = (): void => set.cancel();
     abort.signal.addEventListener('abort', stop);
-    set.want(plan, sketch);
+    set.want(plan);
     await set.idle();
     abort.signal.removeEventListener('abort', stop);
     if (abort.signal.aborted || set.plan === null) {

@@ -1,18 +1,16 @@
 /** Ways in: a sample, a link, files of the user, another sampling of an animation, further keys from a file. */
-import type { Engine, Sketch } from '../../engine/api/api.ts';
+import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeysInfo, Progress } from '../../engine/api/types.ts';
 import { orientationStep, reoriented } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
 import type { Doc, Source, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, EMPTY_STATE, bounces } from '../../model/state.ts';
-import { clamp } from '../../model/time-scale.ts';
-import type { Range } from '../../model/time-scale.ts';
+import { DEFAULT_VIEW, EMPTY_STATE } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
-import type { Input, Opened, Workspace } from '../session/workspace.ts';
+import type { Input, Workspace } from '../session/workspace.ts';
 import { addPoses, takeTangent } from './add-poses.ts';
 import { readFiles } from './input-files.ts';
 import { Openings } from '../kept/openings.ts';
@@ -68,8 +66,6 @@ export interface OpenFilesParts {
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
   onOpened(opened: OpenedFiles): void;
-  /** The time that a sketch of these files has reached on the screen; null where there is none. */
-  sketched(info: KeysInfo): number | null;
   /** The files were read anew for the same document: what is shown is to be made of them. */
   onRead(): void;
   /** Of reading further poses; an import is told of by the workspace. */
@@ -145,7 +141,6 @@ export function createOpenFiles({
   say,
   onStart,
   onOpened,
-  sketched,
   onRead,
   onWorking,
   onError,
@@ -162,13 +157,7 @@ export function createOpenFiles({
     let initial = EMPTY_STATE.doc;
     let leaving: Work | null = null;
     let stoodUp = false;
-    const sketchOf = (opening: Opened): Omit<Sketch, 'onFrame'> | null => {
-      const { playing, speed, loop, between } = openingPlay(opening, source, link, store.get().play, reducedMotion());
-      const { keys, motion } = opening.doc;
-      const ends: Range = [keys[0]?.time ?? 0, keys.at(-1)?.time ?? 0];
-      const time = clamp(link?.time ?? ends[0], ...ends);
-      return playing && !between ? { time, speed, bounce: bounces(loop, motion.boundary) } : null;
-    };
+    let buried = false;
     const opened = await workspace.open(input, options, {
       otherwise({ warnings }) {
         stoodUp = request.picked === true && warnings.some(({ code }) => code === 'z-up');
@@ -177,9 +166,13 @@ export function createOpenFiles({
       adjust(doc, pool) {
         initial = adjust(doc, pool);
         if (left) return restored(left, pool);
-        return link ? applyPermalink(initial, link, pool.keys.info.report.components) : initial;
+        if (!link) return initial;
+        const { report, faces } = pool.keys.info;
+        const linked = applyPermalink(initial, link, report.components);
+        buried = isBuried(link.view.camera ?? null, link.time ?? linked.keys[0]?.time ?? 0, linked, pool, faces);
+        return linked;
       },
-      sketch: (opening) => (left || request.stays ? null : sketchOf(opening)),
+      camera: request.stays ? null : () => (buried ? null : ((left?.state.view ?? link?.view)?.camera ?? null)),
       leave: () => (leaving = currentWork(store, workspace)),
     });
     if (!opened) return false;
@@ -194,9 +187,8 @@ export function createOpenFiles({
           ? before.view
           : openingView(before.view, link);
     const pool = workspace.pool!;
-    const firstTime = request.stays ? before.time : (sketched(info) ?? link?.time ?? null);
+    const firstTime = request.stays ? before.time : (link?.time ?? null);
     const time = left?.state.time ?? openingTime(doc, workspace.range, firstTime);
-    const buried = !!link && isBuried(wanted.camera, time, doc, pool, info.faces);
     const view = buried ? { ...wanted, camera: null } : wanted;
     onOpened({
       info,

@@ -28,31 +28,6 @@ export interface CallOptions {
   onProgress?: (progress: Progress) => void;
 }
 
-/** An approximate shape at a time, of a coarse mesh. */
-export interface SketchFrame {
-  t: number;
-  /** 3 x vertices of the coarse mesh. */
-  positions: Float32Array;
-  normals: Float32Array;
-  /** 3 vertices for each face; the same array with every shape of a sketch. */
-  faces: Uint32Array;
-}
-
-/** What is shown of a large motion while it is made: the motion of a coarse mesh of the same poses. */
-export interface Sketch {
-  /** It plays from here on, so many units of time a second: from the first key to the last, and on from the first. */
-  time: number;
-  speed: number;
-  /** Back from the last key instead. */
-  bounce?: boolean;
-  /** Told of a shape now and then, until the sequence is there. Not of small shapes, which are there at once. */
-  onFrame(frame: SketchFrame): void;
-}
-
-export interface CreateOptions extends CallOptions {
-  sketch?: Sketch;
-}
-
 /** How frames are fetched ahead. */
 export interface AheadOptions {
   /** Takes the request back: what has not begun rejects with code 'cancelled'. */
@@ -63,7 +38,7 @@ export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
   /** Encodes and factorises in a fresh worker; the old sequence keeps serving until the caller disposes of it. */
-  createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CreateOptions): Promise<Sequence>;
+  createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
   /** Ends every worker. Idempotent. */
   dispose(): void;
 }
@@ -73,6 +48,8 @@ export interface Keys {
   readonly info: KeysInfo;
   /** 3 x vertices of one key. */
   positions(key: number): Float32Array;
+  /** 3 x vertices of the first key that was imported, as the file has them; null where it has none. */
+  normals(): Float32Array | null;
   /** The same keys with some left out, put in another order or at other times, without reading a file again. */
   arrange(order: number[], times: number[], names?: string[]): Keys;
   /** Adds one pose (3 x vertices) as a key, kept in order of time. */

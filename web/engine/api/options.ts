@@ -2,7 +2,6 @@
  * Checks of what callers pass as options: an unknown name, a wrong type or a value out of range is refused with
  * code 'invalid-option' and the option's name, before anything is posted to a worker.
  */
-import type { Sketch } from './api.ts';
 import { invalidOption } from './errors.ts';
 import {
   ENCODING,
@@ -278,19 +277,10 @@ function picked<T extends object>(options: T, like: Readonly<T>): T {
 }
 
 /** Names of the call options, checked like the rest. */
-export function checkCall(call: object | undefined, further: readonly string[] = []): void {
-  const names = ['signal', 'onProgress', ...further];
+export function checkCall(call: object | undefined): void {
+  const names = ['signal', 'onProgress'];
   const name = Object.keys(call ?? {}).find((key) => !names.includes(key));
   if (name) throw invalidOption(`There is no call option '${name}'; the names are ${names.join(', ')}.`);
-}
-
-/** null where none is wanted. */
-export function checkSketch(given: Sketch | undefined): Sketch | null {
-  if (given === undefined) return null;
-  const { time, speed, onFrame } = (given ?? {}) as Partial<Sketch>;
-  if (!isTime(time) || !isTime(speed) || speed < 0 || typeof onFrame !== 'function')
-    throw invalidOption('Give a sketch as { time, speed, onFrame }, the speed at least 0.');
-  return given;
 }
 
 export function checkTime(t: unknown): number {

@@ -1,17 +1,15 @@
 /** The engine over any kind of worker. A task that fails or is cancelled takes its worker with it. */
-import type { CallOptions, CreateOptions, Engine, Keys, Sequence, Sketch } from '../api/api.ts';
+import type { CallOptions, Engine, Keys, Sequence } from '../api/api.ts';
 import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
-import { LARGE } from '../api/large.ts';
-import { coarseKeys, coarseOptions } from './coarse-keys.ts';
+import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeysHandle } from './keyframes.ts';
 import { withoutLeftovers } from '../api/paths.ts';
-import { checkCall, checkImportOptions, checkSequenceOptions, checkSketch } from '../api/options.ts';
+import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
 import type { Program, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
 import { orderBeside } from './order-beside.ts';
-import { requestOf, SequenceClient, type SequenceParts } from './sequence.ts';
-import { playSketch } from './sketch.ts';
+import { requestOf, SequenceClient } from './sequence.ts';
 import type { ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
 
 export interface Platform {
@@ -25,9 +23,6 @@ export interface Platform {
   threaded?: (() => Promise<WebAssembly.Module | null>) | null;
   files?: WorkerFiles;
 }
-
-/** Bytes of a file's vertex, at least; only what is compressed takes less. */
-const VERTEX_BYTES = 12;
 
 export class EngineClient implements Engine {
   private readonly platform: Platform;
@@ -55,7 +50,7 @@ export class EngineClient implements Engine {
     checkFiles(given);
     const files = withoutLeftovers(given);
     checkImportSize(bytesOf(files));
-    if (bytesOf(files) >= LARGE * VERTEX_BYTES) void this.platform.threaded?.(); // to be there when the keys are
+    if (mayBeLarge(files)) void this.platform.threaded?.(); // to be there when the keys are
     const client = this.takeWorker();
     const imported = await this.task(client, call, () =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
@@ -64,13 +59,11 @@ export class EngineClient implements Engine {
     return new KeysHandle(imported);
   }
 
-  async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CreateOptions): Promise<Sequence> {
+  async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
     this.checkAlive();
-    checkCall(call, ['sketch']);
-    const wanted = checkSketch(call?.sketch);
+    checkCall(call);
     if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
-    const isLarge = keys.info.report.vertices >= LARGE;
-    const large = Boolean(this.platform.threaded) && isLarge;
+    const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
     const parts = {
       keys: keys.data,
       options: checkSequenceOptions(options),
@@ -80,7 +73,6 @@ export class EngineClient implements Engine {
     // What read the files has the memory for it already.
     const beside = large ? orderBeside(this.takeWorker(), requestOf(parts)) : null;
     const client = large ? this.freshWorker(large) : this.takeWorker();
-    const endSketch = wanted && isLarge ? this.startSketch(parts, wanted) : null;
     try {
       const sequence = await this.task(client, call, () =>
         SequenceClient.create(parts, client, beside?.order ?? null, { onProgress: call?.onProgress }),
@@ -88,7 +80,6 @@ export class EngineClient implements Engine {
       this.sequences.add(sequence);
       return sequence;
     } finally {
-      endSketch?.();
       beside?.end();
     }
   }
@@ -99,28 +90,6 @@ export class EngineClient implements Engine {
     for (const sequence of this.sequences) sequence.dispose();
     for (const worker of this.workers) worker.terminate(disposed('engine'));
     this.workers.clear();
-  }
-
-  /** Plays until what is returned is called. Never fails: nothing depends on it. */
-  private startSketch({ keys, options }: Pick<SequenceParts, 'keys' | 'options'>, sketch: Sketch): () => void {
-    const over = new AbortController();
-    const { signal } = over;
-    const play = async (): Promise<void> => {
-      // The worker starts while the mesh is made, and what was asked before comes first.
-      this.warm();
-      await new Promise((resolve) => setTimeout(resolve));
-      const coarse = coarseKeys(keys);
-      if (coarse.mesh.vertices.length >= LARGE) return;
-      const motion = coarseOptions(options, coarse.mesh);
-      const sequence = await this.createSequence(new KeysHandle(coarse.keys), motion, { signal });
-      try {
-        await playSketch(sequence, coarse.mesh.faces, sketch, signal);
-      } finally {
-        sequence.dispose();
-      }
-    };
-    play().catch(() => undefined);
-    return () => over.abort();
   }
 
   private takeWorker(): WorkerClient {

@@ -26,6 +26,10 @@ export class KeysHandle implements Keys {
     return this.data.positions[this.checkKey(key)]!.slice();
   }
 
+  normals(): Float32Array | null {
+    return this.data.normals?.slice() ?? null;
+  }
+
   arrange(order: number[], times: number[], names?: string[]): KeysHandle {
     const { info, positions } = this.data;
     for (const key of order) this.checkKey(key);

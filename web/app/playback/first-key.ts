@@ -1,0 +1,58 @@
+/** While large files are opened, what is open rests dimmed until the first key of the new motion takes its place. */
+import type { Opening } from '../session/workspace.ts';
+
+export interface FirstKeyParts {
+  /** Resolves when what is open no longer asks for the processor; until `resume`. */
+  rest(): Promise<void>;
+  resume(): void;
+  /** Resolves once the first key is seen. */
+  show(opening: Opening): Promise<void>;
+  /** What is open is shown again. */
+  hide(): void;
+  dim(dimmed: boolean): void;
+}
+
+export class FirstKey {
+  /** Another promise for each opening; null while there is none. */
+  private rested: Promise<void> | null = null;
+  /** It is on the screen, or about to be. */
+  isShown = false;
+
+  constructor(private readonly parts: FirstKeyParts) {}
+
+  /** Files are being read. */
+  begin(): void {
+    this.parts.dim(true);
+    this.rested = this.parts.rest();
+  }
+
+  async show(opening: Opening): Promise<void> {
+    // Compressed files show only now that they are large.
+    this.rested ??= this.parts.rest();
+    const { rested } = this;
+    await rested;
+    if (this.rested !== rested) return;
+    this.isShown = true;
+    await this.parts.show(opening);
+    if (this.rested === rested) this.parts.dim(false);
+  }
+
+  /** It is open now. */
+  settle(): void {
+    this.leave(() => undefined);
+  }
+
+  /** It will not be opened, or what is open is asked for. */
+  end(): void {
+    this.leave(this.parts.hide);
+  }
+
+  private leave(hide: () => void): void {
+    if (!this.rested) return;
+    this.rested = null;
+    if (this.isShown) hide();
+    this.isShown = false;
+    this.parts.resume();
+    this.parts.dim(false);
+  }
+}
