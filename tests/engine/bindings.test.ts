@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
 import { EngineError } from '../../web/engine/api/errors.ts';
+import { QUESTIONS } from '../../web/engine/wire/calls.ts';
 import { MOST_TURNS } from '../../web/engine/api/option-table.ts';
 import { ENCODING_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS } from '../../web/engine/api/types.ts';
 import { bendData, createBend, localCore, motion } from './support/core.ts';
@@ -21,7 +22,8 @@ describe('the bindings', () => {
   it('are those that the engine declares, and no others', async () => {
     const { module } = await localCore();
     const source = await readFile(new URL('../../web/engine/worker/wasm-module.ts', import.meta.url), 'utf8');
-    const declared = [...source.matchAll(/^ {2}(_\w+)\(/gm)].map(([, name]) => name).sort();
+    const named = [...source.matchAll(/^ {2}(_\w+)\(/gm)].map(([, name]) => name);
+    const declared = [...named, ...Object.values(QUESTIONS).map(({ symbol }) => symbol)].sort();
     const exported = Object.keys(module)
       .filter((name) => /^_(shapespline_|malloc|free)/.test(name))
       .sort();
@@ -43,10 +45,13 @@ describe('the bindings', () => {
 
   it('pass every motion option on', async () => {
     const { core } = await localCore();
-    const handle = createBend(core);
+    const bend = createBend(core);
     const at = (options: Partial<typeof MOTION_DEFAULTS>, t: number): Float32Array => {
-      core.update(handle, { ...motion, options: { ...MOTION_DEFAULTS, ...options } });
-      return core.evaluate(handle, t, null).positions;
+      const spec = { ...motion, options: { ...MOTION_DEFAULTS, ...options } };
+      const { handle } = core.motion(bend.shape, spec, bend.motion);
+      const { positions } = core.evaluate(handle, t, null);
+      core.release(handle);
+      return positions;
     };
     const natural = at({}, 0.8);
     const others = [
@@ -66,20 +71,17 @@ describe('the bindings', () => {
     const all = [natural, ...others].map((positions) => positions.join());
     expect(new Set(all).size).toBe(all.length);
     expect(at({}, 0.8)).toEqual(natural);
-    core.release(handle);
+    bend.release();
+    expect(core.objects).toBe(0);
   });
 
   it('pass every encoding option on', async () => {
     const { core } = await localCore();
     const far = (options: Partial<typeof ENCODING_DEFAULTS>, boundary: 'natural' | 'hermite' = 'natural'): string => {
       const spec = { ...motion, options: { ...MOTION_DEFAULTS, boundary } };
-      const { handle } = core.createSequence({
-        ...bendData(),
-        encoding: { ...ENCODING_DEFAULTS, ...options },
-        motion: spec,
-      });
-      const frame = core.evaluate(handle, 1.4, null);
-      core.release(handle);
+      const bend = createBend(core, { ...bendData(), encoding: { ...ENCODING_DEFAULTS, ...options } }, spec);
+      const frame = core.evaluate(bend.motion, 1.4, null);
+      bend.release();
       return frame.positions.join();
     };
     const shape = bent(bar(), 90);
@@ -116,25 +118,26 @@ describe('the bindings', () => {
         ...motion,
         options: { ...MOTION_DEFAULTS, turns: [{ key: 1, turns }] },
       });
-    core.release(turned(MOST_TURNS));
+    turned(MOST_TURNS).release();
     expect(failure(() => turned(MOST_TURNS + 1)).code).toBe('invalid-option');
   });
 
   it('turn a stale handle and an unknown choice into an internal error, not a trap', async () => {
     const { core } = await localCore();
-    const handle = createBend(core);
-    core.release(handle);
-    expect(failure(() => core.evaluate(handle, 0, null)).code).toBe('internal');
+    const stale = createBend(core);
+    stale.release();
+    expect(failure(() => core.evaluate(stale.motion, 0, null)).code).toBe('internal');
+    expect(failure(() => core.ask('pace', stale.motion, {})).code).toBe('internal');
     const odd = { ...motion, options: { ...MOTION_DEFAULTS, method: 'none' as 'lri' } };
     expect(failure(() => createBend(core, bendData(), odd)).code).toBe('internal');
     const good = createBend(core);
-    expect(core.evaluate(good, 0.5, null).positions).toHaveLength(bar().positions.length);
+    expect(core.evaluate(good.motion, 0.5, null).positions).toHaveLength(bar().positions.length);
   });
 
   it('report progress that ends at 1 and names its stages', async () => {
     const { core } = await localCore();
     const seen: [string, number][] = [];
-    core.createSequence({ ...bendData(), motion }, (stage, fraction) => seen.push([stage, fraction]));
+    core.encode(bendData(), (stage, fraction) => seen.push([stage, fraction]));
     expect(seen.length).toBeGreaterThan(2);
     expect(seen.every(([stage, fraction]) => stage.length > 0 && fraction >= 0 && fraction <= 1)).toBe(true);
     expect(seen.map(([, f]) => f)).toEqual(seen.map(([, f]) => f).sort((a, b) => a - b));

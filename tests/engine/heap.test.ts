@@ -21,10 +21,10 @@ describe('the heap', () => {
     const { core } = await localCore();
     const data = bendData();
     const cycle = (): void => {
-      const handle = createBend(core, data);
-      core.evaluate(handle, 0.3, null);
-      core.measure(handle, 0.3);
-      core.release(handle);
+      const bend = createBend(core, data);
+      core.evaluate(bend.motion, 0.3, null);
+      core.ask('measure', bend.motion, { times: [0.3], mostMs: 0 });
+      bend.release();
     };
     for (let i = 0; i < 10; ++i) cycle();
     const bytes = core.heapBytes;
@@ -67,14 +67,14 @@ describe('the heap', () => {
 
   it('may grow between two frames: old frames stay, new ones are right', async () => {
     const { core, module } = await localCore();
-    const handle = createBend(core);
-    const before = core.evaluate(handle, 0.3, null).positions;
+    const { motion } = createBend(core);
+    const before = core.evaluate(motion, 0.3, null).positions;
     const copy = before.slice();
     const bytes = core.heapBytes;
     const block = module._malloc(bytes);
     expect(core.heapBytes).toBeGreaterThan(bytes);
     expect(before).toEqual(copy);
-    expect(core.evaluate(handle, 0.3, null).positions).toEqual(copy);
+    expect(core.evaluate(motion, 0.3, null).positions).toEqual(copy);
     module._free(block);
   });
 
@@ -82,9 +82,9 @@ describe('the heap', () => {
     const { core } = await localCore();
     const small = core.heapBytes;
     const data = bendData(bar(24, 240));
-    const handle = createBend(core, data);
+    const { motion } = createBend(core, data);
     expect(core.heapBytes).toBeGreaterThan(small);
-    const { positions } = core.evaluate(handle, 0, null);
+    const { positions } = core.evaluate(motion, 0, null);
     expect(positions).toHaveLength(data.positions[0]!.length);
     expect(positions.every(Number.isFinite)).toBe(true);
   });
@@ -92,9 +92,9 @@ describe('the heap', () => {
   it('that is full gives an error with a code, and works again when there is room', async () => {
     const local = await localCore();
     const data = bendData(bar(8, 80));
-    const handle = createBend(local.core, data);
-    const wanted = local.core.evaluate(handle, 0.3, null).positions;
-    local.core.release(handle);
+    const bend = createBend(local.core, data);
+    const wanted = local.core.evaluate(bend.motion, 0.3, null).positions;
+    bend.release();
     const giveBack = takeAll(local);
     let code = 'none';
     try {
@@ -105,7 +105,7 @@ describe('the heap', () => {
     giveBack();
     expect(code).toBe('out-of-memory');
     const again = createBend(local.core, data);
-    expect(local.core.evaluate(again, 0.3, null).positions).toEqual(wanted);
+    expect(local.core.evaluate(again.motion, 0.3, null).positions).toEqual(wanted);
   });
 
   it('beyond 2 GB is addressed rightly', async () => {
@@ -118,8 +118,8 @@ describe('the heap', () => {
     const files = poses.map((positions, i) => ({ name: `${i}.glb`, bytes: meshGlb(mesh, positions) }));
     const { positions } = core.importKeys(files, IMPORT_DEFAULTS);
     expect(positions).toEqual(poses);
-    const high = core.evaluate(createBend(core, bendData()), 0.3, null).positions;
+    const high = core.evaluate(createBend(core, bendData()).motion, 0.3, null).positions;
     const low = (await localCore()).core;
-    expect(high).toEqual(low.evaluate(createBend(low), 0.3, null).positions);
+    expect(high).toEqual(low.evaluate(createBend(low).motion, 0.3, null).positions);
   });
 });

@@ -9,7 +9,7 @@ import { WasmCore } from '../../web/engine/worker/wasm-core.ts';
 import type { Frame, Progress } from '../../web/engine/api/types.ts';
 import type { CreateWasmModule, WasmModule } from '../../web/engine/worker/wasm-module.ts';
 import { provideOrder, type SharedOrder, sharedOrder } from '../../web/engine/wire/shared-order.ts';
-import { bendData, createBend, motion } from './support/core.ts';
+import { bendData, createBend } from './support/core.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar } from './support/shapes.ts';
 
@@ -51,11 +51,13 @@ describe('two threads', () => {
     const { core: alone } = await started(createWasm, 'shapespline');
     const { core: together, module } = await withSecondThread();
     const [one, two] = [createBend(alone, data), createBend(together, data)];
-    together.setThreads(two, 2);
+    together.setThreads(two.shape, 2);
     // A busy machine may leave the second thread waiting: then frames are made until it had its share.
     for (let i = 0; i < 3000 && (i < TIMES.length || module._shapespline_helped() < 20); ++i) {
       const t = TIMES[i % TIMES.length]!;
-      expect(Buffer.compare(bytes(together.evaluate(two, t, null)), bytes(alone.evaluate(one, t, null)))).toBe(0);
+      expect(
+        Buffer.compare(bytes(together.evaluate(two.motion, t, null)), bytes(alone.evaluate(one.motion, t, null))),
+      ).toBe(0);
     }
     expect(module._shapespline_helped()).toBeGreaterThanOrEqual(20);
   });
@@ -63,13 +65,13 @@ describe('two threads', () => {
   it('need no second one: without it, or once it has ended, frames are made all the same', async () => {
     const data = bendData();
     const { core, module, secondThread } = await withSecondThread();
-    const handle = createBend(core, data);
-    const before = bytes(core.evaluate(handle, 0.3, null));
-    core.setThreads(handle, 2);
-    expect(bytes(core.evaluate(handle, 0.3, null)).equals(before)).toBe(true);
+    const { shape, motion } = createBend(core, data);
+    const before = bytes(core.evaluate(motion, 0.3, null));
+    core.setThreads(shape, 2);
+    expect(bytes(core.evaluate(motion, 0.3, null)).equals(before)).toBe(true);
     await secondThread.terminate();
     const helped = module._shapespline_helped();
-    for (let i = 0; i < 20; ++i) expect(bytes(core.evaluate(handle, 0.3, null)).equals(before)).toBe(true);
+    for (let i = 0; i < 20; ++i) expect(bytes(core.evaluate(motion, 0.3, null)).equals(before)).toBe(true);
     expect(module._shapespline_helped()).toBe(helped);
   });
 });
@@ -94,9 +96,9 @@ describe('a large sequence', () => {
 
   it('is eliminated in the order that another worker found', async () => {
     const { core } = await started(createWasm, 'shapespline');
-    const request = { ...bendData(bar(8, 80)), motion };
+    const request = bendData(bar(8, 80));
     const factorWith = (order: SharedOrder | null): number =>
-      core.stats(core.createSequence({ ...request, order }).handle).factorBytes;
+      core.ask('stats', core.encode({ ...request, order }), {}).factorBytes;
     const own = factorWith(null);
     const empty = (): SharedOrder => sharedOrder(request.positions[0]!.length / 3);
     const factorBy = (order: Int32Array): number => {

@@ -35,4 +35,10 @@ const char* callResult(Work&& work) {
   }
 }
 
+/// The same for a request, which is JSON text.
+template <class Work>
+const char* answer(const char* request, Work&& work) {
+  return callResult([&] { return work(Json::parse(request)); });
+}
+
 }  // namespace shapespline::bindings

@@ -20,9 +20,9 @@ EXPORT void shapespline_help_lost() { forkJoin().breakDown(); }
 /// Whether it has, or never came back: frames that it was to help with have failed.
 EXPORT int shapespline_is_help_lost() { return forkJoin().lost() ? 1 : 0; }
 
-/// Frames of this handle are made by one thread or by two from here on, to the same bits.
+/// Frames of this shape are made by one thread or by two from here on, to the same bits.
 EXPORT void shapespline_set_threads(int handle, int threads) {
-  handleTable().get<SequenceObject>(handle).sequence.setForkJoin(threads > 1 ? &forkJoin() : nullptr);
+  handleTable().get<ShapeObject>(handle).shape->evaluator().setForkJoin(threads > 1 ? &forkJoin() : nullptr);
 }
 
 /// Parts of frames that the helper has done, for tests and measurements.

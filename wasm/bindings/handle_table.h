@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -13,11 +14,17 @@
 
 namespace shapespline::bindings {
 
-/// A sequence with the frame and the ghost that it was last evaluated into, so that no frame allocates.
-struct SequenceObject {
-  Sequence sequence;
+/// A shape with the frame and the ghost that it was last evaluated into, so that no frame allocates.
+struct ShapeObject {
+  std::shared_ptr<SharedShape> shape;
   Frame frame;
   std::vector<float> ghost;  ///< xyz of the ghost's vertices
+};
+
+/// One of its motions.
+struct MotionObject {
+  Sequence sequence;
+  int shape;  ///< handle
 };
 
 /// An import with the key that was last asked for, in single precision, and its normals.
@@ -28,7 +35,7 @@ struct ImportObject {
 };
 
 using Bytes = std::vector<std::uint8_t>;
-using Object = std::variant<SequenceObject, ImportObject, Bytes, PrincipalOffsets>;
+using Object = std::variant<ShapeObject, MotionObject, ImportObject, Bytes, PrincipalOffsets>;
 
 class HandleTable {
  public:

@@ -1,22 +1,24 @@
-// Keyframes -> a sequence object; times -> shapes and what can be measured on them.
+// Keyframes -> a shape; options and times -> its motions; times -> shapes and what can be measured on them. Questions
+// take a handle and JSON, and answer with JSON: web/engine/wire/calls.ts names each.
 #include <malloc.h>
 
 #include "bindings/export.h"
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
 #include "bindings/marshal.h"
+#include "core/base/stopwatch.h"
 #include "core/mesh/measures.h"
 #include "core/sequence/gram_matrix.h"
 
 namespace shapespline::bindings {
 namespace {
 
-Json state(const Sequence& sequence) {
-  const auto [first, last] = sequence.range();
-  return {{"range", {first, last}}, {"warnings", toJson(sequence.warnings())}};
-}
+Sequence& motionOf(int handle) { return handleTable().get<MotionObject>(handle).sequence; }
 
-Sequence& sequenceOf(int handle) { return handleTable().get<SequenceObject>(handle).sequence; }
+ShapeObject& shapeOf(int handle) { return handleTable().get<ShapeObject>(handle); }
+
+/// The shape of a motion.
+ShapeObject& shapeOfMotion(int handle) { return shapeOf(handleTable().get<MotionObject>(handle).shape); }
 
 Json described(const Frame& frame) {
   return {{"positions", range(frame.positions.data(), frame.positions.size())},
@@ -25,31 +27,29 @@ Json described(const Frame& frame) {
           {"indefiniteFace", frame.indefiniteFace}};
 }
 
-std::vector<double> numbersIn(const char* request, const char* name) {
-  return Json::parse(request).at(name).get<std::vector<double>>();
+std::vector<double> numbersOf(const Json& json, const char* name) { return json.at(name).get<std::vector<double>>(); }
+
+Json described(const PartCurve& curve) {
+  return {
+      {"patch", curve.patch}, {"neighbours", curve.neighbours}, {"numbers", curve.numbers}, {"natural", curve.natural}};
 }
 
 }  // namespace
 
-/// {faces, normals, keys: [{name, time, positions}], encoding, motion} -> {handle, range, warnings}.
-EXPORT const char* shapespline_sequence(const char* request) {
-  return callResult([&]() -> Result<Json> {
+/// {faces, normals, keys: [{name, time, positions}], encoding} -> {handle} of a shape.
+EXPORT const char* shapespline_encode(const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
     reportProgress("welding", 0);
-    const Json json = Json::parse(request);
-    Result<Sequence> sequence = Sequence::create(keyframesFrom(json), encodingFrom(json.at("encoding")),
-                                                 motionFrom(json.at("motion")), reportProgress, takeOrder);
-    if (!sequence) return sequence.error();
-    Json described = state(*sequence);
-    described["handle"] = handleTable().add(SequenceObject{std::move(*sequence), {}, {}});
-    return described;
+    auto shape = SharedShape::encode(keyframesFrom(json), encodingFrom(json.at("encoding")), reportProgress, takeOrder);
+    if (!shape) return shape.error();
+    return Json{{"handle", handleTable().add(ShapeObject{std::move(*shape), {}, {}})}};
   });
 }
 
 /// The same -> {order}: int32 numbers, valid until the next call.
 EXPORT const char* shapespline_order(const char* request) {
-  return callResult([&]() -> Result<Json> {
+  return answer(request, [&](const Json& json) -> Result<Json> {
     static std::vector<int> order;
-    const Json json = Json::parse(request);
     auto found = eliminationOrder(keyframesFrom(json), encodingFrom(json.at("encoding")));
     if (!found) return found.error();
     order = std::move(*found);
@@ -57,24 +57,27 @@ EXPORT const char* shapespline_order(const char* request) {
   });
 }
 
-/// {motion, keyTimes} -> {range, warnings}.
-EXPORT const char* shapespline_update(int handle, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    const Json json = Json::parse(request);
-    Sequence& sequence = sequenceOf(handle);
-    const Status status =
-        sequence.update(motionFrom(json.at("motion")), json.at("keyTimes").get<std::vector<double>>());
-    if (!status) return status.error();
-    return state(sequence);
+/// {motion, keyTimes, before} -> {handle, range, warnings} of a motion of the shape. `before`: another motion of it,
+/// which what is costly is taken from; or null.
+EXPORT const char* shapespline_motion(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    const Json& before = json.at("before");
+    auto motion = Sequence::fit(shapeOf(handle).shape, numbersOf(json, "keyTimes"), motionFrom(json.at("motion")),
+                                before.is_null() ? nullptr : &motionOf(before));
+    if (!motion) return motion.error();
+    const auto [first, last] = motion->range();
+    Json described = {{"range", {first, last}}, {"warnings", toJson(motion->warnings())}};
+    described["handle"] = handleTable().add(MotionObject{std::move(*motion), handle});
+    return described;
   });
 }
 
-/// {positions, normals, indefiniteFaces, indefiniteFace} of the shape at t: 3n floats each, valid until
-/// the next frame of this handle.
+/// {positions, normals, indefiniteFaces, indefiniteFace} of a motion's shape at t: 3n floats each, valid until the next
+/// frame of the same shape.
 EXPORT const char* shapespline_evaluate(int handle, double t) {
   return callResult([&]() -> Result<Json> {
-    auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
-    const Status status = sequence.evaluate(t, frame);
+    Frame& frame = shapeOfMotion(handle).frame;
+    const Status status = motionOf(handle).evaluate(t, frame);
     if (!status) return status.error();
     return described(frame);
   });
@@ -82,40 +85,49 @@ EXPORT const char* shapespline_evaluate(int handle, double t) {
 
 /// {weights: one per key, sum 1} -> the same of the shape that they blend.
 EXPORT const char* shapespline_blend(int handle, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
-    const Status status = sequence.evaluateBlend(numbersIn(request, "weights"), frame);
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    Frame& frame = shapeOfMotion(handle).frame;
+    const Status status = motionOf(handle).evaluateBlend(numbersOf(json, "weights"), frame);
     if (!status) return status.error();
     return described(frame);
   });
 }
 
-/// {volume, area, sliding} of the shape at t, in double precision, on the input's own faces.
-EXPORT const char* shapespline_measure(int handle, double t) {
-  return callResult([&]() -> Result<Json> {
-    Sequence& sequence = sequenceOf(handle);
+/// {times, mostMs} -> {volume, area, sliding} of the shapes at the first of these times: one, and more as long as that
+/// takes no longer. In double precision, on the input's own faces.
+EXPORT const char* shapespline_measure(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    Sequence& motion = motionOf(handle);
+    const double mostMs = json.at("mostMs");
+    Stopwatch watch;
+    double spent = 0;
+    std::vector<double> volume, area, sliding;
     Positions positions;
-    if (const Status status = sequence.evaluate(t, positions); !status) return status.error();
-    const auto& faces = sequence.faces();
-    return Json{{"volume", enclosedVolume(positions, faces)},
-                {"area", surfaceArea(positions, faces)},
-                {"sliding", sequence.sliding(t, positions)}};
+    for (const double t : numbersOf(json, "times")) {
+      if (!volume.empty() && spent > mostMs) break;
+      if (const Status status = motion.evaluate(t, positions); !status) return status.error();
+      volume.push_back(enclosedVolume(positions, motion.faces()));
+      area.push_back(surfaceArea(positions, motion.faces()));
+      sliding.push_back(motion.sliding(t, positions));
+      spent += watch.lap();
+    }
+    return Json{{"volume", volume}, {"area", area}, {"sliding", sliding}};
   });
 }
 
 /// {times} -> {keys, tangents, curve, distance, weights, explained}: feature_curve.h.
 EXPORT const char* shapespline_plane(int handle, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    const ShapePlane plane = sequenceOf(handle).shapePlane(numbersIn(request, "times"));
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    const ShapePlane plane = motionOf(handle).shapePlane(numbersOf(json, "times"));
     return Json{{"keys", plane.keys},         {"tangents", plane.tangents}, {"curve", plane.curve},
                 {"distance", plane.distance}, {"weights", plane.weights},   {"explained", plane.explained}};
   });
 }
 
-/// {times, weights, plane, energy, curveEnergy} of so many samples: feature_curve.h.
-EXPORT const char* shapespline_discrete_path(int handle, int samples) {
-  return callResult([&]() -> Result<Json> {
-    const auto path = sequenceOf(handle).discretePath(samples);
+/// {samples} -> {times, weights, plane, energy, curveEnergy} of so many: feature_curve.h.
+EXPORT const char* shapespline_discrete_path(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    const auto path = motionOf(handle).discretePath(json.at("samples"));
     if (!path) return path.error();
     return Json{{"times", path->times},
                 {"weights", path->weights},
@@ -125,58 +137,71 @@ EXPORT const char* shapespline_discrete_path(int handle, int samples) {
   });
 }
 
-/// {times} -> {patch, neighbours, numbers, natural} of a face, or of a patch: feature_curve.h.
-EXPORT const char* shapespline_part_curve(int handle, int index, bool isPatch, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    const std::vector<double> times = numbersIn(request, "times");
-    const auto curve =
-        isPatch ? sequenceOf(handle).patchCurve(index, times) : sequenceOf(handle).faceCurve(index, times);
+/// {face, times} -> {patch, neighbours, numbers, natural}: feature_curve.h.
+EXPORT const char* shapespline_face_curve(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    const auto curve = motionOf(handle).faceCurve(json.at("face"), numbersOf(json, "times"));
     if (!curve) return curve.error();
-    return Json{{"patch", curve->patch},
-                {"neighbours", curve->neighbours},
-                {"numbers", curve->numbers},
-                {"natural", curve->natural}};
+    return described(*curve);
   });
 }
 
-/// {distance, tension}: feature_curve.h.
-EXPORT const char* shapespline_pace(int handle) {
-  return callResult([&]() -> Result<Json> {
-    const KeyPace pace = sequenceOf(handle).keyPace();
+/// {patch, times} -> the same.
+EXPORT const char* shapespline_patch_curve(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    const auto curve = motionOf(handle).patchCurve(json.at("patch"), numbersOf(json, "times"));
+    if (!curve) return curve.error();
+    return described(*curve);
+  });
+}
+
+/// {} -> {distance, tension}: feature_curve.h.
+EXPORT const char* shapespline_pace(int handle, const char* request) {
+  return answer(request, [&](const Json&) -> Result<Json> {
+    const KeyPace pace = motionOf(handle).keyPace();
     return Json{{"distance", pace.distance}, {"tension", pace.tension}};
   });
 }
 
 /// {times} -> {speed, overshoot}: feature_curve.h.
 EXPORT const char* shapespline_motion_pace(int handle, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    const auto times = numbersIn(request, "times");
-    const MotionPace pace = sequenceOf(handle).motionPace(times);
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    const MotionPace pace = motionOf(handle).motionPace(numbersOf(json, "times"));
     return Json{{"speed", pace.speed}, {"overshoot", pace.overshoot}};
   });
 }
 
 /// {times} -> {energy}.
 EXPORT const char* shapespline_bending(int handle, const char* request) {
-  return callResult([&]() -> Result<Json> {
-    return Json{{"energy", sequenceOf(handle).bendingEnergy(numbersIn(request, "times"))}};
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    return Json{{"energy", motionOf(handle).bendingEnergy(numbersOf(json, "times"))}};
   });
 }
 
-/// {parts}: the patch of each face, or its component, int32, belonging to the handle.
-EXPORT const char* shapespline_parts(int handle, bool arePatches) {
-  return callResult([&]() -> Result<Json> {
-    const Sequence& sequence = sequenceOf(handle);
-    const std::vector<int>& parts = arePatches ? sequence.patchOfFace() : sequence.componentOfFace();
-    return Json{{"parts", range(parts.data(), parts.size())}};
+/// {t} -> {positions}: xyz of the ghost's vertices, valid until the next call for the same shape.
+EXPORT const char* shapespline_ghost_positions(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    std::vector<float>& ghost = shapeOfMotion(handle).ghost;
+    if (const Status status = motionOf(handle).evaluateGhost(json.at("t"), ghost); !status) return status.error();
+    return Json{{"positions", range(ghost.data(), ghost.size())}};
   });
 }
 
-/// {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the ghost mesh, int32, belonging to the handle; all empty without
-/// one.
-EXPORT const char* shapespline_ghost(int handle) {
-  return callResult([&]() -> Result<Json> {
-    const Ghost& ghost = sequenceOf(handle).ghost();
+/// {} -> {patchOf, componentOf}: of each face of the shape, int32, belonging to the handle.
+EXPORT const char* shapespline_parts(int handle, const char* request) {
+  return answer(request, [&](const Json&) -> Result<Json> {
+    const EncodedShape& encoded = shapeOf(handle).shape->encoded();
+    const std::vector<int>&patches = encoded.patchOfInputFace(), &components = encoded.componentOfInputFace();
+    return Json{{"patchOf", range(patches.data(), patches.size())},
+                {"componentOf", range(components.data(), components.size())}};
+  });
+}
+
+/// {} -> {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the shape's ghost mesh, int32, belonging to the handle; all
+/// empty without one.
+EXPORT const char* shapespline_ghost(int handle, const char* request) {
+  return answer(request, [&](const Json&) -> Result<Json> {
+    const Ghost& ghost = shapeOf(handle).shape->encoded().ghost();
     const auto indices = [](const std::vector<int>& list) { return range(list.data(), list.size()); };
     return Json{{"faces", range(reinterpret_cast<const int*>(ghost.faces.data()), 3 * ghost.faces.size())},
                 {"vertexOf", indices(ghost.vertexOf)},
@@ -185,19 +210,10 @@ EXPORT const char* shapespline_ghost(int handle) {
   });
 }
 
-/// {positions}: xyz of the ghost's vertices at t, valid until the next call for the same handle.
-EXPORT const char* shapespline_ghost_positions(int handle, double t) {
-  return callResult([&]() -> Result<Json> {
-    auto& [sequence, frame, ghost] = handleTable().get<SequenceObject>(handle);
-    if (const Status status = sequence.evaluateGhost(t, ghost); !status) return status.error();
-    return Json{{"positions", range(ghost.data(), ghost.size())}};
-  });
-}
-
-/// What building and frames cost, and usedBytes: what the heap holds now.
-EXPORT const char* shapespline_stats(int handle) {
-  return callResult([&]() -> Result<Json> {
-    Json stats = toJson(sequenceOf(handle).stats());
+/// {} -> what building the shape and its frames cost, and usedBytes: what the heap holds now.
+EXPORT const char* shapespline_stats(int handle, const char* request) {
+  return answer(request, [&](const Json&) -> Result<Json> {
+    Json stats = toJson(shapeOf(handle).shape->stats());
     stats["usedBytes"] = mallinfo().uordblks;
     return stats;
   });

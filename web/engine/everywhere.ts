@@ -1,5 +1,5 @@
 /** What users of the engine import in a browser and in Node alike. */
-export type { AheadOptions, CallOptions, Engine, Keys, Sequence } from './api/api.ts';
+export type { AheadOptions, CallOptions, Engine, Keys, Motion, MotionChange, Sequence, Shape } from './api/api.ts';
 export { configure, type EngineUrls, type FileUrls } from './api/configure.ts';
 export { EngineError, isCancelled } from './api/errors.ts';
 export { FramePlayer, type FrameSource, type PlayerOptions } from './api/frame-player.ts';

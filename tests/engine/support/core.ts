@@ -24,11 +24,12 @@ export async function localCore(): Promise<LocalCore> {
   return { core, module: module as unknown as WasmModule };
 }
 
-export const motion: MotionSpec = { version: 0, options: MOTION_DEFAULTS, keyTimes: [0, 0.5, 1] };
+export const motion: MotionSpec = { number: 1, options: MOTION_DEFAULTS, keyTimes: [0, 0.5, 1] };
 
-export function bendData(mesh: Mesh = bar()): Omit<RequestOf<'create'>, 'motion'> {
+export function bendData(mesh: Mesh = bar()): RequestOf<'encode'> {
   return {
     names: ['a', 'b', 'c'],
+    times: motion.keyTimes as number[],
     faces: mesh.indices,
     positions: [0, 60, 120].map((degrees) => bent(mesh, degrees)),
     normals: null,
@@ -37,6 +38,16 @@ export function bendData(mesh: Mesh = bar()): Omit<RequestOf<'create'>, 'motion'
   };
 }
 
-export function createBend(core: WasmCore, data = bendData(), spec = motion): number {
-  return core.createSequence({ ...data, motion: spec }).handle;
+export interface Bend {
+  /** Handles. */
+  shape: number;
+  motion: number;
+  release(): void;
+}
+
+export function createBend(core: WasmCore, data = bendData(), spec = motion): Bend {
+  const shape = core.encode(data);
+  const { handle } = core.motion(shape, spec, null);
+  const release = (): void => [handle, shape].forEach((one) => core.release(one));
+  return { shape, motion: handle, release };
 }

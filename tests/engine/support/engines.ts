@@ -1,6 +1,6 @@
 /** Engines for a test file, ended after it. */
 import { afterAll, expect } from 'vitest';
-import type { Engine, Keys, Sequence } from '../../../web/engine/api/api.ts';
+import type { Engine, Keys, Motion, Sequence } from '../../../web/engine/api/api.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
 import type { EngineUrls } from '../../../web/engine/api/configure.ts';
 import { createEngine } from '../../../web/engine/node.ts';
@@ -41,7 +41,7 @@ export async function bendSequence(
 }
 
 /** The frame at t; fails where a newer request overtook it. */
-export async function frameAt(sequence: Sequence, t: number): Promise<Frame> {
+export async function frameAt(sequence: Pick<Motion, 'evaluate'>, t: number): Promise<Frame> {
   const frame = await sequence.evaluate(t);
   if (!frame) throw new Error(`the frame at ${t} was overtaken`);
   return frame;

@@ -56,8 +56,7 @@ export function replyTo(request: Request): FromWorker {
         positions: [positions, positions.slice()],
         normals: null,
       });
-    case 'create':
-    case 'update':
+    case 'motion':
       return result({ range: [0, 1], warnings: [] });
     case 'evaluate':
       return result({

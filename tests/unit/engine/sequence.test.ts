@@ -15,7 +15,7 @@ const failure = (work: Promise<unknown>): Promise<EngineError> =>
 const measuredAt = (times: readonly number[], id: number): FromWorker => ({
   type: 'result',
   id,
-  value: times.map((t) => ({ volume: t, area: t, sliding: null })),
+  value: { volume: [...times], area: [...times], sliding: times.map(() => null) },
 });
 
 /** A sequence whose frames wait until the test replies; to others `reply` answers first. */
@@ -107,17 +107,17 @@ describe('update', () => {
     const shown = sequence.evaluate(0.5);
     for (let i = 0; i < 2; ++i) await replyNext();
     await Promise.all([many, shown]);
-    const asked = worker.of('evaluate').map(({ t, motion }) => [t, motion.options.boundary, motion.version]);
+    const asked = worker.of('evaluate').map(({ t, motion }) => [t, motion.options.boundary, motion.number]);
     expect(asked).toEqual([
-      [1, 'natural', 0],
-      [2, 'natural', 0],
-      [0.5, 'periodic', 1],
+      [1, 'natural', 1],
+      [2, 'natural', 1],
+      [0.5, 'periodic', 2],
     ]);
   });
 
   it('that fails leaves the motion as it was', async () => {
     const fails = (request: Request): FromWorker =>
-      request.type === 'update'
+      request.type === 'motion' && request.motion.number > 1
         ? {
             type: 'error',
             id: request.id,
@@ -131,7 +131,7 @@ describe('update', () => {
     expect([error.code, error.place]).toEqual(['times-not-increasing', { key: 1 }]);
     expect([sequence.keyTimes, sequence.options.startSpeed]).toEqual([[0, 1], 1]);
     await sequence.evaluate(0);
-    expect(workers[0]?.of('evaluate')[0]?.motion.version).toBe(0);
+    expect(workers[0]?.of('evaluate')[0]?.motion.number).toBe(1);
   });
 });
 
@@ -147,7 +147,9 @@ describe('a worker that dies', () => {
     const next = sequence.evaluate(0.6);
     await settled();
     const fresh = workers[1] as FakeWorker;
-    expect(fresh.of('create')[0]?.motion).toMatchObject({ options: { boundary: 'hermite' }, keyTimes: [0, 3] });
+    expect(fresh.of('encode')).toHaveLength(1);
+    const [asked] = fresh.of('evaluate');
+    expect(asked?.motion).toMatchObject({ options: { boundary: 'hermite' }, keyTimes: [0, 3] });
     fresh.say(replyTo(fresh.requests.at(-1) as Request));
     expect((await next)?.t).toBe(0.6);
     expect(workers).toHaveLength(2);
@@ -170,7 +172,7 @@ describe('a worker that dies', () => {
 describe('cancelling', () => {
   it('ends the worker of a new sequence at once and leaves the old one alone', async () => {
     const { engine, workers } = fakeEngine((request) =>
-      request.type === 'create' && workers.length > 1 ? null : replyTo(request),
+      request.type === 'encode' && workers.length > 1 ? null : replyTo(request),
     );
     const keys = await engine.importKeyframes([someFile]);
     const old = await engine.createSequence(keys);
@@ -202,7 +204,7 @@ describe('cancelling', () => {
 
 describe('progress', () => {
   it('never falls, whatever the worker says', async () => {
-    const { engine, workers } = fakeEngine((request) => (request.type === 'create' ? null : replyTo(request)));
+    const { engine, workers } = fakeEngine((request) => (request.type === 'encode' ? null : replyTo(request)));
     const seen: number[] = [];
     const keys = await engine.importKeyframes([someFile]);
     const made = engine.createSequence(keys, {}, { onProgress: ({ fraction }) => seen.push(fraction) });

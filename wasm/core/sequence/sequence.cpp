@@ -1,11 +1,9 @@
 #include "core/sequence/sequence.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/format.h"
-#include "core/sequence/build_progress.h"
 #include "core/sequence/uneven_times.h"
 
 namespace shapespline {
@@ -23,41 +21,34 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
   return times;
 }
 
-// Every key has a weight at every other one: numbers and work grow with the square.
-constexpr int mostKeys = 2000;
-
 }  // namespace
+
+Result<Sequence> Sequence::fit(std::shared_ptr<SharedShape> shape, std::vector<double> keyTimes,
+                               const MotionOptions& motion, const Sequence* before) {
+  auto fitted = Motion::fit(shape->encoded(), std::move(keyTimes), motion, before ? &before->motion_ : nullptr);
+  if (!fitted) return fitted.error();
+  Sequence sequence(std::move(shape), std::move(*fitted));
+  sequence.collectWarnings();
+  return sequence;
+}
 
 Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                   const StageProgress& progress, OrderSource order) {
-  if (keyframes.keyCount() > mostKeys)
-    return Error{ErrorCode::TooLarge, "There are " + grouped(keyframes.keyCount()) + " keys; a motion passes through " +
-                                          grouped(mostKeys) + " at most. Take fewer keys."};
-  double reached = 0;
-  const StageProgress report = [&, withGhost = encoding.ghostFaces > 0](const char* stage, double fraction) {
-    reached = std::max(reached, wholeProgress(stage, fraction, withGhost));
-    if (progress) progress(stage, reached);
-  };
   std::vector<double> times = timesOf(keyframes);
-  auto encoded = EncodedShape::build(std::move(keyframes), encoding, report, order);
-  if (!encoded) return encoded.error();
-  auto fitted = Motion::fit(*encoded, std::move(times), motion);
-  if (!fitted) return fitted.error();
-  report("factorising", 1);
-  Sequence sequence(std::move(*encoded), std::move(*fitted));
-  sequence.collectWarnings();
-  return sequence;
+  auto shape = SharedShape::encode(std::move(keyframes), encoding, progress, order);
+  if (!shape) return shape.error();
+  return fit(std::move(*shape), std::move(times), motion);
 }
 
 void Sequence::collectWarnings() {
   warnings_ = motion_.warnings();
   const auto shapeAt = [this](double t, Positions& shape) { return evaluate(t, shape); };
-  const std::vector<Warning> uneven = unevenTimesWarnings(encoded_, motion_, shapeAt);
+  const std::vector<Warning> uneven = unevenTimesWarnings(encoded(), motion_, shapeAt);
   warnings_.insert(warnings_.end(), uneven.begin(), uneven.end());
 }
 
 Status Sequence::update(const MotionOptions& options, const std::vector<double>& keyTimes) {
-  auto motion = Motion::fit(encoded_, keyTimes, options, &motion_);
+  auto motion = Motion::fit(encoded(), keyTimes, options, &motion_);
   if (!motion) return motion.error();
   motion_ = std::move(*motion);
   sliding_.reset();
@@ -67,46 +58,46 @@ Status Sequence::update(const MotionOptions& options, const std::vector<double>&
 
 Status Sequence::evaluate(double t, Frame& frame) {
   if (Status status = checkTime(t); !status) return status;
-  evaluator_.frame(encoded_, motion_, t, frame);
+  shape_->evaluator().frame(encoded(), motion_, t, frame);
   return {};
 }
 
 Status Sequence::evaluate(double t, Positions& positions) {
   if (Status status = checkTime(t); !status) return status;
-  evaluator_.positions(encoded_, motion_, t, positions);
+  shape_->evaluator().positions(encoded(), motion_, t, positions);
   return {};
 }
 
 double Sequence::sliding(double t, const Positions& shape) {
   const auto [first, last] = range();
   if (!(t >= first && t <= last) || motion_.options().inPlace) return std::numeric_limits<double>::quiet_NaN();
-  if (!sliding_) sliding_ = std::make_unique<const Sliding>(encoded_.holdInput().mesh, motion_.naturalCurve());
-  return sliding_->at(t, shape, encoded_.input().welding.weldedOfRaw);
+  if (!sliding_) sliding_ = std::make_unique<const Sliding>(encoded().holdInput().mesh, motion_.naturalCurve());
+  return sliding_->at(t, shape, encoded().input().welding.weldedOfRaw);
 }
 
 Status Sequence::evaluateBlend(const std::vector<double>& weights, Frame& frame) {
-  const int keys = encoded_.shape().keys;
+  const int keys = encoded().shape().keys;
   if (static_cast<int>(weights.size()) != keys)
     return Error{ErrorCode::InvalidOption, "There are " + grouped(static_cast<std::int64_t>(weights.size())) +
                                                " weights for " + grouped(keys) + " keys. Give one per key."};
   double sum = 0;
   for (const double w : weights) sum += w;
   if (!(std::abs(sum - 1) <= 1e-6)) return Error{ErrorCode::InvalidOption, "The weights must be finite and sum to 1."};
-  evaluator_.blend(encoded_, motion_, weights, frame);
+  shape_->evaluator().blend(encoded(), motion_, weights, frame);
   return {};
 }
 
 Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
   if (Status status = checkTime(t); !status) return status;
-  if (!encoded_.ghostMotion())
+  if (!encoded().ghostMotion())
     return Error{ErrorCode::InvalidOption, "This sequence has no ghost mesh. Create it with ghost faces."};
-  evaluator_.ghost(encoded_, motion_, t, positions);
+  shape_->evaluator().ghost(encoded(), motion_, t, positions);
   return {};
 }
 
 Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
   if (Status status = checkTime(t); !status) return status;
-  evaluator_.patchRotations(encoded_, motion_, t, rotations);
+  shape_->evaluator().patchRotations(encoded(), motion_, t, rotations);
   return {};
 }
 
@@ -117,14 +108,9 @@ Result<PartCurve> Sequence::faceCurve(int inputFace, const std::vector<double>& 
 }
 
 Result<PartCurve> Sequence::patchCurve(int patch, const std::vector<double>& times) {
-  if (patch < 0 || patch >= encoded_.patches().coordinates().patches.count)
+  if (patch < 0 || patch >= encoded().patches().coordinates().patches.count)
     return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + "."};
   return featureCurve().patch(patch, times);
-}
-
-FeatureCurve Sequence::featureCurve() {
-  if (gram_.size() == 0) gram_ = encoded_.gramMatrix();
-  return {encoded_, motion_, gram_};
 }
 
 }  // namespace shapespline

@@ -2,26 +2,27 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/hold/sliding.h"
-#include "core/sequence/encoded_shape.h"
-#include "core/sequence/evaluator.h"
 #include "core/sequence/feature_curve.h"
 #include "core/sequence/motion.h"
+#include "core/sequence/shared_shape.h"
 
 namespace shapespline {
 
-/// A completed motion. Built once (weld, encode, factorise), then evaluated at any time; evaluate is a pure function of
-/// keys, options and t, bit for bit. Not thread-safe.
+/// A motion of a shape, evaluated at any time. evaluate is a pure function of keys, options and t, bit for bit. Not
+/// thread-safe, nor are several of one shape.
 class Sequence {
  public:
-  /// keyframes: moved in where the caller needs them no more; freed once they are welded. progress: called with a
-  /// stage's name and the fraction of the whole work that is done, in [0, 1] and never falling. order: as for
-  /// EncodedShape::build.
-  /// Errors: those of EncodedShape::build and of Motion::fit.
+  /// A motion of a shape that may have others. before: one of them, which what is costly is taken from; or null.
+  /// Errors: those of Motion::fit.
+  static Result<Sequence> fit(std::shared_ptr<SharedShape> shape, std::vector<double> keyTimes,
+                              const MotionOptions& motion, const Sequence* before = nullptr);
+
+  /// The same of a shape of its own. Arguments as for SharedShape::encode. Errors: those of SharedShape::encode and of
+  /// Motion::fit.
   static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                  const StageProgress& progress = {}, OrderSource order = nullptr);
 
@@ -32,7 +33,7 @@ class Sequence {
   Status evaluate(double t, Frame& frame);
 
   /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the sequence.
-  void setForkJoin(ForkJoin* forkJoin) { evaluator_.setForkJoin(forkJoin); }
+  void setForkJoin(ForkJoin* forkJoin) { shape_->evaluator().setForkJoin(forkJoin); }
 
   /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's
   /// precision.
@@ -48,13 +49,13 @@ class Sequence {
 
   /// The ghost that belongs to the shape at time t: xyz of each ghost vertex. Error: InvalidOption without a ghost.
   Status evaluateGhost(double t, std::vector<float>& positions);
-  const Ghost& ghost() const { return encoded_.ghost(); }
+  const Ghost& ghost() const { return encoded().ghost(); }
 
-  const EncodedShape& encoded() const { return encoded_; }
+  const EncodedShape& encoded() const { return shape_->encoded(); }
   const Motion& motion() const { return motion_; }
   /// Of the input.
-  const std::vector<Triangle>& faces() const { return encoded_.input().faces; }
-  SequenceStats stats() const { return {encoded_.stats(), evaluator_.stats()}; }
+  const std::vector<Triangle>& faces() const { return encoded().input().faces; }
+  SequenceStats stats() const { return shape_->stats(); }
   /// Of the shape and the motion, and where its times carry it far from its keys (uneven_times.h).
   const std::vector<Warning>& warnings() const { return warnings_; }
 
@@ -62,11 +63,11 @@ class Sequence {
   std::pair<double, double> range() const { return motion_.range(); }
 
   /// Patch of each face of the input, in [0, stats().patches); -1 for faces without area.
-  const std::vector<int>& patchOfFace() const { return encoded_.patchOfInputFace(); }
+  const std::vector<int>& patchOfFace() const { return encoded().patchOfInputFace(); }
 
   /// Component of each face of the input, in [0, stats().components), numbered by their first faces; -1 for faces
   /// without area.
-  const std::vector<int>& componentOfFace() const { return encoded_.componentOfInputFace(); }
+  const std::vector<int>& componentOfFace() const { return encoded().componentOfInputFace(); }
 
   /// The rotations G_k of the patches (of the ghost, with one) at time t, as the first system gives them and the whole
   /// is turned.
@@ -84,17 +85,14 @@ class Sequence {
   std::vector<double> bendingEnergy(const std::vector<double>& times) { return featureCurve().bendingEnergy(times); }
 
  private:
-  Sequence(EncodedShape encoded, Motion motion) : encoded_(std::move(encoded)), motion_(std::move(motion)) {}
+  Sequence(std::shared_ptr<SharedShape> shape, Motion motion) : shape_(std::move(shape)), motion_(std::move(motion)) {}
   void collectWarnings();
-  FeatureCurve featureCurve();
+  FeatureCurve featureCurve() { return {encoded(), motion_, shape_->gram()}; }
 
-  EncodedShape encoded_;
+  std::shared_ptr<SharedShape> shape_;
   Motion motion_;
-  Evaluator evaluator_;
   std::vector<Warning> warnings_;
-  // Made when they are first asked for.
-  Eigen::MatrixXd gram_;
-  std::unique_ptr<const Sliding> sliding_;  // of the motion's key times
+  std::unique_ptr<const Sliding> sliding_;  // of the motion's key times, made when it is first asked for
 };
 
 }  // namespace shapespline

@@ -1,6 +1,7 @@
 /** The engine as its users see it. Made by browser.ts (workers) and node.ts (worker threads). */
 import type {
   DiscretePath,
+  EncodingOptions,
   ExportedFile,
   ExportOptions,
   ExportPlan,
@@ -37,7 +38,9 @@ export interface AheadOptions {
 export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
-  /** Encodes and factorises in a fresh worker; the old sequence keeps serving until the caller disposes of it. */
+  /** Encodes and factorises in a worker of its own, which ends where the call is cancelled. */
+  encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape>;
+  /** A shape and its one motion. */
   createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
   /** Ends every worker. Idempotent. */
   dispose(): void;
@@ -57,7 +60,28 @@ export interface Keys {
   dispose(): void;
 }
 
-export interface Sequence {
+/** What a motion is made with: options, and the times of the keys, which are the file's where none are given. */
+export type MotionChange = Partial<MotionOptions> & { keyTimes?: number[] };
+
+/** Keys, encoded: what is costly to make and knows no time. Its motions share it. */
+export interface Shape {
+  readonly options: Readonly<EncodingOptions>;
+  /** As many as are wanted. Nothing is encoded for it, and nothing factorised but what `hold` and pins need. */
+  motion(options?: MotionChange, call?: CallOptions): Promise<Motion>;
+  stats(): Promise<SequenceStats>;
+  /** Patch index of each face, -1 for faces without area. */
+  patches(): Promise<Int32Array>;
+  /** Component of each face, numbered by their first faces; -1 for faces without area. */
+  components(): Promise<Int32Array>;
+  /** The ghost mesh, or null without one. */
+  ghost(): Promise<Ghost | null>;
+  /** Ends its motions, too. Idempotent. */
+  dispose(): void;
+}
+
+/** A motion through a shape's keys. Another one is made for other options or times. */
+export interface Motion {
+  readonly shape: Shape;
   readonly options: Readonly<SequenceOptions>;
   readonly keyTimes: readonly number[];
   /** First and last time at which the curve is defined by keys; for periodic one whole period. */
@@ -74,9 +98,6 @@ export interface Sequence {
   evaluateAhead(t: number, options?: AheadOptions): Promise<Frame>;
   /** Every one of them, in order; used by exports and measures. */
   evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]>;
-  /** Refits without encoding, and without factorising anything but what `hold` needs when it is chosen. */
-  update(change: Partial<MotionOptions> & { keyTimes?: number[] }): Promise<void>;
-  stats(): Promise<SequenceStats>;
   measures(times: number[], call?: CallOptions): Promise<Measures>;
   shapePlane(times: number[]): Promise<ShapePlane>;
   /** The minimisation that the spline solves in closed form, done by so many samples (at most 1,000). */
@@ -90,12 +111,6 @@ export interface Sequence {
   /** Speed and overshoot over time; yields to frames that are shown or fetched ahead. */
   motionPace(times: number[]): Promise<MotionPace>;
   bendingEnergy(times: number[]): Promise<number[]>;
-  /** Patch index of each face, -1 for faces without area. */
-  patches(): Promise<Int32Array>;
-  /** Component of each face, numbered by their first faces; -1 for faces without area. */
-  components(): Promise<Int32Array>;
-  /** The ghost mesh, or null without one. */
-  ghost(): Promise<Ghost | null>;
   /** 3 x ghost vertices at t; code 'invalid-option' without a ghost mesh. */
   ghostPositions(t: number): Promise<Float32Array>;
   /**
@@ -107,5 +122,13 @@ export interface Sequence {
   /** The same files one by one, each made when it is asked for. */
   exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncIterable<ExportedFile>;
   /** Idempotent. */
+  dispose(): void;
+}
+
+/** A shape with one motion, which can be changed. */
+export interface Sequence extends Motion, Omit<Shape, 'options' | 'motion'> {
+  /** Another motion of the same shape. */
+  update(change: MotionChange): Promise<void>;
+  /** With its shape. Idempotent. */
   dispose(): void;
 }

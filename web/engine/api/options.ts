@@ -245,6 +245,10 @@ export function checkSequenceOptions(given?: object): SequenceOptions {
   return checked('sequence', sequenceChecks, SEQUENCE_DEFAULTS, given);
 }
 
+export function checkEncodingOptions(given?: object): EncodingOptions {
+  return checked('encoding', encodingChecks, ENCODING_DEFAULTS, given);
+}
+
 /** A change of motion options over the present ones, and the key times taken out of it. */
 export function checkUpdate(
   present: MotionOptions,

@@ -306,11 +306,11 @@ export interface Measures {
   sliding: number[];
 }
 
-/** The same at one time, as the core gives them; sliding: a share. */
+/** The same as the core gives them; sliding: shares. */
 export interface MeasuresAt {
-  volume: number;
-  area: number;
-  sliding: number | null;
+  volume: number[];
+  area: number[];
+  sliding: (number | null)[];
 }
 
 /** How far the keys lie apart in shape space, and the tensions that bound the slope at them. */

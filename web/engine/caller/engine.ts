@@ -1,16 +1,24 @@
 /** The engine over any kind of worker. A task that fails or is cancelled takes its worker with it. */
-import type { CallOptions, Engine, Keys, Sequence } from '../api/api.ts';
+import type { CallOptions, Engine, Keys, Sequence, Shape } from '../api/api.ts';
 import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeysHandle } from './keyframes.ts';
 import { withoutLeftovers } from '../api/paths.ts';
-import { checkCall, checkImportOptions, checkSequenceOptions } from '../api/options.ts';
+import {
+  checkCall,
+  checkEncodingOptions,
+  checkImportOptions,
+  checkSequenceOptions,
+  encodingOf,
+  motionOf,
+} from '../api/options.ts';
 import type { Program, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
 import { orderBeside } from './order-beside.ts';
-import { requestOf, SequenceClient } from './sequence.ts';
-import type { ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
+import { SequenceClient } from './sequence.ts';
+import { encodeRequest, ShapeClient, type ShapeParts } from './shape.ts';
+import type { EncodingOptions, ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
 
 export interface Platform {
   spawn: Spawn;
@@ -27,7 +35,7 @@ export interface Platform {
 export class EngineClient implements Engine {
   private readonly platform: Platform;
   private readonly workers = new Set<WorkerClient>();
-  private readonly sequences = new Set<SequenceClient>();
+  private readonly shapes = new Set<ShapeClient>();
   /** A worker that has nothing to do and read nothing bad. */
   private idle: WorkerClient | null = null;
   private over = false;
@@ -59,37 +67,56 @@ export class EngineClient implements Engine {
     return new KeysHandle(imported);
   }
 
+  async encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape> {
+    return this.encoded(keys, checkEncodingOptions(options), call, async (shape) => shape);
+  }
+
   async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
-    this.checkAlive();
-    checkCall(call);
-    if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
-    const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
-    const parts = {
-      keys: keys.data,
-      options: checkSequenceOptions(options),
-      freshWorker: () => this.freshWorker(),
-      onDispose: (gone: SequenceClient) => void this.sequences.delete(gone),
-    };
-    // What read the files has the memory for it already.
-    const beside = large ? orderBeside(this.takeWorker(), requestOf(parts)) : null;
-    const client = large ? this.freshWorker(large) : this.takeWorker();
-    try {
-      const sequence = await this.task(client, call, () =>
-        SequenceClient.create(parts, client, beside?.order ?? null, { onProgress: call?.onProgress }),
-      );
-      this.sequences.add(sequence);
-      return sequence;
-    } finally {
-      beside?.end();
-    }
+    const checked = checkSequenceOptions(options);
+    return this.encoded(keys, encodingOf(checked), call, async (shape) => {
+      const spec = shape.spec(motionOf(checked), shape.parts.keys.info.times);
+      return new SequenceClient(shape, spec, await shape.make(spec));
+    });
   }
 
   dispose(): void {
     if (this.over) return;
     this.over = true;
-    for (const sequence of this.sequences) sequence.dispose();
+    for (const shape of this.shapes) shape.dispose();
     for (const worker of this.workers) worker.terminate(disposed('engine'));
     this.workers.clear();
+  }
+
+  /** Encodes the keys and goes on with the shape; cancelled or failed, neither is left. */
+  private async encoded<T>(
+    keys: Keys,
+    encoding: EncodingOptions,
+    call: CallOptions | undefined,
+    goOn: (shape: ShapeClient) => Promise<T>,
+  ): Promise<T> {
+    this.checkAlive();
+    checkCall(call);
+    if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
+    const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
+    const parts: ShapeParts = {
+      keys: keys.data,
+      encoding,
+      freshWorker: () => this.freshWorker(),
+      onDispose: (gone) => void this.shapes.delete(gone),
+    };
+    // What read the files has the memory for it already.
+    const beside = large ? orderBeside(this.takeWorker(), encodeRequest(parts)) : null;
+    const client = large ? this.freshWorker(large) : this.takeWorker();
+    try {
+      return await this.task(client, call, async () => {
+        const shape = await ShapeClient.encode(parts, client, beside?.order ?? null, { onProgress: call?.onProgress });
+        const made = await goOn(shape);
+        this.shapes.add(shape);
+        return made;
+      });
+    } finally {
+      beside?.end();
+    }
   }
 
   private takeWorker(): WorkerClient {

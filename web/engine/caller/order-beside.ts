@@ -1,4 +1,4 @@
-/** The order of elimination, which a worker of its own finds while the sequence's worker encodes. */
+/** The order of elimination, which a worker of its own finds while the shape's worker encodes. */
 import { disposed } from '../api/errors.ts';
 import type { RequestOf } from '../wire/protocol.ts';
 import { giveUpOrder, type SharedOrder, sharedOrder } from '../wire/shared-order.ts';
@@ -10,8 +10,8 @@ export interface OrderBeside {
   end(): void;
 }
 
-/** A failure is said by the sequence, which fails as well, or finds the order itself. */
-export function orderBeside(client: WorkerClient, request: Omit<RequestOf<'create'>, 'order'>): OrderBeside {
+/** A failure is said by the shape, which fails as well, or finds the order itself. */
+export function orderBeside(client: WorkerClient, request: Omit<RequestOf<'encode'>, 'order'>): OrderBeside {
   const order = sharedOrder(request.positions[0]!.length / 3);
   const end = (): void => {
     giveUpOrder(order);

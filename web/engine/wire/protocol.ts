@@ -2,14 +2,12 @@
  * The messages between the engine and its workers: plain data, one union in each direction. A worker answers every
  * request exactly once, in order, and reports progress in between.
  */
+import type { AnswerOf, AskedOf, QUESTIONS, QuestionName } from './calls.ts';
 import type { SharedOrder } from './shared-order.ts';
 import type { ErrorData } from '../api/errors.ts';
 import type {
-  DiscretePath,
   EncodingOptions,
   ExportOptions,
-  FaceCurve,
-  Ghost,
   ImportOptions,
   InputFile,
   KeysInfo,
@@ -17,12 +15,7 @@ import type {
   Point,
   Scene,
   SequenceStats,
-  KeyPace,
-  MotionPace,
-  PatchCurve,
-  ShapePlane,
   Warning,
-  MeasuresAt,
 } from '../api/types.ts';
 
 /** An import: what callers see of it, and its poses, which all sequences share. Never changed once made. */
@@ -34,11 +27,17 @@ export interface KeyData {
   normals: Float32Array | null;
 }
 
-/** The motion that a request means; the worker refits when `version` is not the one that it holds. */
+/** The motion that a request means. Another one has another number; a worker that does not have it makes it. */
 export interface MotionSpec {
-  version: number;
-  options: MotionOptions;
-  keyTimes: readonly number[];
+  readonly number: number;
+  readonly options: MotionOptions;
+  readonly keyTimes: readonly number[];
+}
+
+/** What the core says of a motion that it has made. */
+export interface MotionState {
+  range: [number, number];
+  warnings: Warning[];
 }
 
 /** Two arrays of 3 x vertices, spent ones given back or new ones. */
@@ -56,43 +55,35 @@ export interface FrameData extends FrameBuffers {
 
 export type Compression = ExportOptions['compression'];
 
+/** Request and result of the questions, of the shape or of one of its motions. */
+type Questions = {
+  [N in QuestionName]: {
+    request: AskedOf<N> & ((typeof QUESTIONS)[N]['of'] extends 'motion' ? { motion: MotionSpec } : object);
+    result: AnswerOf<N>;
+  };
+};
+
 /** Request and result of every call. */
-export interface Calls {
+export interface Calls extends Omit<Questions, 'stats'> {
   import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
-  create: {
-    request: Pick<KeysInfo, 'names' | 'faces'> &
+  /** Makes the shape that the worker holds from then on. */
+  encode: {
+    request: Pick<KeysInfo, 'names' | 'faces' | 'times'> &
       Omit<KeyData, 'info'> & {
         encoding: EncodingOptions;
-        motion: MotionSpec;
         /** Where another worker leaves the order of elimination (shared-order), or null. */
         order: SharedOrder | null;
       };
-    result: { range: [number, number]; warnings: Warning[] };
+    result: null;
   };
-  /** Finds the order of elimination for `create` in another worker. */
-  order: { request: Calls['create']['request'] & { order: SharedOrder }; result: null };
-  /** Refits; on an error the motion before stays. */
-  update: { request: { motion: MotionSpec }; result: { range: [number, number]; warnings: Warning[] } };
-  evaluate: {
-    request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null };
-    result: FrameData;
-  };
+  /** Finds the order of elimination for `encode` in another worker. */
+  order: { request: Calls['encode']['request'] & { order: SharedOrder }; result: null };
+  motion: { request: { motion: MotionSpec }; result: MotionState };
+  /** The motion is not needed any more. */
+  drop: { request: { motion: MotionSpec }; result: null };
+  evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null }; result: FrameData };
   /** The shape at an affine combination of the keys. */
   blend: { request: { motion: MotionSpec; weights: number[]; buffers: FrameBuffers | null }; result: FrameData };
-  /** At the first of these times: one, and more as long as that takes no longer than a frame may. */
-  measure: { request: { motion: MotionSpec; times: number[] }; result: MeasuresAt[] };
-  plane: { request: { motion: MotionSpec; times: number[] }; result: ShapePlane };
-  discretePath: { request: { motion: MotionSpec; samples: number }; result: DiscretePath };
-  faceCurve: { request: { motion: MotionSpec; face: number; times: number[] }; result: FaceCurve };
-  patchCurve: { request: { motion: MotionSpec; patch: number; times: number[] }; result: PatchCurve };
-  pace: { request: { motion: MotionSpec }; result: KeyPace };
-  motionPace: { request: { motion: MotionSpec; times: number[] }; result: MotionPace };
-  bending: { request: { motion: MotionSpec; times: number[] }; result: number[] };
-  patches: { request: object; result: Int32Array };
-  components: { request: object; result: Int32Array };
-  /** null without a ghost mesh. */
-  ghost: { request: object; result: Ghost | null };
-  ghostPositions: { request: { motion: MotionSpec; t: number }; result: Float32Array };
   stats: { request: object; result: SequenceStats };
   /** Bytes of an animated GLB, to a few percent, without the images' own; and the vertices of its primitives. */
   glbSize: {

@@ -1,4 +1,4 @@
-/** A worker's inside: one core, at most one sequence, requests answered in the order in which they came. */
+/** A worker's inside: one core, at most one shape, requests answered in the order in which they came. */
 import { WasmCore, type OnProgress } from './wasm-core.ts';
 import {
   crashed,
@@ -12,6 +12,7 @@ import {
 import type { SecondThreadStart } from './second-thread.ts';
 import type { Codecs } from './codecs.ts';
 import { compress } from './compress.ts';
+import { Motions } from './motions.ts';
 import { importFiles, type Decode } from './import-files.ts';
 import type {
   CallName,
@@ -25,13 +26,10 @@ import type {
   Start,
   ToWorker,
 } from '../wire/protocol.ts';
+import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
 import { provideOrder } from '../wire/shared-order.ts';
-import type { MeasuresAt } from '../api/types.ts';
 import { ThreadChoice } from './thread-choice.ts';
 import type { CreateWasmModule } from './wasm-module.ts';
-
-/** What is measured in one turn keeps a frame waiting for no longer, or for one measure. */
-const AT_ONCE_MS = 10;
 
 export interface HandlerHost {
   post(message: FromWorker, transfer: ArrayBuffer[]): void;
@@ -46,8 +44,15 @@ export interface HandlerHost {
   codecs: Codecs;
 }
 
+/** Questions that the core answers by itself. */
+type Asked = Exclude<QuestionName, 'stats'>;
+
 type Handlers = {
-  [K in CallName]: (core: WasmCore, request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
+  [K in Exclude<CallName, Asked>]: (
+    core: WasmCore,
+    request: RequestOf<K>,
+    report: OnProgress,
+  ) => ResultOf<K> | Promise<ResultOf<K>>;
 };
 
 export class RequestHandler {
@@ -57,8 +62,8 @@ export class RequestHandler {
   /** Once there is a second thread. */
   private choice: ThreadChoice | null = null;
   private tail: Promise<void> = Promise.resolve();
-  private sequence = 0;
-  private motionVersion = -1;
+  private shape = 0;
+  private motions = new Motions();
   private readonly frames: FrameBuffers[] = [];
 
   constructor(host: HandlerHost) {
@@ -93,18 +98,12 @@ export class RequestHandler {
   }
 
   private async serve(request: Request): Promise<void> {
-    const { type, id } = request;
+    const { id } = request;
     const report: OnProgress = (stage, fraction) => this.host.post({ type: 'progress', id, stage, fraction }, []);
     try {
       const core = await this.core;
       if (!core) throw crashed('the worker was not started');
-      // Request and handler belong to the same name, which the compiler cannot follow through the table.
-      const handler = this.handlers[type] as (
-        core: WasmCore,
-        request: Request,
-        report: OnProgress,
-      ) => ResultOf<CallName>;
-      const value = await handler(core, request, report);
+      const value = await this.answer(core, request, report);
       this.host.post({ type: 'result', id, value }, buffersOf(value));
     } catch (reason) {
       const { error, fatal } = describe(reason);
@@ -112,38 +111,45 @@ export class RequestHandler {
     }
   }
 
+  private answer(
+    core: WasmCore,
+    request: Request,
+    report: OnProgress,
+  ): ResultOf<CallName> | Promise<ResultOf<CallName>> {
+    // Request and handler belong to the same name, which the compiler cannot follow through the table.
+    const handler = (this.handlers as Record<string, unknown>)[request.type] as
+      | ((core: WasmCore, request: Request, report: OnProgress) => ResultOf<CallName>)
+      | undefined;
+    return handler ? handler(core, request, report) : (this.ask(core, request as never) as ResultOf<CallName>);
+  }
+
   private makeHandlers(): Handlers {
     return {
       import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
-      create: (core, request, report) => {
+      encode: (core, request, report) => {
         report('welding', 0); // large keys take a moment to be copied and checked
-        const { handle, range, warnings } = core.createSequence(request, report);
-        this.sequence = handle;
-        this.motionVersion = request.motion.version;
-        return { range, warnings };
+        this.shape = core.encode(request, report);
+        this.motions = new Motions();
+        return null;
       },
       order: (core, request) => {
         provideOrder(request.order, () => core.eliminationOrder(request));
         return null;
       },
-      update: (core, { motion }) => this.refit(core, motion),
+      motion: (core, { motion }) => this.motions.make(core, this.shape, motion),
+      drop: (core, { motion }) => {
+        this.motions.drop(core, motion);
+        return null;
+      },
       evaluate: (core, { motion, t, buffers }) =>
-        this.timed(core, motion, () => core.evaluate(this.sequence, t, buffers)),
+        this.timed(core, motion, (handle) => core.evaluate(handle, t, buffers)),
       blend: (core, { motion, weights, buffers }) =>
-        this.timed(core, motion, () => core.blend(this.sequence, weights, buffers)),
-      measure: (core, { motion, times }) => this.measured(core, this.follow(core, motion), times),
-      plane: (core, { motion, times }) => core.plane(this.follow(core, motion), times),
-      discretePath: (core, { motion, samples }) => core.discretePath(this.follow(core, motion), samples),
-      faceCurve: (core, { motion, face, times }) => core.faceCurve(this.follow(core, motion), face, times),
-      patchCurve: (core, { motion, patch, times }) => core.patchCurve(this.follow(core, motion), patch, times),
-      pace: (core, { motion }) => core.pace(this.follow(core, motion)),
-      motionPace: (core, { motion, times }) => core.motionPace(this.follow(core, motion), times),
-      bending: (core, { motion, times }) => core.bending(this.follow(core, motion), times),
-      patches: (core) => core.patches(this.sequence),
-      components: (core) => core.components(this.sequence),
-      ghost: (core) => core.ghost(this.sequence),
-      ghostPositions: (core, { motion, t }) => core.ghostPositions(this.follow(core, motion), t),
-      stats: (core) => ({ ...core.stats(this.sequence), threads: this.threads }),
+        this.timed(core, motion, (handle) => core.blend(handle, weights, buffers)),
+      stats: (core) => ({
+        ...core.ask('stats', this.shape, {}),
+        heapBytes: core.heapBytes,
+        threads: this.choice?.chosen ?? 1,
+      }),
       glbSize: (core, request) => core.animationSize(request),
       addFrame: (_, { positions, normals }) => {
         this.frames.push({ positions, normals });
@@ -159,48 +165,32 @@ export class RequestHandler {
     };
   }
 
-  /** As many as there is time for: an answer for each would be late by a turn of the page's, which draws meanwhile. */
-  private measured(core: WasmCore, handle: number, times: readonly number[]): MeasuresAt[] {
-    const until = performance.now() + AT_ONCE_MS;
-    const list: MeasuresAt[] = [];
-    for (const t of times) {
-      if (list.length > 0 && performance.now() > until) break;
-      list.push(core.measure(handle, t));
-    }
-    return list;
-  }
-
-  private get threads(): 1 | 2 {
-    return this.choice?.chosen ?? 1;
-  }
-
   /** A frame of the motion that is meant, made by as many threads as are best. */
-  private timed(core: WasmCore, motion: MotionSpec, make: () => Omit<FrameData, 'ms' | 'threads'>): FrameData {
+  private timed(
+    core: WasmCore,
+    motion: MotionSpec,
+    make: (motion: number) => Omit<FrameData, 'ms' | 'threads'>,
+  ): FrameData {
     const begun = performance.now();
-    this.follow(core, motion);
+    const handle = this.motions.of(core, this.shape, motion);
     const { choice } = this;
-    if (choice) core.setThreads(this.sequence, choice.threads);
+    if (choice) core.setThreads(this.shape, choice.threads);
     const start = performance.now();
     try {
-      const frame = make();
+      const frame = make(handle);
       choice?.took(performance.now() - start);
-      return { ...frame, threads: this.threads, ms: performance.now() - begun };
+      return { ...frame, threads: choice?.chosen ?? 1, ms: performance.now() - begun };
     } catch (reason) {
       // It takes this worker with it: nobody could say what it still writes.
       throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;
     }
   }
 
-  private refit(core: WasmCore, motion: MotionSpec): ResultOf<'update'> {
-    const state = core.update(this.sequence, motion);
-    this.motionVersion = motion.version;
-    return state;
-  }
-
-  /** Refits where a request means another motion than the last one did. */
-  private follow(core: WasmCore, motion: MotionSpec): number {
-    if (motion.version !== this.motionVersion) this.refit(core, motion);
-    return this.sequence;
+  private ask(core: WasmCore, request: Request & { type: QuestionName }): unknown {
+    const { type, id: _, ...asked } = request;
+    if (QUESTIONS[type].of === 'shape') return core.ask(type, this.shape, asked as never);
+    const { motion, ...rest } = asked as { motion: MotionSpec };
+    return core.ask(type, this.motions.of(core, this.shape, motion), rest as never);
   }
 }
 

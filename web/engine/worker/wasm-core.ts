@@ -4,26 +4,19 @@ import { EngineError, outOfMemory } from '../api/errors.ts';
 import { noteOf } from '../api/export-note.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
-import type { FrameBuffers, FrameData, KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
-import { awaitedOrder } from '../wire/shared-order.ts';
+import { QUESTIONS, type AnswerOf, type AskedOf, type QuestionName } from '../wire/calls.ts';
 import type {
-  DiscretePath,
-  FaceCurve,
-  Ghost,
-  ImportOptions,
-  InputFile,
-  KeysInfo,
-  Scene,
-  SequenceStats,
-  KeyPace,
-  MotionPace,
-  PatchCurve,
-  ShapePlane,
-  TextureImage,
-  Warning,
-  MeasuresAt,
-} from '../api/types.ts';
-import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
+  FrameBuffers,
+  FrameData,
+  KeyData,
+  MotionSpec,
+  MotionState,
+  RequestOf,
+  ResultOf,
+} from '../wire/protocol.ts';
+import { awaitedOrder } from '../wire/shared-order.ts';
+import type { ImportOptions, InputFile, KeysInfo, Scene, TextureImage } from '../api/types.ts';
+import type { Address, CreateWasmModule, QuestionFunctions, WasmModule } from './wasm-module.ts';
 
 type CallResult<T> = ({ ok: true } & T) | Failure;
 
@@ -41,11 +34,6 @@ export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene' | 'played'> & {
   project: string;
   scene: Omit<Scene, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
 };
-
-export interface SequenceState {
-  range: [number, number];
-  warnings: Warning[];
-}
 
 interface FrameResult {
   positions: Range;
@@ -87,7 +75,7 @@ export class WasmCore {
     return { module: compiled, memory, stack: stack + SECOND_STACK };
   }
 
-  /** From the next frame on; the frames are the same. */
+  /** From the shape's next frame on; the frames are the same. */
   setThreads(handle: number, threads: 1 | 2): void {
     this.module._shapespline_set_threads(handle, threads);
   }
@@ -143,11 +131,8 @@ export class WasmCore {
     });
   }
 
-  /** Builds a sequence and returns its handle. */
-  createSequence(
-    request: RequestOf<'create'>,
-    onProgress: OnProgress = () => undefined,
-  ): SequenceState & { handle: number } {
+  /** Returns the handle of a shape. */
+  encode(request: RequestOf<'encode'>, onProgress: OnProgress = () => undefined): number {
     this.hear(onProgress);
     const { order } = request;
     this.module.takeOrder = (address, unknowns) => {
@@ -156,17 +141,25 @@ export class WasmCore {
       new Int32Array(this.module.HEAPU8.buffer, address >>> 0, unknowns).set(made);
       return true;
     };
-    return this.ask(madeOf(request), (address) => this.module._shapespline_sequence(address));
+    return this.send<{ handle: number }>(keysOf(request), (address) => this.module._shapespline_encode(address)).handle;
   }
 
-  /** In which the unknowns of this sequence are eliminated. */
+  /** In which the unknowns of this shape are eliminated. */
   eliminationOrder(request: RequestOf<'order'>): Int32Array {
-    return this.ask<{ order: Int32Array }>(madeOf(request), (address) => this.module._shapespline_order(address)).order;
+    return this.send<{ order: Int32Array }>(keysOf(request), (address) => this.module._shapespline_order(address))
+      .order;
   }
 
-  update(handle: number, motion: MotionSpec): SequenceState {
-    const request = { motion: motion.options, keyTimes: motion.keyTimes };
-    return this.ask(request, (address) => this.module._shapespline_update(handle, address));
+  /** `before`: another motion of the shape, which what is costly is taken from; or null. */
+  motion(shape: number, { options, keyTimes }: MotionSpec, before: number | null): MotionState & { handle: number } {
+    const request = { motion: options, keyTimes, before };
+    return this.send(request, (address) => this.module._shapespline_motion(shape, address));
+  }
+
+  /** The answer to a question about the shape or the motion with this handle. */
+  ask<N extends QuestionName>(name: N, handle: number, request: AskedOf<N>): AnswerOf<N> {
+    const functions = this.module as unknown as QuestionFunctions;
+    return this.send(request, (address) => functions[QUESTIONS[name].symbol]!(handle, address));
   }
 
   /** Fills `buffers` where they are given and fit. */
@@ -179,63 +172,6 @@ export class WasmCore {
     return this.lend((scope) =>
       this.frame(this.module._shapespline_blend(handle, scope.putJson({ weights })), buffers),
     );
-  }
-
-  measure(handle: number, t: number): MeasuresAt {
-    return this.result(this.module._shapespline_measure(handle, t));
-  }
-
-  plane(handle: number, times: number[]): ShapePlane {
-    return this.ask({ times }, (address) => this.module._shapespline_plane(handle, address));
-  }
-
-  discretePath(handle: number, samples: number): DiscretePath {
-    return this.result(this.module._shapespline_discrete_path(handle, samples));
-  }
-
-  faceCurve(handle: number, face: number, times: number[]): FaceCurve {
-    return this.ask({ times }, (address) => this.module._shapespline_part_curve(handle, face, false, address));
-  }
-
-  patchCurve(handle: number, patch: number, times: number[]): PatchCurve {
-    return this.ask({ times }, (address) => this.module._shapespline_part_curve(handle, patch, true, address));
-  }
-
-  pace(handle: number): KeyPace {
-    return this.result(this.module._shapespline_pace(handle));
-  }
-
-  motionPace(handle: number, times: number[]): MotionPace {
-    return this.ask({ times }, (address) => this.module._shapespline_motion_pace(handle, address));
-  }
-
-  bending(handle: number, times: number[]): number[] {
-    return this.ask<{ energy: number[] }>({ times }, (address) => this.module._shapespline_bending(handle, address))
-      .energy;
-  }
-
-  patches(handle: number): Int32Array {
-    return this.parts(handle, true);
-  }
-
-  components(handle: number): Int32Array {
-    return this.parts(handle, false);
-  }
-
-  ghost(handle: number): Ghost | null {
-    const ghost = this.result<Ghost>(this.module._shapespline_ghost(handle));
-    return ghost.faces.length > 0 ? ghost : null;
-  }
-
-  ghostPositions(handle: number, t: number): Float32Array {
-    return this.result<{ positions: Float32Array }>(this.module._shapespline_ghost_positions(handle, t)).positions;
-  }
-
-  stats(handle: number): Omit<SequenceStats, 'threads'> {
-    return {
-      ...this.result<Omit<SequenceStats, 'threads' | 'heapBytes'>>(this.module._shapespline_stats(handle)),
-      heapBytes: this.heapBytes,
-    };
   }
 
   /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */
@@ -253,11 +189,11 @@ export class WasmCore {
   }
 
   animationSize(request: RequestOf<'glbSize'>): ResultOf<'glbSize'> {
-    return this.ask(request, (address) => this.module._shapespline_animation_size(address));
+    return this.send(request, (address) => this.module._shapespline_animation_size(address));
   }
 
   principalOffsets(request: RequestOf<'principalOffsets'>): ResultOf<'principalOffsets'> {
-    const { handle, ...result } = this.ask<ResultOf<'principalOffsets'> & { handle: number }>(request, (address) =>
+    const { handle, ...result } = this.send<ResultOf<'principalOffsets'> & { handle: number }>(request, (address) =>
       this.module._shapespline_principal_offsets(address),
     );
     this.release(handle);
@@ -270,10 +206,6 @@ export class WasmCore {
 
   release(handle: number): void {
     this.module._shapespline_release(handle);
-  }
-
-  private parts(handle: number, arePatches: boolean): Int32Array {
-    return this.result<{ parts: Int32Array }>(this.module._shapespline_parts(handle, arePatches)).parts;
   }
 
   private frame(result: Address, buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {
@@ -306,7 +238,7 @@ export class WasmCore {
 
   /** The bytes of a file that the core keeps until they are copied. */
   private written(request: object, call: (address: Address) => Address): Uint8Array {
-    const { handle, bytes } = this.ask<{ handle: number; bytes: Uint8Array }>(request, call);
+    const { handle, bytes } = this.send<{ handle: number; bytes: Uint8Array }>(request, call);
     this.release(handle);
     return bytes;
   }
@@ -320,7 +252,7 @@ export class WasmCore {
     }
   }
 
-  private ask<T>(request: object, call: (address: Address) => Address): T {
+  private send<T>(request: object, call: (address: Address) => Address): T {
     return this.lend((scope) => this.result<T>(call(scope.putJson(request))));
   }
 
@@ -334,9 +266,9 @@ export class WasmCore {
   }
 }
 
-function madeOf({ names, faces, positions, normals, encoding, motion }: RequestOf<'create'>): object {
-  const keys = positions.map((of, key) => ({ name: names[key], time: motion.keyTimes[key], positions: of }));
-  return { faces, normals, keys, encoding, motion: motion.options };
+function keysOf({ names, times, faces, positions, normals, encoding }: RequestOf<'encode'>): object {
+  const keys = positions.map((of, key) => ({ name: names[key], time: times[key], positions: of }));
+  return { faces, normals, keys, encoding };
 }
 
 function checked<T>(result: CallResult<T>): T {

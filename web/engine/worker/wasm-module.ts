@@ -10,6 +10,9 @@ export interface JsImports {
   takeOrder?: (order: Address, unknowns: number) => boolean;
 }
 
+/** The functions of the questions (wire/calls.ts), by their symbols. They take the handle of what they ask, and JSON. */
+export type QuestionFunctions = Readonly<Record<string, (handle: number, request: Address) => Address>>;
+
 export interface WasmModule extends JsImports {
   /** Made anew whenever the memory grows: never kept. */
   readonly HEAPU8: Uint8Array;
@@ -19,29 +22,18 @@ export interface WasmModule extends JsImports {
   _free(address: Address): void;
   _shapespline_import(request: Address): Address;
   _shapespline_import_positions(handle: number, key: number): Address;
-  _shapespline_sequence(request: Address): Address;
+  _shapespline_encode(request: Address): Address;
   _shapespline_order(request: Address): Address;
-  _shapespline_update(handle: number, request: Address): Address;
-  _shapespline_evaluate(handle: number, t: number): Address;
-  _shapespline_blend(handle: number, request: Address): Address;
-  _shapespline_measure(handle: number, t: number): Address;
-  _shapespline_plane(handle: number, request: Address): Address;
-  _shapespline_discrete_path(handle: number, samples: number): Address;
-  _shapespline_part_curve(handle: number, index: number, isPatch: boolean, request: Address): Address;
-  _shapespline_pace(handle: number): Address;
-  _shapespline_motion_pace(handle: number, request: Address): Address;
-  _shapespline_bending(handle: number, request: Address): Address;
-  _shapespline_parts(handle: number, arePatches: boolean): Address;
-  _shapespline_ghost(handle: number): Address;
-  _shapespline_ghost_positions(handle: number, t: number): Address;
-  _shapespline_stats(handle: number): Address;
+  _shapespline_motion(shape: number, request: Address): Address;
+  _shapespline_evaluate(motion: number, t: number): Address;
+  _shapespline_blend(motion: number, request: Address): Address;
   _shapespline_write_animation(request: Address): Address;
   _shapespline_animation_size(request: Address): Address;
   _shapespline_write_pose(request: Address): Address;
   _shapespline_principal_offsets(request: Address): Address;
   _shapespline_objects(): Address;
   _shapespline_release(handle: number): void;
-  _shapespline_set_threads(handle: number, threads: number): void;
+  _shapespline_set_threads(shape: number, threads: number): void;
   _shapespline_helped(): number;
   _shapespline_is_help_lost(): number;
   /** For the second thread's own instance alone (second-thread.ts). */

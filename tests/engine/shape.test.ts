@@ -1,0 +1,89 @@
+/** A shape that is encoded once, and its motions. */
+import { describe, expect, it } from 'vitest';
+import type { Shape } from '../../web/engine/api/api.ts';
+import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
+
+const TIMES = [-0.3, 0, 0.2, 0.7, 1.4];
+
+async function encoded(): Promise<{ engine: ReturnType<typeof testEngine>; shape: Shape }> {
+  const engine = testEngine();
+  const { keys } = await bendKeys(engine);
+  return { engine, shape: await engine.encode(keys) };
+}
+
+describe('a shape', () => {
+  it('has as many motions as are wanted, with one encoding; each is what a sequence of its own gives', async () => {
+    const engine = testEngine();
+    const { keys } = await bendKeys(engine);
+    const shape = await engine.encode(keys);
+    const before = await shape.stats();
+    const choices = [
+      {},
+      { method: 'linear' as const },
+      { method: 'cubic-vertex' as const },
+      { method: 'geodesic' as const },
+      { boundary: 'hermite' as const, startSpeed: 0 },
+      { keyTimes: keys.info.times.map((t) => t * t) },
+    ];
+    const motions = await Promise.all(choices.map((options) => shape.motion(options)));
+    for (const t of TIMES)
+      for (const [index, { keyTimes, ...options }] of choices.entries() as IterableIterator<
+        [number, { keyTimes?: number[] }]
+      >) {
+        const sequence = await engine.createSequence(keys, options);
+        if (keyTimes) await sequence.update({ keyTimes });
+        const [own, shared] = [await frameAt(sequence, t), await frameAt(motions[index]!, t)];
+        expect(shared.positions).toEqual(own.positions);
+        expect(shared.normals).toEqual(own.normals);
+        sequence.dispose();
+      }
+    const after = await shape.stats();
+    expect([after.encodings, after.factorisations]).toEqual([before.encodings, before.factorisations]);
+    expect([after.encodeMs, after.factorMs]).toEqual([before.encodeMs, before.factorMs]);
+  });
+
+  it('answers for its motions in turn, and each keeps its own newest request', async () => {
+    const { shape } = await encoded();
+    const [one, two] = await Promise.all([shape.motion(), shape.motion({ method: 'linear' })]);
+    const frames = await Promise.all([one.evaluate(0.1), two.evaluate(0.2), one.evaluate(0.3), two.evaluate(0.4)]);
+    // The first is under way when the others come.
+    expect(frames.map((frame) => frame?.t ?? null)).toEqual([0.1, null, 0.3, 0.4]);
+  });
+
+  it('keeps more motions than its worker does', async () => {
+    const { shape } = await encoded();
+    const motions = await Promise.all(
+      Array.from({ length: 20 }, (_, i) => shape.motion({ boundary: 'hermite', startSpeed: i })),
+    );
+    const first = (await frameAt(motions[0]!, 0.2)).positions;
+    for (const motion of motions) await frameAt(motion, 0.2);
+    expect((await frameAt(motions[0]!, 0.2)).positions).toEqual(first);
+    expect((await frameAt(motions[1]!, 0.2)).positions).not.toEqual(first);
+  });
+
+  it('loses a motion that is disposed of, and all with itself', async () => {
+    const { shape } = await encoded();
+    const [one, two] = [await shape.motion(), await shape.motion()];
+    one.dispose();
+    one.dispose();
+    expect(await failureOf(one.evaluate(0))).toMatchObject({ code: 'disposed', message: /^This motion / });
+    expect((await two.evaluate(0))?.t).toBe(0);
+    shape.dispose();
+    expect((await failureOf(two.evaluate(0))).code).toBe('disposed');
+    expect((await failureOf(shape.motion())).code).toBe('disposed');
+  });
+
+  it('refuses options that are not of its encoding, or not of a motion; a refused motion leaves the others', async () => {
+    const engine = testEngine();
+    const { keys } = await bendKeys(engine);
+    expect((await failureOf(engine.encode(keys, { boundary: 'natural' } as object))).code).toBe('invalid-option');
+    const shape = await engine.encode(keys, { stretch: 'log' });
+    expect(shape.options.stretch).toBe('log');
+    const motion = await shape.motion();
+    expect(motion.options).toMatchObject({ stretch: 'log', boundary: 'natural' });
+    expect((await failureOf(shape.motion({ patches: 3 } as object))).code).toBe('invalid-option');
+    expect((await failureOf(shape.motion({ keyTimes: [1, 0, 2] }))).code).toBe('times-not-increasing');
+    expect((await motion.evaluate(0.5))?.t).toBe(0.5);
+    expect(await failureOf(shape.motion({}, { signal: AbortSignal.abort() }))).toMatchObject({ code: 'cancelled' });
+  });
+});

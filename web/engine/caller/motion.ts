@@ -1,0 +1,277 @@
+/** A motion of a shape on the caller's side. */
+import type { AheadOptions, CallOptions, Motion } from '../api/api.ts';
+import { disposed, untilAborted, type EngineError } from '../api/errors.ts';
+import {
+  checkCall,
+  checkExportOptions,
+  checkFace,
+  checkSamples,
+  checkTime,
+  checkTimes,
+  checkWeights,
+} from '../api/options.ts';
+import type {
+  DiscretePath,
+  ExportedFile,
+  ExportOptions,
+  ExportPlan,
+  FaceCurve,
+  Frame,
+  KeyPace,
+  Measures,
+  MotionPace,
+  PatchCurve,
+  SequenceOptions,
+  ShapePlane,
+  Warning,
+} from '../api/types.ts';
+import type { AskedOf, QUESTIONS, QuestionName } from '../wire/calls.ts';
+import type { FrameBuffers, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
+import type { ExportSource } from './export-source.ts';
+import { FramePool } from './frame-pool.ts';
+import { urgency, type Task } from './scheduler.ts';
+import type { ShapeClient } from './shape.ts';
+
+interface Shown {
+  task: Task;
+  supersede(): void;
+}
+
+/** The questions that are about a motion. */
+type MotionQuestion = {
+  [N in QuestionName]: (typeof QUESTIONS)[N]['of'] extends 'motion' ? N : never;
+}[QuestionName];
+
+/** What is measured in one turn keeps a frame waiting for no longer, or for one measure. */
+const AT_ONCE_MS = 10;
+
+/** Loaded with the first export: most visits to the page never make one. */
+const exporting = () => import('./export.ts');
+
+export class MotionClient implements Motion {
+  protected readonly what: string = 'motion';
+  private readonly pool = new FramePool();
+  private shown: Shown | null = null;
+  private over = false;
+  /** Of the last export that was planned. */
+  private readonly planned: ExportSource['planned'] = { latest: null };
+
+  constructor(
+    readonly shape: ShapeClient,
+    protected spec: MotionSpec,
+    protected state: MotionState,
+  ) {}
+
+  get options(): Readonly<SequenceOptions> {
+    return { ...this.shape.options, ...this.spec.options };
+  }
+
+  get keyTimes(): readonly number[] {
+    return this.spec.keyTimes;
+  }
+
+  get range(): readonly [number, number] {
+    return this.state.range;
+  }
+
+  get warnings(): readonly Warning[] {
+    return this.state.warnings;
+  }
+
+  async evaluate(t: number): Promise<Frame | null> {
+    this.checkAlive();
+    checkTime(t);
+    return this.latest(() => this.frame(t, this.spec));
+  }
+
+  async evaluateBlend(weights: readonly number[]): Promise<Frame | null> {
+    this.checkAlive();
+    const checked = checkWeights(weights, this.spec.keyTimes.length);
+    return this.latest(() => this.blendFrame(checked, this.spec));
+  }
+
+  async evaluateAhead(t: number, { signal }: AheadOptions = {}): Promise<Frame> {
+    this.checkAlive();
+    checkTime(t);
+    return this.shape.scheduler.run(urgency.ahead, () => this.frame(t, this.spec), signal);
+  }
+
+  async evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]> {
+    checkCall(call);
+    checkTimes(times);
+    const motion = await this.settled();
+    const frames: Frame[] = [];
+    for (const t of times) {
+      frames.push(
+        await untilAborted(
+          call?.signal,
+          this.batch(() => this.frame(t, motion)),
+        ),
+      );
+      call?.onProgress?.({ stage: 'evaluating', fraction: frames.length / times.length });
+    }
+    return frames;
+  }
+
+  async measures(times: number[], call?: CallOptions): Promise<Measures> {
+    checkCall(call);
+    const measures: Measures = { times: checkTimes(times), volume: [], area: [], sliding: [] };
+    const motion = await this.settled();
+    for (let done = 0; done < times.length; done = measures.volume.length) {
+      const rest = { motion, times: times.slice(done), mostMs: AT_ONCE_MS };
+      const next = this.shape.question('measure', () => rest);
+      const { volume, area, sliding } = await untilAborted(call?.signal, next);
+      measures.volume.push(...volume);
+      measures.area.push(...area);
+      measures.sliding.push(...sliding.map((share) => (share === null ? NaN : 100 * share)));
+      call?.onProgress?.({ stage: 'evaluating', fraction: measures.volume.length / times.length });
+    }
+    return measures;
+  }
+
+  async shapePlane(times: number[]): Promise<ShapePlane> {
+    return this.ask('plane', { times: checkTimes(times) });
+  }
+
+  async discretePath(samples: number): Promise<DiscretePath> {
+    return this.ask('discretePath', { samples: checkSamples(samples) });
+  }
+
+  async faceCurve(face: number, times: number[]): Promise<FaceCurve> {
+    return this.ask('faceCurve', { face: checkFace(face, this.faces), times: checkTimes(times) });
+  }
+
+  async patchCurve(patch: number, times: number[]): Promise<PatchCurve> {
+    return this.ask('patchCurve', { patch: checkFace(patch, this.faces, 'patch'), times: checkTimes(times) });
+  }
+
+  async keyPace(): Promise<KeyPace> {
+    return this.ask('pace', {});
+  }
+
+  async motionPace(times: number[]): Promise<MotionPace> {
+    return this.ask('motionPace', { times: checkTimes(times) });
+  }
+
+  async bendingEnergy(times: number[]): Promise<number[]> {
+    return (await this.ask('bending', { times: checkTimes(times) })).energy;
+  }
+
+  async ghostPositions(t: number): Promise<Float32Array> {
+    return (await this.ask('ghostPositions', { t: checkTime(t) })).positions;
+  }
+
+  async planExport(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportPlan> {
+    checkCall(call);
+    const checked = checkExportOptions(options);
+    const { planExport } = await exporting();
+    return planExport(await this.exportSource(checked), checked, call);
+  }
+
+  async export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]> {
+    const files: ExportedFile[] = [];
+    for await (const file of this.exportFiles(options, call)) files.push(file);
+    return files;
+  }
+
+  async *exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncGenerator<ExportedFile> {
+    checkCall(call);
+    const checked = checkExportOptions(options);
+    const { exportFiles } = await exporting();
+    yield* exportFiles(await this.exportSource(checked), checked, call ?? {});
+  }
+
+  dispose(): void {
+    if (this.over) return;
+    this.over = true;
+    this.supersede();
+    this.shape.drop(this.spec);
+  }
+
+  protected checkAlive(): void {
+    if (this.over) throw disposed(this.what);
+    this.shape.checkAlive();
+  }
+
+  /** The motion that is meant from now on. */
+  protected async settled(): Promise<MotionSpec> {
+    this.checkAlive();
+    return this.spec;
+  }
+
+  private get faces(): number {
+    return this.shape.parts.keys.info.report.faces;
+  }
+
+  /** Of the motion that is meant when its turn comes. */
+  private async ask<N extends MotionQuestion>(name: N, asked: AskedOf<N>): Promise<ResultOf<N>> {
+    this.checkAlive();
+    return this.shape.question(name, () => ({ ...asked, motion: this.spec }) as RequestOf<N>);
+  }
+
+  /** null where a newer one overtakes it. */
+  private async latest(make: () => Promise<Frame>): Promise<Frame | null> {
+    this.supersede();
+    return new Promise<Frame | null>((resolve, reject) => {
+      const task: Task = {
+        urgency: urgency.shown,
+        start: () => {
+          this.shown = null;
+          return make().then(resolve, (error: EngineError) =>
+            error.code === 'disposed' ? resolve(null) : reject(error),
+          );
+        },
+      };
+      this.shown = { task, supersede: () => resolve(null) };
+      this.shape.scheduler.add(task);
+    });
+  }
+
+  private supersede(): void {
+    if (this.shown && this.shape.scheduler.withdraw(this.shown.task)) this.shown.supersede();
+    this.shown = null;
+  }
+
+  private async frame(t: number, motion: MotionSpec): Promise<Frame> {
+    this.checkAlive();
+    const { buffers, transfer } = this.spare();
+    return this.pool.frame(t, await this.shape.ask('evaluate', { motion, t, buffers }, { transfer }));
+  }
+
+  private async blendFrame(weights: number[], motion: MotionSpec): Promise<Frame> {
+    this.checkAlive();
+    const { buffers, transfer } = this.spare();
+    return this.pool.frame(NaN, await this.shape.ask('blend', { motion, weights, buffers }, { transfer }));
+  }
+
+  private spare(): { buffers: FrameBuffers | null; transfer: ArrayBuffer[] } {
+    const buffers = this.pool.take();
+    const transfer = buffers ? [buffers.positions.buffer, buffers.normals.buffer] : [];
+    return { buffers, transfer: transfer as ArrayBuffer[] };
+  }
+
+  private batch<T>(work: () => Promise<T>): Promise<T> {
+    return this.shape.scheduler.run(urgency.batch, work);
+  }
+
+  private async exportSource({ inPlace, blend }: ExportOptions): Promise<ExportSource> {
+    const weights = blend && checkWeights(blend, this.spec.keyTimes.length);
+    const settled = await this.settled();
+    const motion =
+      inPlace && !settled.options.inPlace
+        ? this.shape.spec({ ...settled.options, inPlace }, settled.keyTimes)
+        : settled;
+    const { keys, freshWorker } = this.shape.parts;
+    return {
+      planned: this.planned,
+      keys,
+      keyTimes: motion.keyTimes,
+      options: { ...this.shape.options, ...motion.options },
+      range: this.range,
+      freshWorker,
+      frame: (t) => this.batch(() => (weights ? this.blendFrame(weights, motion) : this.frame(t, motion))),
+      glbSize: (faces, vertices, frames, scene) =>
+        this.shape.scheduler.run(urgency.shown, () => this.shape.ask('glbSize', { faces, vertices, frames, scene })),
+    };
+  }
+}

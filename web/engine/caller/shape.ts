@@ -1,0 +1,125 @@
+/** A shape on the caller's side: its worker, the order of its requests, and what it takes to encode it again. */
+import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
+import { disposed, untilAborted } from '../api/errors.ts';
+import { checkCall, checkUpdate } from '../api/options.ts';
+import { MOTION_DEFAULTS } from '../api/types.ts';
+import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../api/types.ts';
+import type { CallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
+import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
+import type { SharedOrder } from '../wire/shared-order.ts';
+import { MotionClient } from './motion.ts';
+import { Scheduler, urgency } from './scheduler.ts';
+import type { WorkerCall, WorkerClient } from './worker-client.ts';
+
+export interface ShapeParts {
+  keys: KeyData;
+  encoding: EncodingOptions;
+  /** Starts a worker that no other shape uses, with one thread. */
+  freshWorker(): WorkerClient;
+  onDispose(shape: ShapeClient): void;
+}
+
+export class ShapeClient implements Shape {
+  readonly scheduler = new Scheduler();
+  private motions = 0;
+  private over = false;
+
+  private constructor(
+    readonly parts: ShapeParts,
+    private client: WorkerClient,
+  ) {}
+
+  /** Encodes it in `client`, which is the shape's own from here on. */
+  static async encode(
+    parts: ShapeParts,
+    client: WorkerClient,
+    order: SharedOrder | null,
+    call: WorkerCall,
+  ): Promise<ShapeClient> {
+    await client.call('encode', { ...encodeRequest(parts), order }, call);
+    return new ShapeClient(parts, client);
+  }
+
+  get options(): Readonly<EncodingOptions> {
+    return this.parts.encoding;
+  }
+
+  async motion(change: MotionChange = {}, call?: CallOptions): Promise<Motion> {
+    checkCall(call);
+    const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
+    const spec = this.spec(motion, keyTimes ?? this.parts.keys.info.times);
+    const made = this.scheduler.run(urgency.shown, () => this.make(spec, call));
+    return new MotionClient(this, spec, await untilAborted(call?.signal, made));
+  }
+
+  /** A motion that no worker has yet. */
+  spec(options: MotionOptions, keyTimes: readonly number[]): MotionSpec {
+    return { number: ++this.motions, options, keyTimes };
+  }
+
+  make(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
+    return this.ask('motion', { motion }, { onProgress: call?.onProgress });
+  }
+
+  /** A motion that nobody needs any more. */
+  drop(motion: MotionSpec): void {
+    // A worker that has ended has nothing of it.
+    if (!this.over && this.client.alive) this.client.call('drop', { motion }).catch(() => undefined);
+  }
+
+  async stats(): Promise<SequenceStats> {
+    return this.question('stats', () => ({}));
+  }
+
+  async patches(): Promise<Int32Array> {
+    return (await this.question('parts', () => ({}))).patchOf;
+  }
+
+  async components(): Promise<Int32Array> {
+    return (await this.question('parts', () => ({}))).componentOf;
+  }
+
+  async ghost(): Promise<Ghost | null> {
+    const ghost = await this.question('ghost', () => ({}));
+    return ghost.faces.length > 0 ? ghost : null;
+  }
+
+  dispose(): void {
+    if (this.over) return;
+    this.over = true;
+    this.client.terminate(disposed('shape'));
+    this.parts.onDispose(this);
+  }
+
+  checkAlive(): void {
+    if (this.over) throw disposed('shape');
+  }
+
+  /** A question in its turn. */
+  async question<N extends QuestionName>(name: N, request: () => RequestOf<N>): Promise<ResultOf<N>> {
+    this.checkAlive();
+    return this.scheduler.run(urgency[QUESTIONS[name].urgency], () => this.ask(name, request()));
+  }
+
+  /**
+   * One request; a worker that died before is replaced first, and the shape encoded again from the same keys. If the
+   * second thread was the reason, it would be again: the new worker has one thread.
+   */
+  async ask<K extends CallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
+    this.checkAlive();
+    if (!this.client.alive) {
+      this.client = this.parts.freshWorker();
+      await this.client.call('encode', { ...encodeRequest(this.parts), order: null });
+    }
+    return this.client.call(type, request, call);
+  }
+}
+
+/** What a shape is made of. */
+export function encodeRequest({
+  keys,
+  encoding,
+}: Pick<ShapeParts, 'keys' | 'encoding'>): Omit<RequestOf<'encode'>, 'order'> {
+  const { info, positions, normals } = keys;
+  return { names: info.names, faces: info.faces, times: info.times, positions, normals, encoding };
+}

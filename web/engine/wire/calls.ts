@@ -1,0 +1,58 @@
+/**
+ * The questions that the core answers: plain data in, plain data out. A line here is all that a question needs between
+ * its binding (wasm/bindings) and the method that asks it.
+ */
+import type {
+  DiscretePath,
+  FaceCurve,
+  Ghost,
+  KeyPace,
+  MeasuresAt,
+  MotionPace,
+  PatchCurve,
+  SequenceStats,
+  ShapePlane,
+} from '../api/types.ts';
+
+/** What a request is for: what is shown comes before what is fetched ahead, and that before exports and measures. */
+export type Urgency = 'shown' | 'ahead' | 'batch';
+
+interface Question<Of, Asked, Answer> {
+  /** The function of the wasm module, which takes a handle of what it is of, and JSON. */
+  symbol: string;
+  of: Of;
+  urgency: Urgency;
+  /** Never there: carries the types. */
+  types?: (asked: Asked) => Answer;
+}
+
+const ofMotion = <Asked extends object, Answer>(
+  symbol: string,
+  urgency: Urgency = 'shown',
+): Question<'motion', Asked, Answer> => ({ symbol, of: 'motion', urgency });
+
+const ofShape = <Asked extends object, Answer>(symbol: string): Question<'shape', Asked, Answer> => ({
+  symbol,
+  of: 'shape',
+  urgency: 'shown',
+});
+
+export const QUESTIONS = {
+  plane: ofMotion<{ times: number[] }, ShapePlane>('_shapespline_plane'),
+  discretePath: ofMotion<{ samples: number }, DiscretePath>('_shapespline_discrete_path'),
+  faceCurve: ofMotion<{ face: number; times: number[] }, FaceCurve>('_shapespline_face_curve'),
+  patchCurve: ofMotion<{ patch: number; times: number[] }, PatchCurve>('_shapespline_patch_curve'),
+  pace: ofMotion<object, KeyPace>('_shapespline_pace'),
+  motionPace: ofMotion<{ times: number[] }, MotionPace>('_shapespline_motion_pace', 'batch'),
+  bending: ofMotion<{ times: number[] }, { energy: number[] }>('_shapespline_bending'),
+  ghostPositions: ofMotion<{ t: number }, { positions: Float32Array }>('_shapespline_ghost_positions'),
+  /** At the first of these times: one, and more as long as that takes no longer. */
+  measure: ofMotion<{ times: number[]; mostMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
+  parts: ofShape<object, { patchOf: Int32Array; componentOf: Int32Array }>('_shapespline_parts'),
+  ghost: ofShape<object, Ghost>('_shapespline_ghost'),
+  stats: ofShape<object, Omit<SequenceStats, 'threads' | 'heapBytes'>>('_shapespline_stats'),
+};
+
+export type QuestionName = keyof typeof QUESTIONS;
+export type AskedOf<N extends QuestionName> = Parameters<NonNullable<(typeof QUESTIONS)[N]['types']>>[0];
+export type AnswerOf<N extends QuestionName> = ReturnType<NonNullable<(typeof QUESTIONS)[N]['types']>>;

@@ -1,0 +1,45 @@
+/** The motions of a worker's shape. */
+import type { MotionSpec, MotionState } from '../wire/protocol.ts';
+import type { WasmCore } from './wasm-core.ts';
+
+/** More than any page shows: those that were asked for least lately are made again when they are. */
+const MOST = 16;
+
+export class Motions {
+  /** Handles by number, the one that was used last at the end. */
+  private readonly handles = new Map<number, number>();
+
+  /** Where it fails, the others stay. */
+  make(core: WasmCore, shape: number, spec: MotionSpec): MotionState {
+    const latest = [...this.handles.values()].at(-1) ?? null;
+    const { handle, ...state } = core.motion(shape, spec, latest);
+    this.drop(core, spec);
+    this.handles.set(spec.number, handle);
+    const [oldest] = this.handles.keys();
+    if (this.handles.size > MOST) this.forget(core, oldest!);
+    return state;
+  }
+
+  /** The handle of a motion, which is made where it is not there: as after a worker that broke down. */
+  of(core: WasmCore, shape: number, spec: MotionSpec): number {
+    const handle = this.handles.get(spec.number);
+    if (handle === undefined) {
+      this.make(core, shape, spec);
+      return this.handles.get(spec.number)!;
+    }
+    this.handles.delete(spec.number);
+    this.handles.set(spec.number, handle);
+    return handle;
+  }
+
+  drop(core: WasmCore, { number }: MotionSpec): void {
+    this.forget(core, number);
+  }
+
+  private forget(core: WasmCore, number: number): void {
+    const handle = this.handles.get(number);
+    if (handle === undefined) return;
+    core.release(handle);
+    this.handles.delete(number);
+  }
+}
