@@ -10,7 +10,7 @@ test('shows the first sample with its counts and a picture that is not flat', { 
   await expect(app.by('status-keys')).toHaveText(`${doc.keys.length} keys`);
   const positions = await app.positions();
   await expect(app.by('status-vertices')).toHaveText(`${(positions.length / 3).toLocaleString('en')} vertices`);
-  await expect(app.by('status-ms')).toHaveText(/^\d+(\.\d)? ms per frame, exact$/);
+  await expect(app.by('status-ms')).toHaveText(/^\d+(\.\d)? ms per frame$/);
   expect(positions.every(Number.isFinite)).toBe(true);
 
   const picture = await app.picture();

@@ -302,6 +302,8 @@ async function sharedPage(shared: Shared, sharpness: number): Promise<Page> {
     return shared.page;
   }
   const { page } = shared;
+  // A window that fills the screen cannot be resized.
+  await page.evaluate(() => document.fullscreenElement && document.exitFullscreen());
   await page.setViewportSize(VIEWPORT);
   await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce', forcedColors: 'none' });
   await page.mouse.move(0, 0);

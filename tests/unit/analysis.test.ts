@@ -2,14 +2,14 @@ import { describe, expect, it } from 'vitest';
 import { AnalysisCache } from '../../web/app/analysis/analysis-cache.ts';
 import { analysisInput, relativeToFirstKey } from '../../web/app/analysis/analysis.ts';
 import { computeShapePlanes, mostSpeeds } from '../../web/app/analysis/shape-plane.ts';
-import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
+import type { RunningMotion } from '../../web/playback/frame-set.ts';
 import type { Method } from '../../web/engine/api/types.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
 const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
 /** A sequence of constant measures that counts how often it is asked. */
-function running(method: Method, asked: string[], ghost = 0): RunningSequence {
+function running(method: Method, asked: string[], ghost = 0): RunningMotion {
   const sequence = {
     range: [0, 1] as const,
     measures: async (times: number[]) => {
@@ -24,7 +24,7 @@ function running(method: Method, asked: string[], ghost = 0): RunningSequence {
       explained: 1,
     }),
   };
-  return { method, ghost, sequence } as unknown as RunningSequence;
+  return { method, ghost, sequence } as unknown as RunningMotion;
 }
 
 function setUp(...methods: Method[]) {

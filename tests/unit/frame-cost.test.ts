@@ -2,7 +2,9 @@ import { describe, expect, it } from 'vitest';
 import type { RunningMotion } from '../../web/playback/frame-set.ts';
 import { FrameCost } from '../../web/playback/frame-cost.ts';
 
-const running = (): RunningMotion[] => [{ method: 'lri', ghost: 0, sequence: {} } as unknown as RunningMotion];
+const running = (shape = {}): RunningMotion[] => [
+  { method: 'lri', ghost: 0, sequence: { shape } } as unknown as RunningMotion,
+];
 
 describe('the cost of frames', () => {
   it('is not known before there were two', () => {
@@ -18,10 +20,11 @@ describe('the cost of frames', () => {
     expect(cost.typical(sequences)).toBe(90);
   });
 
-  it('stays where the same sequences are refitted, and is unknown of others', () => {
-    const [cost, sequences] = [new FrameCost(), running()];
+  it('is that of another motion of the same shape and method, and unknown of others', () => {
+    const shape = {};
+    const [cost, sequences] = [new FrameCost(), running(shape)];
     for (const ms of [20, 30]) cost.note({ sequences, ms });
-    expect(cost.typical([{ ...sequences[0]! }])).toBe(20);
+    expect(cost.typical(running(shape))).toBe(20);
     expect(cost.typical(running())).toBe(0);
   });
 });

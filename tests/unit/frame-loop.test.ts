@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { RunningSequence } from '../../web/app/session/sequence-set.ts';
+import type { RunningMotion } from '../../web/playback/frame-set.ts';
 import { Demand } from '../../web/playback/demand.ts';
 import { FrameLoop } from '../../web/playback/frame-loop.ts';
 import type { AheadOptions } from '../../web/engine/api/api.ts';
@@ -48,15 +48,15 @@ function setUp({ count = 1 } = {}) {
         reject(new Error('taken back'));
       });
     });
-  const running = (): RunningSequence =>
+  const running = (): RunningMotion =>
     ({
       method: 'lri',
       sequence: {
         evaluate: (t: number) => asked(t),
         evaluateAhead: (t: number, { signal }: AheadOptions) => asked(t, signal),
       },
-    }) as unknown as RunningSequence;
-  let sequences: readonly RunningSequence[] = Array.from({ length: count }, running);
+    }) as unknown as RunningMotion;
+  let sequences: readonly RunningMotion[] = Array.from({ length: count }, running);
   const loop = new FrameLoop(
     {
       show: ({ t }) => void shown.push(`${t}`),

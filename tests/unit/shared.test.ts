@@ -1,4 +1,4 @@
-/** What the elements of a page share, and how one that nobody else stays with becomes another. */
+/** What the elements of a page share. */
 import { beforeEach, expect, it, vi } from 'vitest';
 import { Shared } from '../../web/embed/shared.ts';
 import type { Lease } from '../../web/embed/shared.ts';
@@ -24,13 +24,6 @@ const take = (key: string): Lease<Thing> =>
     made.push(key);
     return { name: key };
   });
-const leave = (lease: Lease<Thing>): void => {
-  lease.leaving = true;
-};
-const renamed = (name: string) => async (thing: Thing) => {
-  thing.name = name;
-};
-
 it('is made once, and ended a while after its last user has left', async () => {
   const [a, b] = [take('x'), take('x')];
   expect(await a.value).toBe(await b.value);
@@ -46,57 +39,17 @@ it('is made once, and ended a while after its last user has left', async () => {
   expect(made).toEqual(['x']);
 });
 
-it('becomes another one where nobody stays with it', async () => {
-  const a = take('x');
-  const thing = await a.value;
-  expect(things.change([a], 'y', renamed('y'))).toBeNull();
-  leave(a);
-  const next = things.change([a], 'y', renamed('y'))!;
-  expect(await next.value).toBe(thing);
-  a.release();
-  expect([things.has('x'), things.has('y')]).toEqual([false, true]);
-  expect(await take('y').value).toBe(thing);
-  expect(made).toEqual(['x']);
-  await vi.advanceTimersByTimeAsync(2 * GRACE_MS);
-  expect(ended).toEqual([]);
-});
-
-it('stays where another user does, and changes where all of them leave', async () => {
-  const [a, b] = [take('x'), take('x')];
-  await a.value;
-  leave(a);
-  expect(things.change([a], 'y', renamed('y'))).toBeNull();
-  leave(b);
-  expect(things.change([], 'y', renamed('y'))).toBeNull();
-  const next = things.change([a], 'y', renamed('y'))!;
-  expect((await next.value).name).toBe('y');
-  expect(made).toEqual(['x']);
-});
-
-it('is what it was where the change fails, for whoever stays', async () => {
-  const a = take('x');
-  const thing = await a.value;
-  leave(a);
-  const next = things.change([a], 'y', () => Promise.reject(new Error('no such')))!;
-  const other = take('y');
-  await expect(next.value).rejects.toThrow('no such');
-  await expect(other.value).rejects.toThrow('no such');
-  next.release();
-  other.release();
-  expect([things.has('x'), things.has('y')]).toEqual([true, false]);
-  expect(await take('x').value).toBe(thing);
-  expect(made).toEqual(['x']);
-});
-
-it('ends once, also when its last user leaves while it changes or after a change failed', async () => {
-  const a = take('x');
-  await a.value;
-  leave(a);
-  const next = things.change([a], 'y', () => new Promise((_, fail) => setTimeout(fail, 3 * GRACE_MS)))!;
-  next.value.catch(() => undefined);
-  a.release();
-  next.release();
+it('is ended where its last user leaves while it is made, and forgotten where it cannot be made', async () => {
+  const signals: AbortSignal[] = [];
+  const slow = things.take('x', async ({ signal }) => {
+    signals.push(signal);
+    await new Promise((resolve) => setTimeout(resolve, 3 * GRACE_MS));
+    return { name: 'x' };
+  });
+  slow.release();
   await vi.advanceTimersByTimeAsync(5 * GRACE_MS);
-  expect(ended).toEqual(['x']);
-  expect(things.size).toBe(0);
+  expect([signals[0]!.aborted, ended, things.size]).toEqual([true, ['x'], 0]);
+  const failed = things.take('y', () => Promise.reject(new Error('no such')));
+  await expect(failed.value).rejects.toThrow('no such');
+  expect((await take('y').value).name).toBe('y');
 });

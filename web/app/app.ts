@@ -232,7 +232,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     if (!main) return;
     viewState.change({ warnings: warningsOf(session) });
     marking.follow();
-    main.stats().then((stats) => viewState.change({ stats }), feedback.onError);
+    main.shape.stats().then((stats) => viewState.change({ stats }), feedback.onError);
     frameLoop.follow(store.get().time);
     analysis.invalidate();
     motionPace.refresh();

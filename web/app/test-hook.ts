@@ -2,7 +2,7 @@
  * `window.__shapespline`, for tests of pages that use the app, in the production build too. Everything is plain data;
  * times are in the unit of the key times, positions xyz interleaved.
  */
-import type { Sequence } from '../engine/api/api.ts';
+import type { Motion } from '../engine/api/api.ts';
 import type { Ghost, SequenceStats } from '../engine/api/types.ts';
 import type { AppState } from '../model/state.ts';
 import type { Viewer } from '../viewer/viewer.ts';
@@ -46,7 +46,7 @@ export interface TestHookParts {
   ready: Promise<void>;
   viewer: Viewer;
   /** The first running sequence. */
-  sequence(): Sequence | undefined;
+  sequence(): Motion | undefined;
   state(): AppState;
   shown(): { t: number };
   difference(): Float32Array | null;
@@ -79,7 +79,7 @@ export function createTestHook(parts: TestHookParts): TestHook {
     get state() {
       return structuredClone(state());
     },
-    stats: async () => (await sequence()?.stats()) ?? null,
+    stats: async () => (await sequence()?.shape.stats()) ?? null,
     async evaluate(t) {
       const [frame] = (await sequence()?.evaluateMany([t])) ?? [];
       const positions = frame?.positions.slice() ?? new Float32Array();
@@ -88,7 +88,7 @@ export function createTestHook(parts: TestHookParts): TestHook {
     },
     async ghost() {
       const of = sequence();
-      const mesh = (await of?.ghost()) ?? null;
+      const mesh = (await of?.shape.ghost()) ?? null;
       return mesh && { ...mesh, positions: await of!.ghostPositions(state().time) };
     },
     get shown() {

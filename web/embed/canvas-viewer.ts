@@ -194,7 +194,7 @@ export class CanvasViewer {
     const [main] = this.motions;
     const { keys } = this;
     if (!main || !keys) return;
-    const patches = await main.sequence.patches();
+    const patches = await main.sequence.shape.patches();
     if (this.motions[0] === main)
       this.viewer.setPatchColours(patchColours(patches, keys.info.faces, keys.info.report.vertices));
   }

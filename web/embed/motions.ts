@@ -1,8 +1,9 @@
 /**
- * The engine of a page and what its elements share: an import for the same sources, a sequence for the same motion.
+ * The engine of a page and what its elements share: an import for the same sources, a shape for the same
+ * encoding, a motion for the same options.
  * What nobody holds any more is disposed of after a moment, because moving an element takes it away and back.
  */
-import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
+import type { Engine, Keys, Motion, Shape } from '../engine/api/api.ts';
 import { createEngine } from '../engine/browser.ts';
 import { encodingOf, motionOf } from '../engine/api/options.ts';
 import { SEQUENCE_DEFAULTS } from '../engine/api/types.ts';
@@ -28,18 +29,23 @@ async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
   try {
     return await work(used);
   } catch (error) {
-    if ((error as { code?: unknown }).code === 'not-loaded' && engine === used && sequences.size === 0) engine = null;
+    if ((error as { code?: unknown }).code === 'not-loaded' && engine === used && shapes.size === 0) engine = null;
     throw error;
   }
 }
 
 const imports = new Shared<Keys>((keys) => keys.dispose(), GRACE_MS);
-const sequences = new Shared<Sequence>((sequence) => sequence.dispose(), GRACE_MS);
+const shapes = new Shared<Shape>((shape) => shape.dispose(), GRACE_MS);
+const motions = new Shared<{ motion: Motion; shape: Lease<Shape> }>(({ motion, shape }) => {
+  motion.dispose();
+  shape.release();
+}, GRACE_MS);
 
-/** For tests and for pages that look after their memory: how many imports and sequences there are. */
-export const held = (): { imports: number; sequences: number } => ({
+/** For tests and for pages that look after their memory: how much of each there is. */
+export const held = (): { imports: number; shapes: number; motions: number } => ({
   imports: imports.size,
-  sequences: sequences.size,
+  shapes: shapes.size,
+  motions: motions.size,
 });
 
 export interface KeysLease extends Lease<Keys> {
@@ -73,12 +79,6 @@ export function takeKeys(
   return Object.assign(lease, { key });
 }
 
-export interface MotionLease extends Lease<Sequence> {
-  /** Of its keys, and of what is encoded of them: motions of the same differ by what can be refitted. */
-  readonly keys: string;
-  readonly encoded: string;
-}
-
 /** A motion through keys, at these times or their own. */
 export interface Wanted {
   keys: KeysLease;
@@ -97,63 +97,58 @@ async function keysOf({ keys, times }: Wanted): Promise<Keys> {
   return times ? held.arrange([...held.info.times.keys()], times) : held;
 }
 
-const asMotion = (lease: Lease<Sequence>, wanted: Wanted): MotionLease =>
-  Object.assign(lease, { keys: wanted.keys.key, encoded: encodedOf(wanted) });
-
-/** Those of them that need refitting alone to become what is wanted. */
-export function refittable(motions: readonly MotionLease[], wanted: Wanted): MotionLease[] {
-  return motions.filter(({ encoded }) => encoded === encodedOf(wanted));
-}
-
-/**
- * One motion for each of the wanted: one that is there, one of `own` refitted that no other user stays with, or a new
- * one. `own` must be made already.
- */
-export function takeMotions(
-  wanted: readonly Wanted[],
-  own: readonly MotionLease[],
-  onProgress?: (part: Stage) => void,
-): MotionLease[] {
-  const there = wanted.map((one) => (sequences.has(keyOfMotion(one)) ? create(one, onProgress) : null));
-  return wanted.map((one, i) => there[i] ?? refit(one, own) ?? create(one, onProgress));
-}
-
-function refit(wanted: Wanted, own: readonly MotionLease[]): MotionLease | null {
-  const lease = sequences.change(refittable(own, wanted), keyOfMotion(wanted), async (sequence) => {
-    const keyTimes = [...(await keysOf(wanted)).info.times];
-    await sequence.update({ ...motionOf({ ...SEQUENCE_DEFAULTS, ...wanted.options }), keyTimes });
-  });
-  return lease && asMotion(lease, wanted);
-}
-
-function create(wanted: Wanted, onProgress?: (part: Stage) => void): MotionLease {
-  const lease = sequences.take(
-    keyOfMotion(wanted),
+function takeShape(wanted: Wanted, onProgress: (part: Stage) => void): Lease<Shape> {
+  return shapes.take(
+    encodedOf(wanted),
     async ({ signal, report }) => {
-      return pageEngine().createSequence(await keysOf(wanted), wanted.options, { signal, onProgress: report });
+      const encoding = encodingOf({ ...SEQUENCE_DEFAULTS, ...wanted.options });
+      return pageEngine().encode(await wanted.keys.value, encoding, { signal, onProgress: report });
     },
     onProgress,
   );
-  return asMotion(lease, wanted);
+}
+
+/** The motion that is there, or a new one. */
+export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): Lease<Motion> {
+  const { value, release } = motions.take(
+    keyOfMotion(wanted),
+    async ({ signal, report }) => {
+      const shape = takeShape(wanted, report);
+      // Nobody wants it any more: what is being encoded may end.
+      signal.addEventListener('abort', shape.release);
+      try {
+        const keyTimes = [...(await keysOf(wanted)).info.times];
+        const options = motionOf({ ...SEQUENCE_DEFAULTS, ...wanted.options });
+        return { shape, motion: await (await shape.value).motion({ ...options, keyTimes }, { signal }) };
+      } catch (error) {
+        shape.release();
+        throw error;
+      }
+    },
+    onProgress,
+  );
+  const motion = value.then((held) => held.motion);
+  motion.catch(() => undefined); // said by whoever waits for it
+  return { value: motion, release };
 }
 
 /**
- * One of several users of a sequence. Its requests are not overtaken by those of the others: each asks for one moment
+ * One of several users of a motion. Its requests are not overtaken by those of the others: each asks for one moment
  * at a time. `onComputed` hears of every frame that was made for it.
  */
-export function userOf(sequence: Sequence, onComputed: (ms: number) => void): Sequence {
-  const evaluateAhead: Sequence['evaluateAhead'] = async (t, options) => {
-    const frame = await sequence.evaluateAhead(t, options);
+export function userOf(motion: Motion, onComputed: (ms: number) => void): Motion {
+  const evaluateAhead: Motion['evaluateAhead'] = async (t, options) => {
+    const frame = await motion.evaluateAhead(t, options);
     onComputed(frame.ms);
     return frame;
   };
-  const own: Partial<Sequence> = {
+  const own: Partial<Motion> = {
     evaluateAhead,
     evaluate: (t) => evaluateAhead(t),
   };
-  return new Proxy(sequence, {
+  return new Proxy(motion, {
     get(target, name) {
-      const value: unknown = own[name as keyof Sequence] ?? Reflect.get(target, name, target);
+      const value: unknown = own[name as keyof Motion] ?? Reflect.get(target, name, target);
       return typeof value === 'function' ? value.bind(target) : value;
     },
   });

@@ -1,6 +1,6 @@
 /** The element <shape-spline>. Importing it changes nothing, and works without a DOM. */
 import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
-import type { Keys, Sequence } from '../engine/api/api.ts';
+import type { Keys, Motion } from '../engine/api/api.ts';
 import type {
   ExportOptions,
   Frame as Shape,
@@ -20,7 +20,8 @@ import type { Concern, PropertyName, ShapeSplineProperties } from './attributes.
 import type { CanvasViewer } from './canvas-viewer.ts';
 import type { EventDetails, ShapeSplineEventMap } from './events.ts';
 import { Frame } from './frame.ts';
-import type { KeysLease, MotionLease } from './motions.ts';
+import type { KeysLease } from './motions.ts';
+import type { Lease } from './shared.ts';
 import { listOf, sourcesOf } from './sources.ts';
 import type { KeySource, Sources } from './sources.ts';
 import { isDark, lessMotion, watch } from './surroundings.ts';
@@ -60,8 +61,8 @@ interface Opened {
   keys: KeysLease;
   held: Keys;
   methods: readonly Method[];
-  motions: MotionLease[];
-  sequences: readonly Sequence[];
+  motions: Lease<Motion>[];
+  sequences: readonly Motion[];
 }
 
 export interface ShapeSplineElement extends ShapeSplineProperties {
@@ -93,10 +94,10 @@ export class ShapeSplineElement extends Base {
   #frame: Frame | null = null;
   #view: CanvasViewer | null = null;
   #keys: KeysLease | null = null;
-  #motions: MotionLease[] = [];
+  #motions: Lease<Motion>[] = [];
   /** What is on its way to be shown. */
-  #opening: { keys: KeysLease | null; motions: MotionLease[] } = { keys: null, motions: [] };
-  #sequence: Sequence | null = null;
+  #opening: { keys: KeysLease | null; motions: Lease<Motion>[] } = { keys: null, motions: [] };
+  #sequence: Motion | null = null;
   #given: readonly KeySource[] | null = null;
   #info: Keys['info'] | null = null;
   #loading: Promise<void> | null = null;
@@ -270,7 +271,7 @@ export class ShapeSplineElement extends Base {
   }
 
   /** What is to be shown by now, whatever was changed before or meanwhile. */
-  async #loaded(): Promise<Sequence> {
+  async #loaded(): Promise<Motion> {
     await null;
     for (let loading: Promise<void> | null = null; loading === null || loading !== this.#loading; ) {
       if (!this.isConnected) throw new EngineError('not-connected', 'The element is not in the document.');
@@ -386,7 +387,6 @@ export class ShapeSplineElement extends Base {
     this.#fraction = 0;
     this.#failure = null;
     this.#frame!.setMessage(null);
-    for (const lease of [...this.#motions, ...this.#opening.motions]) lease.leaving = true;
     try {
       const opened = await this.#fetch(current);
       if (opened && current()) await this.#show(opened, current);
@@ -394,23 +394,21 @@ export class ShapeSplineElement extends Base {
       if (!current() || isCancelled(error)) return;
       this.#failure = error;
       this.#giveBack();
-      for (const lease of this.#motions) lease.leaving = false;
       this.#fail(error);
     }
   }
 
   /** Keys and motions as the attributes say; null where something else is wanted by now. */
   async #fetch(current: () => boolean): Promise<Opened | null> {
-    const [{ CanvasViewer }, { refittable, takeKeys, takeMotions }] = await heavy();
+    const [{ CanvasViewer }, { takeKeys, takeMotion }] = await heavy();
     if (!current()) return null;
     const from = (share: number) => (part: { stage: string; fraction: number }) =>
       this.#progress(current, part.stage, share + KEYS_SHARE * part.fraction);
     const sources = this.#sources();
     const keys = takeKeys(sources, this.baseURI, this.#options('import') as ImportOptions, from(0));
     // What an older loading has begun is given back only now: what both want is not made anew.
-    const { motions: begun } = this.#opening;
-    for (const lease of [this.#opening.keys, ...begun.filter((one) => one.keys !== keys.key)]) lease?.release();
-    this.#opening = { keys, motions: begun.filter((one) => one.keys === keys.key) };
+    this.#opening.keys?.release();
+    this.#opening.keys = keys;
     const held = await keys.value;
     if (!current()) return null;
     const options: Partial<SequenceOptions> = { ...held.info.project, ...this.#options('sequence') };
@@ -418,12 +416,9 @@ export class ShapeSplineElement extends Base {
     const method = options.method ?? this.method;
     const methods = [method, ...this.compare.filter((one) => one !== method)];
     const times = this.keyTimes ?? sources.times;
-    const wanted = methods.map((one) => ({ keys, times, options: { ...options, method: one } }));
-    const own = refittable([...this.#motions, ...this.#opening.motions], wanted[0]!);
-    // Those that are being made of the same are awaited and fitted again, of all changes meanwhile to the last.
-    await Promise.allSettled(own.map(({ value }) => value));
-    if (!current()) return null;
-    const motions = takeMotions(wanted, own, from(KEYS_SHARE));
+    const motions = methods.map((one) =>
+      takeMotion({ keys, times, options: { ...options, method: one } }, from(KEYS_SHARE)),
+    );
     for (const lease of this.#opening.motions) lease.release();
     this.#opening.motions = motions;
     const sequences = await Promise.all(motions.map(({ value }) => value));

@@ -22,12 +22,15 @@ export class FrameCost {
     return sorted.length < ENOUGH ? 0 : sorted[(sorted.length - 1) >> 1]!;
   }
 
-  /** Other sequences have other costs; the same ones keep theirs when they are refitted. */
+  /** Other shapes and methods have other costs; other motions of the same ones have not. */
   private follow(sequences: readonly RunningMotion[]): void {
     const before = this.sequences;
     this.sequences = sequences;
     const same =
-      sequences.length === before.length && sequences.every(({ sequence }, i) => sequence === before[i]!.sequence);
+      sequences.length === before.length &&
+      sequences.every(
+        ({ sequence, method }, i) => sequence.shape === before[i]!.sequence.shape && method === before[i]!.method,
+      );
     if (!same) this.samples = [];
   }
 }

@@ -1,5 +1,5 @@
 /** The frames of one time, one per running sequence: shown together or not at all. */
-import type { Sequence } from '../engine/api/api.ts';
+import type { Motion } from '../engine/api/api.ts';
 import type { Frame, Method } from '../engine/api/types.ts';
 
 /** One of the motions that are shown side by side. */
@@ -11,9 +11,9 @@ export interface Variant {
   plain?: true;
 }
 
-/** With the sequence that makes its frames. */
+/** With the motion that makes its frames. */
 export interface RunningMotion extends Variant {
-  readonly sequence: Sequence;
+  readonly sequence: Motion;
 }
 
 export interface FrameSet {
@@ -32,7 +32,7 @@ export async function gather(
   sequences: readonly RunningMotion[],
   t: number,
   blend: FrameSet['blend'],
-  ask: (sequence: Sequence) => Promise<Frame | null>,
+  ask: (sequence: Motion) => Promise<Frame | null>,
 ): Promise<FrameSet | null> {
   const outcomes = await Promise.allSettled(sequences.map(({ sequence }) => ask(sequence)));
   const frames = outcomes.flatMap((outcome) =>

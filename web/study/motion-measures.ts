@@ -1,6 +1,6 @@
 /** Volume, area, bending energy and shape plane of a motion over time, and a table of several motions. */
 import { METHOD } from '../engine/api/methods.ts';
-import type { Sequence } from '../engine/api/api.ts';
+import type { Motion } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
 
 /** Which of the motions that are measured; `plain`: nothing is held, as in the method as published. */
@@ -24,7 +24,7 @@ export interface MotionMeasures extends MotionName {
   plane: number[] | null;
 }
 
-export async function measureMotion(sequence: Sequence, name: MotionName, times: number[]): Promise<MotionMeasures> {
+export async function measureMotion(sequence: Motion, name: MotionName, times: number[]): Promise<MotionMeasures> {
   const { method, plain } = name;
   const { volume, area, sliding } = await sequence.measures(times);
   const plane = METHOD[method].space === 'lri' ? (await sequence.shapePlane(times)).curve : null;

@@ -5,7 +5,7 @@ import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { measureMotion } from '../../study/motion-measures.ts';
 import type { MotionMeasures, MotionName } from '../../study/motion-measures.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
+import type { RunningMotion } from '../../playback/frame-set.ts';
 import type { ShapePlaneInput } from './shape-plane.ts';
 
 /** Everything that is plotted, and what the CSV holds. */
@@ -24,7 +24,7 @@ export interface AnalysisInput extends ShapePlaneInput {
 }
 
 /** Motions with and without a ghost mesh are not compared: those like the first one are analysed. */
-export function analysisInput(running: readonly RunningSequence[], doc: Doc, range: Range, ms: number): AnalysisInput {
+export function analysisInput(running: readonly RunningMotion[], doc: Doc, range: Range, ms: number): AnalysisInput {
   const [main] = running;
   return {
     sequences: running.filter((one) => one === main || one.ghost === main?.ghost),

@@ -2,7 +2,7 @@
  * Keeps the timeline's pace and the speeds on offer in step with the motion: asked for when frames leave time, the
  * newest only.
  */
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import type { Pace } from '../../model/pace.ts';
 import { paceOf, paceTimes } from '../../model/pace.ts';
 import { USUAL_MOST } from '../../model/speeds.ts';
@@ -12,7 +12,7 @@ import type { ShapePlaneInput } from './shape-plane.ts';
 
 export interface MotionPaceParts {
   /** The first running sequence. */
-  sequence(): Sequence | undefined;
+  sequence(): Motion | undefined;
   /** What the ends lead towards. */
   towards(): ShapePlaneInput['towards'];
   /** `most`: the fastest on offer at the ends. */

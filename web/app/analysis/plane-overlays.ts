@@ -3,7 +3,7 @@
  * third curve in Fig. 2b), and blends of vertices, which leave the plane.
  */
 import { METHOD } from '../../engine/api/methods.ts';
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import type { Method } from '../../engine/api/types.ts';
 import type { AnalysisInput } from './analysis.ts';
 
@@ -25,7 +25,7 @@ export interface BlendCurve {
   off: number;
 }
 
-export async function minimisedCurve(sequence: Sequence, samples: number): Promise<MinimisedCurve> {
+export async function minimisedCurve(sequence: Motion, samples: number): Promise<MinimisedCurve> {
   const { times, plane: points, energy, curveEnergy } = await sequence.discretePath(samples);
   const { curve, keys } = await sequence.shapePlane(times);
   const distances = times.map((_, i) =>

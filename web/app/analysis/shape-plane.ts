@@ -7,10 +7,10 @@ import type { Towards } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { PlaneShapes } from './plane-weights.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
+import type { RunningMotion } from '../../playback/frame-set.ts';
 
 export interface ShapePlaneInput {
-  sequences: readonly RunningSequence[];
+  sequences: readonly RunningMotion[];
   keyTimes: readonly number[];
   range: Range;
   /** Hermite: what tells the direction at an end; null = another boundary. */
@@ -29,7 +29,7 @@ export interface ShapePlanes {
   times: number[];
   range: Range;
   /** One per motion of LRI space, the first one's plane for all. */
-  planes: { method: RunningSequence['method']; plane: ShapePlane }[];
+  planes: { method: RunningMotion['method']; plane: ShapePlane }[];
   tangents: Tangents | null;
 }
 

@@ -1,5 +1,5 @@
 /** What is marked on the shape: the place of a warning, a component, or where faces are indefinite. */
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import type { Warning } from '../../engine/api/types.ts';
 import { keysOf } from '../../engine/api/warning-keys.ts';
 import { length } from '../../model/time-scale.ts';
@@ -10,7 +10,7 @@ import type { SceneController } from './scene-controller.ts';
 export interface MarkingParts {
   scene: SceneController;
   /** The first running sequence. */
-  sequence(): Sequence | undefined;
+  sequence(): Motion | undefined;
   warnings(): readonly Warning[];
   keyTimes(): number[];
   range(): Range;
@@ -33,7 +33,7 @@ export interface Marking {
   follow(): void;
 }
 
-type Find = (sequence: Sequence) => Promise<number[]>;
+type Find = (sequence: Motion) => Promise<number[]>;
 
 export function createMarking({
   scene,
@@ -72,7 +72,9 @@ export function createMarking({
     component(component) {
       onWarning(null);
       ofComponent = component !== null;
-      mark(component === null ? null : async (of) => where(await of.components(), (value) => value === component));
+      mark(
+        component === null ? null : async (of) => where(await of.shape.components(), (value) => value === component),
+      );
     },
     around(face) {
       onWarning(null);
@@ -93,8 +95,8 @@ export function createMarking({
 }
 
 /** The faces of the patches; of the face's own where there are none. */
-async function facesOf(sequence: Sequence, patches: readonly number[], face: number): Promise<number[]> {
-  const ofFace = await sequence.patches();
+async function facesOf(sequence: Motion, patches: readonly number[], face: number): Promise<number[]> {
+  const ofFace = await sequence.shape.patches();
   const wanted = new Set(patches.length > 0 ? patches : [ofFace[face] ?? -1]);
   return where(ofFace, (patch) => patch >= 0 && wanted.has(patch));
 }

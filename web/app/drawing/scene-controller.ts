@@ -1,6 +1,6 @@
 /** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
 import { METHOD } from '../../engine/api/methods.ts';
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
@@ -78,14 +78,14 @@ export class SceneController {
   private base: Measure | null = null;
   /** When volume and area were taken last. */
   private measuredAt = 0;
-  private patchesOf: Sequence | null = null;
+  private patchesOf: Motion | null = null;
   private film: Film | null = null;
   private hasOnion = false;
   /** Something else than a film strip has been seen of the import. */
   private ordinary = false;
   private readonly onCamera: ViewerEvents['onCamera'];
   private named = false;
-  private ghost: { of: Sequence; mesh: Ghost | null } | null = null;
+  private ghost: { of: Motion; mesh: Ghost | null } | null = null;
   /** Of the import's poses along x. */
   private width = 0;
   /** How far along x the ghost stands beside the shape now. */
@@ -426,7 +426,7 @@ export class SceneController {
   ): Promise<void> {
     const wanted = (ghostWire || ghostBeside) && !film && running?.ghost && METHOD[running.method].space === 'lri';
     if (wanted && this.ghost?.of !== running.sequence)
-      this.ghost = { of: running.sequence, mesh: await running.sequence.ghost() };
+      this.ghost = { of: running.sequence, mesh: await running.sequence.shape.ghost() };
     const mesh = wanted ? this.ghost?.mesh : null;
     const offset = mesh && ghostBeside ? this.width * BESIDE : null;
     if (mesh) {
@@ -448,9 +448,9 @@ export class SceneController {
     }
   }
 
-  private async showPatches(sequence: Sequence | undefined, view: View): Promise<void> {
+  private async showPatches(sequence: Motion | undefined, view: View): Promise<void> {
     if (!sequence || !this.info || view.colouring !== 'patches' || this.patchesOf === sequence) return;
-    const patches = await sequence.patches();
+    const patches = await sequence.shape.patches();
     this.patchesOf = sequence;
     this.viewer.setPatchColours(patchColours(patches, this.info.faces, this.info.report.vertices));
   }

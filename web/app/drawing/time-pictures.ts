@@ -2,12 +2,12 @@
  * Pictures of moments that the mouse points at on the timeline: one at a time, of the newest moment, when nothing else
  * is to be drawn. Where one takes long they wait until the pointer rests, and are not made while the motion plays.
  */
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import type { Frame } from '../../engine/api/types.ts';
 
 export interface TimePicturesParts {
   /** The first running sequence. */
-  sequence(): Sequence | undefined;
+  sequence(): Motion | undefined;
   isPlaying(): boolean;
   /** Resolves when nothing else is to be drawn. */
   idle(): Promise<void>;

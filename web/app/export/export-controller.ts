@@ -1,7 +1,7 @@
 /** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
 import { isCancelled } from '../../engine/api/errors.ts';
 import { modelName } from '../../engine/api/paths.ts';
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { ExportRequest, Playing, VideoFormat } from '../../model/export-request.ts';
 import { playRange } from '../../model/frames.ts';
@@ -22,7 +22,7 @@ export interface ExportParts {
   scene: SceneController;
   analysis: AnalysisCache;
   /** The first running sequence. */
-  sequence(): Sequence | undefined;
+  sequence(): Motion | undefined;
   range(): Range;
   /** Draws the exact shape of a moment; resolves when it is on the screen. */
   title(state: AppState): string;
@@ -86,7 +86,7 @@ export function createExportController(parts: ExportParts): ExportController {
     };
   };
 
-  const runJob = async (request: ExportRequest, of: Sequence, before: AppState, signal: AbortSignal): Promise<void> => {
+  const runJob = async (request: ExportRequest, of: Motion, before: AppState, signal: AbortSignal): Promise<void> => {
     const { doc, time, source } = before;
     const { runExport } = await exporting();
     return runExport(request, {

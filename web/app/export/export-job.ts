@@ -1,6 +1,6 @@
 /** From what the export dialog asks for to a download. */
 import packageJson from '../../../package.json';
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import { errorText } from '../../engine/api/error-text.ts';
 import type { ExportedFile, ExportOptions, ExportPlan as EnginePlan, Progress } from '../../engine/api/types.ts';
 import { bytesText } from '../../engine/api/bytes-text.ts';
@@ -29,7 +29,7 @@ import { zip } from './zip.ts';
 import { timeLeft } from './time-left.ts';
 
 export interface ExportJob {
-  sequence: Sequence;
+  sequence: Motion;
   doc: Doc;
   /** Stem of the file's name. */
   name: string;
@@ -87,7 +87,7 @@ function counted(numbers: ExportNumbers): ExportNumbers {
 }
 
 /** Among principal targets keys are shapes as pins held them; what moved between them by hand is not found again. */
-function lostPins({ kind, animation, targets }: ExportRequest, { options }: Sequence): string[] {
+function lostPins({ kind, animation, targets }: ExportRequest, { options }: Motion): string[] {
   const lost = options.pins.some(({ stay, path }) => stay !== undefined || path !== undefined);
   if (kind !== 'animation' || animation !== 'glb' || targets !== 'principal' || !lost) return [];
   return ['Opened here again, it keeps only pins on their own splines: between its keys it moves otherwise.'];
@@ -100,7 +100,7 @@ export interface ExportPlan {
 }
 
 export interface Planned {
-  sequence: Sequence;
+  sequence: Motion;
   time: number;
   playing: Playing;
   /** What the view takes on the screen. */
@@ -236,7 +236,7 @@ async function video(request: ExportRequest, job: ExportJob): Promise<void> {
 async function table(request: ExportRequest, job: ExportJob): Promise<void> {
   const version = packageJson.version;
   if (request.numbers === 'patches') {
-    const text = patchesCsv(await job.sequence.patches(), job.doc, version);
+    const text = patchesCsv(await job.sequence.shape.patches(), job.doc, version);
     return download(new Blob([text], { type: 'text/csv' }), `${job.name}-patches.csv`);
   }
   const numbers = counted(exportNumbers(request, job.playing, null));

@@ -6,7 +6,7 @@ type Format = 'obj' | 'pc2' | 'mdd' | 'video' | 'glb';
 const SEQUENCE = [
   'Blender',
   '  1. Enable the add-on "Stop motion OBJ" (or another one for mesh sequences), or use the PC2 export instead.',
-  '  2. File > Import > Mesh Sequence, choose this folder and the file name 0000.',
+  '  2. File > Import > Mesh Motion, choose this folder and the file name 0000.',
   '  3. Set the frame rate of the scene to RATE.',
   'Houdini',
   '  1. Put down a File node inside a Geometry object.',

@@ -9,7 +9,7 @@ const grouped = (count: number): string => count.toLocaleString('en');
 
 /** The same from the engine: from the first patch to the last, and from one to the next. */
 const twistOf: GuidePage['ask'] = async (sequence, { keyTimes }) => {
-  const { patches } = await sequence.stats();
+  const { patches } = await sequence.shape.stats();
   const [first, last] = [keyTimes[0]!, keyTimes.at(-1)!];
   const times = [(first + last) / 2, last];
   const turn = await turnAlong(patches, times.length, (patch) => sequence.patchCurve(patch, times));

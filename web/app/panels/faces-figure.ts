@@ -152,7 +152,7 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
   };
   /** The patch of the face that is there. */
   const patchAt = async (face: number): Promise<number | null> => {
-    const patches = await input()?.sequences[0]?.sequence.patches();
+    const patches = await input()?.sequences[0]?.sequence.shape.patches();
     const patch = patches?.[face] ?? -1;
     return patch < 0 ? null : patch;
   };

@@ -6,7 +6,7 @@ import type { Transfer } from '../../engine/api/types.ts';
 import { button } from '../../ui/controls.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { h, setHidden, setStyle, setText, svg } from '../../ui/dom.ts';
-import { optionsFor, sequencePlan } from '../session/sequence-plan.ts';
+import { encodingFor, motionFor, sequencePlan } from '../session/sequence-plan.ts';
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
 import type { Plot } from '../../model/state.ts';
@@ -81,7 +81,11 @@ export function createGhostStudyPanel({
       const { studyGhosts } = await import('../../study/ghost-study.ts');
       const [start, end] = range();
       const times = Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
-      const options = { ...optionsFor(plan, variant!, poses.keys), placement: plan.encoding.placement };
+      const options = {
+        ...encodingFor(plan, variant!, poses.keys),
+        ...motionFor(plan, variant!),
+        placement: plan.encoding.placement,
+      };
       const study = await studyGhosts(engine, keys, options, {
         times,
         signal: own.signal,

@@ -28,6 +28,8 @@ export function createPresentation({ presented, present, show, say }: Presentati
   /** What had the focus; who works with keys goes on there. */
   let left: HTMLElement | null = null;
   let timer = 0;
+  /** What is presented fills the screen. */
+  let fills = false;
   const element = h(
     'div',
     { class: 'leave-presentation' },
@@ -51,13 +53,16 @@ export function createPresentation({ presented, present, show, say }: Presentati
       document.documentElement.requestFullscreen?.().catch(() => undefined);
   };
   const leave = (): void => {
+    // Its end is told later, when something else may be presented.
+    fills = false;
     if (document.fullscreenElement) document.exitFullscreen().catch(() => undefined);
     if (left?.checkVisibility()) left.focus({ preventScroll: true });
     left = null;
   };
 
   document.addEventListener('fullscreenchange', () => {
-    if (!document.fullscreenElement && presented() !== null) present(null);
+    if (document.fullscreenElement) fills = true;
+    else if (fills && presented() !== null) present(null);
   });
   window.addEventListener('pointermove', () => {
     if (presented() === null) return;

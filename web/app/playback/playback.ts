@@ -1,7 +1,7 @@
 /** What changes in the state becomes what is asked of the frame loop and of the clock that plays. */
 import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
-import type { RunningSequence } from '../session/sequence-set.ts';
+import type { RunningMotion } from '../../playback/frame-set.ts';
 import type { StateChanges } from '../session/state-changes.ts';
 import type { Store } from '../session/store.ts';
 import { Demand } from '../../playback/demand.ts';
@@ -12,7 +12,7 @@ import { Player } from '../../playback/player.ts';
 export interface PlaybackParts {
   store: Store;
   screen: Screen;
-  sequences(): readonly RunningSequence[];
+  sequences(): readonly RunningMotion[];
   range(): Range;
   /** The blend of the keys that is shown instead of the motion, or null. */
   blend(): readonly number[] | null;

@@ -3,7 +3,7 @@ import { METHOD } from '../../engine/api/methods.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
-import type { EncodingOptions, Method, MotionOptions, Pin, SequenceOptions } from '../../engine/api/types.ts';
+import type { EncodingOptions, Method, MotionOptions, Pin } from '../../engine/api/types.ts';
 import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
 import type { Doc, Motion, View } from '../../model/state.ts';
@@ -17,7 +17,7 @@ export type ShownMotions = Pick<View, 'compare' | 'ghostDifference' | 'ghostSize
 /** The ghost meshes that are set side by side, as multiples of the chosen one (Fig. 7). */
 const SIZES = [2, 4];
 
-/** One sequence is built per variant; they share everything else. */
+/** One motion is made per variant; they share everything else. */
 export interface SequencePlan {
   order: number[];
   names: string[];
@@ -73,23 +73,22 @@ function besides(ghost: number, { ghostDifference, ghostSizes }: ShownMotions): 
   return ghostDifference ? [0] : [];
 }
 
-function encodingFor({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
+function withGhost({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
   const { ghostFaces, transfer, placement } = ENCODING_DEFAULTS;
   return ghost > 0 ? { ...encoding, ghostFaces: ghost } : { ...encoding, ghostFaces, transfer, placement };
 }
 
-/** Variants with the same key are served by the same encodings and factorisations. */
-export function variantKey(plan: SequencePlan, variant: Variant): string {
+/** Variants with the same key are motions of the same shape. */
+export function shapeKey(plan: SequencePlan, variant: Variant): string {
   const { order, startTangentPose, endTangentPose } = plan;
-  return JSON.stringify([order, encodingFor(plan, variant), startTangentPose, endTangentPose]);
+  return JSON.stringify([order, withGhost(plan, variant), startTangentPose, endTangentPose]);
 }
 
-/** What one of the motions is built with; `keys` hold every pose. */
-export function optionsFor(plan: SequencePlan, variant: Variant, keys: Keys): Partial<SequenceOptions> {
+/** What a variant's shape is encoded with; `keys` hold every pose. */
+export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): Partial<EncodingOptions> {
   const pose = (index: number | null): Float32Array | null => (index === null ? null : keys.positions(index));
   return {
-    ...encodingFor(plan, variant),
-    ...motionFor(plan, variant),
+    ...withGhost(plan, variant),
     startTangent: pose(plan.startTangentPose),
     endTangent: pose(plan.endTangentPose),
   };

@@ -1,31 +1,39 @@
-/** The running sequences: one per motion that is shown. Follows the wanted plan, the newest one wins. */
-import type { Engine, Keys } from '../../engine/api/api.ts';
+/** The motions that are shown, of as few shapes as they need. Follows the wanted plan, the newest one wins. */
+import type { Engine, Keys, Shape } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { RunningMotion, Variant } from '../../playback/frame-set.ts';
 import type { SequencePlan } from './sequence-plan.ts';
-import { motionFor, optionsFor, variantKey } from './sequence-plan.ts';
-
-export interface RunningSequence extends RunningMotion {
-  /** What the sequence was built for (variantKey). */
-  key: string;
-  /** The keys that the sequence was made of. */
-  keys: Keys;
-}
+import { encodingFor, motionFor, shapeKey } from './sequence-plan.ts';
 
 export interface SequenceSetEvents {
   onProgress(progress: Progress | null): void;
-  /** The sequences now serve this plan: draw again. */
+  /** The motions now serve this plan: draw again. */
   onReady(plan: SequencePlan): void;
-  /** The wanted plan was refused; the sequences still serve `current`, if there is one. */
+  /** The wanted plan was refused; the motions still serve `current`, if there is one. */
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
+interface EncodedShape {
+  shape: Shape;
+  /** The keys that it was made of. */
+  keys: Keys;
+}
+
+interface Running extends RunningMotion {
+  /** What it was made for. */
+  key: string;
+}
+
+/** By what they were encoded for (shapeKey). */
+type Shapes = ReadonlyMap<string, EncodedShape>;
+
 export class SequenceSet {
-  private sequences: RunningSequence[] = [];
+  private shapes: Shapes = new Map();
+  private motions: readonly Running[] = [];
   private served: SequencePlan | null = null;
   private wanted: SequencePlan | null = null;
-  private building: { shape: string; abort: AbortController } | null = null;
+  private building: { shapes: string; abort: AbortController } | null = null;
   private running: Promise<void> | null = null;
 
   constructor(
@@ -34,8 +42,8 @@ export class SequenceSet {
     private readonly events: SequenceSetEvents,
   ) {}
 
-  get all(): readonly RunningSequence[] {
-    return this.sequences;
+  get all(): readonly RunningMotion[] {
+    return this.motions;
   }
 
   get plan(): SequencePlan | null {
@@ -49,7 +57,8 @@ export class SequenceSet {
 
   want(plan: SequencePlan): void {
     this.wanted = plan;
-    if (this.building && this.building.shape !== buildKey(plan)) this.building.abort.abort();
+    // Other key times or speeds are moved in afterwards.
+    if (this.building && this.building.shapes !== shapesOf(plan)) this.building.abort.abort();
     this.running ??= this.run();
   }
 
@@ -63,8 +72,10 @@ export class SequenceSet {
   dispose(): void {
     this.wanted = null;
     this.building?.abort.abort();
-    disposeAll(this.sequences);
-    this.sequences = [];
+    disposeMotions(this.motions, []);
+    disposeAll(this.shapes);
+    this.shapes = new Map();
+    this.motions = [];
   }
 
   private async run(): Promise<void> {
@@ -86,52 +97,46 @@ export class SequenceSet {
   }
 
   private async serve(plan: SequencePlan): Promise<void> {
-    const spare = [...this.sequences];
-    const kept = plan.variants.map((variant) =>
-      takeWhere(spare, (running) => running.key === variantKey(plan, variant)),
-    );
-    const missing = plan.variants.filter((_, index) => !kept[index]);
-    const added = missing.length > 0 ? await this.build(plan, missing) : [];
-    try {
-      await Promise.all(kept.map((running, index) => running && refit(running, plan, plan.variants[index]!)));
-    } catch (error) {
+    const variants = new Map(plan.variants.map((variant) => [shapeKey(plan, variant), variant]));
+    const kept = [...this.shapes].filter(([key]) => variants.has(key));
+    const missing = [...variants].filter(([key]) => !this.shapes.has(key));
+    const added = missing.length > 0 ? await this.encode(plan, missing) : new Map<string, EncodedShape>();
+    const shapes = new Map([...kept, ...added]);
+    const motions = await move(plan, shapes, this.motions).catch((error: unknown) => {
       disposeAll(added);
       throw error;
-    }
-    disposeAll(spare);
-    this.sequences = kept.map((running) => running ?? added.shift()!);
+    });
+    disposeMotions(this.motions, motions);
+    disposeAll(new Map([...this.shapes].filter(([key]) => !variants.has(key))));
+    this.shapes = shapes;
+    this.motions = motions;
   }
 
-  private async build(plan: SequencePlan, variants: readonly Variant[]): Promise<RunningSequence[]> {
+  private async encode(plan: SequencePlan, missing: [key: string, variant: Variant][]): Promise<Shapes> {
     const abort = new AbortController();
-    const fractions = variants.map(() => 0);
+    const fractions = missing.map(() => 0);
     const progressOf =
       (index: number) =>
       ({ stage, fraction }: Progress): void => {
         fractions[index] = fraction;
         const done = fractions.reduce((sum, share) => sum + share, 0);
-        this.events.onProgress({ stage, fraction: done / variants.length });
+        this.events.onProgress({ stage, fraction: done / missing.length });
       };
-    const buildOne = async (variant: Variant, index: number): Promise<RunningSequence> => {
+    const encodeOne = async ([key, variant]: [string, Variant], index: number): Promise<[string, EncodedShape]> => {
       const keys = this.pool.keys.arrange(plan.order, plan.times, plan.names);
-      const options = optionsFor(plan, variant, this.pool.keys);
       const call = { signal: abort.signal, onProgress: progressOf(index) };
-      return {
-        ...variant,
-        key: variantKey(plan, variant),
-        keys,
-        sequence: await this.engine.createSequence(keys, options, call),
-      };
+      return [key, { keys, shape: await this.engine.encode(keys, encodingFor(plan, variant, this.pool.keys), call) }];
     };
-    this.building = { shape: buildKey(plan), abort };
-    const builds = variants.map(buildOne);
+    this.building = { shapes: shapesOf(plan), abort };
+    // Each in a worker of its own.
+    const encodings = missing.map(encodeOne);
     try {
-      // Each in a worker of its own.
-      return await Promise.all(builds);
+      return new Map(await Promise.all(encodings));
     } catch (error) {
       // One without the others is of no use.
       abort.abort();
-      for (const build of await Promise.allSettled(builds)) if (build.status === 'fulfilled') disposeAll([build.value]);
+      for (const one of await Promise.allSettled(encodings))
+        if (one.status === 'fulfilled') disposeAll(new Map([one.value]));
       throw error;
     } finally {
       this.building = null;
@@ -140,27 +145,35 @@ export class SequenceSet {
   }
 }
 
-/** A build is abandoned when what it builds is no longer wanted; other key times or speeds are fitted in afterwards. */
-function buildKey(plan: SequencePlan): string {
-  return plan.variants.map((variant) => variantKey(plan, variant)).join();
+/** One motion for each variant, those that are there among them. Made are all of them or none. */
+async function move(plan: SequencePlan, shapes: Shapes, present: readonly Running[]): Promise<Running[]> {
+  const made = await Promise.allSettled(
+    plan.variants.map(async (variant) => {
+      const of = shapeKey(plan, variant);
+      const options = { ...motionFor(plan, variant), keyTimes: plan.times };
+      const key = JSON.stringify([of, options]);
+      const there = present.find((motion) => motion.key === key);
+      return { ...variant, key, sequence: there?.sequence ?? (await shapes.get(of)!.shape.motion(options)) };
+    }),
+  );
+  const motions = made.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : []));
+  const failure = made.find((one) => one.status === 'rejected');
+  if (!failure) return motions;
+  disposeMotions(motions, present);
+  throw failure.reason;
 }
 
-/** Takes the first that fits out of the list. */
-function takeWhere<T>(list: T[], fits: (item: T) => boolean): T | undefined {
-  const index = list.findIndex(fits);
-  return index < 0 ? undefined : list.splice(index, 1)[0];
+/** All but those that are kept. */
+function disposeMotions(motions: readonly Running[], kept: readonly Running[]): void {
+  for (const { sequence } of motions) if (!kept.some((other) => other.sequence === sequence)) sequence.dispose();
 }
 
-async function refit(running: RunningSequence, plan: SequencePlan, variant: Variant): Promise<void> {
-  await running.sequence.update({ ...motionFor(plan, variant), keyTimes: plan.times });
-  running.method = variant.method;
-  if (variant.plain) running.plain = true;
-  else delete running.plain;
-}
+const shapesOf = (plan: SequencePlan): string =>
+  [...new Set(plan.variants.map((variant) => shapeKey(plan, variant)))].join();
 
-function disposeAll(sequences: readonly RunningSequence[]): void {
-  for (const { sequence, keys } of sequences) {
-    sequence.dispose();
+function disposeAll(shapes: Shapes): void {
+  for (const { shape, keys } of shapes.values()) {
+    shape.dispose();
     keys.dispose();
   }
 }

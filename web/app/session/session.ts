@@ -1,5 +1,5 @@
 /** What is open, with the engine that serves it: every edit becomes sequences, or is taken back. */
-import type { Engine, Sequence } from '../../engine/api/api.ts';
+import type { Engine, Motion } from '../../engine/api/api.ts';
 import type { KeysInfo, Progress } from '../../engine/api/types.ts';
 import { EMPTY_STATE } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -43,7 +43,7 @@ export interface Session {
   workspace: Workspace;
   restart: WorkerRestart;
   /** The first running sequence. */
-  sequence(): Sequence | undefined;
+  sequence(): Motion | undefined;
   range(): Range;
   /** Has the sequences follow the document, if something of it is shown otherwise now. */
   serve(): void;

@@ -7,7 +7,7 @@ import type { Doc, View } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
 import { SequenceSet } from './sequence-set.ts';
-import type { RunningSequence } from './sequence-set.ts';
+import type { RunningMotion } from '../../playback/frame-set.ts';
 import { PosePool } from './pose-pool.ts';
 import type { SequencePlan } from './sequence-plan.ts';
 import { sequencePlan } from './sequence-plan.ts';
@@ -66,7 +66,7 @@ export type Input = InputFile[] | ((report: (fraction: number) => void, signal: 
  */
 const READING = 0.3;
 const FETCHING = 0.3;
-const NOTHING_RUNNING: readonly RunningSequence[] = [];
+const NOTHING_RUNNING: readonly RunningMotion[] = [];
 const UNIT_RANGE: Range = [0, 1];
 
 export class Workspace {
@@ -78,7 +78,7 @@ export class Workspace {
     private readonly events: WorkspaceEvents,
   ) {}
 
-  get sequences(): readonly RunningSequence[] {
+  get sequences(): readonly RunningMotion[] {
     return this.current?.set.all ?? NOTHING_RUNNING;
   }
 

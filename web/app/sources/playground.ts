@@ -1,5 +1,5 @@
 /** Answers the playground where it is open in another tab: coordinates of the shape, and how its keys are passed. */
-import type { Sequence } from '../../engine/api/api.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import { MOST_TIME, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import { wrongWith } from '../../engine/api/options.ts';
 import { setMotion } from '../../model/edits.ts';
@@ -13,7 +13,7 @@ import type { Workspace } from '../session/workspace.ts';
 export interface PlaygroundParts {
   store: Store;
   workspace: Workspace;
-  sequence(): Sequence | undefined;
+  sequence(): Motion | undefined;
   /** What is open, in a few words. */
   title(): string;
   onError(error: unknown): void;
@@ -36,7 +36,7 @@ export function listenToPlayground({ store, workspace, sequence, title, onError 
     const measured = keyCoordinates(
       {
         faces: info.faces,
-        patches: await main.patches(),
+        patches: await main.shape.patches(),
         poses: doc.keys.map((key) => pool.keys.positions(key.pose)),
         reference: referenceKey(doc),
       },

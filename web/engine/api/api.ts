@@ -121,7 +121,7 @@ export interface Motion {
   export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]>;
   /** The same files one by one, each made when it is asked for. */
   exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncIterable<ExportedFile>;
-  /** Idempotent. */
+  /** Takes no further calls; what was asked before, such as an export, goes on. Idempotent. */
   dispose(): void;
 }
 

@@ -233,13 +233,11 @@ export class MotionClient implements Motion {
   }
 
   private async frame(t: number, motion: MotionSpec): Promise<Frame> {
-    this.checkAlive();
     const { buffers, transfer } = this.spare();
     return this.pool.frame(t, await this.shape.ask('evaluate', { motion, t, buffers }, { transfer }));
   }
 
   private async blendFrame(weights: number[], motion: MotionSpec): Promise<Frame> {
-    this.checkAlive();
     const { buffers, transfer } = this.spare();
     return this.pool.frame(NaN, await this.shape.ask('blend', { motion, weights, buffers }, { transfer }));
   }

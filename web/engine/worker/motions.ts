@@ -8,11 +8,13 @@ const MOST = 16;
 export class Motions {
   /** Handles by number, the one that was used last at the end. */
   private readonly handles = new Map<number, number>();
+  /** The handle of the newest that holds something, whose system another one takes over. */
+  private holding: number | null = null;
 
   /** Where it fails, the others stay. */
   make(core: WasmCore, shape: number, spec: MotionSpec): MotionState {
-    const latest = [...this.handles.values()].at(-1) ?? null;
-    const { handle, ...state } = core.motion(shape, spec, latest);
+    const { handle, ...state } = core.motion(shape, spec, this.holding);
+    if (spec.options.hold === 'on' || spec.options.pins.length > 0) this.holding = handle;
     this.drop(core, spec);
     this.handles.set(spec.number, handle);
     const [oldest] = this.handles.keys();
@@ -39,6 +41,7 @@ export class Motions {
   private forget(core: WasmCore, number: number): void {
     const handle = this.handles.get(number);
     if (handle === undefined) return;
+    if (handle === this.holding) this.holding = null;
     core.release(handle);
     this.handles.delete(number);
   }

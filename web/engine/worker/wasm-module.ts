@@ -10,7 +10,7 @@ export interface JsImports {
   takeOrder?: (order: Address, unknowns: number) => boolean;
 }
 
-/** The functions of the questions (wire/calls.ts), by their symbols. They take the handle of what they ask, and JSON. */
+/** The functions of the questions (wire/calls.ts), by their symbols. Each takes a handle and JSON. */
 export type QuestionFunctions = Readonly<Record<string, (handle: number, request: Address) => Address>>;
 
 export interface WasmModule extends JsImports {
