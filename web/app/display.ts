@@ -1,4 +1,5 @@
 /** What is on the screen, and when: the scene, the frames that it is given, thumbnails, marked places. */
+import { FirstKey } from './drawing/first-key.ts';
 import { createMarking } from './drawing/marking.ts';
 import type { Marking } from './drawing/marking.ts';
 import { SceneController } from './drawing/scene-controller.ts';
@@ -14,7 +15,6 @@ import type { CameraPose } from '../model/camera.ts';
 import type { FrameSet } from '../playback/frame-set.ts';
 import { createPlayback } from './playback/playback.ts';
 import type { Playback } from './playback/playback.ts';
-import { FirstKey } from './playback/first-key.ts';
 import type { Session } from './session/session.ts';
 
 export interface DisplayParts {
@@ -78,7 +78,7 @@ export function createDisplay({ session, layout, viewState, feedback, seek, onRe
       performance.mark('shapespline first key');
     },
     hide: () => scene.endOpening(),
-    dim: (dimmed) => viewState.change({ dimmed: dimmed && workspace.info !== null }),
+    onSeen: (seen) => viewState.change({ seen }),
   });
   const thumbnails = createThumbnails({
     store,

@@ -465,8 +465,8 @@ export function createComponents(input: ComponentsInput): Components {
     if (viewState.opening) void openingSheet.need();
     openingSheet.update(viewState.opening);
     viewBar.update({ view, up: lying?.up ?? null, disabled });
-    // A film strip shows no one moment.
-    phaseLabel.update(disabled || view.film ? null : shownPhase, {
+    // A film strip shows no one moment; a first key is not of what is open.
+    phaseLabel.update(disabled || view.film || viewState.seen === 'first key' ? null : shownPhase, {
       share: viewState.indefinite / Math.max(info?.report.faces ?? 0, 1),
       hasPlace: viewState.indefiniteFace >= 0,
     });

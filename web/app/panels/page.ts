@@ -205,8 +205,9 @@ export function createPage(parts: PageParts): Page {
     frame = 0;
     if (parts.waits()) return;
     presentation.update(store.get().view.present);
-    setAttribute(layout.viewport, 'data-placing', viewState.get().placing);
-    setAttribute(layout.viewport, 'data-dimmed', viewState.get().dimmed);
+    const { placing, seen, info } = viewState.get();
+    setAttribute(layout.viewport, 'data-placing', placing);
+    setAttribute(layout.viewport, 'data-dimmed', seen === 'dimmed' && info !== null);
     components.update({
       state: store.get(),
       viewState: viewState.get(),

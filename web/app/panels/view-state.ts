@@ -8,6 +8,7 @@ import type { ExportRequest, VideoFormat } from '../../model/export-request.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../model/orientation.ts';
+import type { Seen } from '../drawing/first-key.ts';
 import type { Fewest } from '../sources/animation.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
@@ -33,8 +34,7 @@ export interface ViewState {
   /** Index of the warning whose place is marked on the shape, or null. */
   shownWarning: number | null;
   working: Working | null;
-  /** What is open rests behind large files that are being read. */
-  dimmed: boolean;
+  seen: Seen;
   errorMessage: ErrorMessage | null;
   stats: SequenceStats | null;
   /** Milliseconds of the last exact frame. */
@@ -145,7 +145,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   warnings: [],
   shownWarning: null,
   working: null,
-  dimmed: false,
+  seen: 'open',
   errorMessage: null,
   stats: null,
   ms: null,

@@ -9,8 +9,11 @@ export interface FirstKeyParts {
   show(opening: Opening): Promise<void>;
   /** What is open is shown again. */
   hide(): void;
-  dim(dimmed: boolean): void;
+  onSeen(seen: Seen): void;
 }
+
+/** What is seen: what is open, that dimmed, or the first key of what is being opened. */
+export type Seen = 'open' | 'dimmed' | 'first key';
 
 export class FirstKey {
   /** Another promise for each opening; null while there is none. */
@@ -22,7 +25,7 @@ export class FirstKey {
 
   /** Files are being read. */
   begin(): void {
-    this.parts.dim(true);
+    this.parts.onSeen('dimmed');
     this.rested = this.parts.rest();
   }
 
@@ -34,7 +37,7 @@ export class FirstKey {
     if (this.rested !== rested) return;
     this.isShown = true;
     await this.parts.show(opening);
-    if (this.rested === rested) this.parts.dim(false);
+    if (this.rested === rested) this.parts.onSeen('first key');
   }
 
   /** It is open now. */
@@ -53,6 +56,6 @@ export class FirstKey {
     if (this.isShown) hide();
     this.isShown = false;
     this.parts.resume();
-    this.parts.dim(false);
+    this.parts.onSeen('open');
   }
 }

@@ -1,0 +1,51 @@
+/** When the first key of large files takes the place of what is open, and what is open comes back. */
+import { describe, expect, it } from 'vitest';
+import { FirstKey } from '../../web/app/drawing/first-key.ts';
+import type { Opening } from '../../web/app/session/workspace.ts';
+
+const openingOf = (name: string): Opening => ({ info: { name } }) as unknown as Opening;
+
+function firstKeyOf() {
+  const log: string[] = [];
+  const firstKey = new FirstKey({
+    rest: async () => void log.push('rest'),
+    resume: () => void log.push('resume'),
+    show: async ({ info }) => void log.push(`show ${(info as unknown as { name: string }).name}`),
+    hide: () => void log.push('hide'),
+    onSeen: (seen) => void log.push(seen),
+  });
+  return { firstKey, log };
+}
+
+describe('the first key', () => {
+  it('is shown once what is open rests, also where only reading tells that files are large', async () => {
+    for (const begun of [true, false]) {
+      const { firstKey, log } = firstKeyOf();
+      if (begun) firstKey.begin();
+      await firstKey.show(openingOf('a'));
+      expect(log).toEqual([...(begun ? ['dimmed'] : []), 'rest', 'show a', 'first key']);
+    }
+  });
+
+  it('is hidden where it is not opened, and stays until its motion comes where it is', async () => {
+    for (const isOpened of [true, false]) {
+      const { firstKey, log } = firstKeyOf();
+      firstKey.begin();
+      await firstKey.show(openingOf('a'));
+      if (isOpened) firstKey.settle();
+      firstKey.end();
+      expect(log.slice(4)).toEqual([...(isOpened ? [] : ['hide']), 'resume', 'open']);
+      expect(firstKey.isShown).toBe(false);
+    }
+  });
+
+  it('is not shown where something else is opened before what is open rests', async () => {
+    const { firstKey, log } = firstKeyOf();
+    firstKey.begin();
+    const given = firstKey.show(openingOf('a'));
+    firstKey.end();
+    firstKey.begin();
+    await Promise.all([given, firstKey.show(openingOf('b'))]);
+    expect(log).toEqual(['dimmed', 'rest', 'resume', 'open', 'dimmed', 'rest', 'show b', 'first key']);
+  });
+});
