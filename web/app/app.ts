@@ -64,7 +64,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     onWorking: feedback.onWorking,
     onRead: (info) => scene.expect(info),
     onLarge: () => display.firstKey.begin(),
-    onKeys: (opening) => void display.firstKey.show(opening),
+    onKeys: (opening) => (opening ? void display.firstKey.show(opening) : display.firstKey.end()),
     onGivenUp: () => display.firstKey.end(),
     onError: feedback.onError,
   });

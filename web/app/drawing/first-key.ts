@@ -45,7 +45,7 @@ export class FirstKey {
     this.leave(() => undefined);
   }
 
-  /** It will not be opened, or what is open is asked for. */
+  /** It is small, it will not be opened, or what is open is asked for. */
   end(): void {
     this.leave(this.parts.hide);
   }

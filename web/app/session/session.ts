@@ -18,8 +18,8 @@ export interface SessionEvents {
   onRead(info: KeysInfo): void;
   /** Files that may be large are about to be read. */
   onLarge(): void;
-  /** Their keys are read; their motion takes a while. */
-  onKeys(opening: Opening): void;
+  /** Keys are read. null: what is open is seen, and used, until their motion is made. */
+  onKeys(opening: Opening | null): void;
   /** What was being opened will not be. */
   onGivenUp(): void;
   /** The sequences follow the document now. */

@@ -30,8 +30,8 @@ export interface WorkspaceEvents {
   onRead(info: KeysInfo): void;
   /** Files that may be large are about to be read. */
   onLarge(): void;
-  /** Their keys are read; their motion takes a while. */
-  onKeys(opening: Opening): void;
+  /** Keys are read. null: what is open is seen, and used, until their motion is made. */
+  onKeys(opening: Opening | null): void;
   /** What was being opened will not be. */
   onGivenUp(): void;
   onReady(plan: SequencePlan): void;
@@ -152,7 +152,8 @@ export class Workspace {
       this.events.onRead(info);
       const pool = new PosePool(keys);
       const doc = adjust(documentFromImport(info, pool), pool);
-      if (camera && info.report.vertices >= LARGE) this.events.onKeys({ info, doc, pool, camera: camera() });
+      const takesLong = info.report.vertices >= LARGE;
+      this.events.onKeys(camera && takesLong ? { info, doc, pool, camera: camera() } : null);
       const set = await this.firstSet(pool, sequencePlan(doc), abort);
       performance.mark('shapespline made');
       if (this.current) leave();
