@@ -4,6 +4,7 @@ import { benchArguments } from './bench-arguments.mjs';
 import { benchBundle, benchPrograms, nodeBundle, npmPackage, page, wasmModule } from './build.mjs';
 import { run } from './exec.mjs';
 import { fuzz } from './fuzz.mjs';
+import { printLines } from './lines.mjs';
 import { format, lint } from './lint.mjs';
 import { step } from './log.mjs';
 import { packageDir } from './npm-package.mjs';
@@ -60,4 +61,4 @@ async function lintAlone() {
   if ((await lint()).failed > 0) process.exitCode = 1;
 }
 
-export const commands = { start, dev, build, test, bench, fuzz, cli, lint: lintAlone, format };
+export const commands = { start, dev, build, test, bench, fuzz, cli, lint: lintAlone, format, lines: printLines };
