@@ -4,6 +4,7 @@ import { endTangents } from '../model/state.ts';
 import type { Plot } from '../model/state.ts';
 import { clampTime } from '../model/time-scale.ts';
 import { registerServiceWorker } from '../offline/register.ts';
+import { lazy } from '../ui/lazy.ts';
 import { createOffer } from '../ui/messages.ts';
 import type { PickedFile } from '../ui/dropped-files.ts';
 import { createTheme } from '../ui/theme.ts';
@@ -16,8 +17,8 @@ import { originalOf } from './drawing/original.ts';
 import { withPlaces } from './drawing/warning-places.ts';
 import { createCommands } from './panels/commands.ts';
 import type { Commands } from './panels/commands.ts';
-import { createGuideDoor } from './guide/guide-door.ts';
 import { factsOf } from './guide/facts.ts';
+import type { GuideParts } from './guide/guide.ts';
 import type { Facts } from './guide/guide-page.ts';
 import { createFeedback } from './panels/feedback.ts';
 import type { Feedback } from './panels/feedback.ts';
@@ -51,7 +52,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const redraw = (): void => {
     if (waits()) return;
     page.redraw();
-    guide.follow(facts);
+    if (guide.now?.isOpen) guide.now.setFacts(facts());
   };
   const viewState = createViewState(redraw);
   const feedback = createFeedback(viewState);
@@ -73,7 +74,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const display = createDisplay({ session, layout, viewState, feedback, seek, onResize: redraw });
   const { scene, marking } = display;
   const { frameLoop } = display.playback;
-  const commands = commandsOf(session, display, viewState, feedback.say, () => guide.plot);
+  const commands = commandsOf(session, display, viewState, feedback.say, () => guide.now?.plot ?? null);
   const { analysis, onAnalysisError } = analysisOf(session, viewState, feedback);
   const motionPace = createMotionPace({
     sequence,
@@ -88,11 +89,11 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     feedback,
     onOffer: importOffer.offer,
     onGuide(fragment) {
-      if (fragment === null) guide.close();
-      else guide.open(fragment).catch(feedback.onError);
+      if (fragment === null) void guide.now?.close();
+      else openGuide(fragment).catch(feedback.onError);
     },
   });
-  const { files, remembered, undo, animation } = ways;
+  const { files, remembered, undo, animation, exporting } = ways;
   /** What the address named before any page of the guide. */
   let begun = '';
   const address = (): string => {
@@ -109,12 +110,12 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
           ways.link.listen();
         },
         say: feedback.say,
-        onGuide: (page) => guide.open(page),
+        onGuide: (page) => openGuide(page),
         onStopped: notReopened.offer,
       },
       named,
     );
-  const guide = createGuideDoor({
+  const guideParts: GuideParts = {
     store,
     workspace,
     files,
@@ -125,7 +126,9 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     frame: layout.setFramed,
     keep: () => remembered.flush(),
     pin: (fragment) => ways.link.pin(fragment),
-  });
+  };
+  const guide = lazy(async () => (await import('./guide/guide.ts')).createGuide(guideParts));
+  const openGuide = async (fragment: string): Promise<boolean> => (await guide.get()).open(fragment);
   const facts = (): Facts | null => factsOf(viewState.get(), store.get(), scene.labels);
   const applyLook = (): void => {
     scene.setLook(store.get().view, theme.isDark());
@@ -177,17 +180,17 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     },
     onOriginal: (shown) => void showOriginal(shown),
     onTruth: (picked) => void compareWith(picked).catch(feedback.onError),
-    truth: () => animation.truth,
-    onExportPlan: ways.exporting.plan,
-    onExport: (request) => void ways.exporting.run(request),
-    snippet: ways.exporting.snippet,
+    truth: () => animation.now?.truth ?? null,
+    onExportPlan: (request) => void exporting.get().then((loaded) => loaded.plan(request), feedback.onError),
+    onExport: (request) => void exporting.get().then((loaded) => loaded.run(request), feedback.onError),
+    snippet: async () => (await exporting.get()).snippet(),
     onCancel() {
-      if (guide.cancel()) return;
-      ways.exporting.cancel();
-      animation.cancel();
+      if (guide.now?.cancel()) return;
+      exporting.now?.cancel();
+      animation.now?.cancel();
       session.cancel();
     },
-    onEscape: () => void guide.close(),
+    onEscape: () => void guide.now?.close(),
   });
 
   /** A function declaration: parts that are made before it are given it. */
@@ -199,7 +202,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   }
   const takeFewest = async (of: number, percent: number): Promise<void> => {
     viewState.change({ fewest: null });
-    const fewest = await animation.takeFewest(of, percent);
+    const fewest = await (await animation.get()).takeFewest(of, percent);
     if (fewest) viewState.change({ fewest });
   };
   /** Other keys leave the animation where it is shown. */
@@ -210,7 +213,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   };
   const showOriginal = async (shown: boolean): Promise<void> => {
     viewState.change({ original: shown });
-    const reference = shown ? await animation.reference() : null;
+    const reference = shown ? await (await animation.get()).reference() : null;
     const { info } = workspace;
     scene.setOriginal(reference && info && originalOf(reference, info.faces));
     viewState.change({ original: reference !== null });
@@ -221,10 +224,10 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   /** An animation of other files, or again that of the keys. */
   const compareWith = async (picked: PickedFile[] | Promise<PickedFile[]> | null): Promise<void> => {
     if (!picked) {
-      animation.dropTruth();
+      animation.now?.dropTruth();
       return showOriginal(false);
     }
-    if (await animation.takeTruth(picked)) await showOriginal(true);
+    if (await (await animation.get()).takeTruth(picked)) await showOriginal(true);
   };
 
   function onServed(): void {
@@ -243,7 +246,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const onEdit = (): void => viewState.change({ welcome: false });
   const onOpened = (): void => {
     takeFiles.forget();
-    guide.onOpened();
+    guide.now?.onOpened();
   };
   const onMoved = (): void => {
     if (viewState.get().blend) viewState.change({ blend: null });

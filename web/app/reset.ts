@@ -24,12 +24,12 @@ export interface ResetParts {
 export async function reset(parts: ResetParts, fragment: string): Promise<void> {
   const { session, ways, viewState, feedback, theme } = parts;
   const { files, remembered, animation, exporting } = ways;
-  exporting.cancel();
-  animation.cancel();
+  exporting.now?.cancel();
+  animation.now?.cancel();
   session.cancel();
   await files.idle();
   closeAll();
-  animation.dropTruth();
+  animation.now?.dropTruth();
   session.store.set({ project: null, view: DEFAULT_VIEW, play: EMPTY_STATE.play });
   await remembered.forgetAll();
   while (theme.theme() !== 'system') theme.next();

@@ -1,11 +1,12 @@
 /** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
 import { setMotion } from '../model/edits.ts';
+import { lazy } from '../ui/lazy.ts';
+import type { Lazy } from '../ui/lazy.ts';
 import type { Offer } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
 import type { Display } from './display.ts';
-import type { ExportController } from './export/export-controller.ts';
-import { createExportDoor } from './export/export-door.ts';
+import type { ExportController, ExportParts } from './export/export-controller.ts';
 import type { Feedback } from './panels/feedback.ts';
 import { importOffer } from './panels/import-offer.ts';
 import { openedView } from './panels/view-state.ts';
@@ -13,7 +14,6 @@ import type { ViewStateHolder } from './panels/view-state.ts';
 import { reducedMotion } from './panels/window-events.ts';
 import type { Session } from './session/session.ts';
 import type { Animation } from './sources/animation.ts';
-import { createAnimationDoor } from './sources/animation-door.ts';
 import { createOpenFiles } from './sources/open-files.ts';
 import { reopening } from './sources/open-first.ts';
 import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
@@ -41,11 +41,11 @@ export interface Ways {
   files: OpenFiles;
   remembered: RememberedFiles;
   undo: Undo;
-  animation: Animation;
+  animation: Lazy<Animation>;
   /** Opens files of the user again. */
   openOwn(project: string): Promise<void>;
   link: PageLink;
-  exporting: ExportController;
+  exporting: Lazy<ExportController>;
 }
 
 export function createWays({ session, display, analysis, viewState, feedback, onOffer, onGuide }: WaysParts): Ways {
@@ -91,7 +91,10 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onRead: session.serve,
     onWorking,
   });
-  const animation = createAnimationDoor({ engine, store, workspace, files, onWorking, onError });
+  const animation = lazy(async () => {
+    const { createAnimation } = await import('./sources/animation.ts');
+    return createAnimation({ engine, store, workspace, files, onWorking, onError });
+  });
   const remembered = createRememberedFiles({
     store,
     workspace,
@@ -106,7 +109,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onLink: (to) => void files.sample(to.sample, to),
     onGuide,
   });
-  const exporting = createExportDoor({
+  const exportParts: ExportParts = {
     store,
     scene,
     analysis,
@@ -127,7 +130,10 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onPlan(request, plan) {
       if (viewState.get().exporting.request === request) viewState.change({ exporting: { request, plan } });
     },
-  });
+  };
+  const exporting = lazy(async () =>
+    (await import('./export/export-controller.ts')).createExportController(exportParts),
+  );
   const undo = createUndo({ store, files, titleOf: (source) => sourceTitle(source, viewState.get().samples) });
   const openOwn = async (project: string): Promise<void> => {
     const left = files.openings.all.find(({ state }) => state.project === project);

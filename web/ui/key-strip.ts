@@ -5,7 +5,7 @@ import { button } from './controls.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import type { EditedKey, KeyEditor, KeyEditorEvents, KeyEditorProps } from './key-editor.ts';
-import { later } from './later.ts';
+import { lazyComponent } from './lazy.ts';
 import { keyLabel, lowerFirst, shortNames } from '../model/key-names.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
@@ -46,7 +46,7 @@ export interface KeyStrip {
 
 export function createKeyStrip(events: KeyStripEvents): KeyStrip {
   const list = h('ol', { class: 'key-list', 'data-testid': 'keys' });
-  const editor = later<KeyStripProps, KeyEditor>(async () => {
+  const editor = lazyComponent<KeyStripProps, KeyEditor>(async () => {
     const { createKeyEditor } = await import('./key-editor.ts');
     return createKeyEditor(events);
   }, events.onError);

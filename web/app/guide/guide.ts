@@ -48,10 +48,8 @@ export interface Guide {
   readonly isOpen: boolean;
   /** The plot that the page on show speaks of, or null. */
   readonly plot: Plot | null;
-  /** A page of it is being opened. */
-  readonly isTurning: boolean;
-  /** What was open before is being opened again. */
-  readonly isReturning: boolean;
+  /** Leaves it where a page of it is being opened; true where that is what is under way, or the way back is. */
+  cancel(): boolean;
 }
 
 const nothing = (): void => undefined;
@@ -204,11 +202,10 @@ export function createGuide({
     get plot() {
       return page?.plot ?? null;
     },
-    get isTurning() {
-      return page !== null && turning > 0;
-    },
-    get isReturning() {
-      return returning > 0;
+    cancel() {
+      const turns = page !== null && turning > 0;
+      if (turns) void guide.close();
+      return turns || returning > 0;
     },
   };
   return guide;

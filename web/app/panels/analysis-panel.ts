@@ -15,7 +15,7 @@ import type { FacesFigure, FacesFigureEvents, FacesFigureProps } from './faces-f
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
 import { chartNumbers } from './chart-numbers.ts';
-import { later } from '../../ui/later.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
 import type { Blend } from './view-state.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
@@ -64,7 +64,7 @@ export function createAnalysisPanel(
 ): AnalysisPanel {
   const { onSpeed, onBlend, onEnlarge, onError } = events;
   const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onEnlarge, onError });
-  const faces = later<FacesFigureProps, FacesFigure>(async () => {
+  const faces = lazyComponent<FacesFigureProps, FacesFigure>(async () => {
     const { createFacesFigure } = await import('./faces-figure.ts');
     return createFacesFigure(cache.input, events);
   }, onError);

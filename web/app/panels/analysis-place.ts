@@ -1,11 +1,11 @@
 /** The place of the Analysis panel, which is filled once the first shape is on the screen. */
 import { h } from '../../ui/dom.ts';
-import { later } from '../../ui/later.ts';
-import type { Later } from '../../ui/later.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
+import type { LazyComponent } from '../../ui/lazy.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { AnalysisPanel, AnalysisPanelEvents, AnalysisPanelProps } from './analysis-panel.ts';
 
-export type AnalysisPlace = Later<AnalysisPanelProps, AnalysisPanel>;
+export type AnalysisPlace = LazyComponent<AnalysisPanelProps, AnalysisPanel>;
 
 /** `onFilled`: there are figures now. */
 export function createAnalysisPlace(
@@ -24,5 +24,5 @@ export function createAnalysisPlace(
     onFilled();
     return panel;
   };
-  return later(fill, events.onError, place);
+  return lazyComponent(fill, events.onError, place);
 }

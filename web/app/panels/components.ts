@@ -49,8 +49,8 @@ import { ownFiles } from '../sources/own-files.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
 import { h } from '../../ui/dom.ts';
-import { later } from '../../ui/later.ts';
-import type { Later } from '../../ui/later.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
+import type { LazyComponent } from '../../ui/lazy.ts';
 import type { ViewState } from './view-state.ts';
 import type { Layout } from './layout.ts';
 
@@ -68,7 +68,7 @@ export interface ComponentsInput {
   files: OpenFiles;
   takeFiles: TakeFiles;
   analysis: AnalysisPlace;
-  ghostStudy: Later<void, GhostStudyPanel>;
+  ghostStudy: LazyComponent<void, GhostStudyPanel>;
   marking: Marking;
   poseName(pose: number): string;
   /** An indefinite face of the shape on the screen. */
@@ -207,7 +207,7 @@ export function createComponents(input: ComponentsInput): Components {
     onAddFile: keyPicker.open,
     onError: input.onError,
   });
-  const sampling = later<SamplingProps, Sampling>(async () => {
+  const sampling = lazyComponent<SamplingProps, Sampling>(async () => {
     const { createSampling } = await import('../../ui/sampling.ts');
     return createSampling({ onTake: input.onTake, onFewest: input.onFewest, onOriginal: input.onOriginal });
   }, input.onError);
@@ -217,7 +217,7 @@ export function createComponents(input: ComponentsInput): Components {
     'data-testid': 'opening',
     hidden: true,
   });
-  const openingSheet = later<boolean, OpeningSheet>(
+  const openingSheet = lazyComponent<boolean, OpeningSheet>(
     async () => {
       const [{ createOpeningSheet }] = await Promise.all([import('../../ui/opening-sheet.ts'), sampling.need()]);
       return createOpeningSheet({
@@ -272,7 +272,7 @@ export function createComponents(input: ComponentsInput): Components {
   const tileLabels = createTileLabels();
   const divider = createDivider((split) => commands.view({ split }));
   const colourBar = createColourBar(viridisGradient('var(--ramp-way, to top)'));
-  const warnings = later<WarningsProps, WarningsList>(async () => {
+  const warnings = lazyComponent<WarningsProps, WarningsList>(async () => {
     const { createWarnings } = await import('../../ui/warnings.ts');
     return createWarnings(input.marking.warning);
   }, input.onError);
@@ -280,7 +280,7 @@ export function createComponents(input: ComponentsInput): Components {
   const progress = createProgress(input.onCancel);
   const errorMessage = createErrorMessage(input.onCloseError, () => location.reload());
   const welcome = createWelcome(picker.open);
-  const exporting = later<ExportDialogProps, ExportDialog>(async () => {
+  const exporting = lazyComponent<ExportDialogProps, ExportDialog>(async () => {
     const { createExportDialog } = await import('../../ui/export-dialog.ts');
     return createExportDialog({
       onChange: input.onExportChange,
@@ -288,17 +288,17 @@ export function createComponents(input: ComponentsInput): Components {
       onEmbed: () => void openEmbed().catch(input.onError),
     });
   }, input.onError);
-  const help = later<boolean, Help>(async () => {
+  const help = lazyComponent<boolean, Help>(async () => {
     const { createHelp } = await import('../../ui/help.ts');
     return createHelp(input.shortcuts, input.onSingleKeys);
   }, input.onError);
   const openHelp = (): void => void help.need().then((dialog) => dialog?.open());
-  const linkDialog = later<void, LinkDialog>(async () => {
+  const linkDialog = lazyComponent<void, LinkDialog>(async () => {
     const { createLinkDialog } = await import('../../ui/link-dialog.ts');
     return createLinkDialog(input.onLink);
   }, input.onError);
   const openLink = (): void => void linkDialog.need().then((dialog) => dialog?.open(input.link()));
-  const embedDialog = later<void, EmbedDialog>(async () => {
+  const embedDialog = lazyComponent<void, EmbedDialog>(async () => {
     const { createEmbedDialog } = await import('../../ui/embed-dialog.ts');
     return createEmbedDialog({ onSave: () => input.onExport({ ...DEFAULT_REQUEST }), onError: input.onError });
   }, input.onError);

@@ -9,7 +9,7 @@ import type { Compared } from '../analysis/motion-distance.ts';
 import type { CoordinateChartEvents } from './coordinate-chart.ts';
 import type { DistanceFigure, DistanceFigureProps } from './distance-figure.ts';
 import { createFaceCharts } from './face-charts.ts';
-import { later } from '../../ui/later.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
 import { createPatchCharts } from './patch-charts.ts';
 
 export interface FacesFigureEvents extends CoordinateChartEvents {
@@ -61,7 +61,7 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
     ],
     (value) => onColouring(value === 'none' ? 'texture' : value),
   );
-  const distance = later<DistanceFigureProps, DistanceFigure>(async () => {
+  const distance = lazyComponent<DistanceFigureProps, DistanceFigure>(async () => {
     const { createDistanceFigure } = await import('./distance-figure.ts');
     return createDistanceFigure({ ...events, input });
   }, onError);

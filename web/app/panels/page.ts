@@ -16,7 +16,7 @@ import type { Feedback } from './feedback.ts';
 import { listenToCamera } from '../../viewer/camera-keys.ts';
 import { createShortcuts, listenToArrows } from './keyboard.ts';
 import { setAttribute } from '../../ui/dom.ts';
-import { later } from '../../ui/later.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
 import type { Layout } from './layout.ts';
 import { createPinsInView } from './pins-in-view.ts';
 import { createPresentation } from './presentation.ts';
@@ -160,7 +160,7 @@ export function createPage(parts: PageParts): Page {
     takeFiles: parts.takeFiles,
     marking: parts.marking,
     analysis,
-    ghostStudy: later(async () => {
+    ghostStudy: lazyComponent(async () => {
       const { createGhostStudyPanel } = await import('./ghost-study-panel.ts');
       return createGhostStudyPanel({ engine, store, range, pool: () => workspace.pool, onEnlarge, onError });
     }, onError),

@@ -1,0 +1,70 @@
+/** Code that is loaded when it is first needed. */
+import { h } from './dom.ts';
+
+export interface Lazy<T> {
+  /** Null until it is loaded. */
+  readonly now: T | null;
+  /** Tries again where it could not be loaded. */
+  get(): Promise<T>;
+}
+
+export function lazy<T>(load: () => Promise<T>): Lazy<T> {
+  let now: T | null = null;
+  let loading: Promise<T> | null = null;
+  const begin = async (): Promise<T> => {
+    try {
+      now = await load();
+      return now;
+    } catch (error) {
+      loading = null;
+      throw error;
+    }
+  };
+  return {
+    get now() {
+      return now;
+    },
+    get: () => (loading ??= begin()),
+  };
+}
+
+interface Component<Props> {
+  element: HTMLElement;
+  update?(props: Props): void;
+}
+
+export interface LazyComponent<Props, T> {
+  element: HTMLElement;
+  /** Kept for the component while it is not there. */
+  update(props: Props): void;
+  /** The component, as it was last updated; null where it cannot be loaded, which was said. */
+  need(): Promise<T | null>;
+}
+
+/** A component in the place that it then has. `element`: that place; a component may fill it itself. */
+export function lazyComponent<Props, T extends Component<Props>>(
+  load: () => Promise<T>,
+  onError: (error: unknown) => void,
+  element: HTMLElement = h('div', { class: 'later' }),
+): LazyComponent<Props, T> {
+  let last: { props: Props } | null = null;
+  const component = lazy(async () => {
+    try {
+      const made = await load();
+      if (last) made.update?.(last.props);
+      if (made.element !== element) element.append(made.element);
+      return made;
+    } catch (error) {
+      onError(error);
+      throw error;
+    }
+  });
+  return {
+    element,
+    update(props) {
+      last = { props };
+      component.now?.update?.(props);
+    },
+    need: () => component.get().catch(() => null),
+  };
+}
