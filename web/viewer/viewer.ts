@@ -204,6 +204,8 @@ export class Viewer {
     this.contents.endOpening();
     leave();
     this.change();
+    // Nothing was open before: no later drawing would clear the picture.
+    if (!this.contents.isShown) this.render();
   }
 
   /** Resolves once the shape is seen in its own textures. */
