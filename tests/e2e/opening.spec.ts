@@ -19,7 +19,7 @@ test.beforeAll(() => {
 });
 test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-type Task = 'import' | 'create';
+type Task = 'import' | 'encode';
 
 /** The work on the large mesh stops where a task reports, until that is let go. */
 async function held(app: App): Promise<(task: Task) => void> {
@@ -40,7 +40,7 @@ function waitAtReport(): void {
   let task = '';
   self.addEventListener('message', ({ data }: MessageEvent) => {
     if (data.type === 'import') task = data.files[0].bytes.length > 2e6 ? 'import' : '';
-    if (data.type === 'create') task = data.faces.length > 3 * 80_000 ? 'create' : '';
+    if (data.type === 'encode') task = data.faces.length > 3 * 80_000 ? 'encode' : '';
   });
   self.postMessage = ((message: { type: string }, options: object) => {
     post(message, options);
@@ -84,7 +84,7 @@ test('the first key of a large file is seen while its motion is made, which take
   expect((await app.state()).source.kind).toBe('sample');
   await expect(app.by('progress')).toBeVisible();
   await expect.poll(() => opacity(app)).toBe('1');
-  letGo('create');
+  letGo('encode');
   await expect.poll(async () => (await app.state()).source.kind, { timeout: 60_000 }).toBe('files');
   expect((await app.state()).play.playing).toBe(true);
   expect(difference(await camera(app), fitted)).toBeLessThan(1);
