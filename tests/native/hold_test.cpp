@@ -259,7 +259,7 @@ TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
   REQUIRE(updated.update(holding(), times).ok());
   CHECK(shapeAt(updated, 1.4) == shapeAt(s, 1.4));
   CHECK(shapeAt(updated, 1.4) == shapeAt(updated, 1.4));
-  // Handles are taken over where the keys' times stay, and made anew where they do not.
+  // Handles are taken over where the keys' times stay, and made again where they change.
   MotionOptions tense = holding();
   tense.tension = {0, 0.5, 0, 0.3, 0};
   std::vector<double> later = times;

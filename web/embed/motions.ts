@@ -114,7 +114,7 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
     keyOfMotion(wanted),
     async ({ signal, report }) => {
       const shape = takeShape(wanted, report);
-      // Nobody wants it any more: what is being encoded may end.
+      // No element waits for it: the encoding may end.
       signal.addEventListener('abort', shape.release);
       try {
         const keyTimes = [...(await keysOf(wanted)).info.times];
@@ -128,7 +128,7 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
     onProgress,
   );
   const motion = value.then((held) => held.motion);
-  motion.catch(() => undefined); // said by whoever waits for it
+  motion.catch(() => undefined); // the element that awaits it reports the failure
   return { value: motion, release };
 }
 

@@ -35,7 +35,7 @@ export class Shared<T> {
     private readonly graceMs: number,
   ) {}
 
-  /** How many there are, with those that nobody holds any more. */
+  /** How many there are, with those that are about to be disposed of. */
   get size(): number {
     return this.held.size;
   }

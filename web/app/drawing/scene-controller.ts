@@ -1,6 +1,6 @@
 /** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
 import { METHOD } from '../../engine/api/methods.ts';
-import type { Motion } from '../../engine/api/api.ts';
+import type { Shape } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
@@ -78,14 +78,14 @@ export class SceneController {
   private base: Measure | null = null;
   /** When volume and area were taken last. */
   private measuredAt = 0;
-  private patchesOf: Motion | null = null;
+  private patchesOf: Shape | null = null;
   private film: Film | null = null;
   private hasOnion = false;
   /** Something else than a film strip has been seen of the import. */
   private ordinary = false;
   private readonly onCamera: ViewerEvents['onCamera'];
   private named = false;
-  private ghost: { of: Motion; mesh: Ghost | null } | null = null;
+  private ghost: { of: Shape; mesh: Ghost | null } | null = null;
   /** Of the import's poses along x. */
   private width = 0;
   /** How far along x the ghost stands beside the shape now. */
@@ -236,7 +236,7 @@ export class SceneController {
     await this.showOnionSkins(input, sequences, state);
     if (this.film) this.labels = this.labels.map((label) => ({ ...label, detail: '' }));
     this.place();
-    await this.showPatches(sequences[0]?.sequence, state.view);
+    await this.showPatches(sequences[0]?.sequence.shape, state.view);
   }
 
   /** What is shown beside the motions, or null. */
@@ -425,12 +425,13 @@ export class SceneController {
     { ghostWire, ghostBeside, film }: View,
   ): Promise<void> {
     const wanted = (ghostWire || ghostBeside) && !film && running?.ghost && METHOD[running.method].space === 'lri';
-    if (wanted && this.ghost?.of !== running.sequence)
-      this.ghost = { of: running.sequence, mesh: await running.sequence.shape.ghost() };
-    const mesh = wanted ? this.ghost?.mesh : null;
+    const led = wanted ? running : null;
+    const shape = led?.sequence.shape;
+    if (shape && this.ghost?.of !== shape) this.ghost = { of: shape, mesh: await shape.ghost() };
+    const mesh = led ? this.ghost?.mesh : null;
     const offset = mesh && ghostBeside ? this.width * BESIDE : null;
-    if (mesh) {
-      const positions = await this.ghost!.of.ghostPositions(t);
+    if (led && mesh) {
+      const positions = await led.sequence.ghostPositions(t);
       this.viewer.setGhost({ faces: mesh.faces, vertexOf: mesh.vertexOf, positions, overlay: ghostWire, offset });
     } else {
       this.viewer.setGhost(null);
@@ -448,10 +449,10 @@ export class SceneController {
     }
   }
 
-  private async showPatches(sequence: Motion | undefined, view: View): Promise<void> {
-    if (!sequence || !this.info || view.colouring !== 'patches' || this.patchesOf === sequence) return;
-    const patches = await sequence.shape.patches();
-    this.patchesOf = sequence;
+  private async showPatches(shape: Shape | undefined, view: View): Promise<void> {
+    if (!shape || !this.info || view.colouring !== 'patches' || this.patchesOf === shape) return;
+    const patches = await shape.patches();
+    this.patchesOf = shape;
     this.viewer.setPatchColours(patchColours(patches, this.info.faces, this.info.report.vertices));
   }
 }

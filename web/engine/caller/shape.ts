@@ -61,7 +61,7 @@ export class ShapeClient implements Shape {
     return this.ask('motion', { motion }, { onProgress: call?.onProgress });
   }
 
-  /** A motion that nobody needs any more. */
+  /** The motion is no longer needed. */
   drop(motion: MotionSpec): void {
     // A worker that has ended has nothing of it.
     if (!this.over && this.client.alive) this.client.call('drop', { motion }).catch(() => undefined);
