@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { errorMessageOf } from '../../web/app/panels/error-message.ts';
+import { errorMessageOf } from '../../web/app/view/error-message.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 
 describe('a failure in words', () => {

@@ -1,29 +1,18 @@
 /** Back to what a visit starts with, without loading the page again: for tests, which share a page so. */
 import { DEFAULT_REQUEST } from '../model/export-request.ts';
 import { DEFAULT_VIEW, EMPTY_STATE } from '../model/state.ts';
-import type { Theme } from '../ui/theme.ts';
-import type { Feedback } from './panels/feedback.ts';
-import type { ViewStateHolder } from './panels/view-state.ts';
-import type { Session } from './session/session.ts';
-import type { Ways } from './ways.ts';
+import type { Context } from './actions/context.ts';
+import type { Offers } from './view/offers.ts';
 
 export interface ResetParts {
-  session: Session;
-  ways: Ways;
-  viewState: ViewStateHolder;
-  feedback: Feedback;
-  theme: { theme(): Theme; next(): void };
-  /** What waits for the user's word. */
-  withdrawOffers(): void;
-  /** Fits the view to the shape again. */
-  refit(): void;
+  context: Context;
+  offers: Offers;
   /** Opens what a visit starts with whose address has this fragment. */
   visit(fragment: string): Promise<void>;
 }
 
-export async function reset(parts: ResetParts, fragment: string): Promise<void> {
-  const { session, ways, viewState, feedback, theme } = parts;
-  const { files, remembered, animation, exporting } = ways;
+export async function reset({ context, offers, visit }: ResetParts, fragment: string): Promise<void> {
+  const { session, viewState, feedback, theme, files, remembered, animation, exporting, link } = context;
   exporting.now?.cancel();
   animation.now?.cancel();
   session.cancel();
@@ -33,8 +22,8 @@ export async function reset(parts: ResetParts, fragment: string): Promise<void> 
   session.store.set({ project: null, view: DEFAULT_VIEW, play: EMPTY_STATE.play });
   await remembered.forgetAll();
   while (theme.theme() !== 'system') theme.next();
-  ways.link.replace(fragment);
-  parts.withdrawOffers();
+  link.replace(fragment);
+  offers.withdraw();
   feedback.clear();
   viewState.change({
     errorMessage: null,
@@ -43,7 +32,7 @@ export async function reset(parts: ResetParts, fragment: string): Promise<void> 
     original: false,
     exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
   });
-  await parts.visit(fragment);
+  await visit(fragment);
   files.openings.forget();
   viewState.change({ welcome: session.store.get().source.kind === 'sample' });
   // The shape is fitted below what is said over it, which is drawn with the next frame.
@@ -51,7 +40,8 @@ export async function reset(parts: ResetParts, fragment: string): Promise<void> 
   await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
   const { view } = session.store.get();
   if (view.camera) return;
-  parts.refit();
+  // The view is fitted to the shape again.
+  context.display.scene.viewer.refit(false);
   session.store.set({ view });
 }
 

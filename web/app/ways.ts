@@ -1,29 +1,25 @@
 /** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
 import { setMotion } from '../model/edits.ts';
 import { lazy } from '../ui/lazy.ts';
-import type { Lazy } from '../ui/lazy.ts';
 import type { Offer } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
+import type { Ways } from './actions/context.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
-import type { Display } from './display.ts';
-import type { ExportController, ExportParts } from './export/export-controller.ts';
-import type { Feedback } from './panels/feedback.ts';
+import type { Display } from './drawing/display.ts';
+import type { ExportParts } from './export/export-controller.ts';
+import type { Feedback } from './view/feedback.ts';
 import { importOffer } from './panels/import-offer.ts';
-import { openedView } from './panels/view-state.ts';
-import type { ViewStateHolder } from './panels/view-state.ts';
-import { reducedMotion } from './panels/window-events.ts';
+import { openedView } from './view/view-state.ts';
+import type { ViewStateHolder } from './view/view-state.ts';
+import { reducedMotion } from './view/window-events.ts';
 import type { Session } from './session/session.ts';
-import type { Animation } from './sources/animation.ts';
 import { createOpenFiles } from './sources/open-files.ts';
 import { reopening } from './sources/open-first.ts';
-import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
+import type { OpenedFiles } from './sources/open-files.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
-import type { PageLink } from './sources/page-link.ts';
 import { createRememberedFiles } from './kept/remembered-files.ts';
-import type { RememberedFiles } from './kept/remembered-files.ts';
 import { createUndo } from './sources/undo.ts';
-import type { Undo } from './sources/undo.ts';
 
 export interface WaysParts {
   session: Session;
@@ -37,48 +33,11 @@ export interface WaysParts {
   onGuide(fragment: string | null): void;
 }
 
-export interface Ways {
-  files: OpenFiles;
-  remembered: RememberedFiles;
-  undo: Undo;
-  animation: Lazy<Animation>;
-  /** Opens files of the user again. */
-  openOwn(project: string): Promise<void>;
-  link: PageLink;
-  exporting: Lazy<ExportController>;
-}
-
-export function createWays({ session, display, analysis, viewState, feedback, onOffer, onGuide }: WaysParts): Ways {
-  const { engine, store, workspace, sequence, range } = session;
-  const { scene, playback } = display;
+export function createWays(parts: WaysParts): Ways {
+  const { session, viewState, feedback } = parts;
+  const { engine, store, workspace } = session;
   const { say, onStart, onWorking, onError } = feedback;
-  const loopMotion = (): void => {
-    store.edit('ends', (doc) => setMotion(doc, { boundary: 'periodic' }));
-    store.set({ play: { ...store.get().play, loop: 'loop' } });
-  };
-  /** Gone from above the shape, it leaves its room to it. */
-  const withRoom = (offer: Offer | null): Offer | null => {
-    const leave = (): void => scene.viewer.refit(!reducedMotion());
-    if (!offer) return null;
-    const onAccept = (): void => {
-      offer.onAccept?.();
-      leave();
-    };
-    return { ...offer, onAccept, onDecline: leave };
-  };
-  const onOpened = (opened: OpenedFiles): void => {
-    const { info, pool, source, doc, camera } = opened;
-    display.firstKey.settle();
-    viewState.change(openedView(opened, viewState.get()));
-    const offer = withRoom(importOffer(opened, files, loopMotion));
-    // The shape is fitted below what is offered, which is beside it where there is a sheet.
-    if (!viewState.get().opening) onOffer(offer);
-    scene.setImport(info, pool, camera);
-    if (viewState.get().opening) onOffer(offer);
-    if (source.kind === 'files')
-      say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
-  };
-  const files = createOpenFiles({
+  const files: Ways['files'] = createOpenFiles({
     engine,
     store,
     workspace,
@@ -87,7 +46,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onStart,
     onError,
     samples: () => viewState.get().samples,
-    onOpened,
+    onOpened: (opened) => showOpened(parts, files, opened),
     onRead: session.serve,
     onWorking,
   });
@@ -107,11 +66,64 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     say,
     initial: () => viewState.get().initial,
     onLink: (to) => void files.sample(to.sample, to),
-    onGuide,
+    onGuide: parts.onGuide,
   });
-  const exportParts: ExportParts = {
+  const titleOf: Ways['titleOf'] = (source) => sourceTitle(source, viewState.get().samples);
+  const exporting = lazy(async () => {
+    const { createExportController } = await import('./export/export-controller.ts');
+    return createExportController(exportParts(parts, titleOf));
+  });
+  const undo = createUndo({ store, files, titleOf });
+  const openOwn = async (project: string): Promise<void> => {
+    const left = files.openings.all.find(({ state }) => state.project === project);
+    if (left) await files.again(left);
+    else await remembered.reopen(project, reopening(files)).catch(onError);
+  };
+  return { files, remembered, undo, animation, openOwn, link, exporting, titleOf };
+}
+
+function showOpened(
+  { session: { store }, display, viewState, feedback, onOffer }: WaysParts,
+  files: Ways['files'],
+  opened: OpenedFiles,
+): void {
+  const { info, pool, source, doc, camera } = opened;
+  const { scene, firstKey } = display;
+  const loopMotion = (): void => {
+    store.edit('ends', (before) => setMotion(before, { boundary: 'periodic' }));
+    store.set({ play: { ...store.get().play, loop: 'loop' } });
+  };
+  firstKey.settle();
+  viewState.change(openedView(opened, viewState.get()));
+  const offer = withRoom(importOffer(opened, files, loopMotion), () => scene.viewer.refit(!reducedMotion()));
+  // The shape is fitted below what is offered, which is beside it where there is a sheet.
+  if (!viewState.get().opening) onOffer(offer);
+  scene.setImport(info, pool, camera);
+  if (viewState.get().opening) onOffer(offer);
+  if (source.kind === 'files')
+    feedback.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
+}
+
+/** Gone from above the shape, it leaves its room to it. */
+function withRoom(offer: Offer | null, leave: () => void): Offer | null {
+  if (!offer) return null;
+  const onAccept = (): void => {
+    offer.onAccept?.();
+    leave();
+  };
+  return { ...offer, onAccept, onDecline: leave };
+}
+
+function exportParts(
+  { session, display, analysis, viewState, feedback }: WaysParts,
+  titleOf: Ways['titleOf'],
+): ExportParts {
+  const { store, sequence, range } = session;
+  const { say, onStart, onError, onWorking } = feedback;
+  const { frameLoop } = display.playback;
+  return {
     store,
-    scene,
+    scene: display.scene,
     analysis,
     sequence,
     range,
@@ -119,26 +131,16 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onStart,
     onError,
     onWorking,
-    title: ({ source }) => sourceTitle(source, viewState.get().samples),
+    title: ({ source }) => titleOf(source),
     drawExactly(t) {
       // What is exported is the motion.
       if (viewState.get().blend) viewState.change({ blend: null });
-      return playback.frameLoop.request(t);
+      return frameLoop.request(t);
     },
-    idle: () => playback.frameLoop.idle(),
+    idle: () => frameLoop.idle(),
     onVideoFormats: (videoFormats) => viewState.change({ videoFormats }),
     onPlan(request, plan) {
       if (viewState.get().exporting.request === request) viewState.change({ exporting: { request, plan } });
     },
   };
-  const exporting = lazy(async () =>
-    (await import('./export/export-controller.ts')).createExportController(exportParts),
-  );
-  const undo = createUndo({ store, files, titleOf: (source) => sourceTitle(source, viewState.get().samples) });
-  const openOwn = async (project: string): Promise<void> => {
-    const left = files.openings.all.find(({ state }) => state.project === project);
-    if (left) await files.again(left);
-    else await remembered.reopen(project, reopening(files)).catch(onError);
-  };
-  return { files, remembered, undo, animation, openOwn, link, exporting };
 }

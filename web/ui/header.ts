@@ -1,6 +1,5 @@
-/** The top bar: name, sample, open, undo and redo, export, link, help, theme. */
-import { button, tooltip } from './controls.ts';
-import { h, memo, setAttribute, setHidden } from './dom.ts';
+/** The top bar: name, sample, buttons, theme. */
+import { h, memo } from './dom.ts';
 import { createGallery } from './gallery.ts';
 import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
 import { createThemeButton } from './theme-button.ts';
@@ -12,113 +11,42 @@ export interface HeaderProps {
   sample: string | null;
   /** Files of the user that can be opened again. */
   own: readonly OwnItem[];
-  /** Which of them are loaded: links cannot carry them, this browser can remember them. Else null. */
+  /** Which of them are loaded, else null. */
   project: string | null;
-  undo: string | null;
-  redo: string | null;
   theme: Theme;
-  canExport: boolean;
-  remembered: boolean;
 }
 
 export interface HeaderEvents extends GalleryEvents {
-  onOpen(): void;
-  onUndo(): void;
-  onRedo(): void;
-  onExport(): void;
-  onLink(): void;
-  onRemember(): void;
-  onHelp(): void;
   onTheme(): void;
 }
 
-export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
+/** After the gallery, for the history, and at the end. */
+export interface HeaderButtons {
+  start: readonly HTMLElement[];
+  history: readonly HTMLElement[];
+  end: readonly HTMLElement[];
+}
+
+export function createHeader(
+  { start, history, end }: HeaderButtons,
+  events: HeaderEvents,
+): { element: HTMLElement; update(props: HeaderProps): void } {
   const gallery = createGallery(events);
-  const open = button({
-    label: 'Open files',
-    testId: 'open',
-    icon: 'open',
-    text: 'Open',
-    shortcut: 'Ctrl+O',
-    kind: 'plain',
-    onClick: () => events.onOpen(),
-  });
-  const undo = button({
-    label: 'Undo',
-    testId: 'undo',
-    icon: 'undo',
-    shortcut: 'Ctrl+Z',
-    onClick: () => events.onUndo(),
-  });
-  const redo = button({
-    label: 'Redo',
-    testId: 'redo',
-    icon: 'redo',
-    shortcut: 'Ctrl+Shift+Z',
-    onClick: () => events.onRedo(),
-  });
-  const exporting = button({
-    label: 'Export',
-    testId: 'export',
-    icon: 'download',
-    text: 'Export',
-    shortcut: 'E',
-    kind: 'primary',
-    onClick: () => events.onExport(),
-  });
-  const link = button({
-    label: 'Copy a link to this view',
-    testId: 'link',
-    icon: 'link',
-    onClick: () => events.onLink(),
-  });
-  const remember = button({
-    label: 'Remember these files on this computer',
-    testId: 'remember',
-    icon: 'bookmark',
-    onClick: () => events.onRemember(),
-  });
-  const help = button({ label: 'Help', testId: 'help', icon: 'help', shortcut: '?', onClick: () => events.onHelp() });
   const theme = createThemeButton(() => events.onTheme(), 'D');
   const element = h(
     'header',
     { class: 'app-header' },
     h('h1', { class: 'wordmark' }, 'shape', h('span', {}, 'spline')),
     gallery.element,
-    open,
-    h('div', { class: 'history' }, undo, redo),
+    ...start,
+    h('div', { class: 'history' }, ...history),
     h('div', { class: 'spacer' }),
-    exporting,
-    link,
-    remember,
-    help,
+    ...end,
     theme.element,
   );
-
-  const draw = memo((props: HeaderProps) => {
-    const { samples, sample, own, project } = props;
+  const draw = memo(({ samples, sample, own, project, theme: shown }: HeaderProps) => {
     gallery.update({ samples, sample, own, project });
-    describe(undo, 'Undo', props.undo, 'Ctrl+Z');
-    describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
-    exporting.disabled = !props.canExport;
-    setHidden(link, props.project !== null);
-    setHidden(remember, props.project === null);
-    setAttribute(remember, 'aria-pressed', String(props.remembered));
-    setAttribute(
-      remember,
-      'title',
-      props.remembered
-        ? 'These files are remembered in this browser, on this computer only; click to forget them'
-        : 'Remember these files in this browser for the next visit; they stay on this computer',
-    );
-    theme.update(props.theme);
+    theme.update(shown);
   });
   return { element, update: draw };
-}
-
-function describe(control: HTMLButtonElement, verb: string, what: string | null, shortcut: string): void {
-  control.disabled = what === null;
-  const words = what ? `${verb}: ${what}` : `Nothing to ${verb.toLowerCase()}`;
-  setAttribute(control, 'aria-label', words);
-  setAttribute(control, 'title', tooltip(words, shortcut));
 }

@@ -192,13 +192,18 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
 const WELCOME = ['Poses in, motion out.', 'Drag the slider, also past both ends, or drop poses of your own mesh here.'];
 const WELCOME_SPLIT = ['Blended, a shape collapses between its poses. Here it keeps its volume.', 'Drag the divider.'];
 
-/**
- * Says in one sentence what the page does, until the visitor has done something; gives way to other messages in the
- * same place.
- */
+export interface WelcomeProps {
+  wanted: boolean;
+  /** Another message is in the same place. */
+  givesWay: boolean;
+  /** A motion is compared behind a divider. */
+  split: boolean;
+}
+
+/** Says in one sentence what the page does, until the visitor has done something. */
 export function createWelcome(onPick: () => void): {
   element: HTMLElement;
-  update(wanted: boolean, givesWay: boolean, split: boolean): void;
+  update(props: WelcomeProps): void;
 } {
   const claim = h('strong', {});
   const rest = h('span', {});
@@ -218,7 +223,7 @@ export function createWelcome(onPick: () => void): {
   );
   return {
     element,
-    update(wanted, givesWay, split) {
+    update({ wanted, givesWay, split }) {
       const [bold, plain] = split ? WELCOME_SPLIT : WELCOME;
       setText(claim, bold);
       setText(rest, plain);

@@ -1,6 +1,7 @@
 /** The newest analysis, computed when somebody wants it and once for all who do. */
 import type { Analysis, AnalysisInput } from './analysis.ts';
-import { analyse } from './analysis.ts';
+import type { Session } from '../session/session.ts';
+import { analyse, analysisInput } from './analysis.ts';
 
 export interface AnalysisObserver {
   /** The motions have changed. */
@@ -20,7 +21,7 @@ export class AnalysisCache {
   /** `input` gives what to analyse now, null where nothing is open. */
   constructor(
     readonly input: () => AnalysisInput | null,
-    private readonly onError: (error: unknown) => void,
+    readonly onError: (error: unknown) => void,
   ) {}
 
   get stale(): boolean {
@@ -67,4 +68,17 @@ export class AnalysisCache {
       return null;
     }
   }
+}
+
+/** Of what is open. `ms`: milliseconds of a frame. The end of a worker has it computed again. */
+export function createAnalysisCache(
+  { store, workspace, restart, range }: Session,
+  ms: () => number,
+  onError: (error: unknown) => void,
+): AnalysisCache {
+  const cache: AnalysisCache = new AnalysisCache(
+    () => analysisInput(workspace.sequences, store.get().doc, range(), ms()),
+    (error) => (restart.takesUp(error) ? cache.invalidate() : onError(error)),
+  );
+  return cache;
 }

@@ -8,7 +8,7 @@ import type { ColourBarProps } from '../../ui/colour-bar.ts';
 import { motionWords } from '../../model/method-words.ts';
 import { OFF_CURVE, PHASE_COLOURS, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
-import type { TileLabel } from '../../ui/view-bar.ts';
+import type { TileLabel } from '../../ui/tile-labels.ts';
 import type { Extra, Look } from '../../viewer/types.ts';
 import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';

@@ -1,7 +1,7 @@
 /** The numbers that pages of the guide tell. */
 import type { AppState } from '../../model/state.ts';
-import type { TileLabel } from '../../ui/view-bar.ts';
-import type { ViewState } from '../panels/view-state.ts';
+import type { TileLabel } from '../../ui/tile-labels.ts';
+import type { ViewState } from '../view/view-state.ts';
 import type { Facts } from './guide-page.ts';
 
 /** null while nothing is open or nothing is known of it. */

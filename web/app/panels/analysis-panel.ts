@@ -17,7 +17,7 @@ import type { FigureEvents } from './figure-tools.ts';
 import { chartNumbers } from './chart-numbers.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
-import type { Blend } from './view-state.ts';
+import type { Blend } from '../view/view-state.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
 
 export interface AnalysisPanelEvents extends FigureEvents {

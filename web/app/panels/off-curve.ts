@@ -6,8 +6,8 @@ import { h, setAttribute, setHidden, setText } from '../../ui/dom.ts';
 import { mixtureAt } from '../analysis/plane-weights.ts';
 import type { PlaneShapes, Point } from '../analysis/plane-weights.ts';
 import { createPlanePath } from './plane-path.ts';
-import type { Blend } from './view-state.ts';
-import { reducedMotion } from './window-events.ts';
+import type { Blend } from '../view/view-state.ts';
+import { reducedMotion } from '../view/window-events.ts';
 
 export interface OffCurve {
   element: HTMLElement;

@@ -1,24 +1,12 @@
 /** Pins on the shape: placed with a click, dragged where they are to be at a time. */
 import { METHOD } from '../../engine/api/methods.ts';
 import { changedPin, withPin, withoutPin } from '../../model/pins.ts';
-import type { Range } from '../../model/time-scale.ts';
 import { createPinHandles } from '../../ui/pin-handles.ts';
 import type { Place } from '../../ui/pin-handles.ts';
 import type { PinDrag } from '../drawing/pin-places.ts';
 import { pinPlaces, startPinDrag, vertexAt } from '../drawing/pin-places.ts';
-import type { SceneController } from '../drawing/scene-controller.ts';
-import type { Store } from '../session/store.ts';
-import type { Commands } from './commands.ts';
-import type { ViewStateHolder } from './view-state.ts';
-
-export interface PinsInViewParts {
-  store: Store;
-  viewState: ViewStateHolder;
-  scene: SceneController;
-  commands: Commands;
-  range(): Range;
-  say(text: string): void;
-}
+import type { Context } from '../actions/context.ts';
+import type { Commands } from '../actions/table.ts';
 
 export interface PinsInView {
   element: HTMLElement;
@@ -26,7 +14,10 @@ export interface PinsInView {
   place(at: Place): void;
 }
 
-export function createPinsInView({ store, viewState, scene, commands, range, say }: PinsInViewParts): PinsInView {
+export function createPinsInView(context: Context, commands: Commands): PinsInView {
+  const { session, display, viewState, feedback } = context;
+  const { store, range } = session;
+  const { scene } = display;
   const pins = () => store.get().doc.motion.pins;
   let dragged: PinDrag | null = null;
   const handles = createPinHandles({
@@ -52,7 +43,7 @@ export function createPinsInView({ store, viewState, scene, commands, range, say
     place(at) {
       const face = scene.pick(at.x, at.y);
       const faces = viewState.get().info?.faces;
-      if (face < 0 || !faces) return say('There is nothing of the shape to pin. Click the shape itself.');
+      if (face < 0 || !faces) return feedback.say('There is nothing of the shape to pin. Click the shape itself.');
       commands.pins(withPin(pins(), vertexAt(scene.viewer, faces, face, at)));
       viewState.change({ placing: false });
     },

@@ -13,7 +13,7 @@ import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
 import { createOffCurve } from './off-curve.ts';
 import { createPlaneCurves } from './plane-curves.ts';
-import type { Blend } from './view-state.ts';
+import type { Blend } from '../view/view-state.ts';
 
 export interface ShapePlaneFigureEvents extends FigureEvents {
   onSpeed(end: End, speed: number): void;

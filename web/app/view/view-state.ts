@@ -1,5 +1,5 @@
 /** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
-import type { Frame, KeysInfo, SequenceStats, Warning } from '../../engine/api/types.ts';
+import type { Frame, KeysInfo, Method, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { Pace } from '../../model/pace.ts';
 import { USUAL_MOST } from '../../model/speeds.ts';
 import type { Speeds } from '../../model/speeds.ts';
@@ -61,6 +61,8 @@ export interface ViewState {
   singleKeys: boolean;
   /** The next click on the shape pins it there. */
   placing: boolean;
+  /** What was compared before there was a divider. */
+  beside: readonly Method[];
   /** What was found when the fewest keys of an animation were looked for. */
   fewest: Fewest | null;
   /** The animation is shown beside the motion. */
@@ -162,6 +164,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   shelf: [],
   singleKeys: true,
   placing: false,
+  beside: [],
   fewest: null,
   original: false,
   opening: false,

@@ -1,25 +1,34 @@
 /** What is on the screen, and when: the scene, the frames that it is given, thumbnails, marked places. */
-import { FirstKey } from './drawing/first-key.ts';
-import { createMarking } from './drawing/marking.ts';
-import type { Marking } from './drawing/marking.ts';
-import { SceneController } from './drawing/scene-controller.ts';
-import { createTimePictures } from './drawing/time-pictures.ts';
-import type { TimePictures } from './drawing/time-pictures.ts';
-import { createThumbnails } from './drawing/thumbnails.ts';
-import type { Thumbnails } from './drawing/thumbnails.ts';
-import type { Feedback } from './panels/feedback.ts';
-import type { Layout } from './panels/layout.ts';
-import { shownView } from './panels/view-state.ts';
-import type { ViewStateHolder } from './panels/view-state.ts';
-import type { CameraPose } from '../model/camera.ts';
-import type { FrameSet } from '../playback/frame-set.ts';
-import { createPlayback } from './playback/playback.ts';
-import type { Playback } from './playback/playback.ts';
-import type { Session } from './session/session.ts';
+import { FirstKey } from './first-key.ts';
+import { createMarking } from './marking.ts';
+import type { Marking } from './marking.ts';
+import { SceneController } from './scene-controller.ts';
+import { createTimePictures } from './time-pictures.ts';
+import type { TimePictures } from './time-pictures.ts';
+import { createThumbnails } from './thumbnails.ts';
+import type { Thumbnails } from './thumbnails.ts';
+import type { Feedback } from '../view/feedback.ts';
+import type { FilmLabel } from '../../ui/film-labels.ts';
+import { shownView } from '../view/view-state.ts';
+import type { ViewStateHolder } from '../view/view-state.ts';
+import type { CameraPose } from '../../model/camera.ts';
+import type { FrameSet } from '../../playback/frame-set.ts';
+import { createPlayback } from '../playback/playback.ts';
+import type { Playback } from '../playback/playback.ts';
+import type { Session } from '../session/session.ts';
+
+/** Where the scene is drawn. */
+export interface Stage {
+  viewport: HTMLElement;
+  /** Names on the picture of a film strip. */
+  showFilmLabels(labels: readonly FilmLabel[]): void;
+  /** Pixels that bars and words take at the top and the bottom of each of so many views, or of two that are `split`. */
+  covered(views: number, split: boolean): { top: number; bottom: number };
+}
 
 export interface DisplayParts {
   session: Session;
-  layout: Layout;
+  stage: Stage;
   viewState: ViewStateHolder;
   feedback: Feedback;
   seek(t: number): void;
@@ -35,17 +44,17 @@ export interface Display {
   marking: Marking;
 }
 
-export function createDisplay({ session, layout, viewState, feedback, seek, onResize }: DisplayParts): Display {
+export function createDisplay({ session, stage, viewState, feedback, seek, onResize }: DisplayParts): Display {
   const { store, workspace, restart, sequence, range } = session;
   const { say, onError } = feedback;
   const events = {
     onCamera: (camera: CameraPose) => store.set({ view: { ...store.get().view, camera } }),
     onResize,
-    covered: layout.covered,
+    covered: stage.covered,
     onContextLost: () => say('The browser lost access to the graphics card. The picture will be restored.'),
     onContextRestored: () => void playback.frameLoop.request(store.get().time),
   };
-  const scene = new SceneController(layout.viewport, events, layout.showFilmLabels);
+  const scene = new SceneController(stage.viewport, events, stage.showFilmLabels);
   void scene.viewer.firstSeen.then(() => performance.mark('shapespline seen'));
   const yields = (): boolean => viewState.get().working !== null;
   const show = async (frames: FrameSet): Promise<void> => {

@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest';
+import type { Action } from '../../web/app/actions/action.ts';
+import { bindActions } from '../../web/app/actions/action.ts';
+import type { Context } from '../../web/app/actions/context.ts';
+import { ACTIONS } from '../../web/app/actions/table.ts';
+
+const actions = Object.values(ACTIONS) as Action[];
+
+describe('the table of commands', () => {
+  it('gives each key to one command', () => {
+    const keys = actions.flatMap(({ keys: own = [] }) => own);
+    expect(keys.filter((key, index) => keys.indexOf(key) !== index)).toEqual([]);
+  });
+
+  it('has a line in the help for each key', () => {
+    const untold = actions.filter(({ keys = [], shown, does }) => keys.length > 0 && !(shown && does));
+    expect(untold).toEqual([]);
+  });
+
+  it('keeps commands of different files apart', async () => {
+    const names = ['comparison', 'files', 'keys', 'motion', 'page', 'shape', 'time', 'view'];
+    const modules = await Promise.all(names.map((name) => import(`../../web/app/actions/${name}.ts`)));
+    const tables = modules.map((module, index) => module[names[index]!.toUpperCase()] as object);
+    const ids = tables.flatMap((table) => Object.keys(table));
+    expect(ids).toHaveLength(Object.keys(ACTIONS).length);
+  });
+});
+
+describe('bound commands', () => {
+  const errors: unknown[] = [];
+  const context = { feedback: { onError: (error: unknown) => errors.push(error) } } as unknown as Context;
+  const bound = bindActions(
+    {
+      add: { run: (_: Context, a: number, b: number) => a + b },
+      fail: { run: (_: Context) => Promise.reject(new Error('no')) },
+    },
+    context,
+  );
+
+  it('give back what the command does', () => {
+    expect(bound.add(1, 2)).toBe(3);
+  });
+
+  it('say what fails', async () => {
+    await bound.fail();
+    expect(errors.map(String)).toEqual(['Error: no']);
+  });
+});

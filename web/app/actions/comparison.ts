@@ -1,0 +1,79 @@
+/** Commands that show a motion beside another one, and presentations. */
+import { OWN_METHOD } from '../../engine/api/methods.ts';
+import type { Method } from '../../engine/api/types.ts';
+import { PRESENTED, holds } from '../../model/state.ts';
+import type { Plot, Presented } from '../../model/state.ts';
+import type { Actions } from './action.ts';
+import type { Context } from './context.ts';
+import { jumpKey } from './time.ts';
+import { changeView } from './view.ts';
+
+/** From what everybody knows to what is nearest to the method. */
+const COMPARED: readonly Method[] = ['linear', 'cubic-vertex', 'geodesic', 'lri'];
+
+export const COMPARISON = {
+  toggleSplit: { keys: ['s'], shown: 'S', does: 'Divider between two motions on or off', run: toggleSplit },
+  nextComparison: {
+    keys: ['c'],
+    shown: 'C',
+    does: 'Compare with the next method, then with none',
+    run: nextComparison,
+  },
+  togglePresent: {
+    keys: ['x'],
+    shown: 'X',
+    does: 'Presentation: the shape alone, in large type',
+    run: (context) => present(context, presented(context) === null ? 'shape' : null),
+  },
+  nextPlot: { keys: ['a'], shown: 'A', does: 'Presentation: the next plot, then none', run: nextPlot },
+  turnPage: {
+    shown: 'Page Up  Page Down',
+    does: 'Presentation: previous or next key, or page of the tour (elsewhere ten steps in time)',
+    run: jumpKey,
+  },
+  compare: { run: (context, methods: Method[]) => changeView(context, { compare: methods }) },
+  split: { run: (context, split: number) => changeView(context, { split }) },
+  present: { run: present },
+  /** The plot alone beside the shape, or as it was. */
+  enlarge: { run: (context, plot: Plot) => present(context, presented(context) === plot ? null : plot) },
+} satisfies Actions;
+
+function presented({ session: { store } }: Context): Presented | null {
+  return store.get().view.present;
+}
+
+export function present(context: Context, what: Presented | null): void {
+  changeView(context, { present: what });
+}
+
+/** Puts a divider between the motion and another one, or takes it away with what came with it. */
+function toggleSplit(context: Context): void {
+  const { doc, view } = context.session.store.get();
+  const { compare, split } = view;
+  const { beside } = context.viewState.get();
+  if (split !== null) return changeView(context, { split: null, compare: [...beside] });
+  const { method } = doc.motion;
+  context.viewState.change({ beside: compare });
+  const held = holds(doc.motion);
+  const usual = held || method === 'linear' ? OWN_METHOD : 'linear';
+  const other = compare.find((one) => one !== method || held) ?? usual;
+  changeView(context, { split: 0.5, compare: [other] });
+}
+
+/** One other method after the other behind a divider, then none. */
+function nextComparison(context: Context): void {
+  const { doc, view } = context.session.store.get();
+  const others = COMPARED.filter((method) => method !== doc.motion.method || holds(doc.motion));
+  const next = others[others.indexOf(view.compare.at(-1) as Method) + 1];
+  if (next) changeView(context, { compare: [next], split: view.split ?? 0.5 });
+  else changeView(context, { compare: [], split: null });
+}
+
+/** In the presentation: one plot after the other, that of the guide's page first, then the shape alone. */
+function nextPlot(context: Context): void {
+  const own = context.guide.now?.plot ?? null;
+  const order: Presented[] = PRESENTED.filter((one) => one !== own);
+  if (own) order.splice(1, 0, own);
+  const shown = order.indexOf(presented(context) ?? 'shape');
+  present(context, order[(shown + 1) % order.length]!);
+}

@@ -1,0 +1,72 @@
+/** What commands work on: the parts of the app, which know nothing of commands. */
+import type { AppState, Plot } from '../../model/state.ts';
+import type { End } from '../../model/speeds.ts';
+import type { Lazy } from '../../ui/lazy.ts';
+import type { Offer } from '../../ui/messages.ts';
+import type { ThemeSwitch } from '../../ui/theme.ts';
+import type { AnalysisCache } from '../analysis/analysis-cache.ts';
+import type { MotionPaceFollower } from '../analysis/motion-pace.ts';
+import type { Display } from '../drawing/display.ts';
+import type { ExportController } from '../export/export-controller.ts';
+import type { RememberedFiles } from '../kept/remembered-files.ts';
+import type { Session } from '../session/session.ts';
+import type { Animation } from '../sources/animation.ts';
+import type { OpenFiles } from '../sources/open-files.ts';
+import type { PageLink } from '../sources/page-link.ts';
+import type { TakeFiles } from '../sources/take-files.ts';
+import type { Undo } from '../sources/undo.ts';
+import type { Feedback } from '../view/feedback.ts';
+import type { ViewStateHolder } from '../view/view-state.ts';
+
+export interface Context extends Ways {
+  session: Session;
+  display: Display;
+  viewState: ViewStateHolder;
+  feedback: Feedback;
+  theme: ThemeSwitch;
+  analysis: AnalysisCache;
+  pace: MotionPaceFollower;
+  takeFiles: TakeFiles;
+  /** What waits for the user's word about the files that were just opened. */
+  offerImport(offer: Offer | null): void;
+  guide: Lazy<GuideControl>;
+  /** There as soon as the page is. */
+  readonly overlays: Overlays;
+}
+
+/** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
+export interface Ways {
+  files: OpenFiles;
+  remembered: RememberedFiles;
+  undo: Undo;
+  animation: Lazy<Animation>;
+  /** Opens files of the user again. */
+  openOwn(project: string): Promise<void>;
+  link: PageLink;
+  exporting: Lazy<ExportController>;
+  titleOf(source: AppState['source']): string;
+}
+
+/** What commands need of the guide. */
+export interface GuideControl {
+  /** The plot that the page on show speaks of, or null. */
+  readonly plot: Plot | null;
+  /** Leaves it where a page of it is being opened; true where that is what is under way, or the way back is. */
+  cancel(): boolean;
+  close(): Promise<void>;
+}
+
+/** What opens over the page. */
+export interface Overlays {
+  /** Have the user choose files: to open, to add as keys, for a tangent, or to compare with. */
+  pickFiles(): void;
+  pickKeys(): void;
+  pickTangent(end: End): void;
+  pickTruth(): void;
+  openExport(): void;
+  openEmbed(snippet: string): void;
+  openHelp(): void;
+  openLink(link: string | null): void;
+  toggleLook(): void;
+  toggleClock(): void;
+}

@@ -1,0 +1,118 @@
+/** Commands on the keys. */
+import { PER_KEY } from '../../engine/api/option-table.ts';
+import type { KeyPace } from '../../engine/api/types.ts';
+import {
+  addKey,
+  moveKey,
+  removeKey,
+  renameKey,
+  retimeKey,
+  setShaping,
+  setTightness,
+  setTurns,
+  spaceKeys,
+} from '../../model/edits.ts';
+import { SPACINGS } from '../../model/key-spacing.ts';
+import type { Spacing } from '../../model/key-spacing.ts';
+import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
+import { SAME_TIME, formatTime, length } from '../../model/time-scale.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
+import type { Actions } from './action.ts';
+import type { Context } from './context.ts';
+import { changeEncoding } from './shape.ts';
+
+export const KEYS = {
+  addCurrent: {
+    keys: ['k'],
+    shown: 'K',
+    does: 'Add the current shape as a key',
+    edits: true,
+    run: addCurrent,
+  },
+  pickKeys: { run: ({ overlays }) => overlays.pickKeys() },
+  addKeys: { run: ({ files }, picked: PickedFile[]) => files.addKeys(picked) },
+  moveKey: {
+    run: ({ session: { store } }, from: number, to: number) =>
+      store.edit('order of keys', (doc) => moveKey(doc, from, to)),
+  },
+  removeKey: {
+    run: ({ session: { store } }, key: number) => store.edit('remove a key', (doc) => removeKey(doc, key)),
+  },
+  renameKey: {
+    run: ({ session: { store } }, key: number, name: string) =>
+      store.edit('rename a key', (doc) => renameKey(doc, key, name)),
+  },
+  /** Who looks at the key goes with it. */
+  retimeKey: {
+    run({ session: { store } }, key: number, time: number) {
+      const { doc, time: now, play } = store.get();
+      store.edit('time of a key', (before) => retimeKey(before, key, time), `time ${key}`);
+      if (store.get().doc !== doc && doc.keys[key]?.time === now && !play.playing) store.set({ time });
+    },
+  },
+  shaping: {
+    run: ({ session: { store } }, key: number, name: ShapingNumber, value: number) =>
+      store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
+  },
+  tightness: {
+    run: ({ session: { store } }, tension: number) =>
+      store.edit(`${PER_KEY.tension.undo} of all keys`, (doc) => setTightness(doc, tension), 'tightness'),
+  },
+  autoTightness: { run: autoTightness },
+  spaceKeys: {
+    async run(context, spacing: Spacing) {
+      const pace = await paceOfKeys(context);
+      if (!pace) return;
+      context.session.store.edit('times of the keys', (doc) => spaceKeys(doc, pace.distance, SPACINGS[spacing]));
+    },
+  },
+  turns: {
+    run({ session: { store } }, key: number, added: KeyTurns) {
+      const whose = added.component === undefined ? '' : ` of component ${added.component + 1}`;
+      const merge = `turns ${added.component} ${key}`;
+      store.edit(`${PER_KEY.turns.undo}${whose}`, (doc) => setTurns(doc, key, added), merge);
+    },
+  },
+  reference: {
+    run: (context, key: number) =>
+      changeEncoding(context, { referencePose: context.session.store.get().doc.keys[key]?.pose ?? null }),
+  },
+} satisfies Actions;
+
+/** Of the keys as they are; null where they have changed meanwhile, or nothing runs. */
+async function paceOfKeys({ session: { store, sequence } }: Context): Promise<KeyPace | null> {
+  const { keys } = store.get().doc;
+  const pace = (await sequence()?.keyPace()) ?? null;
+  return store.get().doc.keys === keys && pace?.tension.length === keys.length ? pace : null;
+}
+
+/** As much tension at each key as keeps its slope within the bound of `KeyPace`. */
+async function autoTightness(context: Context): Promise<void> {
+  const pace = await paceOfKeys(context);
+  if (!pace) return;
+  const { store } = context.session;
+  const tension = pace.tension.map((value) => Math.ceil(value * 1000) / 1000);
+  if (store.get().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
+    return context.feedback.say('The motion keeps within the bound at every key: there is nothing to change.');
+  store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));
+}
+
+/** Takes the shape on the screen as a key at its own time. */
+async function addCurrent({ session, display }: Context): Promise<void> {
+  const { store, workspace, range } = session;
+  const { pool } = workspace;
+  const { time: t, doc } = store.get();
+  const times = doc.keys.map((key) => key.time);
+  if (!pool || addReason(times, t, range()) !== null) return;
+  await display.playback.frameLoop.request(t);
+  const positions = display.scene.viewer.positions(0);
+  if (workspace.pool !== pool || positions.length === 0) return;
+  const pose = pool.add(`at ${formatTime(t, range())} s`, positions);
+  store.edit('add a key', (before) => addKey(before, { pose, name: '', time: t }));
+}
+
+/** Why there can be no key at t, or null. */
+export function addReason(keyTimes: readonly number[], t: number, range: readonly [number, number]): string | null {
+  const taken = keyTimes.some((time) => Math.abs(time - t) <= 1000 * SAME_TIME * length(range));
+  return taken ? 'There is a key at this time already. Move the slider first.' : null;
+}

@@ -1,0 +1,76 @@
+/** Commands on the motion through the keys. */
+import { METHOD, METHODS } from '../../engine/api/methods.ts';
+import type { Pin } from '../../engine/api/types.ts';
+import { reverseMotion, setMotion } from '../../model/edits.ts';
+import { undoName } from '../../model/page-options.ts';
+import type { End } from '../../model/speeds.ts';
+import { SPEED_NAME } from '../../model/speeds.ts';
+import { BOUNDARIES, DEFAULT_MOTION } from '../../model/state.ts';
+import type { Motion } from '../../model/state.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
+import type { Actions } from './action.ts';
+import type { Context } from './context.ts';
+import { between } from './time.ts';
+
+export const MOTION = {
+  nextBoundary: {
+    keys: ['b'],
+    shown: 'B',
+    does: 'Ends: free, ease or loop',
+    edits: true,
+    run(context) {
+      const { method, boundary } = context.session.store.get().doc.motion;
+      const usable = BOUNDARIES.filter((one) => one !== 'hermite' || METHOD[method].curve === 'spline');
+      changeMotion(context, { boundary: usable[(usable.indexOf(boundary) + 1) % usable.length]! });
+    },
+  },
+  nextMethod: {
+    keys: ['m'],
+    shown: 'M',
+    does: 'Next method',
+    edits: true,
+    run(context) {
+      const { method } = context.session.store.get().doc.motion;
+      changeMotion(context, { method: METHODS[(METHODS.indexOf(method) + 1) % METHODS.length]! });
+    },
+  },
+  motion: { run: changeMotion },
+  resetMotion: {
+    run: ({ session: { store }, viewState }) =>
+      store.edit('motion defaults', (doc) => setMotion(doc, viewState.get().initial?.motion ?? DEFAULT_MOTION)),
+  },
+  endSpeed: {
+    run: (context, end: End, speed: number) => changeMotion(context, { [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
+  },
+  pickTangent: { run: ({ overlays }, end: End) => overlays.pickTangent(end) },
+  takeTangent: {
+    run: ({ files }, picked: PickedFile[] | Promise<PickedFile[]>, end: End) => files.takeTangent(picked, end),
+  },
+  pins: {
+    run: (context, pins: Pin[], merge?: string) =>
+      changeMotion(context, { pins: pins.length > 0 ? pins : DEFAULT_MOTION.pins }, merge),
+  },
+  /** The next click on the shape pins it there. */
+  placing: { run: ({ viewState }, placing: boolean) => viewState.change({ placing }) },
+  /** The shape on the screen and the stretch that plays stay what they are. */
+  reverse: {
+    run(context) {
+      const { store, range } = context.session;
+      const both = range()[0] + range()[1];
+      const { between: part } = store.get().play;
+      store.edit('direction of the motion', reverseMotion);
+      store.set({ time: both - store.get().time });
+      if (part) between(context, [both - part[1], both - part[0]]);
+    },
+  },
+} satisfies Actions;
+
+function changeMotion({ session: { store } }: Context, change: Partial<Motion>, merge?: string): void {
+  store.edit(undoName(change), (doc) => setMotion(doc, withBoundary(change, doc.motion)), merge);
+}
+
+/** A method that has no use for Hermite takes natural ends. */
+function withBoundary(change: Partial<Motion>, { boundary }: Motion): Partial<Motion> {
+  const straight = change.method !== undefined && METHOD[change.method].curve === 'polygon';
+  return straight && boundary === 'hermite' ? { ...change, boundary: 'natural' } : change;
+}

@@ -1,0 +1,145 @@
+/** Commands on the page: its link, its colours, exports, the history, and the ways out. */
+import { DEFAULT_REQUEST } from '../../model/export-request.ts';
+import type { ExportRequest } from '../../model/export-request.ts';
+import type { Actions, Button } from './action.ts';
+import { present } from './comparison.ts';
+import type { Context } from './context.ts';
+import { asked } from './files.ts';
+import { showBlend } from './view.ts';
+
+export const PAGE = {
+  openLink: {
+    keys: ['q'],
+    shown: 'Q',
+    does: 'QR code of the link',
+    run: ({ overlays, link }) => overlays.openLink(link.address()),
+  },
+  nextTheme: { keys: ['d'], shown: 'D', does: 'Light, dark or system colours', run: ({ theme }) => theme.next() },
+  openExport: {
+    keys: ['e'],
+    shown: 'E',
+    does: 'Export',
+    button: {
+      in: 'end',
+      testId: 'export',
+      label: 'Export',
+      icon: 'download',
+      text: 'Export',
+      kind: 'primary',
+      now: ({ viewState }) => ({ disabled: viewState.get().info === null }),
+    },
+    run(context) {
+      if (!context.viewState.get().info) return;
+      void planExport(context, context.viewState.get().exporting.request);
+      context.overlays.openExport();
+    },
+  },
+  copyLink: {
+    button: {
+      in: 'end',
+      testId: 'link',
+      label: 'Copy a link to this view',
+      icon: 'link',
+      now: ({ session: { store } }) => ({ hidden: store.get().project !== null }),
+    },
+    run: ({ link }) => link.copy(),
+  },
+  remember: {
+    button: {
+      in: 'end',
+      testId: 'remember',
+      label: 'Remember these files on this computer',
+      icon: 'bookmark',
+      now: ({ session: { store }, viewState }) => ({
+        hidden: store.get().project === null,
+        pressed: viewState.get().remembered,
+        hint: viewState.get().remembered
+          ? 'These files are remembered in this browser, on this computer only; click to forget them'
+          : 'Remember these files in this browser for the next visit; they stay on this computer',
+      }),
+    },
+    run: ({ remembered }) => remembered.toggle(),
+  },
+  undo: {
+    keys: ['ctrl+z'],
+    shown: 'Ctrl+Z',
+    does: 'Undo',
+    edits: true,
+    button: historyButton('undo', 'Undo', ({ undo }) => undo.undoLabel()),
+    run: ({ undo }) => undo.undo(),
+  },
+  redo: {
+    keys: ['ctrl+shift+z', 'ctrl+y'],
+    shown: 'Ctrl+Shift+Z',
+    does: 'Redo',
+    edits: true,
+    button: historyButton('redo', 'Redo', ({ undo }) => undo.redoLabel()),
+    run: ({ undo }) => undo.redo(),
+  },
+  stepBack: {
+    keys: ['escape'],
+    shown: 'Esc',
+    does: 'Cancel the running work, go back to the motion, close a message or leave the presentation',
+    run: stepBack,
+  },
+  openHelp: {
+    keys: ['?'],
+    shown: '?',
+    does: 'This help',
+    button: { in: 'end', testId: 'help', label: 'Help', icon: 'help' },
+    run: ({ overlays }) => overlays.openHelp(),
+  },
+  cancel: { run: cancel },
+  closeError: { run: closeError },
+  singleKeys: { run: ({ viewState }, singleKeys: boolean) => viewState.change({ singleKeys }) },
+  planExport: { run: planExport },
+  saveFile: { run: (context) => runExport(context, { ...DEFAULT_REQUEST }) },
+  export: { run: runExport },
+  openEmbed: {
+    run: async ({ exporting, overlays }) => overlays.openEmbed(await (await exporting.get()).snippet()),
+  },
+} satisfies Actions;
+
+function historyButton(testId: 'undo' | 'redo', verb: string, step: (context: Context) => string | null): Button {
+  const now = (context: Context) => {
+    const what = step(context);
+    const label = what ? `${verb}: ${what}` : `Nothing to ${testId}`;
+    return { label, hint: label, disabled: what === null };
+  };
+  return { in: 'history', testId, label: verb, icon: testId, now };
+}
+
+/** What is chosen counts at once: its plan may come after the next choice. */
+async function planExport({ viewState, exporting }: Context, chosen: ExportRequest): Promise<void> {
+  const request = { ...chosen };
+  viewState.change({ exporting: { request, plan: null } });
+  (await exporting.get()).plan(request);
+}
+
+async function runExport({ exporting }: Context, request: ExportRequest): Promise<void> {
+  await (await exporting.get()).run(request);
+}
+
+function cancel({ guide, exporting, animation, session }: Context): void {
+  if (guide.now?.cancel()) return;
+  exporting.now?.cancel();
+  animation.now?.cancel();
+  session.cancel();
+}
+
+function closeError({ viewState }: Context): void {
+  viewState.change({ errorMessage: null });
+}
+
+/** Escape: ends the newest of what can be ended. */
+function stepBack(context: Context): void {
+  const { viewState, session, guide } = context;
+  const { placing, working, blend, errorMessage, opening } = viewState.get();
+  if (placing) viewState.change({ placing: false });
+  else if (working) cancel(context);
+  else if (blend) showBlend(context, null);
+  else if (errorMessage) closeError(context);
+  else if (opening) asked(context);
+  else if (session.store.get().view.present) present(context, null);
+  else void guide.now?.close();
+}

@@ -1,0 +1,14 @@
+/** All commands. The help lists those with keys, and the header shows those with buttons, in this order. */
+import type { Bound } from './action.ts';
+import { COMPARISON } from './comparison.ts';
+import { FILES } from './files.ts';
+import { KEYS } from './keys.ts';
+import { MOTION } from './motion.ts';
+import { PAGE } from './page.ts';
+import { SHAPE } from './shape.ts';
+import { TIME } from './time.ts';
+import { VIEW } from './view.ts';
+
+export const ACTIONS = { ...TIME, ...KEYS, ...MOTION, ...SHAPE, ...VIEW, ...COMPARISON, ...FILES, ...PAGE };
+
+export type Commands = Bound<typeof ACTIONS>;

@@ -1,0 +1,153 @@
+/** Commands on the time and on what plays. */
+import { loopRange, withEnd } from '../../model/frames.ts';
+import { keyboardStep } from '../../model/keyboard-step.ts';
+import type { LoopMode, Play } from '../../model/state.ts';
+import { SPEEDS } from '../../model/state.ts';
+import { clampTime, formatTime, length, neighbourKey, timeScale } from '../../model/time-scale.ts';
+import type { Range } from '../../model/time-scale.ts';
+import { including, windowOf, zoomed } from '../../model/time-window.ts';
+import type { Actions } from './action.ts';
+import type { Context } from './context.ts';
+import { changeView } from './view.ts';
+
+const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
+
+export const TIME = {
+  togglePlay: {
+    keys: [' '],
+    shown: 'Space',
+    does: 'Play or pause',
+    run(context) {
+      const { playing } = context.session.store.get().play;
+      play(context, { playing: !playing });
+      if (playing) used(context);
+    },
+  },
+  step: { shown: '←  →', does: 'One step in time; with Shift, ten', run: step },
+  goToEnd: { shown: 'Home  End', does: 'First or last key; again for the end of the extrapolation', run: step },
+  previousKey: { keys: ['['], shown: '[', does: 'Previous key', run: (context) => jumpKey(context, -1) },
+  nextKey: { keys: [']'], shown: ']', does: 'Next key', run: (context) => jumpKey(context, 1) },
+  nextLoop: {
+    keys: ['l'],
+    shown: 'L',
+    does: 'Back and forth, loop, or once',
+    run(context) {
+      const { loop } = context.session.store.get().play;
+      play(context, { loop: LOOPS[(LOOPS.indexOf(loop) + 1) % LOOPS.length]! });
+    },
+  },
+  slower: { keys: [','], shown: ',', does: 'Slower', run: (context) => stepSpeed(context, -1) },
+  faster: { keys: ['.'], shown: '.', does: 'Faster', run: (context) => stepSpeed(context, 1) },
+  startHere: {
+    keys: ['ctrl+home'],
+    shown: 'Ctrl+Home',
+    does: 'Start playback here',
+    run: (context) => loopEnd(context, 'start', null),
+  },
+  endHere: {
+    keys: ['ctrl+end'],
+    shown: 'Ctrl+End',
+    does: 'End playback here',
+    run: (context) => loopEnd(context, 'end', null),
+  },
+  playAll: { keys: ['p'], shown: 'P', does: 'Play the whole range', run: (context) => between(context, null) },
+  zoomIn: {
+    keys: ['+', '='],
+    shown: '+',
+    does: 'Zoom into the timeline; the wheel zooms about the pointer',
+    run: (context) => zoomTime(context, 2),
+  },
+  zoomOut: { keys: ['-'], shown: '-', does: 'Zoom out of the timeline', run: (context) => zoomTime(context, 0.5) },
+  zoomToAll: { keys: ['0'], shown: '0', does: 'The whole timeline', run: (context) => window(context, null) },
+  toggleClock: {
+    keys: ['t'],
+    shown: 'T',
+    does: 'Frames, loop and zoom',
+    run: ({ overlays }) => overlays.toggleClock(),
+  },
+  seek: { run: seek },
+  /** To a time that was typed, which the timeline shows then. */
+  goTo: {
+    run(context, t: number) {
+      const { store, range } = context.session;
+      const { doc, view } = store.get();
+      const reached = clampTime(t, range());
+      const scale = timeScale(range(), doc.keys.length);
+      window(context, including(windowOf(view.window, scale), scale, reached));
+      if (reached !== t) context.feedback.say(`The motion can be followed up to ${formatTime(reached, range())} s.`);
+      seek(context, t);
+    },
+  },
+  /** The mouse points at a moment of the timeline, or at none any more. */
+  peek: { run: ({ display }, t: number | null) => display.timePictures.want(t) },
+  loop: { run: (context, loop: LoopMode) => play(context, { loop }) },
+  speed: { run: (context, speed: number) => play(context, { speed }) },
+  fps: { run: (context, fps: number | null) => play(context, { fps }) },
+  between: { run: between },
+  loopEnd: { run: loopEnd },
+  window: { run: window },
+  zoomTime: { run: zoomTime },
+} satisfies Actions;
+
+/** The visitor has found out how to move through time. */
+function used({ viewState }: Context): void {
+  viewState.change({ welcome: false });
+}
+
+export function play({ session: { store } }: Context, change: Partial<Play>): void {
+  store.set({ play: { ...store.get().play, ...change } });
+}
+
+export function seek(context: Context, t: number): void {
+  const { store, range } = context.session;
+  if (!Number.isFinite(t)) return;
+  store.set({ time: clampTime(t, range()), play: { ...store.get().play, playing: false } });
+  used(context);
+}
+
+/** Arrows, Home, End and the page keys; false where it is none of them. */
+function step(context: Context, event: KeyboardEvent): boolean {
+  const { store, range } = context.session;
+  const { doc, time, play: clock } = store.get();
+  const reached = keyboardStep(event, time, timeScale(range(), doc.keys.length), clock.fps);
+  if (reached !== null) seek(context, reached);
+  return reached !== null;
+}
+
+export function jumpKey(context: Context, direction: 1 | -1): void {
+  const { store, range } = context.session;
+  const { doc, time } = store.get();
+  const times = doc.keys.map((key) => key.time);
+  seek(context, neighbourKey(time, times, direction, range()));
+}
+
+function stepSpeed(context: Context, by: 1 | -1): void {
+  const speed = SPEEDS[SPEEDS.indexOf(context.session.store.get().play.speed) + by];
+  if (speed) play(context, { speed });
+}
+
+export function between(context: Context, stretch: Range | null): void {
+  play(context, { between: stretch && [stretch[0], stretch[1]] });
+}
+
+function window(context: Context, part: Range | null): void {
+  changeView(context, { window: part && [part[0], part[1]] });
+}
+
+/** Playing starts or ends at t; null = at the moment on the screen. */
+function loopEnd(context: Context, end: 'start' | 'end', t: number | null): void {
+  const { store, range } = context.session;
+  const { play: clock, time } = store.get();
+  const whole = range();
+  const least = clock.fps === null ? 0.001 * length(whole) : 1 / clock.fps;
+  between(context, withEnd(loopRange(clock.between, whole), whole, end, t ?? time, least));
+}
+
+/** Zooms the timeline about the playhead, or about its middle where that is out of sight. */
+function zoomTime(context: Context, factor: number): void {
+  const { store, range } = context.session;
+  const { doc, time: t, view } = store.get();
+  const scale = timeScale(range(), doc.keys.length);
+  const part = windowOf(view.window, scale);
+  window(context, zoomed(part, scale, factor, t >= part[0] && t <= part[1] ? t : (part[0] + part[1]) / 2));
+}

@@ -1,0 +1,91 @@
+/** What a change of the state, or of the motions that serve it, makes necessary. */
+import type { Warning } from '../engine/api/types.ts';
+import type { Context } from './actions/context.ts';
+import { withPlaces } from './drawing/warning-places.ts';
+import type { Session, SessionEvents } from './session/session.ts';
+import { changesBetween } from './session/state-changes.ts';
+
+/** The one subscriber of the state: what changed decides who hears of it. */
+export function followState(context: Context, onOpened: () => void, redraw: () => void): void {
+  const { session, display, viewState, takeFiles, link, remembered } = context;
+  const { store } = session;
+  let before = store.get();
+  store.subscribe((state) => {
+    const changed = changesBetween(before, state);
+    before = state;
+    if (changed.time || changed.started || changed.motions || changed.opened) showMotion(context);
+    if (changed.motions) serveAfterFirst(context);
+    if (changed.look) applyLook(context);
+    display.playback.follow(state, changed);
+    if (changed.opened) {
+      takeFiles.forget();
+      onOpened();
+    } else if (changed.motions) viewState.change({ welcome: false });
+    // Own files take the address of what was open before, whether they play or not.
+    if (!state.play.playing || changed.opened) link.follow();
+    if (!state.play.playing || changed.opened || changed.motions) remembered.follow();
+    redraw();
+  });
+}
+
+/** Instead of a shape off the curve. */
+export function showMotion({ viewState }: Context): void {
+  if (viewState.get().blend) viewState.change({ blend: null });
+}
+
+export function applyLook({ session: { store }, display, theme }: Context): void {
+  display.scene.setLook(store.get().view, theme.isDark());
+  display.timePictures.forget();
+}
+
+/** At once, but on a visit that has seen no shape yet: other motions than the first one do not hold it up. */
+function serveAfterFirst({ session: { serve, store }, display: { scene, playback } }: Context): void {
+  if (scene.viewer.hasSeen) return serve();
+  void scene.viewer.firstSeen.then(serve);
+  playback.frameLoop.follow(store.get().time);
+}
+
+/** What follows from what is read and computed. */
+export function sessionEvents(app: () => Context): SessionEvents {
+  return {
+    onServed: () => showServed(app()),
+    onRestart() {
+      const { feedback, display, session } = app();
+      feedback.say('The browser stopped the computation. Restarting it; nothing was lost.');
+      void display.playback.frameLoop.request(session.store.get().time);
+    },
+    onWorking: (working) => app().feedback.onWorking(working),
+    onRead: (info) => app().display.scene.expect(info),
+    onLarge: () => app().display.firstKey.begin(),
+    onKeys(opening) {
+      const { firstKey } = app().display;
+      if (opening) void firstKey.show(opening);
+      else firstKey.end();
+    },
+    onGivenUp: () => app().display.firstKey.end(),
+    onError: (error) => app().feedback.onError(error),
+  };
+}
+
+/** The motions follow the document now. */
+function showServed({ session, display, viewState, feedback, analysis, pace }: Context): void {
+  const main = session.sequence();
+  if (!main) return;
+  viewState.change({ warnings: warningsOf(session) });
+  display.marking.follow();
+  main.shape.stats().then((stats) => viewState.change({ stats }), feedback.onError);
+  display.playback.frameLoop.follow(session.store.get().time);
+  analysis.invalidate();
+  pace.refresh();
+  display.timePictures.forget();
+  display.thumbnails.refresh();
+}
+
+/** With the place of each, in the pose of its key. */
+function warningsOf({ store, workspace: { warnings, info, pool } }: Session): Warning[] {
+  if (!info || !pool) return warnings;
+  return withPlaces(warnings, info.faces, (key) => {
+    const pose = store.get().doc.keys[key]?.pose;
+    return pose === undefined ? null : pool.keys.positions(pose);
+  });
+}

@@ -1,0 +1,51 @@
+/** What the page shows at a moment, and the components that are shown it. */
+import type { AppState } from '../../model/state.ts';
+import type { Range } from '../../model/time-scale.ts';
+import type { Theme } from '../../ui/theme.ts';
+import type { Context } from '../actions/context.ts';
+import type { ViewState } from '../view/view-state.ts';
+
+export interface Shown {
+  state: AppState;
+  viewState: ViewState;
+  range: Range;
+  theme: Theme;
+  /** Nothing is open. */
+  disabled: boolean;
+}
+
+export function shownOf({ session: { store, range }, viewState, theme }: Context): Shown {
+  const shown = viewState.get();
+  return {
+    state: store.get(),
+    viewState: shown,
+    range: range(),
+    theme: theme.theme(),
+    disabled: shown.info === null,
+  };
+}
+
+interface Component<Props> {
+  element: HTMLElement;
+  update(props: Props): void;
+}
+
+/** Keeps a component up to date from now on; returns its element. */
+export type Connect = <Props>(component: Component<Props>, props: (shown: Shown) => Props) => HTMLElement;
+
+export interface Connections {
+  connect: Connect;
+  update(shown: Shown): void;
+}
+
+/** They are updated in the order in which they were connected. */
+export function createConnections(): Connections {
+  const updates: ((shown: Shown) => void)[] = [];
+  return {
+    connect(component, props) {
+      updates.push((shown) => component.update(props(shown)));
+      return component.element;
+    },
+    update: (shown) => updates.forEach((update) => update(shown)),
+  };
+}

@@ -1,0 +1,103 @@
+/** What opens over the page: dialogs, which are loaded when they are first needed, and choosers of files. */
+import { playRange } from '../../model/frames.ts';
+import type { End } from '../../model/speeds.ts';
+import { bounces } from '../../model/state.ts';
+import type { EmbedDialog } from '../../ui/embed-dialog.ts';
+import type { ExportDialog, ExportDialogProps } from '../../ui/export-dialog.ts';
+import { createDropZone, createPicker } from '../../ui/file-drop.ts';
+import type { DropPoint } from '../../ui/file-drop.ts';
+import type { Help } from '../../ui/help.ts';
+import type { KeyStrip } from '../../ui/key-strip.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
+import type { LinkDialog } from '../../ui/link-dialog.ts';
+import type { MotionPanel } from './side.ts';
+import type { Overlays } from '../actions/context.ts';
+import type { Commands } from '../actions/table.ts';
+import type { Connect, Shown } from './connect.ts';
+import { SHORTCUTS } from './keyboard.ts';
+
+type Dialogs = Pick<Overlays, 'openExport' | 'openEmbed' | 'openHelp' | 'openLink'> & { elements: HTMLElement[] };
+type Choosers = Pick<Overlays, 'pickFiles' | 'pickKeys' | 'pickTangent' | 'pickTruth'> & { elements: HTMLElement[] };
+
+export function createDialogs(commands: Commands, connect: Connect, onError: (error: unknown) => void): Dialogs {
+  const exporting = lazyComponent<ExportDialogProps, ExportDialog>(async () => {
+    const { createExportDialog } = await import('../../ui/export-dialog.ts');
+    return createExportDialog({
+      onChange: (request) => void commands.planExport(request),
+      onExport: (request) => void commands.export(request),
+      onEmbed: () => void commands.openEmbed(),
+    });
+  }, onError);
+  const help = lazyComponent<boolean, Help>(async () => {
+    const { createHelp } = await import('../../ui/help.ts');
+    return createHelp(SHORTCUTS, commands.singleKeys);
+  }, onError);
+  const link = lazyComponent<void, LinkDialog>(async () => {
+    const { createLinkDialog } = await import('../../ui/link-dialog.ts');
+    return createLinkDialog(() => void commands.copyLink());
+  }, onError);
+  const embed = lazyComponent<void, EmbedDialog>(async () => {
+    const { createEmbedDialog } = await import('../../ui/embed-dialog.ts');
+    return createEmbedDialog({ onSave: () => void commands.saveFile(), onError });
+  }, onError);
+  return {
+    elements: [
+      connect(exporting, exportProps),
+      connect(help, ({ viewState }) => viewState.singleKeys),
+      link.element,
+      embed.element,
+    ],
+    openExport: () => void exporting.need().then((dialog) => dialog?.open()),
+    openHelp: () => void help.need().then((dialog) => dialog?.open()),
+    openLink: (to) => void link.need().then((dialog) => dialog?.open(to)),
+    openEmbed: (snippet) => void embed.need().then((dialog) => dialog?.open(snippet)),
+  };
+}
+
+function exportProps({ state: { doc, play }, viewState, range }: Shown): ExportDialogProps {
+  return {
+    ...viewState.exporting,
+    range: playRange(play.between, range),
+    fps: play.fps,
+    speed: play.speed,
+    bounces: bounces(play.loop, doc.motion.boundary),
+    videoFormats: viewState.videoFormats,
+  };
+}
+
+export function createChoosers(commands: Commands, keyStrip: KeyStrip, motionPanel: MotionPanel): Choosers {
+  const files = createPicker('file-input', (picked) => void commands.take(picked));
+  const keys = createPicker('key-file-input', (picked) => void commands.addKeys(picked));
+  let tangentOf: End = 'start';
+  const tangent = createPicker('tangent-file-input', (picked) => void commands.takeTangent(picked, tangentOf));
+  const truth = createPicker('truth-file-input', (picked) => void commands.compareWith(picked));
+  const dropZone = createDropZone(
+    (dropped, at) => {
+      if (takesTruth(at)) return void commands.compareWith(dropped);
+      const end = motionPanel.endAt(at);
+      void (end ? commands.takeTangent(dropped, end) : commands.take(dropped, keyStrip.placeAt(at)));
+    },
+    (at) => {
+      const place = at && keyStrip.placeAt(at);
+      keyStrip.showPlace(place);
+      if (place !== null) return `A pose of this mesh becomes key ${place + 1}`;
+      if (at && takesTruth(at)) return 'An animation of this mesh is compared with the motion';
+      const end = at && motionPanel.endAt(at);
+      return end && `The motion ${end === 'start' ? 'leaves towards' : 'arrives from'} a pose of this mesh`;
+    },
+  );
+  return {
+    elements: [dropZone.element, files.element, keys.element, tangent.element, truth.element],
+    pickFiles: files.open,
+    pickKeys: keys.open,
+    pickTangent(end) {
+      tangentOf = end;
+      tangent.open();
+    },
+    pickTruth: truth.open,
+  };
+}
+
+function takesTruth({ x, y }: DropPoint): boolean {
+  return document.elementsFromPoint(x, y).some((one) => one.closest('[data-takes="truth"]'));
+}

@@ -1,0 +1,38 @@
+/** The sheet that asks which keys to take of an animation that was just opened. */
+import { h } from '../../ui/dom.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
+import type { OpeningSheet } from '../../ui/opening-sheet.ts';
+import type { Commands } from '../actions/table.ts';
+import type { Connect } from './connect.ts';
+import type { Side } from './side.ts';
+
+export interface SheetParts {
+  sampling: Side['sampling'];
+  commands: Commands;
+  connect: Connect;
+  onError(error: unknown): void;
+  over: HTMLElement[];
+  next: HTMLElement;
+}
+
+export function createSheet({ sampling, commands, connect, onError, over, next }: SheetParts): HTMLElement {
+  const element = h('section', {
+    class: 'opening',
+    'aria-label': 'The animation',
+    'data-testid': 'opening',
+    hidden: true,
+  });
+  const sheet = lazyComponent<boolean, OpeningSheet>(
+    async () => {
+      const [{ createOpeningSheet }] = await Promise.all([import('../../ui/opening-sheet.ts'), sampling.need()]);
+      const { asked: onClose, stepBack: onEscape } = commands;
+      return createOpeningSheet({ element, choices: sampling.element, over, next, onClose, onEscape });
+    },
+    onError,
+    element,
+  );
+  return connect(sheet, ({ viewState: { opening } }) => {
+    if (opening) void sheet.need();
+    return opening;
+  });
+}

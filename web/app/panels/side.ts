@@ -1,0 +1,179 @@
+/** Beside the shape: the panels, and the sheet that asks which keys to take of an animation. */
+import { METHOD } from '../../engine/api/methods.ts';
+import { tightness } from '../../model/edits.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../../model/state.ts';
+import { createGhostPanel } from '../../ui/ghost-panel.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
+import type { LazyComponent } from '../../ui/lazy.ts';
+import { createMotionPanel } from '../../ui/motion-panel.ts';
+
+import type { Sampling, SamplingProps } from '../../ui/sampling.ts';
+import { createShapePanel } from '../../ui/shape-panel.ts';
+import type { Context } from '../actions/context.ts';
+import type { Commands } from '../actions/table.ts';
+import { createAnalysisPlace } from './analysis-place.ts';
+import type { AnalysisPlace } from './analysis-place.ts';
+import type { Connect, Shown } from './connect.ts';
+import { endSpeeds } from './deck.ts';
+
+export type MotionPanel = ReturnType<typeof createMotionPanel>;
+
+export interface SideParts {
+  context: Context;
+  commands: Commands;
+  connect: Connect;
+  /** There are figures now that a presentation may show. */
+  onFilled(): void;
+}
+
+export interface Side {
+  motionPanel: MotionPanel;
+  panels: HTMLElement[];
+  analysis: AnalysisPlace;
+  sampling: LazyComponent<SamplingProps, Sampling>;
+}
+
+export function createSide({ context, commands, connect, onFilled }: SideParts): Side {
+  const { onError } = context.feedback;
+  const sampling = lazyComponent<SamplingProps, Sampling>(async () => {
+    const { createSampling } = await import('../../ui/sampling.ts');
+    return createSampling({
+      onTake: (of, times) => void commands.takeKeys(of, times),
+      onFewest: commands.takeFewest,
+      onOriginal: (shown) => void commands.original(shown),
+    });
+  }, onError);
+  const motionPanel = createMotionPanel(
+    {
+      onMotion: commands.motion,
+      onSpeed: commands.endSpeed,
+      onEncoding: commands.encoding,
+      onTangentFile: commands.pickTangent,
+      onCompare: commands.compare,
+      onPlacing: commands.placing,
+      onTightness: commands.tightness,
+      onAutoTightness: () => void commands.autoTightness(),
+      onSpacing: (spacing) => void commands.spaceKeys(spacing),
+      onReverse: commands.reverse,
+      onReset: commands.resetMotion,
+    },
+    sampling.element,
+  );
+  connect(sampling, samplingProps(sampling));
+  const analysis = createAnalysis(context, commands, onFilled);
+  const panels = [
+    connect(motionPanel, motionProps(context)),
+    createShape(context, commands, connect),
+    connect(analysis, (shown) => {
+      const { state, viewState } = shown;
+      if (viewState.ms !== null) void analysis.need();
+      const { blend, mostSpeeds } = viewState;
+      const { doc, time, view } = state;
+      return { time, colouring: view.colouring, blend, keys: doc.keys, speeds: endSpeeds(shown), mostSpeeds };
+    }),
+  ];
+  return { motionPanel, panels, analysis, sampling };
+}
+
+function motionProps({ session: { workspace } }: Context) {
+  const poseName = (pose: number): string => workspace.pool?.keys.info.names[pose] ?? '';
+  return ({ state: { doc, view }, viewState, range, disabled }: Shown) => ({
+    motion: doc.motion,
+    encoding: doc.encoding,
+    compare: view.compare,
+    mostSpeeds: viewState.mostSpeeds,
+    keys: doc.keys,
+    poseName,
+    placing: viewState.placing,
+    tightness: tightness(doc),
+    period: range[1] - range[0],
+    disabled,
+    defaults: viewState.initial?.motion ?? DEFAULT_MOTION,
+  });
+}
+
+function samplingProps({ need }: Side['sampling']) {
+  return ({ state: { source }, viewState: { info, fewest, original } }: Shown): SamplingProps => {
+    const own = source.kind === 'files' ? info : null;
+    if (own?.animations.some(({ moves }) => moves)) void need();
+    return { info: own, fewest, original };
+  };
+}
+
+function createShape(context: Context, commands: Commands, connect: Connect): HTMLElement {
+  const ghostStudy = createGhostStudy(context, commands);
+  const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
+  const shapePanel = createShapePanel(ghostPanel.element, {
+    onEncoding: commands.encoding,
+    onReset: commands.resetShape,
+    onOrient: (orientation) => void commands.orient(orientation),
+    onObjects: (names) => void commands.objects(names),
+  });
+  connect(shapePanel, ({ state: { doc, source }, viewState, disabled }) => ({
+    encoding: doc.encoding,
+    keys: doc.keys,
+    reference: referenceKey(doc),
+    info: viewState.info,
+    stats: viewState.stats,
+    threads: viewState.threads,
+    canSample: source.kind === 'files',
+    orientation: viewState.orientation,
+    objects: viewState.objects,
+    disabled,
+    defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING,
+    lriMethod: METHOD[doc.motion.method].space === 'lri',
+  }));
+  connect(ghostPanel, ({ state: { doc, view }, viewState, disabled }) => ({
+    encoding: doc.encoding,
+    view,
+    faces: viewState.info?.report.faces ?? 0,
+    stats: viewState.stats,
+    lriMethod: METHOD[doc.motion.method].space === 'lri',
+    disabled,
+  }));
+  connect(ghostStudy, ({ viewState }) => {
+    // Not before the first shape is seen, which needs none of it.
+    if (viewState.ms !== null) void ghostStudy.need();
+  });
+  return shapePanel.element;
+}
+
+function createGhostStudy({ session, feedback }: Context, commands: Commands) {
+  const { engine, store, range, workspace } = session;
+  const { onError } = feedback;
+  return lazyComponent(async () => {
+    const { createGhostStudyPanel } = await import('./ghost-study-panel.ts');
+    return createGhostStudyPanel({
+      engine,
+      store,
+      range,
+      pool: () => workspace.pool,
+      onEnlarge: commands.enlarge,
+      onError,
+    });
+  }, onError);
+}
+
+function createAnalysis(context: Context, commands: Commands, onFilled: () => void): AnalysisPlace {
+  const { session, display, animation } = context;
+  return createAnalysisPlace(
+    context.analysis,
+    {
+      onSeek: commands.seek,
+      onSpeed: commands.endSpeed,
+      onEnlarge: commands.enlarge,
+      onBlend: commands.blend,
+      compared() {
+        const diagonal = session.workspace.info?.report.diagonal;
+        if (diagonal === undefined) return null;
+        return { original: display.scene.shownOriginal, truth: animation.now?.truth ?? null, diagonal };
+      },
+      onPickTruth: commands.pickTruth,
+      onLeaveTruth: () => void commands.compareWith(null),
+      onColouring: (colouring) => commands.view({ colouring }),
+      onMark: commands.mark,
+      onError: context.analysis.onError,
+    },
+    onFilled,
+  );
+}

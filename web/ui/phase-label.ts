@@ -1,0 +1,64 @@
+/** The phase of the moment in words, over the shape. */
+import type { Phase } from '../model/time-scale.ts';
+import { button } from './controls.ts';
+import { h, setAttribute, setHidden, setText } from './dom.ts';
+
+/** What of the shape has turned inside out. */
+interface LostFaces {
+  /** Of all faces, in [0, 1]. */
+  share: number;
+  /** One of them is known and can be shown. */
+  hasPlace: boolean;
+}
+
+export interface PhaseLabelProps {
+  /** null: none is shown. */
+  phase: Phase | null;
+  lost: LostFaces;
+}
+
+/** Fewer than this share of the faces cannot be seen. */
+const SEEN_SHARE = 0.001;
+
+/**
+ * Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape
+ * breaks.
+ */
+export function createPhaseLabel(onShowLost: () => void): {
+  element: HTMLElement;
+  update(props: PhaseLabelProps): void;
+} {
+  const text = h('span', { 'data-testid': 'phase' });
+  const lostText = h('span', {});
+  const show = button({
+    label: 'Show where',
+    testId: 'lost-show',
+    text: 'Show where',
+    kind: 'plain',
+    onClick: onShowLost,
+  });
+  const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lostText, show);
+  const element = h(
+    'div',
+    { class: 'phase-corner', hidden: true },
+    hint,
+    h('div', { class: 'phase' }, h('span', { class: 'dot' }), text),
+  );
+  return {
+    element,
+    update({ phase, lost }) {
+      setHidden(element, phase === null);
+      if (!phase) return;
+      setAttribute(element, 'data-phase', phase.kind);
+      setText(text, phase.text);
+      setHidden(hint, !(lost.share >= SEEN_SHARE));
+      setText(lostText, lostWords(lost.share, phase));
+      setHidden(show, !lost.hasPlace);
+    },
+  };
+}
+
+function lostWords(share: number, { kind }: Phase): string {
+  const percent = `${Number((100 * share).toPrecision(share < 0.1 ? 1 : 2))}\u00a0% of the faces fold over here`;
+  return kind === 'beyond' ? `${percent}, this far from the keys.` : `${percent}.`;
+}

@@ -1,0 +1,61 @@
+/** The names of the views, over the shape. */
+import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+
+export interface TileLabel {
+  title: string;
+  /** Measures in percent of the first key's; empty = not known. */
+  detail: string;
+  /** The same of the volume alone, in whole percent. */
+  volume: string;
+  x: number;
+  y: number;
+  width: number;
+}
+
+export interface TileLabelsProps {
+  labels: readonly TileLabel[];
+  /** Two motions are on either side of a divider. */
+  split: boolean;
+}
+
+/** Between a divider and an edge as near as this there is no room for words. */
+const NARROW_PX = 120;
+
+/** The method's name and its measures over each of several views; beside a divider, the volume in large figures. */
+export function createTileLabels(): {
+  element: HTMLElement;
+  update(props: TileLabelsProps): void;
+} {
+  const element = h('div', { class: 'tile-labels' });
+  return {
+    element,
+    update({ labels, split }) {
+      setAttribute(element, 'data-split', split);
+      while (element.children.length > labels.length) element.lastElementChild?.remove();
+      labels.forEach((label, index) => {
+        const tile = (element.children[index] ??
+          element.appendChild(
+            h(
+              'div',
+              { class: 'tile-label', 'data-testid': `tile-${index}` },
+              h('strong', {}),
+              h('span', { class: 'measures' }, h('span', {}), h('span', { class: 'of' }, ' of the first key')),
+              h('span', { class: 'volume' }, h('b', {}), h('span', { class: 'whose' }, ' of its volume')),
+            ),
+          )) as HTMLElement;
+        setStyle(tile, 'left', `${label.x}px`);
+        setStyle(tile, 'top', `${label.y}px`);
+        setStyle(tile, 'width', `${label.width}px`);
+        setAttribute(tile, 'data-edge', label.x > 0);
+        setAttribute(tile, 'data-below', label.y > 0);
+        setText(tile.firstElementChild!, label.title);
+        setAttribute(tile, 'data-narrow', label.width < NARROW_PX);
+        const [, measures, volume] = tile.children as unknown as [Element, HTMLElement, HTMLElement];
+        setHidden(measures, split || label.detail === '');
+        setHidden(volume, !split || label.detail === '');
+        setText(measures.firstElementChild!, label.detail);
+        setText(volume.firstElementChild!, label.volume);
+      });
+    },
+  };
+}
