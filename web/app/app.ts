@@ -33,7 +33,7 @@ import { changesBetween } from './session/state-changes.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { openFirst } from './sources/open-first.ts';
 import { guideLink } from './sources/page-link.ts';
-import type { OpenFiles } from './sources/open-files.ts';
+import type { Opener } from './sources/opener.ts';
 import { createTakeFiles } from './sources/take-files.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
 import type { TestHook } from './test-hook.ts';
@@ -401,7 +401,7 @@ function testHookOf(
   ready: Promise<void>,
   { store, workspace, sequence, range }: Session,
   { scene, playback: { frameLoop } }: Display,
-  files: OpenFiles,
+  files: Opener,
   showMotion: () => void,
   resetTo: (fragment: string) => Promise<void>,
 ): TestHook {

@@ -14,9 +14,9 @@ import type { ViewStateHolder } from './panels/view-state.ts';
 import { reducedMotion } from './panels/window-events.ts';
 import type { Session } from './session/session.ts';
 import type { Animation } from './sources/animation.ts';
-import { createOpenFiles } from './sources/open-files.ts';
+import { Opener } from './sources/opener.ts';
 import { reopening } from './sources/open-first.ts';
-import type { OpenedFiles, OpenFiles } from './sources/open-files.ts';
+import type { Opened } from './sources/opener.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
 import type { PageLink } from './sources/page-link.ts';
@@ -38,7 +38,7 @@ export interface WaysParts {
 }
 
 export interface Ways {
-  files: OpenFiles;
+  files: Opener;
   remembered: RememberedFiles;
   undo: Undo;
   animation: Lazy<Animation>;
@@ -66,7 +66,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     };
     return { ...offer, onAccept, onDecline: leave };
   };
-  const onOpened = (opened: OpenedFiles): void => {
+  const onOpened = (opened: Opened): void => {
     const { info, pool, source, doc, camera } = opened;
     display.firstKey.settle();
     viewState.change(openedView(opened, viewState.get()));
@@ -78,7 +78,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     if (source.kind === 'files')
       say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
   };
-  const files = createOpenFiles({
+  const files = new Opener({
     engine,
     store,
     workspace,

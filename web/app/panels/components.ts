@@ -44,7 +44,7 @@ import type { GhostStudyPanel } from './ghost-study-panel.ts';
 import type { AnalysisPlace } from './analysis-place.ts';
 import { warningItems } from '../drawing/marking.ts';
 import type { Marking } from '../drawing/marking.ts';
-import type { OpenFiles } from '../sources/open-files.ts';
+import type { Opener } from '../sources/opener.ts';
 import { ownFiles } from '../sources/own-files.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
@@ -65,7 +65,7 @@ export interface ComponentsInput {
   /** The one of them that is about files just opened. */
   importOffer: HTMLElement;
   commands: Commands;
-  files: OpenFiles;
+  files: Opener;
   takeFiles: TakeFiles;
   analysis: AnalysisPlace;
   ghostStudy: LazyComponent<void, GhostStudyPanel>;

@@ -6,7 +6,7 @@ import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { Marking } from '../drawing/marking.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import type { Session } from '../session/session.ts';
-import type { OpenFiles } from '../sources/open-files.ts';
+import type { Opener } from '../sources/opener.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import type { Undo } from '../sources/undo.ts';
 import { createAnalysisPlace } from './analysis-place.ts';
@@ -38,7 +38,7 @@ export interface PageParts {
   analysis: AnalysisCache;
   commands: Commands;
   marking: Marking;
-  files: OpenFiles;
+  files: Opener;
   takeFiles: TakeFiles;
   undo: Undo;
   theme: ThemeSwitch;

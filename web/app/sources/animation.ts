@@ -19,13 +19,13 @@ import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import { readFiles } from './input-files.ts';
-import type { OpenFiles } from './open-files.ts';
+import type { Opener } from './opener.ts';
 
 export interface AnimationParts {
   engine: Engine;
   store: Store;
   workspace: Workspace;
-  files: OpenFiles;
+  files: Opener;
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;
 }

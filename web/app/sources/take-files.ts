@@ -11,11 +11,11 @@ import type { Source } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { Store } from '../session/store.ts';
-import type { OpenFiles } from './open-files.ts';
+import type { Opener } from './opener.ts';
 
 export interface TakeFilesParts {
   store: Store;
-  files: OpenFiles;
+  files: Opener;
   say(text: string): void;
   /** What waits for the user's word; null: nothing any more. */
   onOffer(offer: Offer | null): void;

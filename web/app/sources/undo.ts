@@ -2,7 +2,7 @@
 import type { Orientation } from '../../model/orientation.ts';
 import type { Source } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
-import type { OpenFiles } from './open-files.ts';
+import type { Opener } from './opener.ts';
 
 export interface Undo {
   undo(): void;
@@ -14,7 +14,7 @@ export interface Undo {
 
 export interface UndoParts {
   store: Store;
-  files: OpenFiles;
+  files: Opener;
   titleOf(source: Source): string;
 }
 
