@@ -34,7 +34,7 @@ import { sourceTitle } from './sources/own-files.ts';
 import { openFirst } from './sources/open-first.ts';
 import { guideLink } from './sources/page-link.ts';
 import type { Opener } from './sources/opener.ts';
-import { createTakeFiles } from './sources/take-files.ts';
+import { TakeFiles } from './sources/take-files.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
 import type { TestHook } from './test-hook.ts';
 import { createWays } from './ways.ts';
@@ -138,7 +138,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     applyLook();
     redraw();
   });
-  const takeFiles = createTakeFiles({
+  const takeFiles = new TakeFiles({
     store,
     files,
     say: feedback.say,

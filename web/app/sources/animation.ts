@@ -6,7 +6,7 @@ import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import { fileName, modelName } from '../../engine/api/paths.ts';
 import { likeOf } from '../../engine/api/read-poses.ts';
-import type { InputFile, Progress } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile, Progress } from '../../engine/api/types.ts';
 import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
 import type { ReferenceMotion, TimedShapes } from '../../study/reference-motion.ts';
@@ -84,18 +84,6 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
   /** Of what is open now. */
   const truthNow = (): Truth | null => (truth?.pool === workspace.pool ? truth : null);
 
-  const readTruth = async (files: InputFile[], pool: PosePool, signal: AbortSignal): Promise<ReferenceMotion> => {
-    const { up, unit, objects } = workspace.options;
-    const { info } = pool.keys;
-    const options = { up, unit, objects, ...likeOf(pool.keys) };
-    const found = await engine.importKeyframes(files, options, { signal });
-    const at = Math.max(found.info.animation, 0);
-    const span = found.info.animations[at]?.moves ? found.info.animations[at] : undefined;
-    found.dispose();
-    if (!span) throw new Error(`${fileName(files[0]!.name)} holds no animation to compare with.`);
-    return readReference(engine, files, at, span, info.report.vertices, options, { signal });
-  };
-
   const guarded = async <T>(work: (signal: AbortSignal) => Promise<T | null>): Promise<T | null> => {
     working.abort();
     const own = new AbortController();
@@ -136,10 +124,10 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
     },
     async takeTruth(files) {
       const picked = await files;
-      const { pool } = workspace;
+      const { pool, options } = workspace;
       if (!pool || picked.length === 0) return false;
       const motion = await guarded(async (signal) =>
-        readTruth(await readFiles(picked, undefined, signal), pool, signal),
+        readTruth(engine, await readFiles(picked, undefined, signal), options, pool, signal),
       );
       if (!motion || workspace.pool !== pool) return false;
       // The one before is not disposed of: it is on the screen until this one is.
@@ -154,6 +142,23 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
     },
     cancel: () => working.abort(),
   };
+}
+
+/** The animation of other files, of the mesh of these poses, which were read with these options. */
+async function readTruth(
+  engine: Engine,
+  files: InputFile[],
+  { up, unit, objects }: ImportOptions,
+  { keys }: PosePool,
+  signal: AbortSignal,
+): Promise<ReferenceMotion> {
+  const options = { up, unit, objects, ...likeOf(keys) };
+  const found = await engine.importKeyframes(files, options, { signal });
+  const at = Math.max(found.info.animation, 0);
+  const span = found.info.animations[at]?.moves ? found.info.animations[at] : undefined;
+  found.dispose();
+  if (!span) throw new Error(`${fileName(files[0]!.name)} holds no animation to compare with.`);
+  return readReference(engine, files, at, span, keys.info.report.vertices, options, { signal });
 }
 
 /** Where the animation lies in the motion; null: at its own times, which the keys have, too. */
