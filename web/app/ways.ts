@@ -20,8 +20,7 @@ import type { Opened } from './sources/opener.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
 import type { PageLink } from './sources/page-link.ts';
-import { createRememberedFiles } from './kept/remembered-files.ts';
-import type { RememberedFiles } from './kept/remembered-files.ts';
+import { RememberedFiles } from './kept/remembered-files.ts';
 import { createUndo } from './sources/undo.ts';
 import type { Undo } from './sources/undo.ts';
 
@@ -95,7 +94,7 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     const { createAnimation } = await import('./sources/animation.ts');
     return createAnimation({ engine, store, workspace, files, onWorking, onError });
   });
-  const remembered = createRememberedFiles({
+  const remembered = new RememberedFiles({
     store,
     workspace,
     say,
