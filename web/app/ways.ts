@@ -91,8 +91,8 @@ export function createWays({ session, display, analysis, viewState, feedback, on
     onWorking,
   });
   const animation = lazy(async () => {
-    const { createAnimation } = await import('./sources/animation.ts');
-    return createAnimation({ engine, store, workspace, files, onWorking, onError });
+    const { Animation } = await import('./sources/animation.ts');
+    return new Animation({ engine, store, workspace, files, onWorking, onError });
   });
   const remembered = new RememberedFiles({
     store,

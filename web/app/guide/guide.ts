@@ -134,7 +134,7 @@ export function createGuide({
   /** As it was, moving where it moved. */
   const again = async (left: Work): Promise<void> => {
     const { playing } = left.state.play;
-    if ((await files.again(left, { quietly: true })) && playing) store.set({ play: { ...store.get().play, playing } });
+    if ((await files.again(left, null)) && playing) store.set({ play: { ...store.get().play, playing } });
   };
 
   /** Whoever presents goes on doing so on the next page. */

@@ -28,11 +28,6 @@ export interface RememberedFilesParts {
   onError(error: unknown): void;
 }
 
-/** From one tab to the others of this page. */
-interface News {
-  forgotten: string;
-}
-
 /** What this visit knows of a project on the shelf. */
 interface Kept {
   version: number;
@@ -84,7 +79,7 @@ export class RememberedFiles {
   private telling = 0;
 
   constructor(private readonly parts: RememberedFilesParts) {
-    this.tabs?.addEventListener('message', ({ data }: MessageEvent<Partial<News> | null>) => {
+    this.tabs?.addEventListener('message', ({ data }: MessageEvent<{ forgotten?: unknown } | null>) => {
       if (typeof data?.forgotten !== 'string') return;
       if (this.own === data.forgotten && this.isKept) this.parts.say('Forgotten in another tab.');
       this.giveUp(data.forgotten);
@@ -238,7 +233,7 @@ export class RememberedFiles {
     this.lastState.forget();
     await this.saving;
     await forgetProject(id);
-    this.tabs?.postMessage({ forgotten: id } satisfies News);
+    this.tabs?.postMessage({ forgotten: id });
     this.parts.say('Forgotten, and files are not remembered any more.');
   }
 

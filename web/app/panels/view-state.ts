@@ -95,7 +95,7 @@ export function openedView(opened: Opened, before: ViewState): Partial<ViewState
     placing: false,
     fewest: null,
     original: false,
-    opening: opened.picked ? asksForKeys(info) : opened.stays && before.opening,
+    opening: opened.picked ? asksForKeys(info) : opened.stays === true && before.opening,
     blend: null,
     stats: null,
     shownWarning: null,

@@ -26,7 +26,7 @@ export interface OpenRequest {
   /** The document begins as one of a sample or of files does; absent: as it is read. */
   begins?: Sample | 'files';
   link?: Permalink | null;
-  /** By the user just now: shapes that seem to lie are stood up. */
+  /** By the user just now, who has chosen nothing about them yet: shapes that seem to lie are stood up. */
   picked?: boolean;
   /** All of it is as it was left. */
   left?: Remembered | Work;

@@ -5,7 +5,6 @@ import type { InputFile, Progress } from '../../engine/api/types.ts';
 import { orientationStep } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
-import type { Source } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import { Openings } from '../kept/openings.ts';
 import type { Step } from '../kept/openings.ts';
@@ -34,18 +33,13 @@ import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
 
 /** What is open now, while the state does not say so yet. Its camera is of a link or an earlier visit. */
-export interface Opened extends Opening, OpenedStart {
-  source: Source;
+export interface Opened extends Opening, OpenedStart, Pick<OpenRequest, 'source' | 'picked' | 'stays'> {
   /** How the files were read where they do not say it themselves. */
   orientation: Orientation | null;
   /** They were stood up for how their shapes look. */
   stoodUp: boolean;
   /** The objects of the files that were taken; empty for all of them. */
   objects: readonly string[];
-  /** The user has just picked them, and has chosen nothing about them yet. */
-  picked: boolean;
-  /** The same mesh as before, with other keys or lying otherwise. */
-  stays: boolean;
 }
 
 export interface OpenerParts {
@@ -84,14 +78,32 @@ export class Opener {
     while (this.busy) await Promise.all(this.running);
   }
 
-  /** `files`: those of the sample, where they are on their way. */
-  sample(id: string, link: Permalink | null = null, files: Promise<InputFile[]> | null = null): Promise<boolean> {
-    return this.guarded(() => this.openSample(id, link, files, 'on'));
+  /** `files`: those of the sample, where they are on their way. `step`: what undo goes back over; null: nothing. */
+  sample(
+    id: string,
+    link: Permalink | null = null,
+    files: Promise<InputFile[]> | null = null,
+    step: Step | null = 'on',
+  ): Promise<boolean> {
+    return this.guarded(async () => {
+      const sample = this.parts.samples().find((one) => one.id === id);
+      if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
+      const input = await this.fetched((signal) => files ?? fetchSample(sample, signal));
+      if (!input) return false;
+      const request = sampleRequest(sample, input, link, step);
+      return this.meet(request).catch(async (error: unknown) => {
+        // What the engine refuses of a link must not keep the sample closed.
+        const final = isCancelled(error) || (error as { code?: unknown }).code === 'not-loaded';
+        if (!link || final || !(await this.meet({ ...request, link: null }))) throw error;
+        this.parts.onError(error);
+        return true;
+      });
+    });
   }
 
   /** Opens what a link names, without a step that undo goes back over. */
   show(link: Permalink): Promise<boolean> {
-    return this.guarded(() => this.openSample(link.sample, link, null, null));
+    return this.sample(link.sample, link, null, null);
   }
 
   /** Does with the files what `work` says, unless other ones are asked for before they are there. */
@@ -112,19 +124,24 @@ export class Opener {
     return this.reading(() => addPoses(this.parts, files, place));
   }
 
-  /** Opens what an earlier visit left, or this one; quietly: without a step that undo goes back over. */
-  again(left: Remembered | Work, how?: { quietly: boolean }): Promise<boolean> {
-    return this.guarded(() => this.openLeft(left, how?.quietly ? null : 'on'));
+  /** Opens what an earlier visit left, or this one; false where there is none. */
+  again(left: Remembered | Work | null, step: Step | null = 'on'): Promise<boolean> {
+    return this.guarded(async () => {
+      if (!left) return false;
+      // A sample that is on its way is not wanted any more.
+      this.fetching.abort();
+      return this.meet(leftRequest(left, this.parts.samples(), step));
+    });
   }
 
   /** What was open before this, as it was left; opening is undone by it. */
   back(): Promise<boolean> {
-    return this.guarded(() => this.openLeft(this.openings.before, 'back'));
+    return this.again(this.openings.before, 'back');
   }
 
   /** Redoes that. */
   forth(): Promise<boolean> {
-    return this.guarded(() => this.openLeft(this.openings.after, 'forth'));
+    return this.again(this.openings.after, 'forth');
   }
 
   /** Takes the keys anew, at these seconds of the animation's own timeline. */
@@ -142,9 +159,9 @@ export class Opener {
     return this.guarded(() => this.meet(objectsRequest(this.present, objects)));
   }
 
-  /** Reads the files again with another axis up or another unit; quietly: without a step that undo goes back over. */
-  reorient(orientation: Orientation, how?: { quietly: boolean }): Promise<boolean> {
-    return this.guarded(() => this.meet(turnRequest(this.present, orientation, how?.quietly ? null : 'on')));
+  /** Reads the files again with another axis up or another unit. */
+  reorient(orientation: Orientation, step: Step | null = 'on'): Promise<boolean> {
+    return this.guarded(() => this.meet(turnRequest(this.present, orientation, step)));
   }
 
   /** Adds the files' poses after the last key. */
@@ -166,33 +183,6 @@ export class Opener {
   private get present(): Present {
     const { store, workspace } = this.parts;
     return { files: workspace.input, options: workspace.options, state: store.get() };
-  }
-
-  private async openSample(
-    id: string,
-    link: Permalink | null,
-    given: Promise<InputFile[]> | null,
-    step: Step | null,
-  ): Promise<boolean> {
-    const sample = this.parts.samples().find((one) => one.id === id);
-    if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
-    const input = await this.fetched((signal) => given ?? fetchSample(sample, signal));
-    if (!input) return false;
-    const request = sampleRequest(sample, input, link, step);
-    return this.meet(request).catch(async (error: unknown) => {
-      // What the engine refuses of a link must not keep the sample closed.
-      const final = isCancelled(error) || (error as { code?: unknown }).code === 'not-loaded';
-      if (!link || final || !(await this.meet({ ...request, link: null }))) throw error;
-      this.parts.onError(error);
-      return true;
-    });
-  }
-
-  private async openLeft(left: Remembered | Work | null, step: Step | null): Promise<boolean> {
-    if (!left) return false;
-    // A sample that is on its way is not wanted any more.
-    this.fetching.abort();
-    return this.meet(leftRequest(left, this.parts.samples(), step));
   }
 
   /** The one way in. */

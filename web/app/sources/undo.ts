@@ -21,7 +21,7 @@ export interface UndoParts {
 export function createUndo({ store, files, titleOf }: UndoParts): Undo {
   /** The step itself, once the shape lies as it did there. */
   const stepOver = (turn: Orientation | null, step: () => void): void => {
-    if (turn) void files.reorient(turn, { quietly: true }).then((done) => done && step());
+    if (turn) void files.reorient(turn, null).then((done) => done && step());
     else step();
   };
   const opening = (source: Source | undefined): string | null => (source ? `open ${titleOf(source)}` : null);
