@@ -20,11 +20,11 @@ describe('what was open before', () => {
     openings.left(a);
     openings.left(b);
     expect(openings.before).toBe(b);
-    openings.steppedBack(c);
+    openings.left(c, 'back');
     expect([openings.before, openings.after]).toEqual([a, c]);
-    openings.steppedForth(b);
+    openings.left(b, 'forth');
     expect([openings.before, openings.after]).toEqual([b, null]);
-    openings.steppedBack(c);
+    openings.left(c, 'back');
     openings.left(b);
     expect(openings.after).toBeNull();
   });

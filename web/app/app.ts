@@ -17,7 +17,7 @@ import type { Layout } from './panels/layout.ts';
 import { createPage } from './panels/page.ts';
 import { createSession } from './session/session.ts';
 import type { Session, StartedEngine } from './session/session.ts';
-import { createTakeFiles } from './sources/take-files.ts';
+import { TakeFiles } from './sources/take-files.ts';
 import { createFeedback } from './view/feedback.ts';
 import { createOffers } from './view/offers.ts';
 import { createViewState } from './view/view-state.ts';
@@ -70,7 +70,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       towards: () => endTangents(store.get().doc),
       onPace: (pace, mostSpeeds) => viewState.change({ pace, mostSpeeds }),
     }),
-    takeFiles: createTakeFiles({
+    takeFiles: new TakeFiles({
       store,
       files: ways.files,
       say: feedback.say,

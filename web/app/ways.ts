@@ -13,12 +13,12 @@ import { openedView } from './view/view-state.ts';
 import type { ViewStateHolder } from './view/view-state.ts';
 import { reducedMotion } from './view/window-events.ts';
 import type { Session } from './session/session.ts';
-import { createOpenFiles } from './sources/open-files.ts';
+import { Opener } from './sources/opener.ts';
 import { reopening } from './sources/open-first.ts';
-import type { OpenedFiles } from './sources/open-files.ts';
+import type { Opened } from './sources/opener.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
-import { createRememberedFiles } from './kept/remembered-files.ts';
+import { RememberedFiles } from './kept/remembered-files.ts';
 import { createUndo } from './sources/undo.ts';
 
 export interface WaysParts {
@@ -37,7 +37,7 @@ export function createWays(parts: WaysParts): Ways {
   const { session, viewState, feedback } = parts;
   const { engine, store, workspace } = session;
   const { say, onStart, onWorking, onError } = feedback;
-  const files: Ways['files'] = createOpenFiles({
+  const files: Ways['files'] = new Opener({
     engine,
     store,
     workspace,
@@ -51,10 +51,10 @@ export function createWays(parts: WaysParts): Ways {
     onWorking,
   });
   const animation = lazy(async () => {
-    const { createAnimation } = await import('./sources/animation.ts');
-    return createAnimation({ engine, store, workspace, files, onWorking, onError });
+    const { Animation } = await import('./sources/animation.ts');
+    return new Animation({ engine, store, workspace, files, onWorking, onError });
   });
-  const remembered = createRememberedFiles({
+  const remembered = new RememberedFiles({
     store,
     workspace,
     say,
@@ -85,7 +85,7 @@ export function createWays(parts: WaysParts): Ways {
 function showOpened(
   { session: { store }, display, viewState, feedback, onOffer }: WaysParts,
   files: Ways['files'],
-  opened: OpenedFiles,
+  opened: Opened,
 ): void {
   const { info, pool, source, doc, camera } = opened;
   const { scene, firstKey } = display;

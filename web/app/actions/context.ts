@@ -11,7 +11,7 @@ import type { ExportController } from '../export/export-controller.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
 import type { Session } from '../session/session.ts';
 import type { Animation } from '../sources/animation.ts';
-import type { OpenFiles } from '../sources/open-files.ts';
+import type { Opener } from '../sources/opener.ts';
 import type { PageLink } from '../sources/page-link.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import type { Undo } from '../sources/undo.ts';
@@ -36,7 +36,7 @@ export interface Context extends Ways {
 
 /** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
 export interface Ways {
-  files: OpenFiles;
+  files: Opener;
   remembered: RememberedFiles;
   undo: Undo;
   animation: Lazy<Animation>;

@@ -11,7 +11,7 @@ import { currentWork } from '../kept/work.ts';
 import type { PanelName } from '../panels/layout.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
-import type { OpenFiles } from '../sources/open-files.ts';
+import type { Opener } from '../sources/opener.ts';
 import { readPermalink } from '../sources/permalink.ts';
 import { FIGURES } from './figures.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
@@ -21,7 +21,7 @@ import { filled, pressed, untilTouched, whenThere } from './when-there.ts';
 export interface GuideParts {
   store: Store;
   workspace: Workspace;
-  files: OpenFiles;
+  files: Opener;
   /** Where its panel stands, beside wider options where it wants them; null takes it away. */
   place(panel: HTMLElement | null, wide?: boolean): void;
   /** Brings options or plots in sight. */
@@ -134,7 +134,7 @@ export function createGuide({
   /** As it was, moving where it moved. */
   const again = async (left: Work): Promise<void> => {
     const { playing } = left.state.play;
-    if ((await files.again(left, { quietly: true })) && playing) store.set({ play: { ...store.get().play, playing } });
+    if ((await files.again(left, null)) && playing) store.set({ play: { ...store.get().play, playing } });
   };
 
   /** Whoever presents goes on doing so on the next page. */

@@ -6,14 +6,23 @@ const AT_MOST = 10;
 /** Of files and poses together; what was left last stays whatever it takes. */
 const AT_MOST_BYTES = 512e6;
 
+/** To something else, back to what was open before it, or forth to what was open after it. */
+export type Step = 'on' | 'back' | 'forth';
+
 export class Openings {
   private earlier: Work[] = [];
   private later: Work[] = [];
 
-  /** Something else was opened in its place. */
-  left(work: Work): void {
+  /** A step was made away from `work`. */
+  left(work: Work, step: Step = 'on'): void {
+    if (step === 'back') {
+      this.earlier.pop();
+      this.later = lasting([...this.later, work]);
+      return;
+    }
+    if (step === 'forth') this.later.pop();
+    else this.later = [];
     this.earlier = lasting([...this.earlier, work]);
-    this.later = [];
   }
 
   get before(): Work | null {
@@ -22,17 +31,6 @@ export class Openings {
 
   get after(): Work | null {
     return this.later.at(-1) ?? null;
-  }
-
-  /** `work` was left for what was before it. */
-  steppedBack(work: Work): void {
-    this.earlier.pop();
-    this.later = lasting([...this.later, work]);
-  }
-
-  steppedForth(work: Work): void {
-    this.later.pop();
-    this.earlier = lasting([...this.earlier, work]);
   }
 
   forget(): void {

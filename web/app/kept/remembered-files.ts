@@ -4,9 +4,9 @@
  */
 import type { InputFile } from '../../engine/api/types.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
-import type { AppState } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
+import { LastState, notedState } from './last-state.ts';
 import {
   forgetProject,
   keepProject,
@@ -28,52 +28,18 @@ export interface RememberedFilesParts {
   onError(error: unknown): void;
 }
 
-export interface RememberedFiles {
-  /** Remembers what is open, and what is opened from now on; or forgets it, and keeps nothing from now on. */
-  toggle(): Promise<void>;
-  /** The state has changed. */
-  follow(): void;
-  /** The page may be left: what waits to be written is noted where that takes no time, and then written. */
-  flush(): void;
-  /** What earlier visits left, the last changed first. Nothing that goes wrong here keeps the page from starting. */
-  recall(): Promise<readonly ProjectOnShelf[]>;
-  /**
-   * Opens what is kept by `open`, which resolves to null where something else was asked for meanwhile. A failure leaves
-   * a mark, and so does a visit that ends meanwhile: the next one does not open it unasked.
-   */
-  reopen(id: string, open: (remembered: Remembered) => Promise<boolean | null>): Promise<boolean>;
-  /** Nothing was ever kept, in this visit or before. */
-  forgetAll(): Promise<void>;
-  /** Whether leaving the page now would lose the user's work. */
-  readonly unsaved: boolean;
-}
-
-/** From one tab to the others of this page. */
-interface News {
-  forgotten: string;
-}
-
-/** The last state of a project, where the page was left before it was written to this version. */
-interface Note {
-  id: string;
-  version: number;
-  poses: number;
-  state: AppState;
-}
-
 /** What this visit knows of a project on the shelf. */
 interface Kept {
   version: number;
   /** How many that are not of the files. */
   poses: number;
   files: InputFile[];
-  /** The state that is written, as text. */
-  state: string;
+  /** The state that is written, as text; null: none that is known. */
+  state: string | null;
 }
 
 /** A page that is left while it opens files has not been ended by them. */
 const LEFT = 'shapespline.left-while-opening';
-const NOTE = 'shapespline.last-state';
 /** Kept where the user wants no files to be kept. */
 const UNWANTED = 'shapespline.keep-no-files';
 /** After the first change that is not kept: further ones do not put it off. */
@@ -92,244 +58,253 @@ const NO_ROOM =
 const NOT_WRITTEN =
   'The last change could not be stored: this browser has no room for it. The version before is kept. Export a GLB to save the project.';
 
-export function createRememberedFiles({
-  store,
-  workspace,
-  onChange,
-  say,
-  onError,
-}: RememberedFilesParts): RememberedFiles {
-  const tabs = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('shapespline remembered files');
-  const kept = new Map<string, Kept>();
+export class RememberedFiles {
+  private readonly tabs =
+    typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('shapespline remembered files');
+  private readonly kept = new Map<string, Kept>();
   /** Projects that are not to be written any more: forgotten, or without room. */
-  const dropped = new Set<string>();
-  let shelf: readonly ProjectOnShelf[] = [];
-  let timer = 0;
-  let telling = 0;
-  /** The project that is written when the time is up. */
-  let waiting: string | null = null;
-  let saving: Promise<void> = Promise.resolve();
-  let told = false;
+  private readonly dropped = new Set<string>();
+  private readonly lastState = new LastState();
+  private shelf: readonly ProjectOnShelf[] = [];
+  /** What was said of it last. */
+  private shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
   /** What was opened or written last: the next visit starts with it. */
-  let newest: string | null = null;
+  private newest: string | null = null;
+  /** The project that is written when the time is up. */
+  private waiting: string | null = null;
+  private timer = 0;
+  private saving: Promise<void> = Promise.resolve();
+  /** The user knows that files are kept, or will. */
+  private told = false;
+  private telling = 0;
 
-  const own = (): string | null => store.get().project;
-  const isKept = (): boolean => kept.has(own() ?? '');
-  /** The state that this visit has noted, until it is written. */
-  let lastNoted: string | null = null;
-  const wrote = (id: string, text: string): void => {
-    if (lastNoted !== null && text !== lastNoted) return;
-    lastNoted = null;
-    if (readNote()?.id === id) writeSetting(NOTE, null);
-  };
-  const added = (): number => (workspace.pool ? workspace.pool.count - workspace.pool.imported : 0);
-  let shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
-  const changed = (): void => {
-    const remembered = isKept();
-    if (shown?.remembered === remembered && shown.shelf === shelf) return;
-    shown = { remembered, shelf };
-    onChange(remembered, shelf);
-  };
+  constructor(private readonly parts: RememberedFilesParts) {
+    this.tabs?.addEventListener('message', ({ data }: MessageEvent<{ forgotten?: unknown } | null>) => {
+      if (typeof data?.forgotten !== 'string') return;
+      if (this.own === data.forgotten && this.isKept) this.parts.say('Forgotten in another tab.');
+      this.giveUp(data.forgotten);
+    });
+  }
 
-  const readList = async (): Promise<number> => {
-    const { projects, setAside } = await readShelf();
-    shelf = projects;
-    changed();
-    return setAside;
-  };
+  /** Remembers what is open, and what is opened from now on; or forgets it, and keeps nothing from now on. */
+  async toggle(): Promise<void> {
+    const id = this.own;
+    if (id !== null) await (this.isKept ? this.forget(id) : this.remember(id));
+  }
 
-  const giveUp = (id: string): void => {
-    kept.delete(id);
-    dropped.add(id);
-    shelf = shelf.filter((project) => project.id !== id);
-    changed();
-  };
+  /** The state has changed. */
+  follow(): void {
+    const id = this.own;
+    this.tellChange();
+    if (id !== this.waiting) this.stopWaiting();
+    // A new pose does not wait: leaving would lose it.
+    const atOnce = id !== null && this.isKept && this.kept.get(id)!.poses !== this.added;
+    if (atOnce) this.stopWaiting();
+    if (this.timer || id === null || this.dropped.has(id) || !this.isWanted) return;
+    this.waiting = id;
+    this.timer = window.setTimeout(() => this.keep(id), atOnce ? 0 : SAVE_DELAY_MS);
+  }
 
-  tabs?.addEventListener('message', ({ data }: MessageEvent<Partial<News> | null>) => {
-    if (typeof data?.forgotten !== 'string') return;
-    if (own() === data.forgotten && isKept()) say('Forgotten in another tab.');
-    giveUp(data.forgotten);
-  });
+  /** The page may be left: what waits to be written is noted where that takes no time, and then written. */
+  flush(): void {
+    const { waiting: id } = this;
+    if (!this.timer || id === null) return;
+    this.stopWaiting();
+    const state = this.parts.store.get();
+    const before = this.kept.get(id);
+    if (before && state.project === id && before.poses === this.added)
+      this.lastState.note({ id, version: before.version, poses: before.poses, state });
+    this.keep(id);
+  }
 
-  /** Under a name of its own where another tab has written since: both versions stay. */
-  const write = async (id: string): Promise<void> => {
-    const work = currentWork(store, workspace);
-    if (!work || own() !== id || dropped.has(id)) return;
-    const { files, options, poses, offset, state } = work;
-    const text = JSON.stringify(state);
-    const before = kept.get(id);
-    if (before?.files === files) {
-      if (before.state === text && newest === id) return;
-      const version = await updateProject(id, before.version, { options, poses, offset, state });
-      if (version !== null) {
-        kept.set(id, { version, poses: poses.length, files, state: text });
-        newest = id;
-        wrote(id, text);
-      } else if (!dropped.has(id)) {
-        kept.delete(id);
-        const other = newProjectId();
-        store.set({ project: other });
-        say('Another tab has changed these files, too. Both versions are kept.');
-        await write(other);
-      }
-      return;
+  /** What earlier visits left, the last changed first. Nothing that goes wrong here keeps the page from starting. */
+  async recall(): Promise<readonly ProjectOnShelf[]> {
+    const setAside = await within(RECALL_MS, this.readList()).catch(() => 0);
+    if (setAside)
+      this.parts.say('The files remembered by an earlier visit can no longer be read. They were set aside.');
+    return this.shelf.map((project) => ({ ...project, opening: project.opening && readSetting(LEFT) !== project.id }));
+  }
+
+  /**
+   * Opens what is kept by `open`, which resolves to null where something else was asked for meanwhile. A failure leaves
+   * a mark, and so does a visit that ends meanwhile: the next one does not open it unasked.
+   */
+  async reopen(id: string, open: (remembered: Remembered) => Promise<boolean | null>): Promise<boolean> {
+    const project = await readProject(id);
+    if (!project) {
+      this.giveUp(id);
+      throw new Error('These files are no longer stored, or cannot be read. Open them again.');
     }
-    const version = await keepProject(id, { files, options, poses, offset, state });
-    if (dropped.has(id)) return forgetProject(id);
-    kept.set(id, { version, poses: poses.length, files, state: text });
-    newest = id;
-    await readList();
-  };
+    const { remembered, version } = project;
+    const leave = (): void => writeSetting(LEFT, id);
+    writeSetting(LEFT, null);
+    window.addEventListener('pagehide', leave);
+    await markOpening(id, true).catch(() => undefined);
+    this.dropped.delete(id);
+    const { files, poses, state } = remembered;
+    const kept = { version, poses: poses.length, files, state: null };
+    this.kept.set(id, kept);
+    this.told = true;
+    const last = notedState(id, version, poses.length);
+    const opened = await open({ ...remembered, state: { ...(last ?? state), project: id } });
+    if (opened) {
+      this.kept.set(id, { ...kept, state: last ? null : JSON.stringify(this.parts.store.get()) });
+      this.newest = id;
+    }
+    if (opened !== false) await markOpening(id, false).catch(() => undefined);
+    window.removeEventListener('pagehide', leave);
+    this.tellChange();
+    return opened === true;
+  }
+
+  /** Nothing was ever kept, in this visit or before. */
+  async forgetAll(): Promise<void> {
+    this.stopWaiting();
+    window.clearTimeout(this.telling);
+    await this.saving;
+    await this.readList();
+    for (const { id } of this.shelf) await forgetProject(id);
+    this.kept.clear();
+    this.dropped.clear();
+    this.shelf = [];
+    this.told = false;
+    this.newest = null;
+    this.lastState.forget();
+    for (const key of [LEFT, UNWANTED]) writeSetting(key, null);
+    this.tellChange();
+  }
+
+  /** Whether leaving the page now would lose the user's work. */
+  get unsaved(): boolean {
+    const { store, workspace } = this.parts;
+    const { source, doc } = store.get();
+    const { pool } = workspace;
+    const edited = store.history().past.length > 0;
+    if (source.kind === 'files') return this.isKept ? this.added > this.kept.get(this.own!)!.poses : edited;
+    // A link holds all of a sample but the poses that were added.
+    return pool !== null && doc.keys.some(({ pose }) => pose >= pool.imported);
+  }
+
+  private get own(): string | null {
+    return this.parts.store.get().project;
+  }
+
+  private get isKept(): boolean {
+    return this.kept.has(this.own ?? '');
+  }
+
+  private get isWanted(): boolean {
+    if (this.isKept) return true;
+    const work = readSetting(UNWANTED) === null ? currentWork(this.parts.store, this.parts.workspace) : null;
+    return work !== null && bytesOf(work) <= UNASKED_BYTES;
+  }
+
+  /** How many poses there are that are not of the files. */
+  private get added(): number {
+    const { pool } = this.parts.workspace;
+    return pool ? pool.count - pool.imported : 0;
+  }
+
+  private tellChange(): void {
+    const { isKept: remembered, shelf } = this;
+    if (this.shown?.remembered === remembered && this.shown.shelf === shelf) return;
+    this.shown = { remembered, shelf };
+    this.parts.onChange(remembered, shelf);
+  }
+
+  /** Resolves to how many projects did not read. */
+  private async readList(): Promise<number> {
+    const { projects, setAside } = await readShelf();
+    this.shelf = projects;
+    this.tellChange();
+    return setAside;
+  }
+
+  private giveUp(id: string): void {
+    this.kept.delete(id);
+    this.dropped.add(id);
+    this.shelf = this.shelf.filter((project) => project.id !== id);
+    this.tellChange();
+  }
+
+  private async forget(id: string): Promise<void> {
+    this.giveUp(id);
+    writeSetting(UNWANTED, 'yes');
+    this.lastState.forget();
+    await this.saving;
+    await forgetProject(id);
+    this.tabs?.postMessage({ forgotten: id });
+    this.parts.say('Forgotten, and files are not remembered any more.');
+  }
+
+  private async remember(id: string): Promise<void> {
+    this.dropped.delete(id);
+    writeSetting(UNWANTED, null);
+    await this.writeInTurn(id);
+    if (this.kept.has(id)) this.parts.say('Remembered on this computer: the next visit starts with these files.');
+  }
+
+  private keep(id: string): void {
+    this.timer = 0;
+    void this.writeInTurn(id).then(() => {
+      if (this.told || !this.kept.has(id)) return;
+      this.told = true;
+      this.telling = window.setTimeout(() => this.parts.say(KEPT), TELL_DELAY_MS);
+    });
+  }
+
+  private stopWaiting(): void {
+    window.clearTimeout(this.timer);
+    this.timer = 0;
+  }
 
   /** One after the other, so that a later state is not overtaken. */
-  const inTurn = (id: string, failure: string): Promise<void> => {
-    saving = saving
-      .then(() => write(id))
+  private writeInTurn(id: string): Promise<void> {
+    this.saving = this.saving
+      .then(() => this.write(id))
       .catch(() => {
-        const lost = kept.has(id);
-        dropped.add(id);
-        kept.delete(id);
-        changed();
-        onError(new Error(lost ? failure : NO_ROOM));
+        const lost = this.kept.has(id);
+        this.dropped.add(id);
+        this.kept.delete(id);
+        this.tellChange();
+        this.parts.onError(new Error(lost ? NOT_WRITTEN : NO_ROOM));
       });
-    return saving;
-  };
-
-  const wanted = (): boolean => {
-    const work = readSetting(UNWANTED) === null && currentWork(store, workspace);
-    return isKept() || (work !== false && work !== null && bytesOf(work) <= UNASKED_BYTES);
-  };
-
-  const forget = async (id: string): Promise<void> => {
-    giveUp(id);
-    writeSetting(UNWANTED, 'yes');
-    writeSetting(NOTE, null);
-    await saving;
-    await forgetProject(id);
-    tabs?.postMessage({ forgotten: id } satisfies News);
-    say('Forgotten, and files are not remembered any more.');
-  };
-
-  const remember = async (id: string): Promise<void> => {
-    dropped.delete(id);
-    writeSetting(UNWANTED, null);
-    await inTurn(id, NOT_WRITTEN);
-    if (kept.has(id)) say('Remembered on this computer: the next visit starts with these files.');
-  };
-
-  const keep = (id: string): void => {
-    timer = 0;
-    void inTurn(id, NOT_WRITTEN).then(() => {
-      if (told || !kept.has(id)) return;
-      told = true;
-      telling = window.setTimeout(say, TELL_DELAY_MS, KEPT);
-    });
-  };
-  const stopWaiting = (): void => {
-    window.clearTimeout(timer);
-    timer = 0;
-  };
-
-  return {
-    async toggle() {
-      const id = own();
-      if (id !== null) await (isKept() ? forget(id) : remember(id));
-    },
-    follow() {
-      const id = own();
-      changed();
-      if (id !== waiting) stopWaiting();
-      // A new pose does not wait: leaving would lose it.
-      const atOnce = id !== null && isKept() && kept.get(id)!.poses !== added();
-      if (atOnce) stopWaiting();
-      if (timer || id === null || dropped.has(id) || !wanted()) return;
-      waiting = id;
-      timer = window.setTimeout(keep, atOnce ? 0 : SAVE_DELAY_MS, id);
-    },
-    flush() {
-      if (!timer || waiting === null) return;
-      stopWaiting();
-      const state = store.get();
-      const before = kept.get(waiting);
-      if (before && state.project === waiting && before.poses === added()) {
-        const { version, poses } = before;
-        writeSetting(NOTE, JSON.stringify({ id: waiting, version, poses, state } satisfies Note));
-        lastNoted = JSON.stringify(state);
-      }
-      keep(waiting);
-    },
-    async recall() {
-      const setAside = await within(RECALL_MS, readList()).catch(() => 0);
-      if (setAside) say('The files remembered by an earlier visit can no longer be read. They were set aside.');
-      return shelf.map((project) => ({ ...project, opening: project.opening && readSetting(LEFT) !== project.id }));
-    },
-    async reopen(id, open) {
-      const project = await readProject(id);
-      if (!project) {
-        giveUp(id);
-        throw new Error('These files are no longer stored, or cannot be read. Open them again.');
-      }
-      const { remembered, version } = project;
-      const leave = (): void => writeSetting(LEFT, id);
-      writeSetting(LEFT, null);
-      window.addEventListener('pagehide', leave);
-      await markOpening(id, true).catch(() => undefined);
-      dropped.delete(id);
-      const { files } = remembered;
-      const poses = remembered.poses.length;
-      kept.set(id, { version, poses, files, state: '' });
-      told = true;
-      const last = noted(id, version, poses);
-      const opened = await open({ ...remembered, state: { ...(last ?? remembered.state), project: id } });
-      if (opened) {
-        kept.set(id, { version, poses, files, state: last ? '' : JSON.stringify(store.get()) });
-        newest = id;
-      }
-      if (opened !== false) await markOpening(id, false).catch(() => undefined);
-      window.removeEventListener('pagehide', leave);
-      changed();
-      return opened === true;
-    },
-    async forgetAll() {
-      stopWaiting();
-      window.clearTimeout(telling);
-      await saving;
-      await readList();
-      for (const { id } of shelf) await forgetProject(id);
-      kept.clear();
-      dropped.clear();
-      shelf = [];
-      told = false;
-      newest = null;
-      lastNoted = null;
-      for (const key of [LEFT, NOTE, UNWANTED]) writeSetting(key, null);
-      changed();
-    },
-    get unsaved() {
-      const { source, doc } = store.get();
-      const { pool } = workspace;
-      const edited = store.history().past.length > 0;
-      if (source.kind === 'files') return isKept() ? added() > kept.get(own()!)!.poses : edited;
-      // A link holds all of a sample but the poses that were added.
-      return pool !== null && doc.keys.some(({ pose }) => pose >= pool.imported);
-    },
-  };
-}
-
-function readNote(): Note | null {
-  try {
-    return JSON.parse(readSetting(NOTE) ?? 'null') as Note | null;
-  } catch {
-    return null;
+    return this.saving;
   }
-}
 
-/** What the last visit noted of a project as it was left, unless it was written after all. */
-function noted(id: string, version: number, poses: number): AppState | null {
-  const note = readNote();
-  if (note?.id !== id || note.poses !== poses) return null;
-  // A write that was under way then may have ended since.
-  return version === note.version || version === note.version + 1 ? note.state : null;
+  private async write(id: string): Promise<void> {
+    const work = currentWork(this.parts.store, this.parts.workspace);
+    if (!work || this.own !== id || this.dropped.has(id)) return;
+    const { files, history: _, ...changing } = work;
+    const text = JSON.stringify(work.state);
+    const before = this.kept.get(id);
+    const wrote = (version: number): void => {
+      this.kept.set(id, { version, poses: work.poses.length, files, state: text });
+      this.newest = id;
+    };
+    if (before?.files !== files) {
+      const version = await keepProject(id, { files, ...changing });
+      if (this.dropped.has(id)) return forgetProject(id);
+      wrote(version);
+      await this.readList();
+      return;
+    }
+    if (before.state === text && this.newest === id) return;
+    const version = await updateProject(id, before.version, changing);
+    if (version === null) return this.branch(id);
+    wrote(version);
+    this.lastState.written(id, text);
+  }
+
+  /** Under a name of its own where another tab has written since: both versions stay. */
+  private async branch(id: string): Promise<void> {
+    if (this.dropped.has(id)) return;
+    this.kept.delete(id);
+    const other = newProjectId();
+    this.parts.store.set({ project: other });
+    this.parts.say('Another tab has changed these files, too. Both versions are kept.');
+    await this.write(other);
+  }
 }
 
 function within<T>(ms: number, work: Promise<T>): Promise<T | null> {

@@ -1,6 +1,6 @@
 /** What is open, with the engine that serves it: every edit becomes sequences, or is taken back. */
 import type { Engine, Motion } from '../../engine/api/api.ts';
-import type { KeysInfo, Progress } from '../../engine/api/types.ts';
+import type { Progress } from '../../engine/api/types.ts';
 import { EMPTY_STATE } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { motionRange } from './motion-range.ts';
@@ -10,18 +10,10 @@ import { createStore } from './store.ts';
 import type { Store } from './store.ts';
 import { WorkerRestart } from './worker-restart.ts';
 import { Workspace } from './workspace.ts';
-import type { Opening } from './workspace.ts';
+import type { WorkspaceEvents } from './workspace.ts';
 
-export interface SessionEvents {
+export interface SessionEvents extends Pick<WorkspaceEvents, 'onRead' | 'onLarge' | 'onKeys' | 'onGivenUp'> {
   onWorking(working: Progress | null): void;
-  /** Files are read; their motion is not made yet. */
-  onRead(info: KeysInfo): void;
-  /** Files that may be large are about to be read. */
-  onLarge(): void;
-  /** Keys are read. null: what is open is seen, and used, until their motion is made. */
-  onKeys(opening: Opening | null): void;
-  /** What was being opened will not be. */
-  onGivenUp(): void;
   /** The sequences follow the document now. */
   onServed(): void;
   /** The engine refused an edit, which is taken back. */
@@ -51,21 +43,16 @@ export interface Session {
   cancel(): void;
 }
 
-export function createSession(
-  started: StartedEngine,
-  { onWorking, onRead, onLarge, onKeys, onGivenUp, onServed, onError, onRestart }: SessionEvents,
-): Session {
+export function createSession(started: StartedEngine, events: SessionEvents): Session {
+  const { onWorking, onServed, onError, onRestart } = events;
   const store = createStore(EMPTY_STATE);
   const restart = new WorkerRestart(onRestart);
   const { engine } = started;
   started.onLost = () => void restart.tryAgain();
   const served = new ServedDocument(store);
   const workspace = new Workspace(engine, {
+    ...events,
     onProgress: onWorking,
-    onRead,
-    onLarge,
-    onKeys,
-    onGivenUp,
     onReady() {
       served.note(store.get());
       onServed();

@@ -12,16 +12,16 @@ import { PosePool } from './pose-pool.ts';
 import type { SequencePlan } from './sequence-plan.ts';
 import { sequencePlan } from './sequence-plan.ts';
 
-export interface Opened {
-  info: KeysInfo;
+export interface Start {
   doc: Doc;
+  /** From where its first key is seen; null: as a whole. */
+  camera: View['camera'];
 }
 
 /** What is being opened: its keys are read, its motion is not made yet. */
-export interface Opening extends Opened {
+export interface Opening extends Start {
+  info: KeysInfo;
   pool: PosePool;
-  /** null: as a whole. */
-  camera: View['camera'];
 }
 
 export interface WorkspaceEvents {
@@ -38,13 +38,13 @@ export interface WorkspaceEvents {
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
-export interface OpeningSteps {
+export interface OpeningSteps<S extends Start> {
+  /** The same mesh: what is open is seen, and used, until then. */
+  stays: boolean;
   /** How the files are to be read after all, for what was found in them; null: as they were. */
-  otherwise?(info: KeysInfo): ImportOptions | null;
-  /** May change the document that the files start with. */
-  adjust(doc: Doc, pool: PosePool): Doc;
-  /** From where its first key is seen until then; null: what is open is seen, and used, until then. */
-  camera: (() => View['camera']) | null;
+  otherwise(info: KeysInfo): ImportOptions | null;
+  /** What becomes of the document that the files start with. */
+  start(doc: Doc, pool: PosePool): S;
   /** The last moment of what was open before. */
   leave(): void;
 }
@@ -117,11 +117,11 @@ export class Workspace {
    * Reads files and makes the motion; only when both have succeeded does it replace what is open. Resolves to null when
    * it was cancelled or overtaken by another call.
    */
-  async open(
+  async open<S extends Start>(
     source: Input,
     given: ImportOptions,
-    { otherwise, adjust, camera, leave }: OpeningSteps,
-  ): Promise<Opened | null> {
+    { stays, otherwise, start, leave }: OpeningSteps<S>,
+  ): Promise<(Opening & S) | null> {
     if (this.opening) this.events.onGivenUp();
     this.opening?.abort();
     const abort = new AbortController();
@@ -137,11 +137,11 @@ export class Workspace {
           ? await source((fraction) => report('reading the files', fetched * fraction), abort.signal)
           : source;
       abort.signal.throwIfAborted();
-      if (camera && mayBeLarge(input)) this.events.onLarge();
+      if (!stays && mayBeLarge(input)) this.events.onLarge();
       const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
       const read = { signal: abort.signal, onProgress };
       keys = await this.engine.importKeyframes(input, given, read);
-      const again = otherwise?.(keys.info) ?? null;
+      const again = otherwise(keys.info);
       if (again) {
         keys.dispose();
         keys = await this.engine.importKeyframes(input, again, read);
@@ -151,15 +151,15 @@ export class Workspace {
       const { info } = keys;
       this.events.onRead(info);
       const pool = new PosePool(keys);
-      const doc = adjust(documentFromImport(info, pool), pool);
+      const opening = { ...start(documentFromImport(info, pool), pool), info, pool };
       const takesLong = info.report.vertices >= LARGE;
-      this.events.onKeys(camera && takesLong ? { info, doc, pool, camera: camera() } : null);
-      const set = await this.firstSet(pool, sequencePlan(doc), abort);
+      this.events.onKeys(takesLong && !stays ? opening : null);
+      const set = await this.firstSet(pool, sequencePlan(opening.doc), abort);
       performance.mark('shapespline made');
       if (this.current) leave();
       this.close();
       this.current = { info, set, pool, input, options };
-      return { info, doc };
+      return opening;
     } catch (error) {
       keys?.dispose();
       if (this.opening === abort) this.events.onGivenUp();

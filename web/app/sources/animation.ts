@@ -19,13 +19,13 @@ import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import { readFiles } from './input-files.ts';
-import type { OpenFiles } from './open-files.ts';
+import type { Opener } from './opener.ts';
 
 export interface AnimationParts {
   engine: Engine;
   store: Store;
   workspace: Workspace;
-  files: OpenFiles;
+  files: Opener;
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;
 }
@@ -33,19 +33,6 @@ export interface AnimationParts {
 export interface Fewest {
   keys: number;
   percent: number;
-}
-
-export interface Animation {
-  /** Takes as few keys as keep the motion so near, in percent of the diagonal; null where they are not taken. */
-  takeFewest(animation: number, percent: number): Promise<Fewest | null>;
-  /** The animation to compare with; null where there is none, or it could not be read. */
-  reference(): Promise<TimedShapes | null>;
-  /** What other files hold is compared with from now on, not the animation of the keys; false where it is not taken. */
-  takeTruth(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean>;
-  dropTruth(): void;
-  /** What it is called; null: there is none. */
-  readonly truth: string | null;
-  cancel(): void;
 }
 
 /** The animation of other files, of the mesh of these poses. */
@@ -61,45 +48,107 @@ interface Read {
   motion: ReferenceMotion;
 }
 
-export function createAnimation({ engine, store, workspace, files, onWorking, onError }: AnimationParts): Animation {
-  let read: Read | null = null;
-  let truth: Truth | null = null;
-  let working = new AbortController();
+export class Animation {
+  private read: Read | null = null;
+  private other: Truth | null = null;
+  private working = new AbortController();
+
+  constructor(private readonly parts: AnimationParts) {}
+
+  /** Takes as few keys as keep the motion so near, in percent of the diagonal; null where they are not taken. */
+  async takeFewest(animation: number, percent: number): Promise<Fewest | null> {
+    const { engine, store, files, onWorking } = this.parts;
+    const found = await this.guarded(async (signal) => {
+      const reference = await this.referenceOf(animation, signal);
+      const { boundary, method } = store.get().doc.motion;
+      const { stretch } = store.get().doc.encoding;
+      if (!reference) return null;
+      return fewestKeys(engine, reference, {
+        tolerance: percent / 100,
+        most: MOST_SAMPLED,
+        options: { method, stretch, boundary: boundary === 'periodic' ? 'natural' : boundary },
+        signal,
+        onProgress: onWorking,
+      });
+    });
+    if (!found || !(await files.resample(animation, found.times))) return null;
+    return { keys: found.times.length, percent: 100 * found.error };
+  }
+
+  /** The animation to compare with; null where there is none, or it could not be read. */
+  async reference(): Promise<TimedShapes | null> {
+    const { store, workspace } = this.parts;
+    const given = this.truthNow;
+    if (given) return spread(given.motion, () => keyRange(store, workspace));
+    return this.guarded((signal) => this.referenceOf(workspace.info?.animation ?? -1, signal));
+  }
+
+  /** What other files hold is compared with from now on, not the animation of the keys; false where it is not taken. */
+  async takeTruth(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean> {
+    const { workspace } = this.parts;
+    const picked = await files;
+    const { pool } = workspace;
+    if (!pool || picked.length === 0) return false;
+    const motion = await this.guarded(async (signal) =>
+      this.readTruth(await readFiles(picked, undefined, signal), pool, signal),
+    );
+    if (!motion || workspace.pool !== pool) return false;
+    // The one before is not disposed of: it is on the screen until this one is.
+    this.other = { name: modelName(leadingName(picked.map(({ name }) => name))), pool, motion };
+    return true;
+  }
+
+  dropTruth(): void {
+    this.other = null;
+  }
+
+  /** What it is called; null: there is none. */
+  get truth(): string | null {
+    return this.truthNow?.name ?? null;
+  }
+
+  cancel(): void {
+    this.working.abort();
+  }
+
+  /** Of what is open now. */
+  private get truthNow(): Truth | null {
+    return this.other?.pool === this.parts.workspace.pool ? this.other : null;
+  }
 
   /** Read once for the same files. */
-  const referenceOf = async (animation: number, signal: AbortSignal): Promise<ReferenceMotion | null> => {
+  private async referenceOf(animation: number, signal: AbortSignal): Promise<ReferenceMotion | null> {
+    const { engine, workspace } = this.parts;
     const { input, info, options } = workspace;
     const span = info?.animations[animation];
     if (!info || !span) return null;
-    if (read?.input === input && read.animation === animation) return read.motion;
-    read?.motion.dispose();
-    read = null;
+    if (this.read?.input === input && this.read.animation === animation) return this.read.motion;
+    this.read?.motion.dispose();
+    this.read = null;
     const { vertices } = info.report;
     const own = { ...options, offset: info.offset };
     const motion = await readReference(engine, input, animation, span, vertices, own, { signal });
-    read = { input, animation, motion };
+    this.read = { input, animation, motion };
     return motion;
-  };
+  }
 
-  /** Of what is open now. */
-  const truthNow = (): Truth | null => (truth?.pool === workspace.pool ? truth : null);
-
-  const readTruth = async (files: InputFile[], pool: PosePool, signal: AbortSignal): Promise<ReferenceMotion> => {
+  private async readTruth(files: InputFile[], { keys }: PosePool, signal: AbortSignal): Promise<ReferenceMotion> {
+    const { engine, workspace } = this.parts;
     const { up, unit, objects } = workspace.options;
-    const { info } = pool.keys;
-    const options = { up, unit, objects, ...likeOf(pool.keys) };
+    const options = { up, unit, objects, ...likeOf(keys) };
     const found = await engine.importKeyframes(files, options, { signal });
     const at = Math.max(found.info.animation, 0);
     const span = found.info.animations[at]?.moves ? found.info.animations[at] : undefined;
     found.dispose();
     if (!span) throw new Error(`${fileName(files[0]!.name)} holds no animation to compare with.`);
-    return readReference(engine, files, at, span, info.report.vertices, options, { signal });
-  };
+    return readReference(engine, files, at, span, keys.info.report.vertices, options, { signal });
+  }
 
-  const guarded = async <T>(work: (signal: AbortSignal) => Promise<T | null>): Promise<T | null> => {
-    working.abort();
+  private async guarded<T>(work: (signal: AbortSignal) => Promise<T | null>): Promise<T | null> {
+    const { onWorking, onError } = this.parts;
+    this.working.abort();
     const own = new AbortController();
-    working = own;
+    this.working = own;
     onWorking({ stage: 'reading the animation', fraction: 0 });
     try {
       return await work(own.signal);
@@ -107,53 +156,9 @@ export function createAnimation({ engine, store, workspace, files, onWorking, on
       if (!isCancelled(error) && !own.signal.aborted) onError(error);
       return null;
     } finally {
-      if (working === own) onWorking(null);
+      if (this.working === own) onWorking(null);
     }
-  };
-
-  return {
-    async takeFewest(animation, percent) {
-      const found = await guarded(async (signal) => {
-        const reference = await referenceOf(animation, signal);
-        const { boundary, method } = store.get().doc.motion;
-        const { stretch } = store.get().doc.encoding;
-        if (!reference) return null;
-        return fewestKeys(engine, reference, {
-          tolerance: percent / 100,
-          most: MOST_SAMPLED,
-          options: { method, stretch, boundary: boundary === 'periodic' ? 'natural' : boundary },
-          signal,
-          onProgress: onWorking,
-        });
-      });
-      if (!found || !(await files.resample(animation, found.times))) return null;
-      return { keys: found.times.length, percent: 100 * found.error };
-    },
-    async reference() {
-      const given = truthNow();
-      if (given) return spread(given.motion, () => keyRange(store, workspace));
-      return guarded((signal) => referenceOf(workspace.info?.animation ?? -1, signal));
-    },
-    async takeTruth(files) {
-      const picked = await files;
-      const { pool } = workspace;
-      if (!pool || picked.length === 0) return false;
-      const motion = await guarded(async (signal) =>
-        readTruth(await readFiles(picked, undefined, signal), pool, signal),
-      );
-      if (!motion || workspace.pool !== pool) return false;
-      // The one before is not disposed of: it is on the screen until this one is.
-      truth = { name: modelName(leadingName(picked.map(({ name }) => name))), pool, motion };
-      return true;
-    },
-    dropTruth() {
-      truth = null;
-    },
-    get truth() {
-      return truthNow()?.name ?? null;
-    },
-    cancel: () => working.abort(),
-  };
+  }
 }
 
 /** Where the animation lies in the motion; null: at its own times, which the keys have, too. */

@@ -4,7 +4,7 @@
  */
 import type { Offer } from '../../ui/messages.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
-import type { OpenFiles } from './open-files.ts';
+import type { Opener } from './opener.ts';
 import { guideLink, strangeLink } from './page-link.ts';
 import { readPermalink } from './permalink.ts';
 import type { Remembered } from '../kept/project-shelf.ts';
@@ -18,7 +18,7 @@ const FIRST_SAMPLE = 'column';
 const FIRST_VISIT = `sample=${FIRST_SAMPLE}&compare=linear&split=0.5&t=0.25&play=1`;
 
 export interface OpenFirstParts {
-  files: OpenFiles;
+  files: Opener;
   remembered: RememberedFiles;
   onSamples(samples: readonly Sample[]): void;
   say(text: string): void;
@@ -88,7 +88,7 @@ export async function openFirst(
 }
 
 /** Opens what was kept; null where something else is asked for before it is there. */
-export function reopening(files: OpenFiles): (work: Remembered) => Promise<boolean | null> {
+export function reopening(files: Opener): (work: Remembered) => Promise<boolean | null> {
   return async (work) => {
     const opened = files.again(work);
     const { asks } = files;

@@ -1,32 +1,55 @@
 /** What is shown first of what was opened: its document with what is known of it, view, time and playing. */
-import { IMPORT } from '../../engine/api/option-table.ts';
-import { extensionOf, isModel } from '../../engine/api/paths.ts';
-import type { ImportOptions, InputFile, KeysInfo } from '../../engine/api/types.ts';
+import type { KeysInfo } from '../../engine/api/types.ts';
 import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
-import type { Doc, Play, Source, View } from '../../model/state.ts';
+import { relativeTo, reoriented } from '../../model/orientation.ts';
+import type { AppState, Doc, Play, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { clampTime, length } from '../../model/time-scale.ts';
-import { relativeTo } from '../../model/orientation.ts';
-import type { Orientation } from '../../model/orientation.ts';
+import { newProjectId } from '../kept/project-shelf.ts';
 import type { Remembered } from '../kept/project-shelf.ts';
+import type { Work } from '../kept/work.ts';
 import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
-import type { Opened } from '../session/workspace.ts';
+import type { Turn } from '../session/store.ts';
+import type { Opening, Start } from '../session/workspace.ts';
+import type { OpenRequest } from './open-request.ts';
+import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 
+export interface OpenedStart extends Start {
+  /** The document that the files start with when nothing else is known: links are written against it. */
+  initial: Doc;
+  /** What is followed of a link. */
+  link: Permalink | null;
+}
+
+/** What becomes of the document of files that are read; `present`: what is still open. */
+export function startOf(request: OpenRequest, read: Doc, pool: PosePool, present: Work | null): OpenedStart {
+  const { begins, left, settings, turn } = request;
+  const { info } = pool.keys;
+  const base = settings ? withSettings(read, settings) : read;
+  const begun = begins === 'files' ? ofFiles(base, info) : begins ? ofSample(base, begins) : base;
+  const initial = turn && present ? restored(present, pool, turn) : begun;
+  if (left) return { initial, doc: restored(left, pool), camera: leftView(left).camera, link: null };
+  const doc = request.link ? applyPermalink(initial, request.link, info.report.components) : initial;
+  const link = request.link ? outside(request.link, doc, pool) : null;
+  return { initial, doc, camera: link?.view.camera ?? null, link };
+}
+
 /** The poses that are not of the files come back first: the document's keys name them by their place. */
-export function restored({ poses, offset = [0, 0, 0], state }: Remembered, pool: PosePool): Doc {
+export function restored({ poses, offset = [0, 0, 0], state }: Remembered, pool: PosePool, turn?: Turn): Doc {
+  const offsets = [offset, pool.keys.info.offset] as const;
   for (const { name, positions } of poses.slice(pool.count - pool.imported))
-    pool.add(name, relativeTo(positions, offset, pool.keys.info.offset));
+    pool.add(name, turn ? reoriented(positions, turn.before, turn.after, offsets) : relativeTo(positions, ...offsets));
   return keptDoc(state.doc);
 }
 
 /** With the settings of another document, but for those that name its keys. */
-export function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
+function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
   const { referencePose, startTangentPose, endTangentPose } = fresh.encoding;
   return {
     ...fresh,
@@ -36,7 +59,7 @@ export function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
 }
 
 /** The document of a sample: its end condition, what it holds, and the names of its poses. */
-export function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
+function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
   const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
   return setMotion({ ...doc, keys }, { boundary, hold });
 }
@@ -53,31 +76,44 @@ export function ofFiles(doc: Doc, { animation, animations, project }: OfFiles): 
 
 type OfFiles = Pick<KeysInfo, 'animation' | 'animations' | 'project'>;
 
+/** What is there when the request is met: what is shown of it first, for what was shown before. */
+export function openedState(
+  { source, project, left, stays, turn }: OpenRequest,
+  opening: Opening & OpenedStart,
+  before: AppState,
+  range: Range,
+  reducedMotion: boolean,
+): AppState {
+  const { doc, link } = opening;
+  const own = source.kind === 'files' ? (project ?? newProjectId()) : null;
+  const wanted = stays ? before.time : (link?.time ?? doc.keys[0]?.time ?? 0);
+  // No further than the slider reaches.
+  const time = clampTime(wanted, motionRange(doc, range));
+  const opened = { source, project: own, doc, time, view: before.view, play: before.play };
+  if (left) {
+    const play = { ...left.state.play, playing: false };
+    return { ...opened, view: leftView(left), play, time: left.state.time ?? time };
+  }
+  if (turn) return { ...opened, view: { ...before.view, camera: null } };
+  if (stays) return opened;
+  const play = openingPlay(opening, source, before.play, reducedMotion);
+  return { ...opened, view: openingView(before.view, link), play };
+}
+
+/** What an earlier version did not have starts as it is by default. */
+const leftView = ({ state }: Remembered): View => ({ ...DEFAULT_VIEW, ...state.view });
+
 /** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
-export function openingView(view: View, link: Permalink | null): View {
+function openingView(view: View, link: Permalink | null): View {
   if (link) return { ...DEFAULT_VIEW, ...link.view };
   const compare = view.split === null ? view.compare : [];
   return { ...view, compare, split: null, camera: null, window: null, film: false };
 }
 
-/** glTF says which way is up and how long a metre is; the other formats do not. */
-export function orientationOf(
-  input: readonly InputFile[],
-  { up = IMPORT.up.default, unit = IMPORT.unit.default }: ImportOptions,
-): Orientation | null {
-  return input.some(({ name }) => !['glb', 'gltf'].includes(extensionOf(name)) && isModel(name)) ? { up, unit } : null;
-}
-
-/** The time that is shown first: no further than the slider reaches. */
-export function openingTime(doc: Doc, range: Range, wanted: number | null): number {
-  return clampTime(wanted ?? doc.keys[0]?.time ?? 0, motionRange(doc, range));
-}
-
 /** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
-export function openingPlay(
-  { info, doc }: Opened,
+function openingPlay(
+  { info, doc, link }: Opening & OpenedStart,
   source: Source,
-  link: Permalink | null,
   { loop, fps }: Play,
   reducedMotion: boolean,
 ): Play {
@@ -92,12 +128,15 @@ export function openingPlay(
 }
 
 /**
- * Whether a camera is inside of the shape at a moment, where nothing can be seen but its inner side: inside of the key
- * there, or of both that it is between.
+ * The link without a camera that is inside of the shape at its moment, where nothing can be seen but its inner side:
+ * inside of the key there, or of both that it is between.
  */
-export function isBuried(camera: View['camera'], t: number, doc: Doc, pool: PosePool, faces: Uint32Array): boolean {
-  if (!camera) return false;
-  const before = doc.keys.findLast(({ time }) => time <= t);
-  const after = doc.keys.find(({ time }) => time >= t);
-  return [before, after].every((key) => !key || isInside(camera.position, pool.keys.positions(key.pose), faces));
+function outside(link: Permalink, { keys }: Doc, pool: PosePool): Permalink {
+  const { camera } = link.view;
+  const t = link.time ?? keys[0]?.time ?? 0;
+  const around = [keys.findLast(({ time }) => time <= t), keys.find(({ time }) => time >= t)];
+  const { faces } = pool.keys.info;
+  const seen = around.some((key) => key && camera && !isInside(camera.position, pool.keys.positions(key.pose), faces));
+  if (!camera || seen) return link;
+  return { ...link, view: { ...link.view, camera: null }, unfit: [...link.unfit, 'camera'] };
 }

@@ -11,11 +11,11 @@ import type { Source } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { Store } from '../session/store.ts';
-import type { OpenFiles } from './open-files.ts';
+import type { Opener } from './opener.ts';
 
 export interface TakeFilesParts {
   store: Store;
-  files: OpenFiles;
+  files: Opener;
   say(text: string): void;
   /** What waits for the user's word; null: nothing any more. */
   onOffer(offer: Offer | null): void;
@@ -23,121 +23,122 @@ export interface TakeFilesParts {
   onPick(): void;
 }
 
-export interface TakeFiles {
+export class TakeFiles {
+  /** The first pose of a motion, until the next one comes. */
+  private waiting: readonly PickedFile[] = [];
+
+  constructor(private readonly parts: TakeFilesParts) {}
+
   /** `place`: before which key they were put down, or null where they were not put among the keys. */
-  take(picked: PickedFile[] | Promise<PickedFile[]>, place?: number | null): Promise<void>;
-  /** Something else was opened: no pose waits any more. */
-  forget(): void;
-}
-
-export function createTakeFiles({ store, files, say, onOffer, onPick }: TakeFilesParts): TakeFiles {
-  let waiting: readonly PickedFile[] = [];
-
-  const wait = (first: readonly PickedFile[]): void => {
-    waiting = first;
-    onOffer({
-      message: `${titleOf(first)} is the first pose. Drop the next one, or choose it.`,
-      action: 'Choose files',
-      onAccept: onPick,
-      onDecline: () => (waiting = []),
+  async take(picked: PickedFile[] | Promise<PickedFile[]>, place: number | null = null): Promise<void> {
+    const { files, onOffer } = this.parts;
+    await files.run(picked, async (all) => {
+      const meant = withoutLeftovers(all);
+      const which = sequencesOffer(meant, (chosen) => void files.run(chosen, (some) => this.takeAll(some, place)));
+      if (!which) return this.takeAll(meant, place);
+      onOffer(which);
+      return false;
     });
-  };
+  }
 
-  const forget = (): void => {
-    waiting = [];
-    onOffer(null);
-  };
+  /** Something else was opened: no pose waits any more. */
+  forget(): void {
+    this.waiting = [];
+    this.parts.onOffer(null);
+  }
 
-  const done = (opened: boolean): boolean => {
-    if (opened) forget();
-    return opened;
-  };
+  private get hasOwn(): boolean {
+    return this.parts.store.get().source.kind === 'files';
+  }
 
-  /** The pose that the files hold, as a key of what is open; false where it is of another mesh. */
-  const add = async (picked: readonly PickedFile[], place: number | null): Promise<boolean> => {
+  private async takeAll(picked: readonly PickedFile[], place: number | null): Promise<boolean> {
+    const { files, store } = this.parts;
+    const areKeys = place !== null || areFurtherPoses(picked, store.get().source);
+    if (this.waiting.length > 0 || !areKeys) return this.open(picked);
+    if (await this.add(picked, place)) return true;
+    if (place === null && !this.hasOwn) return this.open(picked);
+    return this.askInstead(picked, () => void files.run([...picked], (taken) => this.open(taken)));
+  }
+
+  private open(picked: readonly PickedFile[]): Promise<boolean> {
+    return this.parts.files.open([...this.waiting, ...picked]).then(
+      (opened) => this.done(opened),
+      (error: unknown) => this.orElse(picked, error),
+    );
+  }
+
+  private async orElse(picked: readonly PickedFile[], error: unknown): Promise<boolean> {
+    if (this.waiting.length > 0) {
+      // The new files may be a motion without the pose that waits.
+      const opened = await this.parts.files.open(picked).catch(() => false);
+      if (!this.done(opened)) throw error;
+      return true;
+    }
+    if (!isSinglePose(error)) throw error;
+    if (await this.add(picked, null)) return true;
+    if (this.hasOwn) return this.askInstead(picked, () => this.wait(picked));
+    this.wait(picked);
+    return false;
+  }
+
+  /** The poses that the files hold, as keys of what is open; false where they are of another mesh. */
+  private async add(picked: readonly PickedFile[], place: number | null): Promise<boolean> {
+    const { files, say } = this.parts;
     try {
       const count = await files.addPoses(picked, place);
       if (count === 1) say(`${titleOf(picked)} was added as a key.`);
       else if (count !== null) say(`${count} keys were added.`);
-      return done(count !== null);
+      return this.done(count !== null);
     } catch (error) {
       if (!isMismatch(error)) throw error;
       return false;
     }
-  };
+  }
+
+  private done(opened: boolean): boolean {
+    if (opened) this.forget();
+    return opened;
+  }
+
+  private wait(first: readonly PickedFile[]): void {
+    const { onOffer, onPick } = this.parts;
+    this.waiting = first;
+    onOffer({
+      message: `${titleOf(first)} is the first pose. Drop the next one, or choose it.`,
+      action: 'Choose files',
+      onAccept: onPick,
+      onDecline: () => (this.waiting = []),
+    });
+  }
 
   /** Work of the user's own is replaced only where that is meant. */
-  const askInstead = (picked: readonly PickedFile[], start: () => void): boolean => {
+  private askInstead(picked: readonly PickedFile[], onAccept: () => void): boolean {
     const several = picked.filter(({ name }) => isModel(name)).length > 1;
-    onOffer({
+    this.parts.onOffer({
       message: `${titleOf(picked)}${several ? ' and the others are' : ' is'} of another mesh than what is open.`,
       action: 'Open it instead',
-      onAccept: start,
+      onAccept,
     });
     return false;
-  };
-
-  const orElse = async (picked: readonly PickedFile[], error: unknown): Promise<boolean> => {
-    if (waiting.length > 0) {
-      // The new files may be a motion without the pose that waits.
-      const opened = await files.open(picked).catch(() => false);
-      if (!done(opened)) throw error;
-      return true;
-    }
-    if (!isSinglePose(error)) throw error;
-    if (await add(picked, null)) return true;
-    if (store.get().source.kind === 'files') return askInstead(picked, () => wait(picked));
-    wait(picked);
-    return false;
-  };
-
-  const open = (picked: readonly PickedFile[]): Promise<boolean> =>
-    files.open([...waiting, ...picked]).then(done, (error: unknown) => orElse(picked, error));
-
-  const take = async (picked: readonly PickedFile[], place: number | null): Promise<boolean> => {
-    if (place !== null && waiting.length === 0) {
-      if (await add(picked, place)) return true;
-      return askInstead(picked, () => void files.run([...picked], (taken) => take(taken, null)));
-    }
-    if (waiting.length === 0 && areFurtherPoses(picked, store.get().source)) {
-      if (await add(picked, null)) return true;
-      if (store.get().source.kind === 'files') return askInstead(picked, () => void files.run([...picked], open));
-    }
-    return open(picked);
-  };
-
-  /** Of several numbered sequences one is meant, or the files are keys after all. */
-  const askWhich = (picked: readonly PickedFile[], place: number | null): boolean => {
-    const sequences = sequencesIn(picked.map(({ name }) => name));
-    if (sequences.length < 2) return false;
-    const open = (chosen: PickedFile[]): void => void files.run(chosen, (taken) => take(taken, place));
-    const choices = sequences.slice(0, MOST_CHOICES).map((sequence) => ({
-      action: sequenceText(sequence),
-      onAccept: () => open(picked.filter(({ name }) => !isModel(name) || sequence.names.includes(name))),
-    }));
-    const all = { action: 'All of them', onAccept: () => open([...picked]) };
-    const [first, ...others] = [...choices, all];
-    const more = sequences.length > choices.length ? `, of which ${choices.length} are shown` : '';
-    onOffer({
-      message: `There are ${sequences.length} numbered sequences${more}. Which one do you want to open?`,
-      ...first,
-      others,
-    });
-    return true;
-  };
-
-  return {
-    forget,
-    async take(picked, place = null) {
-      await files.run(picked, async (all) => {
-        const taken = withoutLeftovers(all);
-        return !askWhich(taken, place) && take(taken, place);
-      });
-    },
-  };
+  }
 }
 
 const MOST_CHOICES = 4;
+
+/** Of several numbered sequences one is meant, or the files are keys after all; null where there are not several. */
+function sequencesOffer(picked: readonly PickedFile[], open: (chosen: PickedFile[]) => void): Offer | null {
+  const sequences = sequencesIn(picked.map(({ name }) => name));
+  if (sequences.length < 2) return null;
+  const choices = sequences.slice(0, MOST_CHOICES).map((sequence) => ({
+    action: sequenceText(sequence),
+    onAccept: () => open(picked.filter(({ name }) => !isModel(name) || sequence.names.includes(name))),
+  }));
+  const all = { action: 'All of them', onAccept: () => open([...picked]) };
+  const [first, ...others] = [...choices, all];
+  const more = sequences.length > choices.length ? `, of which ${choices.length} are shown` : '';
+  const message = `There are ${sequences.length} numbered sequences${more}. Which one do you want to open?`;
+  return { message, ...first, others };
+}
 
 /** More numbered files than this are an animation. */
 const MOST_POSES = 32;

@@ -2,7 +2,7 @@
 import type { Orientation } from '../../model/orientation.ts';
 import type { Source } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
-import type { OpenFiles } from './open-files.ts';
+import type { Opener } from './opener.ts';
 
 export interface Undo {
   undo(): void;
@@ -14,14 +14,14 @@ export interface Undo {
 
 export interface UndoParts {
   store: Store;
-  files: OpenFiles;
+  files: Opener;
   titleOf(source: Source): string;
 }
 
 export function createUndo({ store, files, titleOf }: UndoParts): Undo {
   /** The step itself, once the shape lies as it did there. */
   const stepOver = (turn: Orientation | null, step: () => void): void => {
-    if (turn) void files.reorient(turn, { quietly: true }).then((done) => done && step());
+    if (turn) void files.reorient(turn, null).then((done) => done && step());
     else step();
   };
   const opening = (source: Source | undefined): string | null => (source ? `open ${titleOf(source)}` : null);

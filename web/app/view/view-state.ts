@@ -10,7 +10,7 @@ import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { Seen } from '../drawing/first-key.ts';
 import type { Fewest } from '../sources/animation.ts';
-import type { OpenedFiles } from '../sources/open-files.ts';
+import type { Opened } from '../sources/opener.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
 
@@ -82,7 +82,7 @@ export interface ViewStateHolder {
 }
 
 /** What other files bring with them. */
-export function openedView(opened: OpenedFiles, before: ViewState): Partial<ViewState> {
+export function openedView(opened: Opened, before: ViewState): Partial<ViewState> {
   const { info, initial, orientation, objects, source } = opened;
   return {
     info,
@@ -97,7 +97,7 @@ export function openedView(opened: OpenedFiles, before: ViewState): Partial<View
     placing: false,
     fewest: null,
     original: false,
-    opening: opened.picked ? asksForKeys(info) : opened.stays && before.opening,
+    opening: opened.picked ? asksForKeys(info) : opened.stays === true && before.opening,
     blend: null,
     stats: null,
     shownWarning: null,

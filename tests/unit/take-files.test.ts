@@ -1,0 +1,81 @@
+/** What is meant by picked files, without a page. */
+import { beforeEach, expect, it } from 'vitest';
+import { createStore } from '../../web/app/session/store.ts';
+import type { Opener } from '../../web/app/sources/opener.ts';
+import { TakeFiles } from '../../web/app/sources/take-files.ts';
+import { EngineError } from '../../web/engine/api/errors.ts';
+import type { Source } from '../../web/model/state.ts';
+import { EMPTY_STATE } from '../../web/model/state.ts';
+import type { Offer } from '../../web/ui/messages.ts';
+import type { PickedFile } from '../../web/ui/dropped-files.ts';
+
+const log: string[] = [];
+let offer: Offer | null = null;
+beforeEach(() => {
+  log.length = 0;
+  offer = null;
+});
+
+const picked = (...names: string[]): PickedFile[] => names.map((name) => ({ name, file: new File([], name) }));
+const names = (files: readonly PickedFile[]): string => files.map(({ name }) => name).join('+');
+const own: Source = { kind: 'files', names: ['mine.obj'] };
+const sample: Source = { kind: 'sample', id: 'box' };
+
+/** `fit`: the files are of the mesh that is open. One file alone is no motion. */
+function takeFilesOf(source: Source, fit: boolean): TakeFiles {
+  const files = {
+    run: async (given: PickedFile[], work: (files: PickedFile[]) => Promise<boolean>) => work(await given),
+    async open(given: PickedFile[]) {
+      log.push(`open ${names(given)}`);
+      if (given.length < 2) throw new EngineError('too-few-keys', 'One key.');
+      return true;
+    },
+    async addPoses(given: PickedFile[], place: number | null) {
+      log.push(`add ${names(given)} at ${place}`);
+      if (!fit) throw new EngineError('vertex-count-mismatch', 'Another mesh.');
+      return given.length;
+    },
+  };
+  return new TakeFiles({
+    store: createStore({ ...EMPTY_STATE, source }),
+    files: files as unknown as Opener,
+    say: (text) => log.push(text),
+    onOffer: (next) => (offer = next),
+    onPick: () => log.push('pick'),
+  });
+}
+const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+it('several files of which none is open become keys of the own files', async () => {
+  await takeFilesOf(own, true).take(picked('a.obj', 'b.obj'));
+  expect(log).toEqual(['add a.obj+b.obj at null', '2 keys were added.']);
+});
+
+it('files of another mesh take the place of own files only where that is meant', async () => {
+  await takeFilesOf(own, false).take(picked('a.obj', 'b.obj'), 1);
+  expect(offer?.message).toBe('“a.obj” and the others are of another mesh than what is open.');
+  offer?.onAccept?.();
+  await settled();
+  expect(log).toEqual(['add a.obj+b.obj at 1', 'open a.obj+b.obj']);
+  expect(offer).toBeNull();
+});
+
+it('the first pose waits for the next', async () => {
+  const takeFiles = takeFilesOf(sample, false);
+  await takeFiles.take(picked('a.obj'));
+  expect(offer?.message).toContain('“a.obj” is the first pose.');
+  await takeFiles.take(picked('b.obj'));
+  expect(log).toEqual(['open a.obj', 'add a.obj at null', 'open a.obj+b.obj']);
+  expect(offer).toBeNull();
+  await takeFiles.take(picked('c.obj', 'd.obj'));
+  expect(log.at(-1)).toBe('open c.obj+d.obj');
+});
+
+it('of several numbered sequences one is chosen', async () => {
+  await takeFilesOf(sample, false).take(picked('a1.obj', 'a2.obj', 'b1.obj', 'b2.obj'));
+  expect(log).toEqual([]);
+  expect(offer?.others?.at(-1)?.action).toBe('All of them');
+  offer?.onAccept?.();
+  await settled();
+  expect(log).toEqual(['open a1.obj+a2.obj']);
+});

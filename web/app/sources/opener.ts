@@ -1,0 +1,261 @@
+/** Opens what is asked for: reads it, makes its motion, and puts it in the place of what is open. */
+import type { Engine } from '../../engine/api/api.ts';
+import { isCancelled } from '../../engine/api/errors.ts';
+import type { InputFile, Progress } from '../../engine/api/types.ts';
+import { orientationStep } from '../../model/orientation.ts';
+import type { Orientation } from '../../model/orientation.ts';
+import type { End } from '../../model/speeds.ts';
+import type { PickedFile } from '../../ui/dropped-files.ts';
+import { Openings } from '../kept/openings.ts';
+import type { Step } from '../kept/openings.ts';
+import type { Remembered } from '../kept/project-shelf.ts';
+import { currentWork } from '../kept/work.ts';
+import type { Work } from '../kept/work.ts';
+import type { Store } from '../session/store.ts';
+import type { Opening, Workspace } from '../session/workspace.ts';
+import { addPoses, takeTangent } from './add-poses.ts';
+import {
+  animationRequest,
+  leftRequest,
+  momentsRequest,
+  objectsRequest,
+  orientationOf,
+  pickedRequest,
+  sampleRequest,
+  turnRequest,
+} from './open-request.ts';
+import type { OpenRequest, Present } from './open-request.ts';
+import { openedState, startOf } from './opened-state.ts';
+import type { OpenedStart } from './opened-state.ts';
+import { leftOut } from './permalink.ts';
+import type { Permalink } from './permalink.ts';
+import type { Sample } from './samples.ts';
+import { fetchSample } from './samples.ts';
+
+/** What is open now, while the state does not say so yet. Its camera is of a link or an earlier visit. */
+export interface Opened extends Opening, OpenedStart, Pick<OpenRequest, 'source' | 'picked' | 'stays'> {
+  /** How the files were read where they do not say it themselves. */
+  orientation: Orientation | null;
+  /** They were stood up for how their shapes look. */
+  stoodUp: boolean;
+  /** The objects of the files that were taken; empty for all of them. */
+  objects: readonly string[];
+}
+
+export interface OpenerParts {
+  engine: Engine;
+  store: Store;
+  workspace: Workspace;
+  samples(): readonly Sample[];
+  reducedMotion(): boolean;
+  say(text: string): void;
+  /** Something else is asked for: what went wrong before is of no interest. */
+  onStart(): void;
+  onOpened(opened: Opened): void;
+  /** The files were read anew for the same document: what is shown is to be made of them. */
+  onRead(): void;
+  /** Of reading further poses; an import is told of by the workspace. */
+  onWorking(working: Progress | null): void;
+  onError(error: unknown): void;
+}
+
+/** What opens something resolves to whether that is open now, and fails only where it says so. */
+export class Opener {
+  readonly openings = new Openings();
+  /** How often anything was asked for so far. */
+  asks = 0;
+  private fetching = new AbortController();
+  private readonly running = new Set<Promise<unknown>>();
+
+  constructor(private readonly parts: OpenerParts) {}
+
+  get busy(): boolean {
+    return this.running.size > 0;
+  }
+
+  /** Resolves when nothing is being opened. */
+  async idle(): Promise<void> {
+    while (this.busy) await Promise.all(this.running);
+  }
+
+  /** `files`: those of the sample, where they are on their way. `step`: what undo goes back over; null: nothing. */
+  sample(
+    id: string,
+    link: Permalink | null = null,
+    files: Promise<InputFile[]> | null = null,
+    step: Step | null = 'on',
+  ): Promise<boolean> {
+    return this.guarded(async () => {
+      const sample = this.parts.samples().find((one) => one.id === id);
+      if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
+      const input = await this.fetched((signal) => files ?? fetchSample(sample, signal));
+      if (!input) return false;
+      const request = sampleRequest(sample, input, link, step);
+      return this.meet(request).catch(async (error: unknown) => {
+        // What the engine refuses of a link must not keep the sample closed.
+        const final = isCancelled(error) || (error as { code?: unknown }).code === 'not-loaded';
+        if (!link || final || !(await this.meet({ ...request, link: null }))) throw error;
+        this.parts.onError(error);
+        return true;
+      });
+    });
+  }
+
+  /** Opens what a link names, without a step that undo goes back over. */
+  show(link: Permalink): Promise<boolean> {
+    return this.sample(link.sample, link, null, null);
+  }
+
+  /** Does with the files what `work` says, unless other ones are asked for before they are there. */
+  run(given: PickedFile[] | Promise<PickedFile[]>, work: (files: PickedFile[]) => Promise<boolean>): Promise<boolean> {
+    return this.guarded(async () => {
+      const files = await this.fetched(() => given);
+      return files !== null && files.length > 0 && work(files);
+    });
+  }
+
+  /** Opens them as the keys of a motion. To be run; fails where they are not. */
+  open(files: readonly PickedFile[]): Promise<boolean> {
+    return this.meet(pickedRequest(files));
+  }
+
+  /** Adds their poses before the key `place`, by default after the last. To be run; fails on another mesh. */
+  addPoses(files: readonly PickedFile[], place?: number | null): Promise<number | null> {
+    return this.reading(() => addPoses(this.parts, files, place));
+  }
+
+  /** Opens what an earlier visit left, or this one; false where there is none. */
+  again(left: Remembered | Work | null, step: Step | null = 'on'): Promise<boolean> {
+    return this.guarded(async () => {
+      if (!left) return false;
+      // A sample that is on its way is not wanted any more.
+      this.fetching.abort();
+      return this.meet(leftRequest(left, this.parts.samples(), step));
+    });
+  }
+
+  /** What was open before this, as it was left; opening is undone by it. */
+  back(): Promise<boolean> {
+    return this.again(this.openings.before, 'back');
+  }
+
+  /** Redoes that. */
+  forth(): Promise<boolean> {
+    return this.again(this.openings.after, 'forth');
+  }
+
+  /** Takes the keys anew, at these seconds of the animation's own timeline. */
+  resample(animation: number, times: number[]): Promise<boolean> {
+    return this.guarded(() => this.meet(momentsRequest(this.present, animation, times)));
+  }
+
+  /** Takes the keys from the animation that the files hold themselves, at the times that are taken by default. */
+  takeAnimation(): Promise<boolean> {
+    return this.guarded(() => this.meet(animationRequest(this.present)));
+  }
+
+  /** Reads the files again with these of their objects; with none, all of them. */
+  takeObjects(objects: string[]): Promise<boolean> {
+    return this.guarded(() => this.meet(objectsRequest(this.present, objects)));
+  }
+
+  /** Reads the files again with another axis up or another unit. */
+  reorient(orientation: Orientation, step: Step | null = 'on'): Promise<boolean> {
+    return this.guarded(() => this.meet(turnRequest(this.present, orientation, step)));
+  }
+
+  /** Adds the files' poses after the last key. */
+  async addKeys(files: PickedFile[]): Promise<void> {
+    await this.guarded(async () => (await this.addPoses(files)) !== null);
+  }
+
+  /** The shape of a file gives the tangent at an end of the motion. */
+  async takeTangent(given: PickedFile[] | Promise<PickedFile[]>, end: End): Promise<void> {
+    const { say } = this.parts;
+    await this.guarded(async () => {
+      const files = await given;
+      const name = files.length > 0 ? await this.reading(() => takeTangent(this.parts, files, end)) : null;
+      if (name) say(end === 'start' ? `The motion leaves towards “${name}”.` : `The motion arrives from “${name}”.`);
+      return name !== null;
+    });
+  }
+
+  private get present(): Present {
+    const { store, workspace } = this.parts;
+    return { files: workspace.input, options: workspace.options, state: store.get() };
+  }
+
+  /** The one way in. */
+  private async meet(request: OpenRequest): Promise<boolean> {
+    const { store, workspace, reducedMotion, say, onStart, onOpened, onRead } = this.parts;
+    const { options, source, step, picked = false, left, stays = false, turn } = request;
+    onStart();
+    const opening = await workspace.open(request.input, options, {
+      stays,
+      otherwise: ({ warnings }) =>
+        picked && warnings.some(({ code }) => code === 'z-up') ? { ...options, up: 'z' } : null,
+      start: (read, pool) => startOf(request, read, pool, turn ? currentWork(store, workspace) : null),
+      leave: () => {
+        if (step && !turn) this.openings.left(currentWork(store, workspace)!, step);
+      },
+    });
+    if (!opening) return false;
+    const state = openedState(request, opening, store.get(), workspace.range, reducedMotion());
+    onOpened({
+      ...opening,
+      source,
+      orientation: orientationOf(workspace.input, workspace.options),
+      stoodUp: workspace.options !== options,
+      objects: options.objects ?? [],
+      camera: state.view.camera,
+      picked,
+      stays,
+    });
+    if (turn) {
+      store.set({ view: state.view });
+      if (step) store.turned(orientationStep(turn.before, turn.after), turn);
+      onRead();
+      return true;
+    }
+    store.reset(state, left && 'history' in left ? left.history : undefined);
+    const unused = opening.link && leftOut(opening.link, opening.doc);
+    if (unused) say(unused);
+    return true;
+  }
+
+  /** What is on its way is not wanted any more; null where this is not either once it is there. */
+  private async fetched<T>(get: (signal: AbortSignal) => T | Promise<T>): Promise<T | null> {
+    this.fetching.abort();
+    this.fetching = new AbortController();
+    const { signal } = this.fetching;
+    try {
+      const files = await get(signal);
+      return signal.aborted ? null : files;
+    } catch (error) {
+      if (signal.aborted) return null;
+      throw error;
+    }
+  }
+
+  private async reading<T>(work: () => Promise<T>): Promise<T> {
+    const { onStart, onWorking } = this.parts;
+    onStart();
+    onWorking({ stage: 'reading', fraction: 0 });
+    try {
+      return await work();
+    } finally {
+      onWorking(null);
+    }
+  }
+
+  /** Says what goes wrong. */
+  private guarded(work: () => Promise<boolean>): Promise<boolean> {
+    this.asks += 1;
+    const task = work().catch((error: unknown) => {
+      this.parts.onError(error);
+      return false;
+    });
+    this.running.add(task);
+    return task.finally(() => this.running.delete(task));
+  }
+}
