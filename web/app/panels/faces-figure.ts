@@ -6,13 +6,13 @@ import { h, setField, setHidden, setText } from '../../ui/dom.ts';
 import { EngineError } from '../../engine/api/errors.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import type { Compared } from '../analysis/motion-distance.ts';
-import type { CoordinateChartEvents } from './coordinate-chart.ts';
+import type { ChartEvents } from './chart-figure.ts';
 import type { DistanceFigure, DistanceFigureProps } from './distance-figure.ts';
 import { createFaceCharts } from './face-charts.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import { createPatchCharts } from './patch-charts.ts';
 
-export interface FacesFigureEvents extends CoordinateChartEvents {
+export interface FacesFigureEvents extends ChartEvents {
   onColouring(colouring: Colouring): void;
   /** What distances are from; null where nothing is open. */
   compared(): Compared | null;
