@@ -1,22 +1,28 @@
 /** What is written beside each figure's title, and what is said of a change. */
-import type { Derived } from './derived.ts';
+import type { Shown } from './derived.ts';
 import { LAYER_WORDS, number } from './figures/words.ts';
-import type { Touched } from './notices.ts';
 import type { PlayState } from './state.ts';
 
+export type FigureId = 'curve' | 'slope' | 'bend' | 'weights' | 'bending' | 'system';
+
 /** What each figure counts: of a coordinate that was taken by the second; the page's own numbers have no unit. */
-export function unitsOf(
-  { plane, taken }: PlayState,
-  unit: string,
-): Record<'curve' | 'slope' | 'bend' | 'bending', string> {
-  if (taken)
+export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, string> {
+  const common = {
+    weights: `w₁ to w${subscript(keys.length)} over time`,
+    system: `${keys.length} × ${keys.length}, for the slopes m`,
+  };
+  if (taken) {
+    const { name, unit } = taken;
     return {
-      curve: `${taken.name}, in ${unit} over seconds`,
+      ...common,
+      curve: `${name}, in ${unit} over seconds`,
       slope: `first derivative, ${unit}/s`,
       bend: `second derivative, ${unit}/s²`,
       bending: `total bending in (${unit})²/s³`,
     };
+  }
   return {
+    ...common,
     curve: plane ? 'value over across' : 'value over time t',
     slope: plane ? 'speed: the length of the first derivative' : 'first derivative',
     bend: plane ? 'length of the second derivative' : 'second derivative',
@@ -25,11 +31,8 @@ export function unitsOf(
 }
 
 /** For who hears the page: what is so now. */
-export function sentence(
-  { keys, selected, plane, time }: PlayState,
-  { times, bending }: Derived,
-  touched: Touched,
-): string {
+export function sentence({ state, derived: { times, bending }, touched }: Shown): string {
+  const { keys, selected, plane, time } = state;
   const key = keys[selected]!;
   const where = plane ? `${number(key.across)} across` : `time ${number(times[selected]!)}`;
   const what = touched in LAYER_WORDS ? `${LAYER_WORDS[touched as keyof typeof LAYER_WORDS].name}. ` : '';
@@ -40,6 +43,6 @@ export function sentence(
   return `${what}${at}The natural spline bends ${number(bending.natural)} in total.`;
 }
 
-export function subscript(count: number): string {
+function subscript(count: number): string {
   return String(count).replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]!);
 }

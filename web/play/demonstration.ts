@@ -1,7 +1,6 @@
 /** What the page plays by itself until somebody touches it: scenes, one after the other, in a loop. */
 import { INITIAL, MAX_SAMPLES, MIN_SAMPLES, withKey } from './state.ts';
-import type { PlayState } from './state.ts';
-import type { Touched } from './notices.ts';
+import type { PlayState, Touched } from './state.ts';
 
 export interface Scene {
   seconds: number;

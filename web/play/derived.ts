@@ -10,7 +10,7 @@ import { slopeSystem } from './splines/slopes.ts';
 import type { System } from './splines/solve.ts';
 import { solveDense } from './splines/solve.ts';
 import { LAYERS } from './state.ts';
-import type { Layer, PlayState } from './state.ts';
+import type { Layer, PlayState, Touched } from './state.ts';
 
 /** One curve, or in two dimensions one for each coordinate: value, then across. */
 export type Curves = readonly Curve[];
@@ -31,6 +31,15 @@ export interface Derived {
   system: System;
   slopes: number[];
   weights: Curve[];
+}
+
+/** What the figures show. */
+export interface Shown {
+  state: PlayState;
+  derived: Derived;
+  touched: Touched;
+  /** A key to point at, besides the selected one; -1: none. */
+  lit: number;
 }
 
 export function derive(state: PlayState): Derived {

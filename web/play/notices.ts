@@ -5,10 +5,7 @@ import { LAYER_WORDS, number } from './figures/words.ts';
 import { valueAt } from './splines/curve.ts';
 import type { Curve } from './splines/curve.ts';
 import { MOST_SAMPLES } from './splines/least-bending.ts';
-import type { Layer, PlayState } from './state.ts';
-
-/** What was touched last. */
-export type Touched = 'key' | 'plane' | 'spacing' | 'shaping' | 'speed' | 'samples' | 'time' | Layer;
+import type { Layer, PlayState, Touched } from './state.ts';
 
 export function curveNotice(state: PlayState, derived: Derived, touched: Touched): string {
   const { curves, samples, sampleCount, times } = derived;

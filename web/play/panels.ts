@@ -3,6 +3,7 @@ import { button, segments, select, slider } from '../ui/controls.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import { TYPED_SPEED } from '../model/speeds.ts';
+import type { End } from '../plots/end-handle.ts';
 import { ENDS_WORDS } from './figures/words.ts';
 import type { Ends } from './splines/slopes.ts';
 import type { PlayState } from './state.ts';
@@ -11,12 +12,12 @@ import { MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES, MOST_SPEED } from './stat
 export interface PanelEvents {
   onPlane(plane: boolean): void;
   onAdd(): void;
-  onRemove(): void;
+  onRemoveSelected(): void;
   onSpacing(spacing: Spacing | 'hand'): void;
   onEnds(ends: Ends): void;
   onSamples(samples: number): void;
   onShaping(change: { tension?: number; bias?: number }): void;
-  onSpeed(end: 0 | 1, speed: number): void;
+  onSpeed(end: End, speed: number): void;
 }
 
 export interface Panel {
@@ -61,7 +62,7 @@ export function createTools(events: PanelEvents): Panel {
     kind: 'plain',
     text: 'Delete',
     shortcut: 'Delete',
-    onClick: events.onRemove,
+    onClick: events.onRemoveSelected,
   });
   return {
     element: h(
@@ -92,7 +93,7 @@ export function createCurveControls(events: PanelEvents): Panel {
     format: String,
     onInput: (value) => events.onSamples(Math.round(value)),
   });
-  const speed = (end: 0 | 1, label: string, testId: string) =>
+  const speed = (end: End, label: string, testId: string) =>
     slider({
       label,
       testId,
@@ -104,7 +105,10 @@ export function createCurveControls(events: PanelEvents): Panel {
       hint: 'In units of the straight way to the next key: 0 eases, 1 is as fast as that',
       onInput: (value) => events.onSpeed(end, value),
     });
-  const speeds = [speed(0, 'Speed at the first key', 'start-speed'), speed(1, 'Speed at the last key', 'end-speed')];
+  const speeds = [
+    speed('start', 'Speed at the first key', 'start-speed'),
+    speed('end', 'Speed at the last key', 'end-speed'),
+  ];
   const shaping = (name: 'tension' | 'bias', label: string, hint: string) =>
     slider({
       label,

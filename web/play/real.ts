@@ -4,6 +4,7 @@ import { h, setHidden, setText } from '../ui/dom.ts';
 import type { OpenShape, PlaygroundMessage } from '../model/playground-channel.ts';
 import { messageFrom, playgroundChannel } from '../model/playground-channel.ts';
 import { timesOf } from './derived.ts';
+import type { Panel } from './panels.ts';
 import { LAYERS, MAX_KEYS, wrongWithKeys } from './state.ts';
 import type { PlayState } from './state.ts';
 
@@ -13,35 +14,15 @@ export interface RealParts {
   change(state: PlayState): void;
 }
 
-export interface Real {
-  element: HTMLElement;
-  update(state: PlayState): void;
-}
-
 const TAKE = '#take';
-
 const ASK_AGAIN_MS = 1000;
 /** Of other tabs that are listed. */
 const MOST_SHAPES = 32;
 
-export function createReal({ get, change }: RealParts): Real {
-  const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
-  const shapes = new Map<string, OpenShape>();
+export function createReal({ get, change }: RealParts): Panel {
   let chosen = '';
   /** A link that asks for the first coordinate that is offered. */
   let asked = location.hash === TAKE;
-  let again = 0;
-  const send = (message: PlaygroundMessage): void => channel?.postMessage(message);
-  const ask = (): void => {
-    shapes.clear();
-    send({ type: 'ask' });
-    // The app may still be starting, here or in another tab.
-    window.clearTimeout(again);
-    again = window.setTimeout(() => {
-      if (shapes.size === 0 && !document.hidden) ask();
-    }, ASK_AGAIN_MS);
-  };
-
   const none = h(
     'p',
     { class: 'hint', 'data-testid': 'no-shape' },
@@ -59,8 +40,9 @@ export function createReal({ get, change }: RealParts): Real {
     kind: 'plain',
     text: 'Take it',
     onClick() {
-      const found = choiceOf(chosen);
-      if (found) takeFrom(found.shape, found.index);
+      const [page, index] = chosen.split('|');
+      const shape = shapes.get(page ?? '');
+      if (shape) takeFrom(shape, Number(index));
     },
   });
   const back = button({
@@ -71,13 +53,8 @@ export function createReal({ get, change }: RealParts): Real {
     onClick: () => send(backMessage(get())),
   });
   const said = h('p', { class: 'hint', role: 'status', 'data-testid': 'real-said' });
-  const some = h(
-    'div',
-    { class: 'real-some', hidden: true },
-    coordinate.element,
-    h('div', { class: 'button-row' }, take, back),
-    said,
-  );
+  const buttons = h('div', { class: 'button-row' }, take, back);
+  const some = h('div', { class: 'real-some', hidden: true }, coordinate.element, buttons, said);
 
   const takeFrom = (shape: OpenShape, index: number): void => {
     const state = takenState(get(), shape, index);
@@ -85,18 +62,8 @@ export function createReal({ get, change }: RealParts): Real {
     setText(said, wrong ? `These keys cannot be shown here: ${wrong}.` : '');
     if (!wrong) change(state);
   };
-  const choiceOf = (value: string): { shape: OpenShape; index: number } | null => {
-    const [page, index] = value.split('|');
-    const shape = shapes.get(page ?? '');
-    return shape ? { shape, index: Number(index) } : null;
-  };
   const draw = (): void => {
-    const choices = [...shapes.values()].flatMap((shape) =>
-      shape.coordinates.map(({ name }, index) => ({
-        value: `${shape.page}|${index}`,
-        label: `${shape.title}: ${name}`,
-      })),
-    );
+    const choices = [...shapes.values()].flatMap(choicesOf);
     if (!choices.some(({ value }) => value === chosen)) chosen = choices[0]?.value ?? '';
     setHidden(none, choices.length > 0);
     setHidden(some, choices.length === 0);
@@ -105,28 +72,63 @@ export function createReal({ get, change }: RealParts): Real {
     const of = taken && shapes.get(taken.from);
     back.disabled = !of || of.times.length !== keys.length;
   };
-
-  channel?.addEventListener('message', ({ data }: MessageEvent<unknown>) => {
-    const message = messageFrom(data);
-    if (message?.type === 'open' && (shapes.has(message.shape.page) || shapes.size < MOST_SHAPES)) {
-      const { shape } = message;
-      shapes.set(shape.page, shape);
+  const { shapes, send } = listenForShapes({
+    onShape(shape) {
       draw();
       if (asked && shape.coordinates.length > 0) takeFrom(shape, 0);
       asked = false;
-    }
-    if (message?.type === 'done')
-      setText(
-        said,
-        `The shape ${window === window.parent ? 'in the other tab' : 'beside'} moves like this now; Undo there takes it back.`,
-      );
+    },
+    onDone() {
+      const where = window === window.parent ? 'in the other tab' : 'beside';
+      setText(said, `The shape ${where} moves like this now; Undo there takes it back.`);
+    },
   });
-  document.addEventListener('visibilitychange', () => document.hidden || ask());
-  window.addEventListener('pageshow', ask);
   return {
     element: h('section', { class: 'real', 'data-testid': 'real' }, h('h2', {}, 'Take a real one'), none, some),
     update: draw,
   };
+}
+
+function choicesOf({ page, title, coordinates }: OpenShape): { value: string; label: string }[] {
+  return coordinates.map(({ name }, index) => ({ value: `${page}|${index}`, label: `${title}: ${name}` }));
+}
+
+interface Listener {
+  /** One is open, or is another than before. */
+  onShape(shape: OpenShape): void;
+  /** A shape has taken what was given back. */
+  onDone(): void;
+}
+
+/** The shapes that other tabs have open, by their pages: asked for whenever this one is seen. */
+function listenForShapes({ onShape, onDone }: Listener): {
+  shapes: ReadonlyMap<string, OpenShape>;
+  send(message: PlaygroundMessage): void;
+} {
+  const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
+  const shapes = new Map<string, OpenShape>();
+  let again = 0;
+  const send = (message: PlaygroundMessage): void => channel?.postMessage(message);
+  const ask = (): void => {
+    shapes.clear();
+    send({ type: 'ask' });
+    // The app may still be starting, here or in another tab.
+    window.clearTimeout(again);
+    again = window.setTimeout(() => {
+      if (shapes.size === 0 && !document.hidden) ask();
+    }, ASK_AGAIN_MS);
+  };
+  channel?.addEventListener('message', ({ data }: MessageEvent<unknown>) => {
+    const message = messageFrom(data);
+    if (message?.type === 'open' && (shapes.has(message.shape.page) || shapes.size < MOST_SHAPES)) {
+      shapes.set(message.shape.page, message.shape);
+      onShape(message.shape);
+    }
+    if (message?.type === 'done') onDone();
+  });
+  document.addEventListener('visibilitychange', () => document.hidden || ask());
+  window.addEventListener('pageshow', ask);
+  return { shapes, send };
 }
 
 /** The coordinate's values at the shape's own times, passed as the shape passes them. */

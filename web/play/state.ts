@@ -17,6 +17,9 @@ export interface PlayKey {
 export const LAYERS = ['linear', 'natural', 'samples', 'catmull-rom', 'hermite', 'periodic', 'shaped'] as const;
 export type Layer = (typeof LAYERS)[number];
 
+/** What was touched last. */
+export type Touched = 'key' | 'plane' | 'spacing' | 'shaping' | 'speed' | 'samples' | 'time' | Layer;
+
 /** A coordinate of a shape that is open in the app. */
 export interface Taken {
   /** Of the page that it was taken from. */

@@ -2,6 +2,7 @@
  * A handle at an end of the curve: along the tangent there, the longer the faster; dragged, or moved with the arrow
  * keys.
  */
+import { drag } from './drag.ts';
 import { make, text } from './svg-parts.ts';
 
 export type End = 'start' | 'end';
@@ -75,17 +76,12 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
   element.addEventListener('pointerdown', (event) => {
     if (!placed || speed === null || event.button !== 0) return;
     const [from, { unit }, scale] = [speed, placed, placed.width / picture.getBoundingClientRect().width];
-    const move = (to: PointerEvent): void => {
-      const along = ((to.clientX - event.clientX) * unit[0] + (to.clientY - event.clientY) * unit[1]) * scale;
-      events.onSpeed(end, from + along / (unit[0] ** 2 + unit[1] ** 2));
-    };
     event.preventDefault();
     element.focus({ preventScroll: true });
-    element.setPointerCapture(event.pointerId);
-    element.addEventListener('pointermove', move);
-    for (const name of ['pointerup', 'pointercancel'] as const) {
-      element.addEventListener(name, () => element.removeEventListener('pointermove', move), { once: true });
-    }
+    drag(element, event, (to) => {
+      const along = ((to.clientX - event.clientX) * unit[0] + (to.clientY - event.clientY) * unit[1]) * scale;
+      events.onSpeed(end, from + along / (unit[0] ** 2 + unit[1] ** 2));
+    });
   });
   element.addEventListener('keydown', (event) => events.onKey(end, event));
   element.addEventListener('dblclick', () => events.onReset(end));

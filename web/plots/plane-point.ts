@@ -1,4 +1,5 @@
 /** What is dragged in the shape plane: the point of the shape that is shown, and paths that are drawn. */
+import { drag } from './drag.ts';
 import { make } from './svg-parts.ts';
 
 type Vector = readonly [number, number];
@@ -57,7 +58,6 @@ export function createPlanePoint(picture: SVGSVGElement, width: number, events: 
     if (!drawing && !onPoint && event.pointerType !== 'mouse') return;
     event.preventDefault();
     element.focus({ preventScroll: true });
-    picture.setPointerCapture(event.pointerId);
     const places: Vector[] = [placeOf(event)];
     const move = (at: PointerEvent): void => {
       const place = placeOf(at);
@@ -67,14 +67,10 @@ export function createPlanePoint(picture: SVGSVGElement, width: number, events: 
       places.push(place);
       draw(places);
     };
-    const end = (): void => {
-      picture.removeEventListener('pointermove', move);
-      for (const name of ['pointerup', 'pointercancel'] as const) picture.removeEventListener(name, end);
+    drag(picture, event, move, () => {
       draw([]);
       if (drawing && places.length > 1) events.onStroke(places);
-    };
-    picture.addEventListener('pointermove', move);
-    for (const name of ['pointerup', 'pointercancel'] as const) picture.addEventListener(name, end);
+    });
     if (!drawing && !onPoint) events.onDrag(places[0]!);
   });
   element.addEventListener('keydown', (event) => events.onPointKey(event));

@@ -2,26 +2,20 @@
  * The guide: pages that are states of the app, told of by their links. What was open before comes back when it is left,
  * unless the reader has opened something else meanwhile.
  */
-import { DEFAULT_VIEW } from '../../model/state.ts';
 import type { Plot } from '../../model/state.ts';
 import { createGuidePanel } from '../../ui/guide-panel.ts';
 import type { GuidePanelProps } from '../../ui/guide-panel.ts';
-import type { Work } from '../kept/work.ts';
-import { currentWork } from '../kept/work.ts';
 import type { PanelName } from '../panels/layout.ts';
-import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
-import type { Opener } from '../sources/opener.ts';
 import { readPermalink } from '../sources/permalink.ts';
 import { FIGURES } from './figures.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
+import { createWayBack } from './way-back.ts';
+import type { WayBackParts } from './way-back.ts';
 import { filled, pressed, untilTouched, whenThere } from './when-there.ts';
 
-export interface GuideParts {
-  store: Store;
-  workspace: Workspace;
-  files: Opener;
+export interface GuideParts extends WayBackParts {
   /** Where its panel stands, beside wider options where it wants them; null takes it away. */
   place(panel: HTMLElement | null, wide?: boolean): void;
   /** Brings options or plots in sight. */
@@ -30,8 +24,6 @@ export interface GuideParts {
   frame(page: { href: string; title: string } | null): void;
   /** What is open is about to be closed: what of it waits to be kept is kept now. */
   keep(): void;
-  /** Opens what a visit starts with. */
-  openFirst(): Promise<void>;
   /** The address keeps this fragment; null: it follows the state. */
   pin(fragment: string | null): void;
 }
@@ -57,98 +49,30 @@ const nothing = (): void => undefined;
 /** What presenters' clickers send. */
 const CLICKS: Readonly<Record<string, 'previous' | 'next'>> = { PageUp: 'previous', PageDown: 'next' };
 
-export function createGuide({
-  store,
-  workspace,
-  files,
-  openFirst,
-  place,
-  showPanel,
-  frame,
-  keep,
-  pin,
-}: GuideParts): Guide {
+export function createGuide(parts: GuideParts): Guide {
+  const { store, workspace, files, place, keep, pin } = parts;
   let page: GuidePage | null = null;
   /** It is opening a page of its own. */
   let turning = 0;
-  /** It is opening what was there before, which is this. */
-  let returning = 0;
-  let comingBack: Work | null = null;
-  /** What had the focus before the first page. */
-  let focused: Element | null = null;
-  /** What was open before the first page. */
-  let before: Work | null = null;
-  const panel = createGuidePanel(() => void guide.close());
-
   /** Of what the page on show has prepared. */
   let takeBack = nothing;
-  const prepare = ({ panel: name, part, press, fill, beside }: GuidePage): void => {
-    const undone: (() => void)[] = [];
-    if (beside) {
-      frame({ href: beside.href, title: beside.framed });
-      undone.push(() => frame(null));
-    }
-    if (name) undone.push(untilTouched(name, () => showPanel(name, part)));
-    if (press) undone.push(whenThere(press, (control) => undone.push(pressed(control))));
-    if (fill) undone.push(whenThere(fill.field, (field) => undone.push(filled(field, fill.value))));
-    takeBack = () => undone.forEach((one) => one());
-  };
+  const back = createWayBack(parts);
+  const panel = createGuidePanel(() => void guide.close());
+  const answers = createAnswers(workspace, (answer) => panel.setLive(answer));
+  /** Whoever presents goes on doing so on the next page. */
+  const presenting = (): boolean => store.get().view.present !== null;
+  listenToClicker(
+    () => page !== null && presenting(),
+    (turn) => panel.turn(turn),
+  );
 
   const leave = (): void => {
     takeBack();
     takeBack = nothing;
     page = null;
-    before = null;
     place(null);
     pin(null);
   };
-
-  /** What the engine was asked for last, and of which motion. */
-  let asked: { of: Facts['stats']; answer: string } | null = null;
-  const ask = async (wanted: GuidePage, facts: Facts): Promise<void> => {
-    const { stats } = facts;
-    const sequence = workspace.sequences[0]?.sequence;
-    if (!sequence || !wanted.ask || asked?.of === stats) return;
-    const question = { of: stats, answer: '' };
-    asked = question;
-    const answer = await wanted.ask(sequence, facts).catch(() => ''); // another motion came between
-    if (asked !== question) return;
-    question.answer = answer;
-    panel.setLive(answer);
-  };
-
-  /** Who left with the keyboard goes on where they came from. */
-  const focusAgain = (): void => {
-    const lost = document.activeElement === document.body;
-    if (lost && focused instanceof HTMLElement && focused.checkVisibility()) focused.focus();
-    focused = null;
-  };
-
-  const giveBack = async (left: Work | null): Promise<void> => {
-    if (left) return again(left);
-    // Of the guide's pages nothing is left: what is opened looks as on a first visit.
-    store.set({ view: DEFAULT_VIEW });
-    await openFirst();
-  };
-
-  /** As it was, moving where it moved. */
-  const again = async (left: Work): Promise<void> => {
-    const { playing } = left.state.play;
-    if ((await files.again(left, null)) && playing) store.set({ play: { ...store.get().play, playing } });
-  };
-
-  /** Whoever presents goes on doing so on the next page. */
-  const presenting = (): boolean => store.get().view.present !== null;
-  window.addEventListener(
-    'keydown',
-    (event) => {
-      const turn = CLICKS[event.key];
-      if (!turn || !page || !presenting()) return;
-      event.preventDefault();
-      panel.turn(turn);
-    },
-    { capture: true },
-  );
 
   const guide: Guide = {
     async open(fragment) {
@@ -157,8 +81,7 @@ export function createGuide({
       if (!wanted || !state) return false;
       if (!page) {
         keep();
-        before = returning > 0 ? comingBack : currentWork(store, workspace);
-        focused = document.activeElement;
+        back.remember();
       }
       const enters = page === null && document.activeElement !== document.body;
       page = wanted;
@@ -168,33 +91,28 @@ export function createGuide({
       if (enters) panel.focus();
       takeBack();
       takeBack = nothing;
-      asked = null;
+      answers.forget();
       turning += 1;
       const present = presenting() ? 'shape' : null;
       await files.show({ ...state, view: { ...state.view, present } }).finally(() => (turning -= 1));
-      if (page !== wanted) return true;
-      prepare(wanted);
+      if (page === wanted) takeBack = prepare(wanted, parts);
       return true;
     },
     async close() {
-      const left = before;
       if (!page) return;
       leave();
-      focusAgain();
-      returning += 1;
-      comingBack = left;
-      await giveBack(left).finally(() => (returning -= 1));
+      await back.go();
     },
     onOpened() {
       if (!page || turning > 0) return;
-      if (before) files.openings.left(before);
+      back.drop();
       leave();
     },
     setFacts(facts) {
       if (!page) return;
       const open = facts && turning === 0 ? facts : null;
-      if (open) void ask(page, open);
-      panel.setLive((open && page.live?.(open)) ?? (page.ask && asked?.answer) ?? '');
+      if (open) void answers.ask(page, open);
+      panel.setLive((open && page.live?.(open)) ?? (page.ask && answers.last) ?? '');
     },
     get isOpen() {
       return page !== null;
@@ -205,10 +123,70 @@ export function createGuide({
     cancel() {
       const turns = page !== null && turning > 0;
       if (turns) void guide.close();
-      return turns || returning > 0;
+      return turns || back.underWay;
     },
   };
   return guide;
+}
+
+/** Shows what a page speaks of besides its state; what that returns takes it back. */
+function prepare(
+  { panel, part, press, fill, beside }: GuidePage,
+  { frame, showPanel }: Pick<GuideParts, 'frame' | 'showPanel'>,
+): () => void {
+  const undone: (() => void)[] = [];
+  if (beside) {
+    frame({ href: beside.href, title: beside.framed });
+    undone.push(() => frame(null));
+  }
+  if (panel) undone.push(untilTouched(panel, () => showPanel(panel, part)));
+  if (press) undone.push(whenThere(press, (control) => undone.push(pressed(control))));
+  if (fill) undone.push(whenThere(fill.field, (field) => undone.push(filled(field, fill.value))));
+  return () => undone.forEach((one) => one());
+}
+
+interface Answers {
+  /** Asks the engine what the page wants to know of the motion, once. */
+  ask(page: GuidePage, facts: Facts): Promise<void>;
+  forget(): void;
+  readonly last: string | undefined;
+}
+
+function createAnswers(workspace: Workspace, onAnswer: (answer: string) => void): Answers {
+  /** What was asked last, and of which motion. */
+  let asked: { of: Facts['stats']; answer: string } | null = null;
+  return {
+    async ask(page, facts) {
+      const { stats } = facts;
+      const sequence = workspace.sequences[0]?.sequence;
+      if (!sequence || !page.ask || asked?.of === stats) return;
+      const question = { of: stats, answer: '' };
+      asked = question;
+      const answer = await page.ask(sequence, facts).catch(() => ''); // another motion came between
+      if (asked !== question) return;
+      question.answer = answer;
+      onAnswer(answer);
+    },
+    forget() {
+      asked = null;
+    },
+    get last() {
+      return asked?.answer;
+    },
+  };
+}
+
+function listenToClicker(listens: () => boolean, onTurn: (turn: 'previous' | 'next') => void): void {
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      const turn = CLICKS[event.key];
+      if (!turn || !listens()) return;
+      event.preventDefault();
+      onTurn(turn);
+    },
+    { capture: true },
+  );
 }
 
 /** What the pages of a kind are called together. */

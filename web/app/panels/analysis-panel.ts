@@ -1,34 +1,17 @@
 /** The Analysis panel: shape plane and measures of the shown motions over time, computed when idle. */
 import type { End } from '../../model/speeds.ts';
-import { createLineChart } from '../../plots/line-chart.ts';
-import { make } from '../../plots/svg-parts.ts';
-import type { LineChart } from '../../plots/line-chart.ts';
-import { logFloor, tickLabel } from '../../plots/scale.ts';
-import type { Colouring, Plot } from '../../model/state.ts';
-import { h, setHidden, setText } from '../../ui/dom.ts';
-import { lineStyle, motionWords } from '../../model/method-words.ts';
-import { relativeToFirstKey } from '../analysis/analysis.ts';
-import type { MotionMeasures, MotionName } from '../../study/motion-measures.ts';
-import type { Analysis } from '../analysis/analysis.ts';
+import type { Colouring } from '../../model/state.ts';
+import { lazyComponent } from '../../ui/lazy.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { FacesFigure, FacesFigureEvents, FacesFigureProps } from './faces-figure.ts';
-import { addFigureTools } from './figure-tools.ts';
-import type { FigureEvents } from './figure-tools.ts';
-import { chartNumbers } from './chart-numbers.ts';
-import { lazyComponent } from '../../ui/lazy.ts';
+import { createMeasureCharts } from './measure-charts.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
-import type { Blend } from '../view/view-state.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
+import type { Blend } from '../view/view-state.ts';
 
-export interface AnalysisPanelEvents extends FigureEvents {
-  onSeek(t: number): void;
+export interface AnalysisPanelEvents extends FacesFigureEvents {
   onSpeed(end: End, speed: number): void;
   onBlend(blend: Blend | null): void;
-  onColouring: FacesFigureEvents['onColouring'];
-  onMark: FacesFigureEvents['onMark'];
-  compared: FacesFigureEvents['compared'];
-  onPickTruth: FacesFigureEvents['onPickTruth'];
-  onLeaveTruth: FacesFigureEvents['onLeaveTruth'];
 }
 
 export interface AnalysisPanelProps {
@@ -48,13 +31,6 @@ export interface AnalysisPanel {
 
 /** While edits follow each other nothing is computed. */
 const DELAY_MS = 200;
-const RELATIVE = '% of the first key';
-const BENDING = 'curvature of the motion, relative';
-const BENDING_UNIT = 'Relative to the mean deformation energy between keys, per time⁴';
-/** Below it there is nothing but rounding to be seen. */
-const LEAST_SLIDING = 0.01;
-const LEAST_BENDING = 1;
-const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
 
 /** Fills its place, `element`. */
 export function createAnalysisPanel(
@@ -74,14 +50,8 @@ export function createAnalysisPanel(
     facesProps = { ...facesProps, ...change };
     faces.update(facesProps);
   };
-  const volume = chart('Volume', RELATIVE, 'volume', events);
-  const area = chart('Area', RELATIVE, 'area', events);
-  const bending = chart('Bending energy', BENDING, 'bending', events);
-  const sliding = chart('Sliding of what rests', SLIDING, 'sliding', events);
-  bending.element.title = BENDING_UNIT;
-  setHidden(sliding.element, true);
-  const legend = h('div', { class: 'legend' });
-  element.append(legend, plane.element, volume.element, area.element, bending.element, sliding.element, faces.element);
+  const charts = createMeasureCharts(events);
+  element.append(charts.legend, plane.element, ...charts.elements, faces.element);
   let visible = false;
   let timer = 0;
   let cursor = 0;
@@ -90,37 +60,7 @@ export function createAnalysisPanel(
     cursor = t;
     plane.setCursor(t);
     updateFaces({ cursor: t });
-    for (const figure of [volume, area, bending, sliding]) figure.setCursor(t);
-  };
-
-  const draw = (analysis: Analysis): void => {
-    const { times, keyTimes, range, motions } = analysis;
-    const series = (pick: (motion: MotionMeasures) => number[]): Series[] =>
-      motions.map((motion) => ({
-        label: motionWords(motion).label,
-        values: pick(motion),
-        style: lineStyle(motion),
-      }));
-    const common = { times, keyTimes, range };
-    const relative = { ...common, include: 100, leastSpan: 4 };
-    volume.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.volume, analysis)) });
-    area.draw({ ...relative, series: series((motion) => relativeToFirstKey(motion.area, analysis)) });
-    const floor = logFloor(motions.map((motion) => motion.bending));
-    bending.draw({
-      ...common,
-      series: series((motion) => motion.bending),
-      include: 0,
-      leastSpan: LEAST_BENDING,
-      floor,
-    });
-    // Where nothing rests in any interval there is nothing to plot.
-    setHidden(
-      sliding.element,
-      motions.every((motion) => motion.sliding.every(Number.isNaN)),
-    );
-    sliding.draw({ ...common, series: series((motion) => motion.sliding), include: 0, leastSpan: LEAST_SLIDING });
-    drawLegend(legend, motions);
-    setCursor(cursor);
+    charts.setCursor(t);
   };
 
   const computeSoon = (): void => {
@@ -137,7 +77,8 @@ export function createAnalysisPanel(
     onStale: computeSoon,
     onFresh(analysis) {
       delete element.dataset['stale'];
-      draw(analysis);
+      charts.draw(analysis);
+      setCursor(cursor);
     },
   });
 
@@ -157,60 +98,4 @@ export function createAnalysisPanel(
     },
     clicked: (pick) => void faces.need().then((figure) => figure?.clicked(pick)),
   };
-}
-
-interface Series {
-  label: string;
-  values: number[];
-  style: string;
-}
-
-interface Figure extends Pick<LineChart, 'setCursor'> {
-  element: HTMLElement;
-  draw(data: Omit<Parameters<LineChart['draw']>[0], 'title' | 'unit'>): void;
-}
-
-function chart(title: string, unit: string, name: Plot, events: AnalysisPanelEvents): Figure {
-  const plot = createLineChart(events.onSeek);
-  const testId = `plot-${name}`;
-  const value = h('span', { class: 'value', 'data-testid': `${testId}-value` }, '');
-  const counted = h('span', { class: 'unit' }, unit);
-  let data: Parameters<Figure['draw']>[0] | null = null;
-  const element = h(
-    'figure',
-    { class: 'figure', 'data-testid': testId },
-    h('figcaption', {}, h('strong', {}, title), value, counted),
-    plot.element,
-  );
-  const redrawn = addFigureTools(element, { ...events, plot: name, title, numbers: () => data && chartNumbers(data) });
-  return {
-    element,
-    draw(next) {
-      data = next;
-      const words = next.floor ? `${unit}; logarithmic` : unit;
-      setText(counted, words);
-      plot.draw({ ...next, title, unit: words });
-      redrawn();
-    },
-    setCursor(t) {
-      plot.setCursor(t);
-      if (!data) return;
-      const after = data.times.findIndex((time) => time >= t);
-      const at = after < 0 ? data.times.length - 1 : after;
-      const numbers = data.series.map(({ values }) => values[at] ?? NaN);
-      const words = numbers.map((number) => (Number.isFinite(number) ? tickLabel(number) : '–'));
-      setText(value, numbers.some(Number.isFinite) ? words.join(' / ') : '');
-    },
-  };
-}
-
-function drawLegend(legend: HTMLElement, motions: readonly MotionName[]): void {
-  setHidden(legend, motions.length < 2);
-  legend.replaceChildren(
-    ...motions.map((motion) => {
-      const sample = make('svg', { viewBox: '0 0 22 8', 'aria-hidden': 'true' });
-      sample.append(make('line', { class: lineStyle(motion), x1: 0, x2: 22, y1: 4, y2: 4 }));
-      return h('span', {}, sample, motionWords(motion).label);
-    }),
-  );
 }

@@ -4,8 +4,8 @@ import { plottedTimes } from '../../model/time-scale.ts';
 import type { LineChartData, Series } from '../../plots/line-chart.ts';
 import { h, setHidden } from '../../ui/dom.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
+import type { ChartEvents } from './chart-figure.ts';
 import { createCoordinateChart, overNatural } from './coordinate-chart.ts';
-import type { CoordinateChartEvents } from './coordinate-chart.ts';
 
 export interface PartCharts {
   element: HTMLElement;
@@ -18,7 +18,7 @@ export const TIMES = 97;
 export const AXES = ['x', 'y', 'z'];
 const STRETCHES = ['along the first edge', 'shear', 'across'];
 
-export function createFaceCharts(events: CoordinateChartEvents): PartCharts {
+export function createFaceCharts(events: ChartEvents): PartCharts {
   const turned = 'degrees, as a rotation vector';
   const rotation = createCoordinateChart('face-rotation', 'Rotation against its patch', turned, events);
   const stretch = createCoordinateChart('face-stretch', 'Stretch', 'of the face, 1 as in the reference', events);

@@ -50,53 +50,22 @@ export function createOffCurve(
   };
   const path = createPlanePath(show, () => drawTools());
   const weights = createBlendWeights();
-  const hint = h('p', { class: 'plane-note' }, HINT);
-  const draw = button({
-    label: 'Draw a path in the plane and play it',
-    testId: 'plane-draw',
-    text: 'Draw a path',
-    kind: 'plain',
-    onClick: () => setDrawing(!drawing),
+  const tools = createPlaneTools({
+    onDraw: () => setDrawing(!drawing),
+    onPlay: () => (path.playing ? path.stop() : path.play()),
+    onBack() {
+      path.stop();
+      onBlend(null);
+    },
   });
-  const play = button({
-    label: 'Play the path that was drawn',
-    testId: 'plane-play',
-    icon: 'play',
-    text: 'Play path',
-    kind: 'plain',
-    onClick: () => (path.playing ? path.stop() : path.play()),
-  });
-  const back = button({
-    label: 'Back to the motion',
-    testId: 'plane-back',
-    text: 'Back to the motion',
-    shortcut: 'Esc',
-    kind: 'plain',
-    onClick: () => leave(),
-  });
-  const element = h(
-    'div',
-    { class: 'group' },
-    hint,
-    h('div', { class: 'plane-tools' }, draw, play, back),
-    weights.element,
-  );
+  const element = h('div', { class: 'group' }, ...tools.elements, weights.element);
 
-  const drawTools = (): void => {
-    setAttribute(draw, 'aria-pressed', String(drawing));
-    setHidden(play, path.points === null);
-    setText(play.lastElementChild!, path.playing ? 'Stop' : 'Play path');
-    setHidden(back, shown === null);
-    setText(hint, drawing ? DRAWING_HINT : HINT);
-  };
+  const drawTools = (): void =>
+    tools.update({ drawing, drawn: path.points !== null, playing: path.playing, off: shown !== null });
   const setDrawing = (on: boolean): void => {
     drawing = on;
     plot().setDrawing(on);
     drawTools();
-  };
-  const leave = (): void => {
-    path.stop();
-    onBlend(null);
   };
   drawTools();
 
@@ -115,13 +84,11 @@ export function createOffCurve(
       drawTools();
     },
     onPointKey(event) {
-      const arrow = ARROWS[event.key];
-      if (!arrow || !shapes || event.ctrlKey || event.altKey || event.metaKey) return;
+      const to = shapes && stepped(shown?.at ?? onCurve, event, extentOf(shapes.keys));
+      if (!to) return;
       event.preventDefault();
       path.stop();
-      const from = shown?.at ?? onCurve;
-      const step = STEP * (event.shiftKey ? 10 : 1) * extentOf(shapes.keys);
-      show([from[0] + arrow[0] * step, from[1] + arrow[1] * step]);
+      show(to);
     },
     setShapes(next) {
       const other = JSON.stringify(next?.keys) !== JSON.stringify(shapes?.keys);
@@ -140,6 +107,69 @@ export function createOffCurve(
       plot().setPoint(blend?.at ?? null);
       weights.update({ weights: blend?.weights ?? null, keys });
       drawTools();
+    },
+  };
+}
+
+/** Where an arrow key takes the point; null: it is none. */
+function stepped([x, y]: Point, event: KeyboardEvent, extent: number): Point | null {
+  const arrow = ARROWS[event.key];
+  if (!arrow || event.ctrlKey || event.altKey || event.metaKey) return null;
+  const step = STEP * (event.shiftKey ? 10 : 1) * extent;
+  return [x + arrow[0] * step, y + arrow[1] * step];
+}
+
+interface PlaneToolsEvents {
+  onDraw(): void;
+  onPlay(): void;
+  onBack(): void;
+}
+
+interface PlaneToolsProps {
+  drawing: boolean;
+  /** There is a path. */
+  drawn: boolean;
+  playing: boolean;
+  /** Another shape than the motion's is shown. */
+  off: boolean;
+}
+
+function createPlaneTools({ onDraw, onPlay, onBack }: PlaneToolsEvents): {
+  elements: HTMLElement[];
+  update(props: PlaneToolsProps): void;
+} {
+  const hint = h('p', { class: 'plane-note' }, HINT);
+  const draw = button({
+    label: 'Draw a path in the plane and play it',
+    testId: 'plane-draw',
+    text: 'Draw a path',
+    kind: 'plain',
+    onClick: onDraw,
+  });
+  const play = button({
+    label: 'Play the path that was drawn',
+    testId: 'plane-play',
+    icon: 'play',
+    text: 'Play path',
+    kind: 'plain',
+    onClick: onPlay,
+  });
+  const back = button({
+    label: 'Back to the motion',
+    testId: 'plane-back',
+    text: 'Back to the motion',
+    shortcut: 'Esc',
+    kind: 'plain',
+    onClick: onBack,
+  });
+  return {
+    elements: [hint, h('div', { class: 'plane-tools' }, draw, play, back)],
+    update({ drawing, drawn, playing, off }) {
+      setAttribute(draw, 'aria-pressed', String(drawing));
+      setHidden(play, !drawn);
+      setText(play.lastElementChild!, playing ? 'Stop' : 'Play path');
+      setHidden(back, !off);
+      setText(hint, drawing ? DRAWING_HINT : HINT);
     },
   };
 }

@@ -5,8 +5,8 @@ import { select } from '../../ui/controls.ts';
 import { h, setHidden } from '../../ui/dom.ts';
 import { angleOf, patchCurves } from '../analysis/patch-curves.ts';
 import type { PatchCurves, PatchNeighbour } from '../analysis/patch-curves.ts';
+import type { ChartEvents } from './chart-figure.ts';
 import { OTHERS, createCoordinateChart, overNatural } from './coordinate-chart.ts';
-import type { CoordinateChartEvents } from './coordinate-chart.ts';
 import { AXES, TIMES, isOther } from './face-charts.ts';
 import type { PartCharts } from './face-charts.ts';
 
@@ -18,58 +18,19 @@ interface Loaded {
 }
 
 /** `onPair`: the neighbour whose turn is drawn; null without any. */
-export function createPatchCharts(events: CoordinateChartEvents, onPair: (patch: number | null) => void): PartCharts {
-  const angles = createCoordinateChart('patch-angles', 'Turn against its neighbours', 'angle, degrees', events);
-  const turned = 'degrees, as a rotation vector in the axes of the reference pose';
-  const rotation = createCoordinateChart('patch-rotation', 'Turn against a neighbour', turned, events);
+export function createPatchCharts(events: ChartEvents, onPair: (patch: number | null) => void): PartCharts {
+  const turns = createTurnCharts(events, onPair);
   const average = 'mean over its area and both directions';
   const stretch = createCoordinateChart('patch-stretch', 'Stretch of the patch', average, events);
-  const against = select<string>('Neighbour', 'patch-neighbour', [], (value) => draw(Number(value)));
-  const pair = h('div', { class: 'group' }, angles.element, against.element, rotation.element);
-  const element = h('div', { class: 'group', hidden: true }, pair, stretch.element);
-  let loaded: Loaded | null = null;
+  const element = h('div', { class: 'group', hidden: true }, turns.element, stretch.element);
   let asked = 0;
-  let wanted = -1;
-
-  /** The chosen neighbour, where this patch has it; else the one that turns furthest. */
-  const draw = (neighbour: number): void => {
-    if (!loaded) return;
-    const { own, natural, common } = loaded;
-    const of = own.neighbours.find(({ patch }) => patch === neighbour) ?? own.neighbours[0];
-    setHidden(pair, !of);
-    onPair(of?.patch ?? null);
-    if (!of) return;
-    wanted = of.patch;
-    against.update(
-      String(of.patch),
-      own.neighbours.map(({ patch }) => ({ value: String(patch), label: nameOf(patch) })),
-    );
-    const drawnLast = [...own.neighbours.filter((one) => one !== of), of];
-    const angle = (one: PatchNeighbour, style: string): Series => ({
-      label: nameOf(one.patch),
-      values: one.turn.map(angleOf),
-      style,
-    });
-    const turning = natural?.neighbours.find(({ patch }) => patch === of.patch);
-    angles.draw({
-      ...common,
-      series: drawnLast.map((one) => angle(one, one === of ? 'axis-0' : OTHERS)),
-      include: 0,
-      leastSpan: 2,
-    });
-    rotation.draw(
-      { ...common, series: overNatural(vector(of), turning ? vector(turning) : null), include: 0, leastSpan: 2 },
-      `Turn against ${nameOf(of.patch)}`,
-    );
-  };
-
   return {
     element,
     async load(patch, input) {
       const [main] = input?.sequences ?? [];
       const mine = ++asked;
       if (patch === null || !input || !main) {
-        loaded = null;
+        turns.draw(null);
         setHidden(element, true);
         return '';
       }
@@ -80,20 +41,77 @@ export function createPatchCharts(events: CoordinateChartEvents, onPair: (patch:
       const own = patchCurves(curve, curve.numbers, rest);
       const natural = isOther(curve.numbers, curve.natural) ? patchCurves(curve, curve.natural, rest) : null;
       const common = { times, keyTimes: input.keyTimes, range: input.range, dots: true };
-      loaded = { own, natural, common };
       setHidden(element, false);
       const lengths = ({ stretch: values }: PatchCurves): Series[] => [{ label: 'stretch', values, style: 'axis-0' }];
       const log = main.sequence.options.stretch === 'log';
       const series = overNatural(lengths(own), natural && lengths(natural));
       stretch.draw({ ...common, series, include: log ? 0 : 1, leastSpan: 0.04 });
-      draw(wanted);
+      turns.draw({ own, natural, common });
       const { length } = own.neighbours;
       return length === 1 ? '1 neighbour' : `${length} neighbours`;
     },
     setCursor(t) {
-      for (const one of [angles, rotation, stretch]) one.setCursor(t);
+      for (const one of [turns, stretch]) one.setCursor(t);
     },
   };
+}
+
+interface TurnCharts {
+  element: HTMLElement;
+  draw(loaded: Loaded | null): void;
+  setCursor(t: number): void;
+}
+
+/** How far the patch turns against all of its neighbours, and in which way against one that is chosen. */
+function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) => void): TurnCharts {
+  const angles = createCoordinateChart('patch-angles', 'Turn against its neighbours', 'angle, degrees', events);
+  const turned = 'degrees, as a rotation vector in the axes of the reference pose';
+  const rotation = createCoordinateChart('patch-rotation', 'Turn against a neighbour', turned, events);
+  const against = select<string>('Neighbour', 'patch-neighbour', [], (value) => {
+    wanted = Number(value);
+    draw();
+  });
+  const element = h('div', { class: 'group' }, angles.element, against.element, rotation.element);
+  let loaded: Loaded | null = null;
+  /** The neighbour, where this patch has it; else the one that turns furthest. */
+  let wanted = -1;
+  const draw = (): void => {
+    if (!loaded) return;
+    const { own, natural, common } = loaded;
+    const of = own.neighbours.find(({ patch }) => patch === wanted) ?? own.neighbours[0];
+    setHidden(element, !of);
+    onPair(of?.patch ?? null);
+    if (!of) return;
+    wanted = of.patch;
+    against.update(
+      String(of.patch),
+      own.neighbours.map(({ patch }) => ({ value: String(patch), label: nameOf(patch) })),
+    );
+    const drawnLast = [...own.neighbours.filter((one) => one !== of), of];
+    const series = drawnLast.map((one) => angle(one, one === of ? 'axis-0' : OTHERS));
+    angles.draw({ ...common, series, include: 0, leastSpan: 2 });
+    const turning = natural?.neighbours.find(({ patch }) => patch === of.patch);
+    rotation.draw({
+      ...common,
+      title: `Turn against ${nameOf(of.patch)}`,
+      series: overNatural(vector(of), turning ? vector(turning) : null),
+      ...{ include: 0, leastSpan: 2 },
+    });
+  };
+  return {
+    element,
+    draw(next) {
+      loaded = next;
+      draw();
+    },
+    setCursor(t) {
+      for (const one of [angles, rotation]) one.setCursor(t);
+    },
+  };
+}
+
+function angle({ patch, turn }: PatchNeighbour, style: string): Series {
+  return { label: nameOf(patch), values: turn.map(angleOf), style };
 }
 
 function nameOf(patch: number): string {

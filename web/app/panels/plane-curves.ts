@@ -1,5 +1,6 @@
 /** Further curves of the shape plane, with what is to be said of them. */
 import { METHOD, OWN_METHOD } from '../../engine/api/methods.ts';
+import type { Motion } from '../../engine/api/api.ts';
 import { EngineError } from '../../engine/api/errors.ts';
 import type { PlaneOverlay } from '../../plots/shape-plane.ts';
 import { checkbox, numberField } from '../../ui/controls.ts';
@@ -28,12 +29,54 @@ const percent = (share: number): string => `${Number((100 * share).toPrecision(2
 
 export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): PlaneCurves {
   let input: AnalysisInput | null = null;
+  let blends: BlendCurve[] = [];
+  let least = NONE;
+  let timer = 0;
+  const note = h('p', { class: 'plane-note', 'data-testid': 'plane-notes' });
+  const minimised = createMinimised((found) => {
+    least = found;
+    draw();
+  }, onError);
+  const element = h('div', { class: 'group' }, minimised.element, note);
+
+  const draw = (): void => {
+    onOverlays([...blends.map(blendOverlay), ...least.overlays]);
+    const sentences = [...least.sentences, ...blends.map(blendWords)];
+    setHidden(note, sentences.length === 0);
+    setText(note, sentences.join(' '));
+  };
+  const refreshBlends = async (of: AnalysisInput): Promise<void> => {
+    const found = await blendCurves(of);
+    if (input !== of) return;
+    blends = found;
+    draw();
+  };
+
+  return {
+    element,
+    async show(next) {
+      input = next;
+      blends = [];
+      window.clearTimeout(timer);
+      await minimised.show(next);
+      if (next.sequences.some(({ method }) => METHOD[method].space !== 'lri'))
+        timer = window.setTimeout(() => void refreshBlends(next).catch(onError), REST_MS);
+    },
+  };
+}
+
+interface Further {
+  overlays: PlaneOverlay[];
+  sentences: string[];
+}
+
+const NONE: Further = { overlays: [], sentences: [] };
+
+/** The samples that bend least, where they are wanted. */
+function createMinimised(onFound: (found: Further) => void, onError: (error: unknown) => void): PlaneCurves {
+  let input: AnalysisInput | null = null;
   let wanted = false;
   let samples = SAMPLES;
-  let minimised: MinimisedCurve | null = null;
-  let problem = '';
-  let blends: BlendCurve[] = [];
-  let timer = 0;
   let asked = 0;
   const count = numberField({
     label: 'Samples of the minimisation',
@@ -54,65 +97,39 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
   toggle.element.title =
     'The samples that bend least with the keys held, found by minimising over all of them at once: what the spline ' +
     'gives in closed form';
-  const row = h('div', { class: 'plane-tools' }, toggle.element, count, h('span', {}, 'samples'));
-  const note = h('p', { class: 'plane-note', 'data-testid': 'plane-notes' });
-  const element = h('div', { class: 'group' }, row, note);
-
-  const draw = (): void => {
-    const overlays: PlaneOverlay[] = blends.map(({ method, points }) => ({
-      label: METHOD_WORDS[method].label,
-      points,
-      style: method,
-      marked: false,
-    }));
-    if (minimised)
-      overlays.push({ label: 'Least bending', points: minimised.points, style: 'minimised', marked: true });
-    onOverlays(overlays);
-    const sentences = [
-      ...(problem ? [problem] : []),
-      ...(minimised ? [minimisedWords(minimised, samples)] : []),
-      ...blends.map(blendWords),
-    ];
-    setHidden(note, sentences.length === 0);
-    setText(note, sentences.join(' '));
-  };
+  const element = h('div', { class: 'plane-tools' }, toggle.element, count, h('span', {}, 'samples'));
 
   const refresh = async (): Promise<void> => {
     const spline = input?.sequences.find(({ method }) => method === OWN_METHOD);
-    setHidden(row, !spline);
+    setHidden(element, !spline);
     const mine = ++asked;
-    problem = '';
-    const found = wanted && spline ? await minimisedCurve(spline.sequence, samples).catch(refused) : null;
-    if (mine !== asked) return;
-    minimised = found;
-    draw();
+    const found = wanted && spline ? await leastBending(spline.sequence, samples, onError) : NONE;
+    if (mine === asked) onFound(found);
   };
-  /** So many samples cannot work with these keys: the core says why. */
-  const refused = (error: unknown): null => {
-    if (error instanceof EngineError && error.code === 'invalid-option') problem = error.message;
-    else onError(error);
-    return null;
-  };
-  const refreshBlends = async (): Promise<void> => {
-    if (!input) return;
-    const of = input;
-    const found = await blendCurves(of);
-    if (input !== of) return;
-    blends = found;
-    draw();
-  };
-
   return {
     element,
-    async show(next) {
+    show(next) {
       input = next;
-      blends = [];
-      window.clearTimeout(timer);
-      await refresh();
-      if (next.sequences.some(({ method }) => METHOD[method].space !== 'lri'))
-        timer = window.setTimeout(() => void refreshBlends().catch(onError), REST_MS);
+      return refresh();
     },
   };
+}
+
+async function leastBending(spline: Motion, samples: number, onError: (error: unknown) => void): Promise<Further> {
+  try {
+    const found = await minimisedCurve(spline, samples);
+    const overlay = { label: 'Least bending', points: found.points, style: 'minimised', marked: true };
+    return { overlays: [overlay], sentences: [minimisedWords(found, samples)] };
+  } catch (error) {
+    // So many samples cannot work with these keys: the core says why.
+    if (error instanceof EngineError && error.code === 'invalid-option') return { ...NONE, sentences: [error.message] };
+    onError(error);
+    return NONE;
+  }
+}
+
+function blendOverlay({ method, points }: BlendCurve): PlaneOverlay {
+  return { label: METHOD_WORDS[method].label, points, style: method, marked: false };
 }
 
 function minimisedWords({ energy, splineEnergy, off }: MinimisedCurve, samples: number): string {

@@ -1,7 +1,9 @@
 /** The figure of the shape plane: its curve takes a millisecond to compute and follows every change at once. */
 import { DEFAULT_SPEED, USUAL_MOST, formatSpeed, offeredSpeed } from '../../model/speeds.ts';
 import type { End, Speeds } from '../../model/speeds.ts';
+import type { EndHandleEvents } from '../../plots/end-handle.ts';
 import { createShapePlane } from '../../plots/shape-plane.ts';
+import type { ShapePlaneData } from '../../plots/shape-plane.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../model/method-words.ts';
 import { SPEED_WORDS, typedSpeed } from '../../ui/speed-handles.ts';
@@ -39,77 +41,94 @@ export function createShapePlaneFigure(
   input: () => AnalysisInput | null,
   { onSpeed, onBlend, onEnlarge, onError }: ShapePlaneFigureEvents,
 ): ShapePlaneFigure {
-  let speeds: Speeds | null = null;
-  let most = USUAL_MOST;
-  let cursor = 0;
-  let stale = false;
-  let running = false;
-
-  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
-  const set = (end: End, speed: number): void => {
-    if (speeds) speeds = { ...speeds, [end]: speed };
-    onSpeed(end, speed);
-  };
+  const ends = createEndEvents(onSpeed);
   const offCurve = createOffCurve(() => plot, onBlend);
   const plot = createShapePlane({
     pointLabel: POINT_LABEL,
     onPoint: offCurve.onPoint,
     onPath: offCurve.onPath,
     onPointKey: offCurve.onPointKey,
-    label: (end) => SPEED_WORDS[end].label,
-    words: formatSpeed,
-    onSpeed: (end, speed) => set(end, offeredSpeed(speed, most[end])),
-    onReset: (end) => set(end, DEFAULT_SPEED),
-    onKey(end, event) {
-      const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end, most[end]);
-      if (speed === null) return;
-      event.preventDefault();
-      set(end, speed);
-    },
+    ...ends.events,
   });
   const curves = createPlaneCurves({ onOverlays: plot.setOverlays, onError });
   const explained = h('span', { class: 'unit' });
+  const title = 'Shape plane';
   const element = h(
     'figure',
     { class: 'figure', 'data-testid': 'plot-plane' },
-    h('figcaption', { title: TITLE }, h('strong', {}, 'Shape plane'), explained),
+    h('figcaption', { title: TITLE }, h('strong', {}, title), explained),
     plot.element,
     offCurve.element,
     curves.element,
   );
   let known: FigureNumbers | null = null;
-  const title = 'Shape plane';
   const redrawn = addFigureTools(element, { plot: 'plane', title, numbers: () => known, onEnlarge, onError });
 
-  const work = async (): Promise<void> => {
+  const refresh = oneAfterTheOther(async () => {
     const asked = input();
     if (!asked) return;
     const computed = await computeShapePlanes(asked);
-    const { times, range, planes, tangents } = computed;
-    const [main] = planes;
+    const main = computed.planes[0]?.plane;
     setHidden(element, !main);
     if (!main) return;
-    const percent = (100 * main.plane.explained).toFixed(0);
-    setText(explained, `Principal plane of the keys, explains ${percent} % of the variance`);
-    plot.draw({
-      times,
-      range,
-      keys: main.plane.keys,
-      tangents,
-      curves: planes.map(({ method, plane }) => ({
-        label: METHOD_WORDS[method].label,
-        points: plane.curve,
-        style: method,
-      })),
-    });
+    setText(explained, `Principal plane of the keys, explains ${(100 * main.explained).toFixed(0)} % of the variance`);
+    plot.draw(planeData(computed, main.keys));
     known = { ...planeNumbers(computed), keep: asked.keyTimes };
     redrawn();
-    offCurve.setShapes(knownShapes(main.plane));
-    plot.setSpeeds(speeds, most);
-    plot.setCursor(cursor);
+    offCurve.setShapes(knownShapes(main));
     await curves.show(asked);
-  };
+  }, onError);
 
+  return {
+    element,
+    refresh,
+    setCursor(t) {
+      plot.setCursor(t);
+      offCurve.setCurvePoint(plot.curvePoint(t));
+    },
+    setBlend: offCurve.update,
+    setSpeeds(speeds, most) {
+      ends.setSpeeds(speeds, most);
+      plot.setSpeeds(speeds, most);
+    },
+  };
+}
+
+/** What the handles at the ends do to the speeds there. */
+function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']): {
+  events: EndHandleEvents;
+  setSpeeds: ShapePlaneFigure['setSpeeds'];
+} {
+  let speeds: Speeds | null = null;
+  let most = USUAL_MOST;
+  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  const set = (end: End, speed: number): void => {
+    if (speeds) speeds = { ...speeds, [end]: speed };
+    onSpeed(end, speed);
+  };
+  return {
+    events: {
+      label: (end) => SPEED_WORDS[end].label,
+      words: formatSpeed,
+      onSpeed: (end, speed) => set(end, offeredSpeed(speed, most[end])),
+      onReset: (end) => set(end, DEFAULT_SPEED),
+      onKey(end, event) {
+        const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end, most[end]);
+        if (speed === null) return;
+        event.preventDefault();
+        set(end, speed);
+      },
+    },
+    setSpeeds(next, nextMost) {
+      [speeds, most] = [next, nextMost];
+    },
+  };
+}
+
+/** Does the work once more after calls that came in the middle of it. */
+function oneAfterTheOther(work: () => Promise<void>, onError: (error: unknown) => void): () => void {
+  let stale = false;
+  let running = false;
   const follow = async (): Promise<void> => {
     running = true;
     while (stale) {
@@ -118,24 +137,19 @@ export function createShapePlaneFigure(
     }
     running = false;
   };
-
-  return {
-    element,
-    refresh() {
-      stale = true;
-      if (!running) void follow();
-    },
-    setCursor(t) {
-      cursor = t;
-      plot.setCursor(t);
-      offCurve.setCurvePoint(plot.curvePoint(t));
-    },
-    setBlend: offCurve.update,
-    setSpeeds(next, nextMost) {
-      [speeds, most] = [next, nextMost];
-      plot.setSpeeds(speeds, most);
-    },
+  return () => {
+    stale = true;
+    if (!running) void follow();
   };
+}
+
+function planeData({ times, range, planes, tangents }: ShapePlanes, keys: readonly number[]): ShapePlaneData {
+  const curves = planes.map(({ method, plane }) => ({
+    label: METHOD_WORDS[method].label,
+    points: plane.curve,
+    style: method,
+  }));
+  return { times, range, keys, tangents, curves };
 }
 
 function planeNumbers({ times, planes }: ShapePlanes): FigureNumbers {

@@ -1,130 +1,71 @@
 /** The keys with the curves through them: over time, or in two dimensions in their plane. */
-import { createEndHandle } from '../../plots/end-handle.ts';
-import type { End, EndHandle } from '../../plots/end-handle.ts';
+import { clamp } from '../../model/time-scale.ts';
+import type { End } from '../../plots/end-handle.ts';
 import { make, namedCurve, text } from '../../plots/svg-parts.ts';
 import { extent, padded, tickLabel, ticks } from '../../plots/scale.ts';
-import type { Derived } from '../derived.ts';
+import type { Derived, Shown } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';
-import { MOST_SPEED, shownTimes } from '../state.ts';
+import { shownTimes } from '../state.ts';
 import type { Layer, PlayState } from '../state.ts';
 import { clipped } from './clip.ts';
+import { createEndHandles } from './end-handles.ts';
+import type { Part } from './figure.ts';
 import { createKeyHandles } from './key-handles.ts';
 import type { KeyHandleEvents } from './key-handles.ts';
 import { curveLines } from './lines.ts';
 import { BOTTOM, TOP, axesOf, createPicture, gridLines, timeAxes } from './plot.ts';
-import type { Axes, Box } from './plot.ts';
+import type { Axes, Box, Marks } from './plot.ts';
 import { LAYER_WORDS } from './words.ts';
 
-export interface CurveFigureEvents extends KeyHandleEvents {
+export interface CurveFigureEvents extends Omit<KeyHandleEvents, 'onHold'> {
   onSpeed(end: End, speed: number): void;
 }
 
-export interface CurveFigure {
-  element: SVGSVGElement;
-  /** lit: a key to point at, besides the selected one; -1 = none. */
-  update(state: PlayState, derived: Derived, lit: number): void;
-}
-
-/** A handle of speed 1 ends halfway to the next key. */
-const HANDLE = 1 / 2;
-
 type Point = readonly [number, number];
+/** Where a curve's numbers at a time are in the picture. */
+type Place = (numbers: readonly number[], t: number) => Point;
 
-export function createCurveFigure(events: CurveFigureEvents): CurveFigure {
-  let shown: { state: PlayState; derived: Derived; lit: number } | null = null;
-  let axes: Axes | null = null;
-  /** Speeds by keys that came since the page was drawn: each goes on from what the one before has asked for. */
-  let pressed: Partial<Record<End, number>> = {};
-  let held: { x: readonly [number, number]; y: readonly [number, number] } | null = null;
-  const redraw = (): void => {
-    if (shown) draw(shown.state, shown.derived, shown.lit);
-  };
-  const picture = createPicture('curve-figure', (width) => Math.min(Math.max(width * 0.52, 240), 440), redraw);
-  const { element } = picture;
+export function createCurveFigure({ onSpeed, ...events }: CurveFigureEvents): Part<SVGSVGElement> {
+  let held: Axes | null = null;
+  const picture = createPicture('curve-figure', (width) => clamp(width * 0.52, 240, 440), draw);
+  const { element, update } = picture;
   element.setAttribute('role', 'group');
   const curves = make('g', {});
   const keys = createKeyHandles(element, {
     ...events,
     // Axes that followed a dragged key would run away from it.
     onHold(holding) {
-      held = holding && axes ? { x: axes.x.domain, y: axes.y.domain } : null;
-      events.onHold(holding);
-      if (!holding) redraw();
+      held = holding ? picture.axes() : null;
+      if (!holding) picture.redraw();
     },
   });
-  const handleOf = (end: End): EndHandle =>
-    createEndHandle(end, element, {
-      label: (at) => (at === 'start' ? 'Speed at the first key' : 'Speed at the last key'),
-      words: (speed) => speed.toFixed(2),
-      onSpeed: (at, speed) => events.onSpeed(at, Math.min(Math.max(speed, 0), MOST_SPEED)),
-      onKey(at, event) {
-        const step = { ArrowUp: 0.1, ArrowRight: 0.1, ArrowDown: -0.1, ArrowLeft: -0.1 }[event.key];
-        if (step === undefined || !shown) return;
-        event.preventDefault();
-        const from = pressed[at] ?? shown.state.speeds[at === 'start' ? 0 : 1];
-        const speed = Math.min(Math.max(from + step * (event.shiftKey ? 10 : 1), 0), MOST_SPEED);
-        pressed = { ...pressed, [at]: speed };
-        events.onSpeed(at, speed);
-      },
-      onReset: (at) => events.onSpeed(at, 1),
-    });
-  const handles = { start: handleOf('start'), end: handleOf('end') };
-  element.append(curves, handles.start.element, handles.end.element, keys.element);
+  const ends = createEndHandles(element, onSpeed);
+  element.append(curves, ...ends.elements, keys.element);
 
-  function draw(state: PlayState, derived: Derived, lit: number): void {
-    const box = picture.box();
-    if (box.width === 0) return;
-    axes = state.plane ? planeAxes(box, state, held) : spanAxes(box, state, derived, held);
+  function draw(shown: Shown, box: Box): Axes {
+    const { state, derived, lit } = shown;
+    const axes = state.plane ? planeAxes(box, state, held) : spanAxes(box, shown, held);
     const { x, y } = axes;
-    const place = (numbers: readonly number[], t: number): Point =>
-      state.plane ? [x(numbers[1]!), y(numbers[0]!)] : [x(t), y(numbers[0]!)];
-    const values = state.keys.map((key) => [key.value, key.across]);
-    const points = values.map((numbers, i) => place(numbers, derived.times[i]!));
+    const place: Place = (numbers, t) => [x(state.plane ? numbers[1]! : t), y(numbers[0]!)];
+    const points = state.keys.map(({ value, across }, i) => place([value, across], derived.times[i]!));
     curves.replaceChildren(
       ...(state.plane
         ? planeGrid(box, axes)
-        : timeAxes(box, axes, { ...marksOf(state, derived), selected: lit < 0 ? state.selected : lit })),
-      ...picture.framed(state.layers.flatMap((layer) => layerParts(layer, derived, axes!, state.plane, place))),
-      ...cursorParts(state, derived, place),
+        : timeAxes(box, axes, { ...marksOf(shown), selected: lit < 0 ? state.selected : lit })),
+      ...picture.framed(state.layers.flatMap((layer) => layerParts(layer, derived, axes, state.plane, place))),
+      ...cursorParts(shown, place),
     );
-    keys.update(state, derived.times, points, axes, lit);
-    placeHandles(state, derived, place, box);
+    keys.update(shown, points, axes);
+    ends.update(state, points, box);
     element.setAttribute('aria-label', describe(state));
+    return axes;
   }
 
-  function placeHandles(
-    state: PlayState,
-    { times }: Derived,
-    place: (n: readonly number[], t: number) => Point,
-    box: Box,
-  ): void {
-    const on = state.layers.includes('hermite') || (state.ends === 'hermite' && state.layers.includes('shaped'));
-    const at = (i: number): Point => place([state.keys[i]!.value, state.keys[i]!.across], times[i]!);
-    const last = state.keys.length - 1;
-    const put = (handle: EndHandle, from: Point, towards: Point, speed: number): void => {
-      const unit: Point = [(towards[0] - from[0]) * HANDLE, (towards[1] - from[1]) * HANDLE];
-      handle.place(on ? { from, unit, width: box.width, height: box.height } : null);
-      handle.setSpeed(on ? speed : null, MOST_SPEED);
-    };
-    put(handles.start, at(0), at(1), state.speeds[0]);
-    put(handles.end, at(last), at(last - 1), state.speeds[1]);
-  }
-
-  return {
-    element,
-    update(state, derived, lit) {
-      pressed = {};
-      shown = { state, derived, lit };
-      redraw();
-    },
-  };
+  return { element, update };
 }
 
-export function marksOf(
-  state: PlayState,
-  { times, range }: Derived,
-): { keyTimes: number[]; range: readonly [number, number]; selected: number; cursor: number } {
-  return { keyTimes: times, range, selected: state.selected, cursor: state.time };
+export function marksOf({ state, derived }: Shown): Marks {
+  return { keyTimes: derived.times, range: derived.range, selected: state.selected, cursor: state.time };
 }
 
 /** First and last time that plots over time show. */
@@ -132,16 +73,14 @@ export function shownSpan({ range }: Derived): [number, number] {
   return shownTimes(range);
 }
 
-type Held = { x: readonly [number, number]; y: readonly [number, number] } | null;
-
-function spanAxes(box: Box, { keys }: PlayState, derived: Derived, held: Held): Axes {
-  const spread = padded(extent(keys.map(({ value }) => value)), 0.38, 0.05);
-  return axesOf(box, shownSpan(derived), held?.y ?? spread);
+function spanAxes(box: Box, { state, derived }: Shown, held: Axes | null): Axes {
+  const spread = padded(extent(state.keys.map(({ value }) => value)), 0.38, 0.05);
+  return axesOf(box, shownSpan(derived), held?.y.domain ?? spread);
 }
 
 /** One scale for both axes: a step is as long in every direction. */
-function planeAxes(box: Box, { keys }: PlayState, held: Held): Axes {
-  if (held) return axesOf(box, held.x, held.y);
+function planeAxes(box: Box, { keys }: PlayState, held: Axes | null): Axes {
+  if (held) return axesOf(box, held.x.domain, held.y.domain);
   const xs = padded(extent(keys.map(({ across }) => across)), 0.2, 0.05);
   const ys = padded(extent(keys.map(({ value }) => value)), 0.3, 0.05);
   const plain = axesOf(box, [0, 1], [0, 1]);
@@ -164,13 +103,7 @@ function planeGrid({ width, height }: Box, { x, y }: Axes): SVGElement[] {
   ];
 }
 
-function layerParts(
-  layer: Layer,
-  derived: Derived,
-  { x, y }: Axes,
-  plane: boolean,
-  place: (n: number[], t: number) => Point,
-): SVGElement[] {
+function layerParts(layer: Layer, derived: Derived, { x, y }: Axes, plane: boolean, place: Place): SVGElement[] {
   if (layer !== 'samples') return curveLines(layer, derived.curves[layer], 0, shownSpan(derived), place);
   const [value, across] = derived.samples;
   if (!value) return [];
@@ -182,11 +115,7 @@ function layerParts(
 }
 
 /** Where each curve is at the time of the cursor. */
-function cursorParts(
-  { time, layers }: PlayState,
-  { curves }: Derived,
-  place: (n: number[], t: number) => Point,
-): SVGElement[] {
+function cursorParts({ state: { time, layers }, derived: { curves } }: Shown, place: Place): SVGElement[] {
   return layers.flatMap((layer) => {
     if (layer === 'samples') return [];
     const [cx, cy] = place(

@@ -4,32 +4,40 @@ import type { Heading } from '../../plots/plot-files.ts';
 import { h, setText } from '../../ui/dom.ts';
 import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
 import type { NumbersTable } from '../../ui/values.ts';
+import { unitsOf } from '../captions.ts';
+import type { FigureId } from '../captions.ts';
+import type { Shown } from '../derived.ts';
+import type { Panel } from '../panels.ts';
 import { number } from './words.ts';
+
+/** Follows what is shown. */
+export interface Part<E extends Element> {
+  element: E;
+  update(shown: Shown): void;
+}
 
 export interface FigureOptions {
   /** Names it in test ids and files. */
-  id: string;
+  id: FigureId;
   title: string;
-  body: HTMLElement | SVGSVGElement;
+  body: Part<HTMLElement | SVGSVGElement>;
   /** Between the title and the picture. */
-  tools?: HTMLElement;
-  picture?: SVGSVGElement;
-  numbers(): NumbersTable;
+  tools?: Panel;
+  /** One or two sentences. */
+  notice(shown: Shown): string;
+  numbers(shown: Shown): NumbersTable;
   onError(error: unknown): void;
 }
 
-export interface Figure {
-  element: HTMLElement;
-  /** `unit`: beside the title. `notice`: one or two sentences. */
-  update(unit: string, notice: string): void;
-}
-
-export function createFigure({ id, title, body, tools, picture, numbers, onError }: FigureOptions): Figure {
+export function createFigure({ id, title, body, tools, notice, numbers, onError }: FigureOptions): Part<HTMLElement> {
+  let shown: Shown | null = null;
+  const known = (): NumbersTable => (shown ? numbers(shown) : { names: [], rows: [], brief: [] });
+  const picture = body.element instanceof SVGSVGElement ? body.element : null;
   const unit = h('span', { class: 'unit' });
   const heading = (): Heading => ({ title, unit: unit.textContent ?? '' });
-  const notice = h('p', { class: 'notice', 'data-testid': `${id}-notice` });
+  const noticed = h('p', { class: 'notice', 'data-testid': `${id}-notice` });
   const frame = valuesFrame(title);
-  const fill = (): void => frame.replaceChildren(valuesTable(title, numbers(), number));
+  const fill = (): void => frame.replaceChildren(valuesTable(title, known(), number));
   const values = h('details', { class: 'values', 'data-testid': `${id}-values` }, h('summary', {}, 'Values'), frame);
   values.addEventListener('toggle', () => values.open && fill());
   const files = saveButtons(
@@ -41,7 +49,7 @@ export function createFigure({ id, title, body, tools, picture, numbers, onError
         png: () => pngOf(picture, heading()),
       }),
       csv() {
-        const { names, rows } = numbers();
+        const { names, rows } = known();
         return new Blob([csvOf(names, rows)], { type: 'text/csv' });
       },
     },
@@ -51,14 +59,17 @@ export function createFigure({ id, title, body, tools, picture, numbers, onError
     element: h(
       'figure',
       { class: `play-figure figure-${id}`, 'data-testid': `figure-${id}` },
-      h('figcaption', {}, h('h2', {}, title), unit, tools),
-      body,
-      notice,
+      h('figcaption', {}, h('h2', {}, title), unit, tools?.element),
+      body.element,
+      noticed,
       h('div', { class: 'after' }, values, files),
     ),
-    update(units, sentence) {
-      setText(unit, units);
-      setText(notice, sentence);
+    update(next) {
+      shown = next;
+      body.update(next);
+      tools?.update(next.state);
+      setText(unit, unitsOf(next.state)[id]);
+      setText(noticed, notice(next));
       if (values.open) fill();
     },
   };

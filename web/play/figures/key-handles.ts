@@ -1,133 +1,134 @@
 /** The keys as handles: dragged, or moved with the arrow keys. */
+import { drag } from '../../plots/drag.ts';
 import { make, text } from '../../plots/svg-parts.ts';
-import type { PlayState } from '../state.ts';
+import type { Shown } from '../derived.ts';
 import type { Axes } from './plot.ts';
 import { LEFT, RIGHT } from './plot.ts';
 import { number } from './words.ts';
 
 export interface KeyHandleEvents {
   onSelect(key: number): void;
-  /** `along`: the time, in two dimensions the second coordinate. */
-  onMove(key: number, to: { along: number; value: number }): void;
-  onAdd(): void;
+  onMove(key: number, to: KeyPlace): void;
   onRemove(key: number): void;
   /** A key is being dragged, or no longer. */
   onHold(holding: boolean): void;
 }
 
-export interface KeyHandles {
-  element: SVGGElement;
-  update(
-    state: PlayState,
-    times: readonly number[],
-    points: readonly (readonly [number, number])[],
-    axes: Axes,
-    lit: number,
-  ): void;
+/** `along`: the time, in two dimensions the second coordinate. */
+export interface KeyPlace {
+  along: number;
+  value: number;
 }
 
-interface Shown {
-  state: PlayState;
-  times: readonly number[];
-  axes: Axes;
+interface Handle<Of> {
+  element: SVGGElement;
+  /** `at`: in the picture. */
+  update(shown: Shown, at: Of, axes: Axes): void;
 }
+
+type Point = readonly [number, number];
 
 /** Of what is shown in either direction: the step of an arrow key. */
 const STEP = 1 / 100;
 
-export function createKeyHandles(picture: SVGSVGElement, events: KeyHandleEvents): KeyHandles {
+export function createKeyHandles(picture: SVGSVGElement, events: KeyHandleEvents): Handle<readonly Point[]> {
   const element = make('g', {});
-  const handles: SVGGElement[] = [];
-  let shown: Shown | null = null;
-  /** Where key presses have moved a key before it is drawn there: the next one goes on from it. */
-  let pressed: { key: number; along: number; value: number } | null = null;
-
-  const where = (key: number): { along: number; value: number } => {
-    const { state, times } = shown!;
-    return { along: state.plane ? state.keys[key]!.across : times[key]!, value: state.keys[key]!.value };
-  };
-  const press = (key: number, event: KeyboardEvent): void => {
-    if (event.key === 'Delete' || event.key === 'Backspace') {
-      event.preventDefault();
-      events.onRemove(key);
-      return;
-    }
-    const by = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowRight: [1, 0], ArrowLeft: [-1, 0] }[event.key];
-    if (!by || !shown) return;
-    event.preventDefault();
-    const scale = STEP * (event.shiftKey ? 10 : 1);
-    const [sideways, up] = [shown.axes.x.domain, shown.axes.y.domain].map(([low, high]) => (high - low) * scale);
-    const { along, value } = pressed?.key === key ? pressed : where(key);
-    pressed = { key, along: along + by[0]! * sideways!, value: value + by[1]! * up! };
-    events.onMove(key, pressed);
-  };
-  const drag = (key: number, start: PointerEvent): void => {
-    if (start.button !== 0 || !shown) return;
-    start.preventDefault();
-    const handle = handles[key]!;
-    handle.focus({ preventScroll: true });
-    handle.setPointerCapture(start.pointerId);
-    events.onSelect(key);
-    events.onHold(true);
-    const from = where(key);
-    const { x, y } = shown.axes;
-    const perPixel = picture.viewBox.baseVal.width / picture.getBoundingClientRect().width;
-    const span = picture.viewBox.baseVal.width - LEFT - RIGHT;
-    const along = ((x.domain[1] - x.domain[0]) / span) * perPixel;
-    const value = ((y.domain[1] - y.domain[0]) / (y(y.domain[0]) - y(y.domain[1]))) * perPixel;
-    const move = (at: PointerEvent): void =>
-      events.onMove(key, {
-        along: from.along + (at.clientX - start.clientX) * along,
-        value: from.value - (at.clientY - start.clientY) * value,
-      });
-    const end = (): void => {
-      handle.removeEventListener('pointermove', move);
-      for (const name of ENDS) handle.removeEventListener(name, end);
-      events.onHold(false);
-    };
-    handle.addEventListener('pointermove', move);
-    for (const name of ENDS) handle.addEventListener(name, end);
-  };
-  const create = (key: number): SVGGElement => {
-    const handle = make('g', { class: 'key-handle', role: 'slider', tabindex: 0, 'data-testid': `key-${key}` });
-    handle.append(
-      make('circle', { class: 'key-reach', r: 20 }),
-      make('circle', { class: 'key', r: 7 }),
-      text('key-number', 0, -14, String(key + 1)),
-    );
-    handle.addEventListener('pointerdown', (event) => drag(key, event));
-    handle.addEventListener('focus', () => events.onSelect(key));
-    handle.addEventListener('keydown', (event) => press(key, event));
-    return handle;
-  };
-
+  const handles: Handle<Point>[] = [];
   return {
     element,
-    update(state, times, points, axes, lit) {
-      pressed = null;
-      shown = { state, times, axes };
-      while (handles.length < points.length) element.append(handles[handles.push(create(handles.length)) - 1]!);
-      while (handles.length > points.length) handles.pop()!.remove();
-      points.forEach(([x, y], key) => {
-        const handle = handles[key]!;
-        const { value, across } = state.keys[key]!;
-        const [low, high] = axes.y.domain;
-        handle.setAttribute('transform', `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
-        handle.classList.toggle('selected', key === state.selected);
-        handle.classList.toggle('lit', key === lit);
-        const along = state.plane ? `and ${number(across)} across` : `at time ${number(times[key]!)}`;
-        for (const [name, said] of Object.entries({
-          'aria-label': `Key ${key + 1}`,
-          'aria-orientation': 'vertical',
-          'aria-valuemin': Math.min(low, value).toPrecision(4),
-          'aria-valuemax': Math.max(high, value).toPrecision(4),
-          'aria-valuenow': value.toPrecision(4),
-          'aria-valuetext': `value ${number(value)} ${along}`,
-        }))
-          handle.setAttribute(name, said);
-      });
+    update(shown, points, axes) {
+      while (handles.length < points.length)
+        element.append(handles[handles.push(createKeyHandle(handles.length, picture, events)) - 1]!.element);
+      while (handles.length > points.length) handles.pop()!.element.remove();
+      handles.forEach((handle, key) => handle.update(shown, points[key]!, axes));
     },
   };
 }
 
-const ENDS = ['pointerup', 'pointercancel'] as const;
+function createKeyHandle(key: number, picture: SVGSVGElement, events: KeyHandleEvents): Handle<Point> {
+  const element = make('g', { class: 'key-handle', role: 'slider', tabindex: 0, 'data-testid': `key-${key}` });
+  element.append(
+    make('circle', { class: 'key-reach', r: 20 }),
+    make('circle', { class: 'key', r: 7 }),
+    text('key-number', 0, -14, String(key + 1)),
+  );
+  let drawn: { axes: Axes; from: KeyPlace } | null = null;
+  /** Where key presses have moved it before it is drawn there: the next one goes on from it. */
+  let pressed: KeyPlace | null = null;
+
+  element.addEventListener('focus', () => events.onSelect(key));
+  element.addEventListener('keydown', (event) => {
+    if (event.key === 'Delete' || event.key === 'Backspace') {
+      event.preventDefault();
+      events.onRemove(key);
+    }
+    const to = drawn && stepped(pressed ?? drawn.from, event, drawn.axes);
+    if (!to) return;
+    event.preventDefault();
+    pressed = to;
+    events.onMove(key, to);
+  });
+  element.addEventListener('pointerdown', (start) => {
+    if (start.button !== 0 || !drawn) return;
+    start.preventDefault();
+    element.focus({ preventScroll: true });
+    events.onSelect(key);
+    events.onHold(true);
+    const { from, axes } = drawn;
+    const pixel = pixelOf(picture, axes);
+    const move = (at: PointerEvent): void =>
+      events.onMove(key, {
+        along: from.along + (at.clientX - start.clientX) * pixel.along,
+        value: from.value - (at.clientY - start.clientY) * pixel.value,
+      });
+    drag(element, start, move, () => events.onHold(false));
+  });
+
+  return {
+    element,
+    update({ state, derived, lit }, [x, y], axes) {
+      const { value, across } = state.keys[key]!;
+      const time = derived.times[key]!;
+      pressed = null;
+      drawn = { axes, from: { along: state.plane ? across : time, value } };
+      const [low, high] = axes.y.domain;
+      element.setAttribute('transform', `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
+      element.classList.toggle('selected', key === state.selected);
+      element.classList.toggle('lit', key === lit);
+      const along = state.plane ? `and ${number(across)} across` : `at time ${number(time)}`;
+      for (const [name, said] of Object.entries({
+        'aria-label': `Key ${key + 1}`,
+        'aria-orientation': 'vertical',
+        'aria-valuemin': Math.min(low, value).toPrecision(4),
+        'aria-valuemax': Math.max(high, value).toPrecision(4),
+        'aria-valuenow': value.toPrecision(4),
+        'aria-valuetext': `value ${number(value)} ${along}`,
+      }))
+        element.setAttribute(name, said);
+    },
+  };
+}
+
+/** Where an arrow key takes a key; null: it is none. */
+export function stepped(
+  { along, value }: KeyPlace,
+  { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
+  { x, y }: Axes,
+): KeyPlace | null {
+  const by = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowRight: [1, 0], ArrowLeft: [-1, 0] }[key];
+  if (!by) return null;
+  const scale = STEP * (shiftKey ? 10 : 1);
+  return { along: along + by[0]! * scale * lengthOf(x.domain), value: value + by[1]! * scale * lengthOf(y.domain) };
+}
+
+/** What a pixel of the page counts along either axis. */
+function pixelOf(picture: SVGSVGElement, { x, y }: Axes): KeyPlace {
+  const { width } = picture.viewBox.baseVal;
+  const perPixel = width / picture.getBoundingClientRect().width;
+  return {
+    along: (lengthOf(x.domain) / (width - LEFT - RIGHT)) * perPixel,
+    value: (lengthOf(y.domain) / (y(y.domain[0]) - y(y.domain[1]))) * perPixel,
+  };
+}
+
+const lengthOf = ([low, high]: Point): number => high - low;

@@ -1,16 +1,11 @@
 /** The keys as numbers, to read and to type. */
-import { button } from '../../ui/controls.ts';
-import { numberField } from '../../ui/controls.ts';
+import { button, numberField } from '../../ui/controls.ts';
 import { h, setAttribute, setField, setText } from '../../ui/dom.ts';
 import type { PlayKey, PlayState } from '../state.ts';
 import { MIN_KEYS } from '../state.ts';
+import type { Part } from './figure.ts';
 
 export type KeyField = 'time' | 'value' | 'across';
-
-export interface KeysTable {
-  element: HTMLElement;
-  update(state: PlayState, times: readonly number[]): void;
-}
 
 export interface KeysTableEvents {
   onType(key: number, field: KeyField, value: number): void;
@@ -20,7 +15,7 @@ export interface KeysTableEvents {
 
 const FIELDS: readonly KeyField[] = ['time', 'value', 'across'];
 
-export function createKeysTable(events: KeysTableEvents): KeysTable {
+export function createKeysTable(events: KeysTableEvents): Part<HTMLElement> {
   const valueHead = h('th', { scope: 'col' });
   const acrossHead = h('th', { scope: 'col' }, 'across');
   const body = h('tbody', {});
@@ -46,7 +41,7 @@ export function createKeysTable(events: KeysTableEvents): KeysTable {
   );
   return {
     element,
-    update(state, times) {
+    update({ state, derived: { times } }) {
       while (rows.length < state.keys.length) body.append(rows[rows.push(createRow(rows.length, events)) - 1]!.element);
       while (rows.length > state.keys.length) rows.pop()!.element.remove();
       setText(valueHead, state.taken?.unit ? `value, ${state.taken.unit}` : 'value');

@@ -3,14 +3,10 @@ import { svg, h, setAttribute, setHidden, setStyle, setText } from '../../ui/dom
 import type { Derived } from '../derived.ts';
 import type { Layer, PlayState } from '../state.ts';
 import { LAYERS } from '../state.ts';
+import type { Part } from './figure.ts';
 import { LAYER_WORDS, number } from './words.ts';
 
-export interface LayerList {
-  element: HTMLElement;
-  update(state: PlayState, derived: Derived): void;
-}
-
-export function createLayerList(onShow: (layer: Layer, on: boolean) => void): LayerList {
+export function createLayerList(onShow: (layer: Layer, on: boolean) => void): Part<HTMLElement> {
   const rows = LAYERS.map((layer) => createRow(layer, onShow));
   return {
     element: h(
@@ -19,7 +15,7 @@ export function createLayerList(onShow: (layer: Layer, on: boolean) => void): La
       h('li', { class: 'layers-head', 'aria-hidden': 'true' }, h('span', {}, 'Curve'), h('span', {}, 'total bending')),
       ...rows.map(({ element }) => element),
     ),
-    update(state, derived) {
+    update({ state, derived }) {
       const finite = LAYERS.map((layer) => derived.bending[layer]).filter(Number.isFinite);
       const most = Math.max(...finite, 1e-12);
       for (const row of rows) row.update(state, derived, most);

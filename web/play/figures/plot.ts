@@ -3,6 +3,7 @@ import { make, text } from '../../plots/svg-parts.ts';
 import { linearScale, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Scale } from '../../plots/scale.ts';
 import { uniqueId } from '../../ui/dom.ts';
+import type { Shown } from '../derived.ts';
 
 export interface Box {
   width: number;
@@ -17,17 +18,30 @@ export const BOTTOM = 22;
 export interface Picture {
   element: SVGSVGElement;
   box(): Box;
+  /** Those that it was drawn with; null before. */
+  axes(): Axes | null;
   /** The parts, cut off where the axes end. */
   framed(parts: readonly SVGElement[]): SVGElement[];
+  update(shown: Shown): void;
+  redraw(): void;
 }
 
-/** An empty picture whose `draw` is called with its size in CSS pixels, now and whenever that changes. */
-export function createPicture(style: string, heightOf: (width: number) => number, draw: (box: Box) => void): Picture {
+/** An empty picture whose `draw` is called with its size in CSS pixels, as often as that or what is shown changes. */
+export function createPicture(
+  style: string,
+  heightOf: (width: number) => number,
+  draw: (shown: Shown, box: Box) => Axes,
+): Picture {
   const element = make('svg', { class: `plot ${style}` });
   const frame = make('rect', { x: LEFT, y: TOP - 6 });
   const clip = make('clipPath', { id: uniqueId('frame') });
   clip.append(frame);
   let box: Box = { width: 0, height: 0 };
+  let axes: Axes | null = null;
+  let shown: Shown | null = null;
+  const redraw = (): void => {
+    if (shown && box.width > 0) axes = draw(shown, box);
+  };
   const resize = (width: number): void => {
     const rounded = Math.max(Math.round(width), 200);
     if (rounded === box.width) return;
@@ -35,17 +49,23 @@ export function createPicture(style: string, heightOf: (width: number) => number
     element.setAttribute('viewBox', `0 0 ${box.width} ${box.height}`);
     frame.setAttribute('width', String(box.width - LEFT - RIGHT));
     frame.setAttribute('height', String(box.height - TOP - BOTTOM + 6));
-    draw(box);
+    redraw();
   };
   new ResizeObserver(([entry]) => resize(entry!.contentRect.width)).observe(element);
   return {
     element,
     box: () => box,
+    axes: () => axes,
     framed(parts) {
       const group = make('g', { 'clip-path': `url(#${clip.id})` });
       group.append(...parts);
       return [clip, group];
     },
+    update(next) {
+      shown = next;
+      redraw();
+    },
+    redraw,
   };
 }
 
@@ -104,24 +124,15 @@ export function gridLines(width: number, y: Scale, count: number): SVGElement[] 
   ]);
 }
 
-/** The time under a pointer. */
-function timeAt(element: SVGSVGElement, { width }: Box, x: Scale, clientX: number): number {
-  const { left, width: drawn } = element.getBoundingClientRect();
-  const place = ((clientX - left) / drawn) * width;
-  const [low, high] = x.domain;
-  return low + ((place - LEFT) / (width - LEFT - RIGHT)) * (high - low);
-}
-
-/** The time under the pointer, while it is pressed. */
-export function listenToTime(
-  element: SVGSVGElement,
-  x: () => Scale | null,
-  box: () => Box,
-  onTime: (time: number) => void,
-): void {
-  const pick = (event: PointerEvent): void => {
-    const scale = x();
-    if (scale) onTime(timeAt(element, box(), scale, event.clientX));
+/** Tells the time under the pointer while it is pressed. */
+export function listenToTime({ element, box, axes }: Picture, onTime: (time: number) => void): void {
+  const pick = ({ clientX }: PointerEvent): void => {
+    const domain = axes()?.x.domain;
+    if (!domain) return;
+    const { left, width: drawn } = element.getBoundingClientRect();
+    const { width } = box();
+    const place = ((clientX - left) / drawn) * width;
+    onTime(domain[0] + ((place - LEFT) / (width - LEFT - RIGHT)) * (domain[1] - domain[0]));
   };
   element.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;

@@ -1,40 +1,28 @@
 /** The first or second derivative of every curve that is shown: what goes on at a key, and what jumps there. */
+import { clamp } from '../../model/time-scale.ts';
 import { make } from '../../plots/svg-parts.ts';
 import { extent, padded } from '../../plots/scale.ts';
-import type { Scale } from '../../plots/scale.ts';
-import type { Derived } from '../derived.ts';
+import type { Derived, Shown } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';
-import type { Layer, PlayState } from '../state.ts';
+import type { Layer } from '../state.ts';
 import { marksOf, shownSpan } from './curve-figure.ts';
+import type { Part } from './figure.ts';
 import { curveLines, pieces } from './lines.ts';
-import { BOTTOM, TOP, axesOf, createPicture, timeAxes } from './plot.ts';
+import { BOTTOM, TOP, axesOf, createPicture, listenToTime, timeAxes } from './plot.ts';
 import type { Axes, Box } from './plot.ts';
 import { LAYER_WORDS, number } from './words.ts';
 
-export interface RateFigure {
-  element: SVGSVGElement;
-  update(state: PlayState, derived: Derived): void;
-}
-
 const NAMES = { 1: 'Slope, the first derivative', 2: 'Bend, the second derivative' } as const;
 
-export function createRateFigure(
-  derivative: 1 | 2,
-  listen: (element: SVGSVGElement, x: () => Scale | null, box: () => Box) => void,
-): RateFigure {
-  let shown: { state: PlayState; derived: Derived } | null = null;
-  let axes: Axes | null = null;
-  const redraw = (): void => {
-    if (shown) draw(shown.state, shown.derived);
-  };
-  const picture = createPicture('rate-figure', (width) => Math.min(Math.max(width * 0.2, 110), 150), redraw);
-  picture.element.setAttribute('role', 'img');
-  listen(picture.element, () => axes?.x ?? null, picture.box);
+export function createRateFigure(derivative: 1 | 2, onTime: (time: number) => void): Part<SVGSVGElement> {
+  const picture = createPicture('rate-figure', (width) => clamp(width * 0.2, 110, 150), draw);
+  const { element, update } = picture;
+  element.setAttribute('role', 'img');
+  listenToTime(picture, onTime);
 
-  function draw(state: PlayState, derived: Derived): void {
-    const box = picture.box();
-    if (box.width === 0) return;
-    const layers = state.layers.filter((layer) => layer !== 'samples');
+  function draw(shown: Shown, box: Box): Axes {
+    const { derived } = shown;
+    const layers = shown.state.layers.filter((layer) => layer !== 'samples');
     const span = shownSpan(derived);
     const lengthOf = (numbers: readonly number[]): number =>
       numbers.length > 1 ? Math.hypot(...numbers) : numbers[0]!;
@@ -43,10 +31,10 @@ export function createRateFigure(
         piece.map(([, numbers]) => lengthOf(numbers)),
       ),
     );
-    axes = axesOf(box, span, padded(extent([0, ...values]), 0.12, 0.5));
+    const axes = axesOf(box, span, padded(extent([0, ...values]), 0.12, 0.5));
     const { x, y } = axes;
-    picture.element.replaceChildren(
-      ...timeAxes(box, axes, marksOf(state, derived)),
+    element.replaceChildren(
+      ...timeAxes(box, axes, marksOf(shown)),
       ...picture.framed(
         layers.flatMap((layer) =>
           curveLines(layer, derived.curves[layer], derivative, span, (numbers, t) => [x(t), y(lengthOf(numbers))]),
@@ -54,26 +42,21 @@ export function createRateFigure(
       ),
       ...(derivative === 2 && layers.includes('linear') ? spikes(derived, axes, box) : []),
     );
-    picture.element.setAttribute('aria-label', describe(layers, derived));
+    element.setAttribute('aria-label', describe(layers, derived, derivative));
+    return axes;
   }
 
-  function describe(layers: readonly Layer[], derived: Derived): string {
-    const said = layers.map((layer) => {
-      const jump = largestJump(derived, layer, derivative);
-      const { name } = LAYER_WORDS[layer];
-      if (derivative === 2 && layer === 'linear') return `${name}: a spike without end at every corner`;
-      return `${name}: ${jump > 1e-6 ? `jumps by up to ${number(jump)} at a key` : 'goes on at every key'}`;
-    });
-    return `${NAMES[derivative]}. ${said.join('; ')}`;
-  }
+  return { element, update };
+}
 
-  return {
-    element: picture.element,
-    update(state, derived) {
-      shown = { state, derived };
-      redraw();
-    },
-  };
+function describe(layers: readonly Layer[], derived: Derived, derivative: 1 | 2): string {
+  const said = layers.map((layer) => {
+    const jump = largestJump(derived, layer, derivative);
+    const { name } = LAYER_WORDS[layer];
+    if (derivative === 2 && layer === 'linear') return `${name}: a spike without end at every corner`;
+    return `${name}: ${jump > 1e-6 ? `jumps by up to ${number(jump)} at a key` : 'goes on at every key'}`;
+  });
+  return `${NAMES[derivative]}. ${said.join('; ')}`;
 }
 
 /** What a derivative jumps by at the inner key where it jumps most; in two dimensions the length of it. */

@@ -1,14 +1,9 @@
 /** The J x J system with its live numbers: a row for each key, which lights up while it is pointed at. */
 import { h, setAttribute, setText } from '../../ui/dom.ts';
-import type { Derived } from '../derived.ts';
+import type { Part } from './figure.ts';
 import { number } from './words.ts';
 
-export interface SystemTable {
-  element: HTMLElement;
-  update(derived: Derived, lit: number): void;
-}
-
-export function createSystemTable(onLit: (key: number) => void): SystemTable {
+export function createSystemTable(onLit: (key: number) => void): Part<HTMLElement> {
   const head = h('tr', {});
   const body = h('tbody', {});
   const table = h(
@@ -51,7 +46,7 @@ export function createSystemTable(onLit: (key: number) => void): SystemTable {
   };
   return {
     element: h('div', { class: 'system-frame', tabindex: 0, role: 'region', 'aria-label': 'The system' }, table),
-    update({ system, slopes }, lit) {
+    update({ derived: { system, slopes }, lit }) {
       const n = slopes.length;
       if (n !== size) build(n);
       Array.from(body.rows).forEach((row, i) => {

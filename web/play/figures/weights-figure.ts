@@ -1,48 +1,36 @@
 /** The weights of the keys over time: the curve at t is the sum of w_k(t) times key k. */
+import { clamp } from '../../model/time-scale.ts';
 import { make, text } from '../../plots/svg-parts.ts';
 import { extent, padded } from '../../plots/scale.ts';
-import type { Scale } from '../../plots/scale.ts';
-import type { Derived } from '../derived.ts';
+import type { Shown } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';
-import type { PlayState } from '../state.ts';
 import { marksOf, shownSpan } from './curve-figure.ts';
+import type { Part } from './figure.ts';
 import { curveLines, pieces } from './lines.ts';
-import { axesOf, createPicture, timeAxes } from './plot.ts';
+import { axesOf, createPicture, listenToTime, timeAxes } from './plot.ts';
 import type { Axes, Box } from './plot.ts';
 import { number } from './words.ts';
 
-export interface WeightsFigure {
-  element: SVGSVGElement;
-  update(state: PlayState, derived: Derived, lit: number): void;
-}
+export function createWeightsFigure(onTime: (time: number) => void): Part<SVGSVGElement> {
+  const picture = createPicture('weights-figure', (width) => clamp(width * 0.24, 130, 180), draw);
+  const { element, update } = picture;
+  element.setAttribute('role', 'img');
+  listenToTime(picture, onTime);
 
-export function createWeightsFigure(
-  listen: (element: SVGSVGElement, x: () => Scale | null, box: () => Box) => void,
-): WeightsFigure {
-  let shown: { state: PlayState; derived: Derived; lit: number } | null = null;
-  let axes: Axes | null = null;
-  const redraw = (): void => {
-    if (shown) draw(shown.state, shown.derived, shown.lit);
-  };
-  const picture = createPicture('weights-figure', (width) => Math.min(Math.max(width * 0.24, 130), 180), redraw);
-  picture.element.setAttribute('role', 'img');
-  listen(picture.element, () => axes?.x ?? null, picture.box);
-
-  function draw(state: PlayState, derived: Derived, lit: number): void {
-    const box = picture.box();
-    if (box.width === 0) return;
+  function draw(shown: Shown, box: Box): Axes {
+    const { state, derived, lit } = shown;
     const span = shownSpan(derived);
     const { weights } = derived;
     const values = weights.flatMap((weight) =>
       pieces([weight], 0, derived.range[1]).flatMap((piece) => piece.map(([, [w]]) => w!)),
     );
-    axes = axesOf(box, span, padded(extent([0, 1, ...values]), 0.1));
+    const axes = axesOf(box, span, padded(extent([0, 1, ...values]), 0.1));
     const { x, y } = axes;
     const main = lit < 0 ? state.selected : lit;
     // The one that is pointed at is drawn last, over the others.
     const order = weights.map((_, k) => k).sort((a, b) => Number(a === main) - Number(b === main));
-    picture.element.replaceChildren(
-      ...timeAxes(box, axes, { ...marksOf(state, derived), selected: main }),
+    element.replaceChildren(
+      ...timeAxes(box, axes, { ...marksOf(shown), selected: main }),
       ...picture.framed(
         order.map((k) => {
           const group = make('g', { class: k === main ? 'weight lit' : 'weight' });
@@ -63,14 +51,9 @@ export function createWeightsFigure(
       ),
     );
     const sum = weights.map((weight, k) => `${number(valueAt(weight, state.time))} times key ${k + 1}`).join(', ');
-    picture.element.setAttribute('aria-label', `Weights of the keys over time. At ${number(state.time)}: ${sum}`);
+    element.setAttribute('aria-label', `Weights of the keys over time. At ${number(state.time)}: ${sum}`);
+    return axes;
   }
 
-  return {
-    element: picture.element,
-    update(state, derived, lit) {
-      shown = { state, derived, lit };
-      redraw();
-    },
-  };
+  return { element, update };
 }

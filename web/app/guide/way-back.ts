@@ -1,0 +1,71 @@
+/** What was open before the first page of the guide, and the way back to it. */
+import { DEFAULT_VIEW } from '../../model/state.ts';
+import { currentWork } from '../kept/work.ts';
+import type { Work } from '../kept/work.ts';
+import type { Store } from '../session/store.ts';
+import type { Workspace } from '../session/workspace.ts';
+import type { Opener } from '../sources/opener.ts';
+
+export interface WayBackParts {
+  store: Store;
+  workspace: Workspace;
+  files: Opener;
+  /** Opens what a visit starts with. */
+  openFirst(): Promise<void>;
+}
+
+export interface WayBack {
+  /** The first page is about to be opened. */
+  remember(): void;
+  go(): Promise<void>;
+  /** Something else was opened: there is no way back any more. */
+  drop(): void;
+  readonly underWay: boolean;
+}
+
+export function createWayBack(parts: WayBackParts): WayBack {
+  const { store, workspace, files } = parts;
+  let before: Work | null = null;
+  let focused: Element | null = null;
+  /** Ways back that are under way, the last one to this. */
+  let returning = 0;
+  let comingBack: Work | null = null;
+  return {
+    remember() {
+      before = returning > 0 ? comingBack : currentWork(store, workspace);
+      focused = document.activeElement;
+    },
+    async go() {
+      comingBack = before;
+      before = null;
+      focusAgain(focused);
+      focused = null;
+      returning += 1;
+      await giveBack(comingBack, parts).finally(() => (returning -= 1));
+    },
+    drop() {
+      if (before) files.openings.left(before);
+      before = null;
+    },
+    get underWay() {
+      return returning > 0;
+    },
+  };
+}
+
+/** Who left with the keyboard goes on where they came from. */
+function focusAgain(focused: Element | null): void {
+  const lost = document.activeElement === document.body;
+  if (lost && focused instanceof HTMLElement && focused.checkVisibility()) focused.focus();
+}
+
+/** As it was, moving where it moved. */
+async function giveBack(left: Work | null, { store, files, openFirst }: WayBackParts): Promise<void> {
+  if (!left) {
+    // Of the guide's pages nothing is left: what is opened looks as on a first visit.
+    store.set({ view: DEFAULT_VIEW });
+    return openFirst();
+  }
+  const { playing } = left.state.play;
+  if ((await files.again(left, null)) && playing) store.set({ play: { ...store.get().play, playing } });
+}

@@ -1,0 +1,64 @@
+/** A chart over time in its figure, with the tools that every figure has. */
+import type { Plot } from '../../model/state.ts';
+import { createLineChart } from '../../plots/line-chart.ts';
+import type { LineChart, LineChartData } from '../../plots/line-chart.ts';
+import { h, setText, svg } from '../../ui/dom.ts';
+import { chartNumbers } from './chart-numbers.ts';
+import { addFigureTools } from './figure-tools.ts';
+import type { FigureEvents } from './figure-tools.ts';
+
+export interface ChartEvents extends FigureEvents {
+  onSeek(t: number): void;
+}
+
+export interface ChartCaption {
+  title: string;
+  unit: string;
+  /** Before the unit. */
+  value?: HTMLElement;
+  legend?: HTMLElement;
+}
+
+/** Title and unit: where they are others than before. */
+export type ChartData = Omit<LineChartData, 'title' | 'unit'> & Partial<Pick<LineChartData, 'title' | 'unit'>>;
+
+export interface ChartFigure extends Pick<LineChart, 'setCursor'> {
+  element: HTMLElement;
+  draw(data: ChartData): void;
+}
+
+export function createChartFigure(
+  name: Plot,
+  { title, unit, value, legend }: ChartCaption,
+  events: ChartEvents,
+): ChartFigure {
+  const plot = createLineChart(events.onSeek);
+  const heading = h('strong', {}, title);
+  const counted = h('span', { class: 'unit' }, unit);
+  const element = h(
+    'figure',
+    { class: 'figure', 'data-testid': `plot-${name}` },
+    h('figcaption', {}, heading, value, counted, legend),
+    plot.element,
+  );
+  let drawn: LineChartData | null = null;
+  const numbers = () => drawn && chartNumbers(drawn);
+  const redrawn = addFigureTools(element, { ...events, plot: name, title, numbers });
+  return {
+    element,
+    draw(data) {
+      drawn = { title, unit, ...data };
+      setText(heading, drawn.title);
+      setText(counted, drawn.unit);
+      plot.draw(drawn);
+      redrawn();
+    },
+    setCursor: plot.setCursor,
+  };
+}
+
+/** Names a line of this style. */
+export function legendEntry(style: string, label: string): HTMLElement {
+  const line = svg('line', { class: style, x1: 0, x2: 22, y1: 4, y2: 4 });
+  return h('span', {}, svg('svg', { viewBox: '0 0 22 8', 'aria-hidden': 'true' }, line), label);
+}

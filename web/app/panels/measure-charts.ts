@@ -1,0 +1,102 @@
+/** The measures of the shown motions over time: volume, area, bending energy, and sliding of what rests. */
+import type { Plot } from '../../model/state.ts';
+import { lineStyle, motionWords } from '../../model/method-words.ts';
+import type { Series } from '../../plots/line-chart.ts';
+import { logFloor, tickLabel } from '../../plots/scale.ts';
+import type { MotionMeasures } from '../../study/motion-measures.ts';
+import { h, setHidden, setText } from '../../ui/dom.ts';
+import { relativeToFirstKey } from '../analysis/analysis.ts';
+import type { Analysis } from '../analysis/analysis.ts';
+import { createChartFigure, legendEntry } from './chart-figure.ts';
+import type { ChartData, ChartEvents, ChartFigure } from './chart-figure.ts';
+
+export interface MeasureCharts {
+  elements: HTMLElement[];
+  /** Names the motions. */
+  legend: HTMLElement;
+  draw(analysis: Analysis): void;
+  setCursor(t: number): void;
+}
+
+const RELATIVE = '% of the first key';
+const BENDING = 'curvature of the motion, relative';
+const BENDING_UNIT = 'Relative to the mean deformation energy between keys, per time⁴';
+const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
+/** Below it there is nothing but rounding to be seen. */
+const LEAST_SLIDING = 0.01;
+const LEAST_BENDING = 1;
+
+export function createMeasureCharts(events: ChartEvents): MeasureCharts {
+  const volume = chart('volume', 'Volume', RELATIVE, events);
+  const area = chart('area', 'Area', RELATIVE, events);
+  const bending = chart('bending', 'Bending energy', BENDING, events);
+  const sliding = chart('sliding', 'Sliding of what rests', SLIDING, events);
+  bending.element.title = BENDING_UNIT;
+  setHidden(sliding.element, true);
+  const legend = h('div', { class: 'legend' });
+  const charts = [volume, area, bending, sliding];
+  return {
+    elements: charts.map(({ element }) => element),
+    legend,
+    draw(analysis) {
+      const { times, keyTimes, range, motions } = analysis;
+      const dataOf = (pick: (motion: MotionMeasures) => number[]): ChartData => ({
+        ...{ times, keyTimes, range },
+        series: motions.map(
+          (motion): Series => ({
+            label: motionWords(motion).label,
+            values: pick(motion),
+            style: lineStyle(motion),
+          }),
+        ),
+      });
+      const relative = { include: 100, leastSpan: 4 };
+      volume.draw({ ...dataOf((motion) => relativeToFirstKey(motion.volume, analysis)), ...relative });
+      area.draw({ ...dataOf((motion) => relativeToFirstKey(motion.area, analysis)), ...relative });
+      const floor = logFloor(motions.map((motion) => motion.bending));
+      bending.draw({
+        ...dataOf((motion) => motion.bending),
+        ...{ include: 0, leastSpan: LEAST_BENDING, floor },
+        unit: floor ? `${BENDING}; logarithmic` : BENDING,
+      });
+      // Where nothing rests in any interval there is nothing to plot.
+      setHidden(
+        sliding.element,
+        motions.every((motion) => motion.sliding.every(Number.isNaN)),
+      );
+      sliding.draw({ ...dataOf((motion) => motion.sliding), include: 0, leastSpan: LEAST_SLIDING });
+      setHidden(legend, motions.length < 2);
+      legend.replaceChildren(...motions.map((motion) => legendEntry(lineStyle(motion), motionWords(motion).label)));
+    },
+    setCursor(t) {
+      for (const one of charts) one.setCursor(t);
+    },
+  };
+}
+
+/** Its value at the cursor stands beside the title. */
+function chart(name: Plot, title: string, unit: string, events: ChartEvents): ChartFigure {
+  const value = h('span', { class: 'value', 'data-testid': `plot-${name}-value` }, '');
+  const { element, draw, setCursor } = createChartFigure(name, { title, unit, value }, events);
+  let drawn: ChartData | null = null;
+  return {
+    element,
+    draw(data) {
+      drawn = data;
+      draw(data);
+    },
+    setCursor(t) {
+      setCursor(t);
+      if (drawn) setText(value, valuesAt(drawn, t));
+    },
+  };
+}
+
+/** Those of all curves; nothing where none has one. */
+function valuesAt({ times, series }: ChartData, t: number): string {
+  const after = times.findIndex((time) => time >= t);
+  const at = after < 0 ? times.length - 1 : after;
+  const numbers = series.map(({ values }) => values[at] ?? NaN);
+  const words = numbers.map((number) => (Number.isFinite(number) ? tickLabel(number) : '–'));
+  return numbers.some(Number.isFinite) ? words.join(' / ') : '';
+}

@@ -1,0 +1,104 @@
+/** A face or a patch that was clicked, or whose number was typed: the field of its number, and its charts. */
+import { EngineError } from '../../engine/api/errors.ts';
+import { numberField } from '../../ui/controls.ts';
+import { setField, setHidden } from '../../ui/dom.ts';
+import type { AnalysisInput } from '../analysis/analysis.ts';
+import type { PartCharts } from './face-charts.ts';
+
+export type Part = 'face' | 'patch';
+
+export interface PickedPartEvents {
+  input(): AnalysisInput | null;
+  /** null: none any more. */
+  onShow(index: number | null): void;
+  /** What is to be said of it. */
+  onWords(words: string): void;
+  onError(error: unknown): void;
+}
+
+export interface PickedPart {
+  field: HTMLInputElement;
+  element: HTMLElement;
+  /** Counted from 0; null: none. */
+  readonly index: number | null;
+  show(index: number | null): void;
+  /** The motion is another one. */
+  refresh(): void;
+  setHidden(hidden: boolean): void;
+  setCursor(t: number): void;
+}
+
+/** The engine counts patches from 0. */
+const FIELDS = {
+  face: { label: 'Face, counted from 0 as in the file', placeholder: 'Face', first: 0 },
+  patch: { label: 'Patch, counted from 1', placeholder: 'Patch', first: 1 },
+};
+
+const nothing = (): void => undefined;
+
+export function createPickedPart(
+  part: Part,
+  charts: PartCharts,
+  { input, onShow, onWords, onError }: PickedPartEvents,
+): PickedPart {
+  const { label, placeholder, first } = FIELDS[part];
+  const field = numberField({
+    label,
+    testId: `${part}-number`,
+    min: first,
+    step: 1,
+    empty: NaN,
+    onInput(value) {
+      if (Number.isNaN(value)) return show(null);
+      const typed = Math.round(value);
+      show(typed - first, (error) => onError(isMissing(error) ? new Error(`There is no ${part} ${typed}.`) : error));
+    },
+  });
+  field.placeholder = placeholder;
+  let shown: number | null = null;
+  let cursor = 0;
+  // What was chosen in another shape, or of other patches, may not be there any more: nothing is wrong then.
+  const load = (onMissing: (error: unknown) => void = nothing): void => {
+    charts
+      .load(shown, input())
+      .then((words) => {
+        if (words === '' && shown !== null) return;
+        onWords(words);
+        charts.setCursor(cursor);
+      })
+      .catch((error: unknown) => {
+        show(null);
+        onMissing(error);
+      });
+  };
+  const show = (index: number | null, onMissing?: (error: unknown) => void): void => {
+    shown = index;
+    setField(field, index === null ? '' : String(index + first));
+    if (index === null) onWords('');
+    onShow(index);
+    load(onMissing);
+  };
+  return {
+    field,
+    element: charts.element,
+    get index() {
+      return shown;
+    },
+    show: (index) => show(index),
+    refresh() {
+      if (shown !== null) load();
+    },
+    setHidden(hidden) {
+      setHidden(field, hidden);
+      setHidden(charts.element, hidden || shown === null);
+    },
+    setCursor(t) {
+      cursor = t;
+      charts.setCursor(t);
+    },
+  };
+}
+
+function isMissing(error: unknown): boolean {
+  return error instanceof EngineError && error.code === 'invalid-option';
+}
