@@ -38,6 +38,27 @@ export function button(options: ButtonOptions): HTMLButtonElement {
   );
 }
 
+/** A reset button with nothing to go back from keeps its place. */
+export function setIdle(reset: HTMLButtonElement, idle: boolean): void {
+  reset.disabled = idle;
+  setAttribute(reset, 'data-idle', idle);
+}
+
+/** Fields beside each other, after what they are called. */
+export function fieldRow(label: string, ...fields: Node[]): HTMLElement {
+  return h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
+}
+
+/** Buttons beside each other, under what they are for. */
+export function buttonGroup(label: string, ...buttons: Node[]): HTMLElement {
+  return h(
+    'div',
+    { class: 'field', role: 'group', 'aria-label': label },
+    h('span', { class: 'label' }, label),
+    h('div', { class: 'button-row' }, ...buttons),
+  );
+}
+
 export interface Choice<T extends string> {
   value: T;
   label: string;
@@ -198,8 +219,7 @@ export function slider(options: NumberOptions): NumberControl {
       setField(number, format(value));
       const disabled = disabledReason !== undefined;
       for (const control of [range, number]) control.disabled = disabled;
-      setAttribute(reset, 'data-idle', disabled || value === fallback);
-      reset.disabled = disabled || value === fallback;
+      setIdle(reset, disabled || value === fallback);
     },
   };
 }

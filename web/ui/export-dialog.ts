@@ -13,10 +13,10 @@ import type {
   VideoFormat,
 } from '../model/export-request.ts';
 import { DEFAULT_REQUEST, isTurn, isVideoRequest } from '../model/export-request.ts';
-import { button, checkbox, numberField, segments } from './controls.ts';
+import { button, checkbox, fieldRow, numberField, segments } from './controls.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
 import type { Change, FieldsProps } from './export-fields.ts';
-import { createPictureFields, createTimeFields, fieldRow } from './export-fields.ts';
+import { createPictureFields, createTimeFields } from './export-fields.ts';
 
 export interface ExportDialogProps extends Playing {
   request: ExportRequest;

@@ -13,8 +13,8 @@ import {
   isVideoRequest,
   sizeName,
 } from '../model/export-request.ts';
-import { button, checkbox, numberField, select } from './controls.ts';
-import { h, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { button, checkbox, fieldRow, numberField, select, setIdle } from './controls.ts';
+import { h, setField, setHidden, setText } from './dom.ts';
 
 export type Change = (part: Partial<ExportRequest>) => void;
 
@@ -27,10 +27,6 @@ export interface FieldsProps extends Playing {
 interface Fields {
   elements: HTMLElement[];
   update(props: FieldsProps): void;
-}
-
-export function fieldRow(label: string, ...fields: Node[]): HTMLElement {
-  return h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
 }
 
 const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
@@ -104,8 +100,7 @@ export function createTimeFields(change: Change): Fields {
       setField(to, shortest(numbers.range[1], 4));
       setField(seconds, shortest(numbers.seconds, 3));
       setText(pace, turns ? '' : paceWords(request, numbers.speed));
-      setAttribute(reset, 'data-idle', turns || request.duration === null);
-      reset.disabled = turns || request.duration === null;
+      setIdle(reset, turns || request.duration === null);
       setField(frames, String(numbers.frames));
       // Of a video their number follows from its seconds.
       frames.readOnly = isVideo;
