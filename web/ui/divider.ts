@@ -1,7 +1,7 @@
 /** What is dragged between two motions of one shape; a slider for the keyboard and for who cannot see it. */
 import { h, setAttribute, setHidden, setStyle } from './dom.ts';
 import { icon } from './icons.ts';
-import { drag, focusPressed } from './pointer.ts';
+import { drag, focusPressed, isPress } from './pointer.ts';
 
 /** So much of either side always stays. */
 export const LEAST_SHARE = 0.02;
@@ -39,7 +39,7 @@ export function createDivider(onMove: (share: number) => void): {
       'aria-valuemax': Math.round(100 * (1 - LEAST_SHARE)),
       'data-testid': 'divider',
       onpointerdown: (event: PointerEvent) => {
-        if (event.button !== 0 || !event.isPrimary) return;
+        if (!isPress(event)) return;
         event.preventDefault();
         event.stopPropagation();
         focusPressed(element);
