@@ -68,7 +68,6 @@ export function createClockMenu(events: ClockMenuEvents): {
       testId: `loop-${end}-here`,
       text,
       shortcut: key,
-      kind: 'plain',
       onClick: () => events.onLoopEnd(end, shown?.time ?? 0),
     });
   const nearer = button({
@@ -92,7 +91,6 @@ export function createClockMenu(events: ClockMenuEvents): {
     testId: 'zoom-fit',
     text: 'Fit',
     shortcut: '0',
-    kind: 'plain',
     onClick: () => events.onWindow(null),
   });
   const zoom = h('span', { class: 'label', 'data-testid': 'zoom' });

@@ -13,6 +13,7 @@ export interface ButtonOptions {
   text?: string;
   /** Key that does the same, as shown in the tooltip. */
   shortcut?: string;
+  /** Plain with a text, quiet without. */
   kind?: 'plain' | 'primary' | 'quiet';
   onClick: (event: MouseEvent) => void;
 }
@@ -22,7 +23,7 @@ export function tooltip(label: string, shortcut?: string): string {
 }
 
 export function button(options: ButtonOptions): HTMLButtonElement {
-  const { label, testId, text, shortcut, kind = 'quiet', onClick } = options;
+  const { label, testId, text, shortcut, kind = text ? 'plain' : 'quiet', onClick } = options;
   return h(
     'button',
     {
@@ -45,8 +46,9 @@ export function setIdle(reset: HTMLButtonElement, idle: boolean): void {
 }
 
 /** Fields beside each other, after what they are called. */
-export function fieldRow(label: string, ...fields: Node[]): HTMLElement {
-  return h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
+export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
+  const first = typeof label === 'string' ? h('span', { class: 'label' }, label) : label;
+  return h('div', { class: 'field row' }, first, ...fields);
 }
 
 /** Buttons beside each other, under what they are for. */

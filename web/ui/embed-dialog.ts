@@ -36,7 +36,6 @@ export function createEmbedDialog({ onSave, onError }: EmbedDialogEvents): Embed
     testId: 'embed-save',
     icon: 'download',
     text: 'Download the GLB',
-    kind: 'plain',
     onClick: () => {
       element.close();
       onSave();

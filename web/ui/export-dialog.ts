@@ -225,7 +225,6 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     testId: 'export-embed',
     icon: 'link',
     text: 'Embed this on your page',
-    kind: 'plain',
     onClick: () => {
       element.close();
       events.onEmbed();

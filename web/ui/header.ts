@@ -40,7 +40,6 @@ export function createHeader(events: HeaderEvents): { element: HTMLElement; upda
     icon: 'open',
     text: 'Open',
     shortcut: 'Ctrl+O',
-    kind: 'plain',
     onClick: () => events.onOpen(),
   });
   const undo = button({

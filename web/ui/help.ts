@@ -51,7 +51,6 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
     testId: 'copy-bibtex',
     icon: 'link',
     text: 'Copy BibTeX',
-    kind: 'plain',
     onClick: () =>
       void navigator.clipboard
         .writeText(BIBTEX)

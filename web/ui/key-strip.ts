@@ -56,7 +56,6 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
     icon: 'plus',
     text: 'Add key',
     shortcut: 'K',
-    kind: 'plain',
     onClick: () => events.onAddCurrent(),
   });
   const addFile = button({
@@ -64,7 +63,6 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
     testId: 'add-file',
     icon: 'open',
     text: 'Import pose',
-    kind: 'plain',
     onClick: () => events.onAddFile(),
   });
   const element = h(

@@ -27,7 +27,6 @@ export function createLinkDialog(onCopy: () => void): LinkDialog {
     testId: 'qr-copy',
     icon: 'link',
     text: 'Copy the link',
-    kind: 'plain',
     onClick: onCopy,
   });
   const element = h(

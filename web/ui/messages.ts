@@ -36,7 +36,6 @@ export function createProgress(onCancel: () => void): {
     testId: 'cancel',
     text: 'Cancel',
     shortcut: 'Esc',
-    kind: 'plain',
     onClick: onCancel,
   });
   const element = h(
@@ -63,7 +62,7 @@ export function createFitHint(onFit: () => void): { element: HTMLElement; update
     'div',
     { class: 'card progress', role: 'status', 'data-testid': 'out-of-view', hidden: true },
     h('span', {}, 'The shape is out of view.'),
-    button({ label: 'Fit the view to the shape', testId: 'fit-hint', text: 'Fit', kind: 'plain', onClick: onFit }),
+    button({ label: 'Fit the view to the shape', testId: 'fit-hint', text: 'Fit', onClick: onFit }),
   );
   return { element, update: (shown) => setHidden(element, !shown) };
 }
@@ -91,7 +90,6 @@ export function createErrorMessage(
     label: 'Try again: load the page anew',
     testId: 'error-retry',
     text: 'Try again',
-    kind: 'plain',
     onClick: onRetry,
   });
   const element = h(
@@ -140,7 +138,6 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
     label: 'Accept',
     testId: `${testId}-accept`,
     text: 'Accept',
-    kind: 'plain',
     onClick: accept,
   });
   const others = h('div', { class: 'offer-others', hidden: true });
@@ -150,7 +147,6 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
         label: action,
         testId: `${testId}-other-${index}`,
         text: action,
-        kind: 'plain',
         onClick: () => {
           show(null);
           onAccept();
@@ -212,7 +208,6 @@ export function createWelcome(onPick: () => void): {
       testId: 'welcome-open',
       text: 'Choose files',
       icon: 'open',
-      kind: 'plain',
       onClick: onPick,
     }),
   );

@@ -156,7 +156,6 @@ export function createMotionPanel(
       'Tension at each key as much as keeps its slope within three times that of the straight way to either neighbour',
     testId: 'tightness-auto',
     text: 'Limit overshoot',
-    kind: 'plain',
     onClick: () => events.onAutoTightness(),
   });
   const tight = h('div', { class: 'group' }, tightness.element, h('div', { class: 'button-row' }, auto));
@@ -168,7 +167,7 @@ export function createMotionPanel(
       'div',
       { class: 'button-row' },
       ...SPACING_WORDS.map(({ value, text, hint }) =>
-        button({ label: hint, testId: `space-${value}`, text, kind: 'plain', onClick: () => events.onSpacing(value) }),
+        button({ label: hint, testId: `space-${value}`, text, onClick: () => events.onSpacing(value) }),
       ),
     ),
   );
@@ -176,7 +175,6 @@ export function createMotionPanel(
     label: 'Run from the last key to the first, in the same time',
     testId: 'reverse',
     text: 'Reverse',
-    kind: 'plain',
     onClick: () => events.onReverse(),
   });
   const direction = h(

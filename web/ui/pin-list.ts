@@ -38,7 +38,6 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
     testId: 'pin-place',
     icon: 'pin',
     text: 'Pin',
-    kind: 'plain',
     onClick: () => events.onPlacing(!placing),
   });
   const hint = h('p', { class: 'hint', 'data-testid': 'pin-hint' });
@@ -112,6 +111,7 @@ function createRow(
     label: `${name} goes nowhere: its path is taken away`,
     testId: `pin-${index}-clear`,
     text: 'Clear path',
+    kind: 'quiet',
     onClick: () => change(index, { path: undefined }),
   });
   const pathRow = h('div', { class: 'pin-path' }, path, clear);

@@ -90,7 +90,6 @@ export function createViewBar(events: ViewBarEvents): {
     icon: 'present',
     text: 'Present',
     shortcut: 'X',
-    kind: 'plain',
     onClick: () => {
       toggleLook();
       events.onPresent();
@@ -102,7 +101,6 @@ export function createViewBar(events: ViewBarEvents): {
     icon: 'qr',
     text: 'QR code',
     shortcut: 'Q',
-    kind: 'plain',
     onClick: () => events.onQr(),
   });
   const look = h(
@@ -120,7 +118,6 @@ export function createViewBar(events: ViewBarEvents): {
     icon: 'eye',
     text: 'Display',
     shortcut: 'V',
-    kind: 'plain',
     onClick: () => toggleLook(),
   });
   const view = (name: ViewName, label: string, key: string): HTMLButtonElement =>
@@ -129,7 +126,6 @@ export function createViewBar(events: ViewBarEvents): {
       testId: `view-${name}`,
       text: label,
       shortcut: key,
-      kind: 'plain',
       onClick: () => events.onFit(name),
     });
   const fit = button({
@@ -138,7 +134,6 @@ export function createViewBar(events: ViewBarEvents): {
     icon: 'fit',
     text: 'Fit',
     shortcut: 'F',
-    kind: 'plain',
     onClick: () => events.onFit(null),
   });
   let up: ViewBarProps['up'] = null;
@@ -146,7 +141,6 @@ export function createViewBar(events: ViewBarEvents): {
     label: 'Stand the shape up, or lay it down: these files do not say which axis is up',
     testId: 'stand-up',
     text: 'Stand up',
-    kind: 'plain',
     onClick: () => events.onUp(up === 'z' ? 'y' : 'z'),
   });
   const bar = h(
@@ -206,7 +200,6 @@ export function createPhaseLabel(onShowLost: () => void): {
     label: 'Show where',
     testId: 'lost-show',
     text: 'Show where',
-    kind: 'plain',
     onClick: onShowLost,
   });
   const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lostText, show);
