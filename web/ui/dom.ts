@@ -4,6 +4,18 @@ export type Child = Node | string | null | undefined | false;
 type Value = string | number | boolean | null | undefined | ((event: never) => void);
 export type Props = Record<string, Value>;
 
+/** What shows a slice of the state. */
+export interface Component<Props> {
+  element: HTMLElement;
+  update(props: Props): void;
+}
+
+/** The same, where it stands under something else in several pieces. */
+export interface Fields<Props> {
+  elements: HTMLElement[];
+  update(props: Props): void;
+}
+
 /**
  * An element with attributes, `on...` listeners and children. `true` sets an empty attribute, `false` and null none.
  */

@@ -14,6 +14,7 @@ import {
   sizeName,
 } from '../model/export-request.ts';
 import { button, checkbox, fieldRow, numberField, select, setIdle } from './controls.ts';
+import type { Fields } from './dom.ts';
 import { h, setField, setHidden, setText } from './dom.ts';
 
 export type Change = (part: Partial<ExportRequest>) => void;
@@ -24,16 +25,11 @@ export interface FieldsProps extends Playing {
   video: VideoFormat | null;
 }
 
-interface Fields {
-  elements: HTMLElement[];
-  update(props: FieldsProps): void;
-}
-
 const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
 const shortest = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
 /** First and last time, what they take, and the frames between them. */
-export function createTimeFields(change: Change): Fields {
+export function createTimeFields(change: Change): Fields<FieldsProps> {
   let numbers: ExportNumbers | null = null;
   let turns = false;
   const from = numberField({
@@ -129,7 +125,7 @@ const SIZE_WORDS: Record<SizeName, string> = {
 };
 
 /** How large, and for a PNG with what around the shape. */
-export function createPictureFields(change: Change): Fields {
+export function createPictureFields(change: Change): Fields<FieldsProps> {
   let request: ExportRequest | null = null;
   const size = select<SizeName>(
     'Size',

@@ -1,4 +1,5 @@
 /** The samples as cards that move, and the user's own files, behind a button that says what is open. */
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import { popover } from './popover.ts';
@@ -36,7 +37,7 @@ export interface GalleryEvents {
 export const PICTURE = { width: 304, height: 208 };
 export const MOMENTS = 16;
 
-export function createGallery(events: GalleryEvents): { element: HTMLElement; update(props: GalleryProps): void } {
+export function createGallery(events: GalleryEvents): Component<GalleryProps> {
   const name = h('span', { class: 'gallery-name' });
   const toggle = h(
     'button',

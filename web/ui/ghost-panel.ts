@@ -5,6 +5,7 @@ import { DEFAULT_ENCODING, GHOST_FACES } from '../model/state.ts';
 import type { Encoding, View } from '../model/state.ts';
 import type { Choice } from './controls.ts';
 import { button, checkbox, numberField, segments } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
 
 export interface GhostPanelProps {
@@ -36,10 +37,7 @@ const TRANSFERS: readonly Choice<Transfer>[] = [
 ];
 
 /** `study`: the plot over sizes, which can be made whether a ghost leads now or not. */
-export function createGhostPanel(
-  events: GhostPanelEvents,
-  study: HTMLElement,
-): { element: HTMLElement; update(props: GhostPanelProps): void } {
+export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): Component<GhostPanelProps> {
   const toggle = checkbox('Ghost mesh', 'ghost', (on) => events.onEncoding({ ghostFaces: on ? GHOST_FACES : 0 }), 'N');
   const hint = h('p', { class: 'hint', 'data-testid': 'ghost-hint' });
   const faces = numberField({

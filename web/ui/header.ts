@@ -1,5 +1,6 @@
 /** The top bar: name, sample, open, undo and redo, export, link, help, theme. */
 import { button, tooltip } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
 import { createGallery } from './gallery.ts';
 import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
@@ -32,7 +33,7 @@ export interface HeaderEvents extends GalleryEvents {
   onTheme(): void;
 }
 
-export function createHeader(events: HeaderEvents): { element: HTMLElement; update(props: HeaderProps): void } {
+export function createHeader(events: HeaderEvents): Component<HeaderProps> {
   const gallery = createGallery(events);
   const open = button({
     label: 'Open files',

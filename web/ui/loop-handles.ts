@@ -1,5 +1,6 @@
 /** In and out: two handles over the timeline between which the motion plays, dragged or moved with the arrow keys. */
 import { place } from './at-moment.ts';
+import type { Fields } from './dom.ts';
 import { h, setAttribute } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';
@@ -25,10 +26,7 @@ export interface LoopHandlesEvents {
 type End = 'start' | 'end';
 const LABELS: Record<End, string> = { start: 'Playback start', end: 'Playback end' };
 
-export interface LoopHandles {
-  elements: HTMLElement[];
-  update(props: LoopHandlesProps): void;
-}
+export type LoopHandles = Fields<LoopHandlesProps>;
 
 export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents): LoopHandles {
   let props: LoopHandlesProps | null = null;

@@ -5,6 +5,7 @@
 import { MOST_SAMPLED, SAMPLED_KEYS } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import { checkbox, numberField, select } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setHidden, setStyle, setText, uniqueId } from './dom.ts';
 
 /** Of the error that the fewest keys are found for, in percent of the diagonal. */
@@ -30,10 +31,7 @@ export interface SamplingEvents {
   onOriginal(shown: boolean): void;
 }
 
-export interface Sampling {
-  element: HTMLElement;
-  update(props: SamplingProps): void;
-}
+export type Sampling = Component<SamplingProps>;
 
 export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents): Sampling {
   let animations: readonly AnimationInfo[] = [];

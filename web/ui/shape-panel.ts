@@ -6,6 +6,7 @@ import { DEFAULT_ENCODING } from '../model/state.ts';
 import { keyLabel } from '../model/key-names.ts';
 import type { Choice } from './controls.ts';
 import { button, numberField, segments, select } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { createObjectList } from './object-list.ts';
 import { createOrientation } from './orientation.ts';
@@ -45,10 +46,7 @@ const STRETCHES: readonly Choice<Stretch>[] = [
 ];
 
 /** `ghost`: the section on the ghost mesh. */
-export function createShapePanel(
-  ghost: HTMLElement,
-  events: ShapePanelEvents,
-): { element: HTMLElement; update(props: ShapePanelProps): void } {
+export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): Component<ShapePanelProps> {
   const stretch = segments<Stretch>('Stretch', 'stretch', STRETCHES, (value) => events.onEncoding({ stretch: value }));
   const reference = select<string>('Reference pose', 'reference', [], (value) =>
     events.onEncoding({ referencePose: Number(value) }),

@@ -3,6 +3,7 @@
  * the handle, the faster the motion leaves the first key or arrives at the last. Dragged, or moved with the arrow keys.
  */
 import { place } from './at-moment.ts';
+import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
 import { clamp, length } from '../model/time-scale.ts';
@@ -43,10 +44,7 @@ export interface SpeedHandlesProps {
   window: Range;
 }
 
-export interface SpeedHandles {
-  element: HTMLElement;
-  update(props: SpeedHandlesProps): void;
-}
+export type SpeedHandles = Component<SpeedHandlesProps>;
 
 export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): SpeedHandles {
   let props: SpeedHandlesProps | null = null;
@@ -89,10 +87,7 @@ function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): num
   return (Math.min(UNIT_PX, room) * MAX_SPEED) / most[end];
 }
 
-function createSpeedHandle(
-  end: End,
-  onSpeed: (speed: number) => void,
-): { element: HTMLElement; update(props: SpeedHandleProps): void } {
+function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Component<SpeedHandleProps> {
   let props: SpeedHandleProps | null = null;
   // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
   const set = (speed: number): void => {

@@ -2,6 +2,7 @@
 import type { LoopMode, Play } from '../model/state.ts';
 import { SPEEDS } from '../model/state.ts';
 import { button, numberField, select, tooltip } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { setIcon } from './icons.ts';
@@ -34,10 +35,7 @@ export function createTransport(
   timeline: HTMLElement,
   clockMenu: HTMLElement,
   events: TransportEvents,
-): {
-  element: HTMLElement;
-  update(props: TransportProps): void;
-} {
+): Component<TransportProps> {
   let loop: LoopMode = 'bounce';
   const play = button({
     label: 'Play',
