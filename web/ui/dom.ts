@@ -72,6 +72,12 @@ export function setHidden(element: HTMLElement | SVGElement, hidden: boolean): v
   setAttribute(element, 'hidden', hidden);
 }
 
+/** Sets a text; an element without one is hidden. */
+export function say(element: HTMLElement, text: string): void {
+  setText(element, text);
+  setHidden(element, text === '');
+}
+
 export function setStyle(element: HTMLElement | SVGElement, name: string, value: string): void {
   if (element.style.getPropertyValue(name) !== value) element.style.setProperty(name, value);
 }

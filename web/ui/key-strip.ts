@@ -2,7 +2,7 @@
  * The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one.
  */
 import { button } from './controls.ts';
-import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
+import { h, memo, say, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import type { EditedKey, KeyEditor, KeyEditorEvents, KeyEditorProps } from './key-editor.ts';
 import { lazyComponent } from './lazy.ts';
@@ -189,8 +189,7 @@ function createCard(
       setAttribute(image, 'src', item.thumbnail);
       setAttribute(image, 'hidden', item.thumbnail === null);
       setText(badge, String(at + 1));
-      setText(name, short);
-      setHidden(name, short === '');
+      say(name, short);
       setText(when, `${Number(formatTime(item.time, range))} s`);
       go.disabled = disabled;
       edit.disabled = disabled;
