@@ -1,10 +1,12 @@
 /** What lies on the viewport: standard views, the look of the shape, the phase in words, and the names of the views. */
 import type { ViewName } from '../model/camera.ts';
-import type { Colouring, View } from '../model/state.ts';
+import type { View } from '../model/state.ts';
 import type { Phase } from '../model/time-scale.ts';
-import { LEAST_FILM_SHAPES, MOST_FILM_SHAPES } from '../model/state.ts';
-import { button, checkbox, numberField, segments } from './controls.ts';
-import { h, memo, setAttribute, setField, setHidden, setStyle, setText } from './dom.ts';
+import { button } from './controls.ts';
+import type { Component } from './dom.ts';
+import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
+import type { LookEvents } from './look.ts';
+import { createLook } from './look.ts';
 import { popover } from './popover.ts';
 
 export interface ViewBarProps {
@@ -14,104 +16,19 @@ export interface ViewBarProps {
   disabled: boolean;
 }
 
-export interface ViewBarEvents {
-  /** Two motions on either side of a divider, or not. */
-  onSplit(on: boolean): void;
+export interface ViewBarEvents extends LookEvents {
   onFit(view: ViewName | null): void;
-  onView(change: Partial<View>): void;
   onUp(up: 'y' | 'z'): void;
-  /** The shape alone, in large type. */
-  onPresent(): void;
-  /** The link as a QR code. */
-  onQr(): void;
 }
 
-export function createViewBar(events: ViewBarEvents): {
-  element: HTMLElement;
-  toggleLook(): void;
-  update(props: ViewBarProps): void;
-} {
-  const colouring = segments<Colouring>(
-    'Colour',
-    'colouring',
-    [
-      {
-        value: 'texture',
-        label: 'Material',
-        hint: 'From the file, or clay; the ring on the floor and the outline show the phase',
-      },
-      { value: 'phase', label: 'Phase', hint: 'Colour by phase: blue at a key, green between, yellow beyond the ends' },
-      { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },
-      { value: 'rotation', label: 'Rotation', hint: 'How far each face is turned against the reference pose' },
-      {
-        value: 'stretch',
-        label: 'Stretch',
-        hint: 'How much longer or shorter each face is than in the reference pose',
-      },
-      { value: 'distance', label: 'Distance', hint: 'From the first motion, or from the animation that is shown' },
-    ],
-    (value) => events.onView({ colouring: value }),
-  );
-  // Two rows of three.
-  colouring.element.classList.add('colourings');
-  const shading = segments<View['shading']>(
-    'Shading',
-    'shading',
-    [
-      { value: 'smooth', label: 'Smooth' },
-      { value: 'flat', label: 'Flat' },
-    ],
-    (value) => events.onView({ shading: value }),
-  );
-  const wireframe = checkbox('Wireframe', 'wireframe', (on) => events.onView({ wireframe: on }), 'W');
-  const floor = checkbox('Floor', 'floor', (on) => events.onView({ floor: on }), 'G');
-  const onion = checkbox('Onion skin', 'onion', (on) => events.onView({ onion: on, film: false }), 'O');
-  const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, filmShapes: null, onion: false }), 'I');
-  const filmShapes = numberField({
-    label: 'Shapes of the film strip',
-    testId: 'film-shapes',
-    min: LEAST_FILM_SHAPES,
-    max: MOST_FILM_SHAPES,
-    step: 1,
-    onInput: (value) => events.onView({ filmShapes: Math.round(value) }),
-  });
-  const filmRow = h(
-    'label',
-    { class: 'field row', hidden: true },
-    h('span', { class: 'label' }, 'Shapes in the strip'),
-    filmShapes,
-  );
-  filmShapes.placeholder = 'Auto';
-  const split = checkbox('Divider', 'split', (on) => events.onSplit(on), 'S');
-  split.element.title = 'Two motions of one shape, on either side of a divider';
-  const present = button({
-    label: 'Presentation: the shape alone, in large type; A shows the plots',
-    testId: 'present',
-    icon: 'present',
-    text: 'Present',
-    shortcut: 'X',
-    onClick: () => {
+export function createViewBar(events: ViewBarEvents): Component<ViewBarProps> & { toggleLook(): void } {
+  const look = createLook({
+    ...events,
+    onPresent() {
       toggleLook();
       events.onPresent();
     },
   });
-  const qr = button({
-    label: 'QR code of the link to this view',
-    testId: 'qr-open',
-    icon: 'qr',
-    text: 'QR code',
-    shortcut: 'Q',
-    onClick: () => events.onQr(),
-  });
-  const look = h(
-    'div',
-    { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
-    colouring.element,
-    shading.element,
-    h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element, split.element),
-    filmRow,
-    h('div', { class: 'button-row' }, present, qr),
-  );
   const toggle = button({
     label: 'Display',
     testId: 'look-toggle',
@@ -153,23 +70,14 @@ export function createViewBar(events: ViewBarEvents): {
     stand,
     toggle,
   );
-  const element = h('div', { class: 'view-bar' }, look, bar);
-
-  const toggleLook = popover(element, toggle, look);
+  const element = h('div', { class: 'view-bar' }, look.element, bar);
+  const toggleLook = popover(element, toggle, look.element);
 
   const draw = memo(({ view: state, up: present, disabled }: ViewBarProps) => {
     up = present;
     setHidden(stand, up === null);
     setAttribute(stand, 'aria-pressed', String(up === 'z'));
-    colouring.update(state.colouring);
-    shading.update(state.shading);
-    wireframe.update(state.wireframe);
-    floor.update(state.floor);
-    onion.update(state.onion);
-    film.update(state.film);
-    setHidden(filmRow, !state.film);
-    setField(filmShapes, String(state.filmShapes ?? ''));
-    split.update(state.split !== null);
+    look.update(state);
     for (const control of bar.querySelectorAll('button')) control.disabled = disabled;
   });
   return { element, toggleLook, update: draw };
