@@ -1,6 +1,6 @@
 /** The top bar: name, sample, open, undo and redo, export, link, help, theme. */
 import { button, tooltip } from './controls.ts';
-import type { Component } from './dom.ts';
+import type { Component, Fields } from './dom.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
 import { createGallery } from './gallery.ts';
 import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
@@ -43,20 +43,7 @@ export function createHeader(events: HeaderEvents): Component<HeaderProps> {
     shortcut: 'Ctrl+O',
     onClick: () => events.onOpen(),
   });
-  const undo = button({
-    label: 'Undo',
-    testId: 'undo',
-    icon: 'undo',
-    shortcut: 'Ctrl+Z',
-    onClick: () => events.onUndo(),
-  });
-  const redo = button({
-    label: 'Redo',
-    testId: 'redo',
-    icon: 'redo',
-    shortcut: 'Ctrl+Shift+Z',
-    onClick: () => events.onRedo(),
-  });
+  const history = createHistory(events);
   const exporting = button({
     label: 'Export',
     testId: 'export',
@@ -66,18 +53,7 @@ export function createHeader(events: HeaderEvents): Component<HeaderProps> {
     kind: 'primary',
     onClick: () => events.onExport(),
   });
-  const link = button({
-    label: 'Copy a link to this view',
-    testId: 'link',
-    icon: 'link',
-    onClick: () => events.onLink(),
-  });
-  const remember = button({
-    label: 'Remember these files on this computer',
-    testId: 'remember',
-    icon: 'bookmark',
-    onClick: () => events.onRemember(),
-  });
+  const keeping = createKeeping(events);
   const help = button({ label: 'Help', testId: 'help', icon: 'help', shortcut: '?', onClick: () => events.onHelp() });
   const theme = createThemeButton(() => events.onTheme(), 'D');
   const element = h(
@@ -86,34 +62,66 @@ export function createHeader(events: HeaderEvents): Component<HeaderProps> {
     h('h1', { class: 'wordmark' }, 'shape', h('span', {}, 'spline')),
     gallery.element,
     open,
-    h('div', { class: 'history' }, undo, redo),
+    history.element,
     h('div', { class: 'spacer' }),
     exporting,
-    link,
-    remember,
+    ...keeping.elements,
     help,
     theme.element,
   );
-
   const draw = memo((props: HeaderProps) => {
     const { samples, sample, own, project } = props;
     gallery.update({ samples, sample, own, project });
-    describe(undo, 'Undo', props.undo, 'Ctrl+Z');
-    describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
+    history.update(props);
     exporting.disabled = !props.canExport;
-    setHidden(link, props.project !== null);
-    setHidden(remember, props.project === null);
-    setAttribute(remember, 'aria-pressed', String(props.remembered));
-    setAttribute(
-      remember,
-      'title',
-      props.remembered
-        ? 'These files are remembered in this browser, on this computer only; click to forget them'
-        : 'Remember these files in this browser for the next visit; they stay on this computer',
-    );
+    keeping.update(props);
     theme.update(props.theme);
   });
   return { element, update: draw };
+}
+
+function createHistory({ onUndo, onRedo }: HeaderEvents): Component<HeaderProps> {
+  const undo = button({ label: 'Undo', testId: 'undo', icon: 'undo', shortcut: 'Ctrl+Z', onClick: () => onUndo() });
+  const redo = button({
+    label: 'Redo',
+    testId: 'redo',
+    icon: 'redo',
+    shortcut: 'Ctrl+Shift+Z',
+    onClick: () => onRedo(),
+  });
+  return {
+    element: h('div', { class: 'history' }, undo, redo),
+    update(props) {
+      describe(undo, 'Undo', props.undo, 'Ctrl+Z');
+      describe(redo, 'Redo', props.redo, 'Ctrl+Shift+Z');
+    },
+  };
+}
+
+/** What is open can come back by its link; files of the user cannot, and are remembered instead. */
+function createKeeping({ onLink, onRemember }: HeaderEvents): Fields<HeaderProps> {
+  const link = button({ label: 'Copy a link to this view', testId: 'link', icon: 'link', onClick: () => onLink() });
+  const remember = button({
+    label: 'Remember these files on this computer',
+    testId: 'remember',
+    icon: 'bookmark',
+    onClick: () => onRemember(),
+  });
+  return {
+    elements: [link, remember],
+    update({ project, remembered }) {
+      setHidden(link, project !== null);
+      setHidden(remember, project === null);
+      setAttribute(remember, 'aria-pressed', String(remembered));
+      setAttribute(
+        remember,
+        'title',
+        remembered
+          ? 'These files are remembered in this browser, on this computer only; click to forget them'
+          : 'Remember these files in this browser for the next visit; they stay on this computer',
+      );
+    },
+  };
 }
 
 function describe(control: HTMLButtonElement, verb: string, what: string | null, shortcut: string): void {
