@@ -141,26 +141,7 @@ function createCard(
     icon('down'),
   );
   const element = h('li', { class: 'key-card', draggable: 'true' }, go, edit);
-
-  element.addEventListener('dragstart', (event) => {
-    dragged.from = index;
-    event.dataTransfer?.setData('application/x-shapespline-key', String(index));
-    if (event.dataTransfer) event.dataTransfer.effectAllowed = 'move';
-  });
-  element.addEventListener('dragover', (event) => {
-    if (!event.dataTransfer?.types.includes('application/x-shapespline-key')) return;
-    event.preventDefault();
-    setAttribute(element, 'data-drop', dragged.from < index ? 'after' : 'before');
-  });
-  element.addEventListener('dragleave', () => setAttribute(element, 'data-drop', null));
-  element.addEventListener('drop', (event) => {
-    setAttribute(element, 'data-drop', null);
-    const from = event.dataTransfer?.getData('application/x-shapespline-key');
-    if (!from) return;
-    event.preventDefault();
-    event.stopPropagation();
-    events.onMove(Number(from), index);
-  });
+  listenToDrags(element, dragged, () => index, events);
   go.addEventListener('keydown', (event) => {
     if ((event.key === 'Delete' || event.key === 'Backspace') && removable) events.onRemove(index);
   });
@@ -195,4 +176,34 @@ function createCard(
       edit.disabled = disabled;
     },
   };
+}
+
+const DRAGGED_KEY = 'application/x-shapespline-key';
+
+/** A key is dragged to the place of another one. */
+function listenToDrags(
+  element: HTMLElement,
+  dragged: { from: number },
+  indexOf: () => number,
+  { onMove }: KeyStripEvents,
+): void {
+  element.addEventListener('dragstart', ({ dataTransfer }) => {
+    dragged.from = indexOf();
+    dataTransfer?.setData(DRAGGED_KEY, String(dragged.from));
+    if (dataTransfer) dataTransfer.effectAllowed = 'move';
+  });
+  element.addEventListener('dragover', (event) => {
+    if (!event.dataTransfer?.types.includes(DRAGGED_KEY)) return;
+    event.preventDefault();
+    setAttribute(element, 'data-drop', dragged.from < indexOf() ? 'after' : 'before');
+  });
+  element.addEventListener('dragleave', () => setAttribute(element, 'data-drop', null));
+  element.addEventListener('drop', (event) => {
+    setAttribute(element, 'data-drop', null);
+    const from = event.dataTransfer?.getData(DRAGGED_KEY);
+    if (!from) return;
+    event.preventDefault();
+    event.stopPropagation();
+    onMove(Number(from), indexOf());
+  });
 }
