@@ -1,6 +1,7 @@
 /**
  * The small controls that the panels are made of: each has a label, a test id, a tooltip with its key, and a way back.
  */
+import type { Child } from './dom.ts';
 import { h, setAttribute, setField, setHidden, setText, uniqueId } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { icon } from './icons.ts';
@@ -282,4 +283,29 @@ export function checkbox(label: string, testId: string, onChange: (on: boolean) 
       input.disabled = disabled;
     },
   };
+}
+
+interface DialogOptions {
+  title: string;
+  label: string;
+  testId: string;
+  /** Test id of the button that closes it. */
+  closeId: string;
+  /** A class of the style sheet, besides that of all dialogs. */
+  kind?: string;
+}
+
+/** A dialog over the page, with its title; its button, Escape, or a press beside it closes it. */
+export function dialog({ title, label, testId, closeId, kind }: DialogOptions, ...content: Child[]): HTMLDialogElement {
+  const close = button({ label: 'Close', testId: closeId, icon: 'close', onClick: () => element.close() });
+  const element = h(
+    'dialog',
+    { class: kind ? `dialog ${kind}` : 'dialog', 'data-testid': testId, 'aria-label': label },
+    h('header', {}, h('h2', {}, title), close),
+    ...content,
+  );
+  element.addEventListener('click', (event) => {
+    if (event.target === element) element.close();
+  });
+  return element;
 }

@@ -14,7 +14,7 @@ import type {
 } from '../model/export-request.ts';
 import { DEFAULT_REQUEST, isTurn, isVideoRequest } from '../model/export-request.ts';
 import type { Choice } from './controls.ts';
-import { button, checkbox, fieldRow, numberField, segments } from './controls.ts';
+import { button, checkbox, dialog, fieldRow, numberField, segments } from './controls.ts';
 import type { Component, Fields } from './dom.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
 import type { Change, FieldsProps } from './export-fields.ts';
@@ -206,15 +206,8 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
       events.onEmbed();
     },
   });
-  const element = h(
-    'dialog',
-    { class: 'dialog', 'data-testid': 'export-dialog', 'aria-label': 'Export' },
-    h(
-      'header',
-      {},
-      h('h2', {}, 'Export'),
-      button({ label: 'Close', testId: 'export-close', icon: 'close', onClick: () => element.close() }),
-    ),
+  const element = dialog(
+    { title: 'Export', label: 'Export', testId: 'export-dialog', closeId: 'export-close' },
     ...formats.elements,
     about,
     ...glb.before,
@@ -225,9 +218,6 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     embed,
     h('footer', {}, plan.element, go),
   );
-  element.addEventListener('click', (event) => {
-    if (event.target === element) element.close();
-  });
 
   const draw = memo((props: ExportDialogProps) => {
     request = props.request;

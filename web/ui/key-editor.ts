@@ -1,6 +1,7 @@
 /** What is changed of one key. Not modal: the shape, and the time, can be moved meanwhile. */
 import { button } from './controls.ts';
 import { h, setHidden, setText } from './dom.ts';
+import type { IconName } from './icons.ts';
 import type { KeyRef } from '../model/state.ts';
 import type { KeyFieldsEvents, KeyFieldsProps } from './key-fields.ts';
 import { createKeyFields } from './key-fields.ts';
@@ -131,34 +132,13 @@ function createKeyActions(events: { onMove(by: 1 | -1): void; onReference(): voi
   elements: HTMLElement[];
   update(props: KeyEditorProps, index: number): void;
 } {
-  const earlier = button({
-    label: 'Move earlier in the order',
-    testId: 'key-earlier',
-    icon: 'left',
-    text: 'Earlier',
-    onClick: () => events.onMove(-1),
-  });
-  const later = button({
-    label: 'Move later in the order',
-    testId: 'key-later',
-    icon: 'right',
-    text: 'Later',
-    onClick: () => events.onMove(1),
-  });
-  const reference = button({
-    label: 'Measure deformations from this key',
-    testId: 'key-reference',
-    icon: 'check',
-    text: 'Use as reference',
-    onClick: () => events.onReference(),
-  });
-  const remove = button({
-    label: 'Remove this key',
-    testId: 'key-remove',
-    icon: 'trash',
-    text: 'Remove',
-    onClick: () => events.onRemove(),
-  });
+  const act = (testId: string, symbol: IconName, text: string, label: string, onClick: () => void): HTMLButtonElement =>
+    button({ label, testId, icon: symbol, text, onClick });
+  const earlier = act('key-earlier', 'left', 'Earlier', 'Move earlier in the order', () => events.onMove(-1));
+  const later = act('key-later', 'right', 'Later', 'Move later in the order', () => events.onMove(1));
+  const measure = 'Measure deformations from this key';
+  const reference = act('key-reference', 'check', 'Use as reference', measure, () => events.onReference());
+  const remove = act('key-remove', 'trash', 'Remove', 'Remove this key', () => events.onRemove());
   const reason = h('p', { class: 'reason', hidden: true }, 'A motion needs at least two keys.');
   return {
     elements: [

@@ -31,13 +31,7 @@ export function createProgress(onCancel: () => void): {
     { class: 'meter', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': 0, 'aria-valuemax': 100 },
     bar,
   );
-  const cancel = button({
-    label: 'Cancel',
-    testId: 'cancel',
-    text: 'Cancel',
-    shortcut: 'Esc',
-    onClick: onCancel,
-  });
+  const cancel = button({ label: 'Cancel', testId: 'cancel', text: 'Cancel', shortcut: 'Esc', onClick: onCancel });
   const element = h(
     'div',
     { class: 'card progress', 'data-testid': 'progress', hidden: true },
@@ -134,12 +128,7 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
     taken?.onAccept?.();
   };
   const message = h('p', { class: 'message' });
-  const action = button({
-    label: 'Accept',
-    testId: `${testId}-accept`,
-    text: 'Accept',
-    onClick: accept,
-  });
+  const action = button({ label: 'Accept', testId: `${testId}-accept`, text: 'Accept', onClick: accept });
   const others = h('div', { class: 'offer-others', hidden: true });
   const showOthers = (offered: Offer['others'] = []): void => {
     const buttons = offered.map(({ action, onAccept }, index) =>
@@ -203,13 +192,7 @@ export function createWelcome(onPick: () => void): {
     { class: 'welcome', 'data-testid': 'welcome', hidden: true },
     h('p', {}, claim, ' ', rest),
     h('a', { class: 'button', href: '#tour=1', 'data-testid': 'welcome-tour' }, 'Take the tour'),
-    button({
-      label: 'Choose files',
-      testId: 'welcome-open',
-      text: 'Choose files',
-      icon: 'open',
-      onClick: onPick,
-    }),
+    button({ label: 'Choose files', testId: 'welcome-open', text: 'Choose files', icon: 'open', onClick: onPick }),
   );
   return {
     element,

@@ -104,12 +104,7 @@ export function createPhaseLabel(onShowLost: () => void): {
 } {
   const text = h('span', { 'data-testid': 'phase' });
   const lostText = h('span', {});
-  const show = button({
-    label: 'Show where',
-    testId: 'lost-show',
-    text: 'Show where',
-    onClick: onShowLost,
-  });
+  const show = button({ label: 'Show where', testId: 'lost-show', text: 'Show where', onClick: onShowLost });
   const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lostText, show);
   const element = h(
     'div',
