@@ -5,6 +5,7 @@ import {
   loopRange,
   nearestFrameTime,
   playRange,
+  snappedTime,
   steppedFrameTime,
   withEnd,
 } from '../../web/model/frames.ts';
@@ -50,6 +51,12 @@ describe('whole frames', () => {
     expect(frameTimes([0.1, 0.8], 4)).toEqual([0.25, 0.5, 0.75]);
     expect(frameTimes([0, 1], 24)).toHaveLength(25);
     expect(frameTimes([0.1, 0.2], 4)).toEqual([]);
+  });
+
+  it('give way to keys that are near', () => {
+    expect(snappedTime(0.52, [0, 0.53], 0.02, 10)).toBe(0.53);
+    expect(snappedTime(0.52, [0, 0.6], 0.02, 10)).toBe(0.5);
+    expect(snappedTime(0.52, [0, 0.6], 0.02, null)).toBe(0.52);
   });
 
   it('are shown as numbers', () => {

@@ -5,6 +5,7 @@ import {
   panned,
   revealing,
   ruler,
+  rulerMarks,
   timeIn,
   windowOf,
   zoomed,
@@ -88,5 +89,12 @@ describe('the ruler', () => {
       expect(marks[0]).toBeGreaterThanOrEqual(window[0] - 1e-15);
       expect(marks.at(-1)).toBeLessThanOrEqual(window[1] + 1e-12);
     }
+  });
+
+  it('counts seconds, or whole frames', () => {
+    const read = (fps: number | null) => rulerMarks([-0.1, 0.1], fps, 4).map(({ text }) => text);
+    expect(read(null)).toEqual(['-0.10 s', '-0.05 s', '0.00 s', '0.05 s', '0.10 s']);
+    expect(read(24)).toEqual(['-2', '0', '2']);
+    expect(rulerMarks([-0.1, 0.1], 24, 4)[0]!.time).toBe(-2 / 24);
   });
 });

@@ -4,7 +4,7 @@
  */
 import { SAME_FRAME } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
-import { clamp, formatTime, length, reach } from './time-scale.ts';
+import { clamp, formatTime, length, reach, snap } from './time-scale.ts';
 
 export const MIN_FPS = 0.01;
 export const MAX_FPS = 1000;
@@ -24,6 +24,12 @@ export function heldTime(t: number, fps: number | null, start: number): number {
 
 export function nearestFrameTime(t: number, fps: number): number {
   return Math.round(t * fps) / fps;
+}
+
+/** The key within `near` of t, else the nearest frame where there are frames. */
+export function snappedTime(t: number, keyTimes: readonly number[], near: number, fps: number | null): number {
+  const key = snap(t, keyTimes, near);
+  return key !== t || fps === null ? key : nearestFrameTime(t, fps);
 }
 
 /** The next whole frame that is `by` frames on; from between two frames the first step goes to one of them. */

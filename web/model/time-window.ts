@@ -67,6 +67,15 @@ function orNull(window: Range, scale: TimeScale): Range | null {
   return same ? null : shown;
 }
 
+/** Seconds along the window, or whole frames, at round numbers. */
+export function rulerMarks(window: Range, fps: number | null, most: number): { time: number; text: string }[] {
+  const unit = fps ?? 1;
+  const numbers = ruler([window[0] * unit, window[1] * unit], most).filter((n) => fps === null || Number.isInteger(n));
+  const decimals = Math.max(Math.ceil(-Math.log10((numbers[1] ?? 1) - (numbers[0] ?? 0)) - 1e-9), 0);
+  const text = (n: number): string => `${(n + 0).toFixed(decimals)}${fps === null ? ' s' : ''}`;
+  return numbers.map((n) => ({ time: n / unit, text: text(n) }));
+}
+
 /** Round places for numbers along the window, at most `most` of them: 1, 2 or 5 times a power of ten apart. */
 export function ruler(window: Range, most: number): number[] {
   const rough = length(window) / Math.max(most, 1);

@@ -1,5 +1,6 @@
 /** What an animator sets about the time: whole frames, where playing starts and ends, how near the timeline is seen. */
-import { button, checkbox, numberField } from './controls.ts';
+import { button, checkbox, fieldRow, numberField, setIdle } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { popover } from './popover.ts';
 import type { Range, TimeScale } from '../model/time-scale.ts';
@@ -27,99 +28,12 @@ export interface ClockMenuEvents {
 const USUAL_FPS = 24;
 const ZOOM_STEP = 2;
 
-export function createClockMenu(events: ClockMenuEvents): {
-  element: HTMLElement;
-  toggle(): void;
-  update(props: ClockMenuProps): void;
-} {
-  let shown: ClockMenuProps | null = null;
-  let lastFps = USUAL_FPS;
-  const seconds = (value: number): number => (shown?.fps ? value / shown.fps : value);
-
-  const frames = checkbox('Snap to frames', 'whole-frames', (on) => events.onFps(on ? lastFps : null));
-  const fps = numberField({
-    label: 'Frames per second',
-    testId: 'fps',
-    min: MIN_FPS,
-    max: MAX_FPS,
-    onInput: (value) => events.onFps(value),
-  });
-  const fpsHint = h('p', { class: 'hint' });
-  const from = numberField({
-    label: 'Playback start, in seconds or frames',
-    testId: 'loop-from',
-    onInput: (value) => events.onLoopEnd('start', seconds(value)),
-  });
-  const to = numberField({
-    label: 'Playback end, in seconds or frames',
-    testId: 'loop-to',
-    onInput: (value) => events.onLoopEnd('end', seconds(value)),
-  });
-  const reset = button({
-    label: 'Play the whole range',
-    testId: 'loop-reset',
-    icon: 'reset',
-    shortcut: 'P',
-    onClick: () => events.onBetween(null),
-  });
-  const here = (end: 'start' | 'end', text: string, key: string): HTMLButtonElement =>
-    button({
-      label: text,
-      testId: `loop-${end}-here`,
-      text,
-      shortcut: key,
-      kind: 'plain',
-      onClick: () => events.onLoopEnd(end, shown?.time ?? 0),
-    });
-  const nearer = button({
-    label: 'Zoom into the timeline',
-    testId: 'zoom-in',
-    icon: 'plus',
-    shortcut: '+',
-    kind: 'plain',
-    onClick: () => events.onZoom(ZOOM_STEP),
-  });
-  const farther = button({
-    label: 'Zoom out of the timeline',
-    testId: 'zoom-out',
-    icon: 'minus',
-    shortcut: '-',
-    kind: 'plain',
-    onClick: () => events.onZoom(1 / ZOOM_STEP),
-  });
-  const whole = button({
-    label: 'Show the whole timeline',
-    testId: 'zoom-fit',
-    text: 'Fit',
-    shortcut: '0',
-    kind: 'plain',
-    onClick: () => events.onWindow(null),
-  });
-  const zoom = h('span', { class: 'label', 'data-testid': 'zoom' });
-
+export function createClockMenu(events: ClockMenuEvents): Component<ClockMenuProps> & { toggle(): void } {
+  const parts = [createFrames(events), createLoop(events), createZoom(events)];
   const panel = h(
     'div',
     { class: 'card popover', id: 'clock', 'data-testid': 'clock', hidden: true },
-    h(
-      'div',
-      { class: 'group' },
-      h(
-        'div',
-        { class: 'field row' },
-        frames.element,
-        h('span', { class: 'spacer' }),
-        fps,
-        h('span', { class: 'unit' }, 'fps'),
-      ),
-      fpsHint,
-    ),
-    h(
-      'div',
-      { class: 'group' },
-      h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Play'), from, to, reset),
-      h('div', { class: 'button-row' }, here('start', 'Set in', 'Ctrl+Home'), here('end', 'Set out', 'Ctrl+End')),
-    ),
-    h('div', { class: 'field row' }, zoom, farther, nearer, whole),
+    ...parts.map((part) => part.element),
   );
   const toggle = button({
     label: 'Frames, loop and zoom',
@@ -132,30 +46,124 @@ export function createClockMenu(events: ClockMenuEvents): {
   const flip = popover(element, toggle, panel);
 
   const draw = memo((props: ClockMenuProps) => {
-    shown = props;
-    const { range, between, window, disabled } = props;
-    if (props.fps !== null) lastFps = props.fps;
-    frames.update(props.fps !== null, disabled);
-    setField(fps, String(Number(lastFps.toFixed(3))));
-    fps.disabled = props.fps === null;
-    setText(
-      fpsHint,
-      props.fps === null
-        ? 'Plays as smoothly as the screen allows.'
-        : 'Playback, the slider and exports snap to these frames; the time is shown as a frame number.',
-    );
-    const [start, end] = playRange(between, range);
-    setField(from, formatMoment(start, range, props.fps));
-    setField(to, formatMoment(end, range, props.fps));
-    const looped = loopRange(between, range) !== null;
-    reset.disabled = !looped;
-    setAttribute(reset, 'data-idle', !looped);
-    const times = length(props.whole) / length(windowOf(window, props));
-    setText(zoom, `Zoom ${times < 9.95 ? Number(times.toFixed(1)) : Math.round(times)}×`);
-    farther.disabled = whole.disabled = window === null;
-    nearer.disabled = times >= MAX_ZOOM * (1 - 1e-9);
+    for (const part of parts) part.update(props);
+    const { fps, between, range, window, disabled } = props;
     toggle.disabled = disabled;
-    setAttribute(toggle, 'data-on', props.fps !== null || looped || window !== null);
+    setAttribute(toggle, 'data-on', fps !== null || loopRange(between, range) !== null || window !== null);
   });
   return { element, toggle: flip, update: draw };
+}
+
+/** Whole frames, and how many of them a second has. */
+function createFrames({ onFps }: ClockMenuEvents): Component<ClockMenuProps> {
+  let last = USUAL_FPS;
+  const snap = checkbox('Snap to frames', 'whole-frames', (on) => onFps(on ? last : null));
+  const rate = numberField({
+    label: 'Frames per second',
+    testId: 'fps',
+    min: MIN_FPS,
+    max: MAX_FPS,
+    onInput: (value) => onFps(value),
+  });
+  const hint = h('p', { class: 'hint' });
+  const row = fieldRow(snap.element, h('span', { class: 'spacer' }), rate, h('span', { class: 'unit' }, 'fps'));
+  return {
+    element: h('div', { class: 'group' }, row, hint),
+    update({ fps, disabled }) {
+      if (fps !== null) last = fps;
+      snap.update(fps !== null, disabled);
+      setField(rate, String(Number(last.toFixed(3))));
+      rate.disabled = fps === null;
+      setText(
+        hint,
+        fps === null
+          ? 'Plays as smoothly as the screen allows.'
+          : 'Playback, the slider and exports snap to these frames; the time is shown as a frame number.',
+      );
+    },
+  };
+}
+
+/** Where playing starts and ends. */
+function createLoop({ onLoopEnd, onBetween }: ClockMenuEvents): Component<ClockMenuProps> {
+  let shown: ClockMenuProps | null = null;
+  const seconds = (value: number): number => (shown?.fps ? value / shown.fps : value);
+  const from = numberField({
+    label: 'Playback start, in seconds or frames',
+    testId: 'loop-from',
+    onInput: (value) => onLoopEnd('start', seconds(value)),
+  });
+  const to = numberField({
+    label: 'Playback end, in seconds or frames',
+    testId: 'loop-to',
+    onInput: (value) => onLoopEnd('end', seconds(value)),
+  });
+  const reset = button({
+    label: 'Play the whole range',
+    testId: 'loop-reset',
+    icon: 'reset',
+    shortcut: 'P',
+    onClick: () => onBetween(null),
+  });
+  const here = (end: 'start' | 'end', text: string, shortcut: string): HTMLButtonElement =>
+    button({
+      label: text,
+      testId: `loop-${end}-here`,
+      text,
+      shortcut,
+      onClick: () => onLoopEnd(end, shown?.time ?? 0),
+    });
+  return {
+    element: h(
+      'div',
+      { class: 'group' },
+      fieldRow('Play', from, to, reset),
+      h('div', { class: 'button-row' }, here('start', 'Set in', 'Ctrl+Home'), here('end', 'Set out', 'Ctrl+End')),
+    ),
+    update(props) {
+      shown = props;
+      const { range, between, fps } = props;
+      const [start, end] = playRange(between, range);
+      setField(from, formatMoment(start, range, fps));
+      setField(to, formatMoment(end, range, fps));
+      setIdle(reset, loopRange(between, range) === null);
+    },
+  };
+}
+
+/** How near the timeline is seen. */
+function createZoom({ onZoom, onWindow }: ClockMenuEvents): Component<ClockMenuProps> {
+  const nearer = button({
+    label: 'Zoom into the timeline',
+    testId: 'zoom-in',
+    icon: 'plus',
+    shortcut: '+',
+    kind: 'plain',
+    onClick: () => onZoom(ZOOM_STEP),
+  });
+  const farther = button({
+    label: 'Zoom out of the timeline',
+    testId: 'zoom-out',
+    icon: 'minus',
+    shortcut: '-',
+    kind: 'plain',
+    onClick: () => onZoom(1 / ZOOM_STEP),
+  });
+  const whole = button({
+    label: 'Show the whole timeline',
+    testId: 'zoom-fit',
+    text: 'Fit',
+    shortcut: '0',
+    onClick: () => onWindow(null),
+  });
+  const zoom = h('span', { class: 'label', 'data-testid': 'zoom' });
+  return {
+    element: fieldRow(zoom, farther, nearer, whole),
+    update(props) {
+      const times = length(props.whole) / length(windowOf(props.window, props));
+      setText(zoom, `Zoom ${times < 9.95 ? Number(times.toFixed(1)) : Math.round(times)}×`);
+      farther.disabled = whole.disabled = props.window === null;
+      nearer.disabled = times >= MAX_ZOOM * (1 - 1e-9);
+    },
+  };
 }

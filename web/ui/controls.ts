@@ -1,6 +1,7 @@
 /**
  * The small controls that the panels are made of: each has a label, a test id, a tooltip with its key, and a way back.
  */
+import type { Child } from './dom.ts';
 import { h, setAttribute, setField, setHidden, setText, uniqueId } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { icon } from './icons.ts';
@@ -13,6 +14,7 @@ export interface ButtonOptions {
   text?: string;
   /** Key that does the same, as shown in the tooltip. */
   shortcut?: string;
+  /** Plain with a text, quiet without. */
   kind?: 'plain' | 'primary' | 'quiet';
   onClick: (event: MouseEvent) => void;
 }
@@ -22,7 +24,7 @@ export function tooltip(label: string, shortcut?: string): string {
 }
 
 export function button(options: ButtonOptions): HTMLButtonElement {
-  const { label, testId, text, shortcut, kind = 'quiet', onClick } = options;
+  const { label, testId, text, shortcut, kind = text ? 'plain' : 'quiet', onClick } = options;
   return h(
     'button',
     {
@@ -35,6 +37,28 @@ export function button(options: ButtonOptions): HTMLButtonElement {
     },
     options.icon && icon(options.icon),
     text && h('span', {}, text),
+  );
+}
+
+/** A reset button with nothing to go back from keeps its place. */
+export function setIdle(reset: HTMLButtonElement, idle: boolean): void {
+  reset.disabled = idle;
+  setAttribute(reset, 'data-idle', idle);
+}
+
+/** Fields beside each other, after what they are called. */
+export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
+  const first = typeof label === 'string' ? h('span', { class: 'label' }, label) : label;
+  return h('div', { class: 'field row' }, first, ...fields);
+}
+
+/** Buttons beside each other, under what they are for. */
+export function buttonGroup(label: string, ...buttons: Node[]): HTMLElement {
+  return h(
+    'div',
+    { class: 'field', role: 'group', 'aria-label': label },
+    h('span', { class: 'label' }, label),
+    h('div', { class: 'button-row' }, ...buttons),
   );
 }
 
@@ -198,8 +222,7 @@ export function slider(options: NumberOptions): NumberControl {
       setField(number, format(value));
       const disabled = disabledReason !== undefined;
       for (const control of [range, number]) control.disabled = disabled;
-      setAttribute(reset, 'data-idle', disabled || value === fallback);
-      reset.disabled = disabled || value === fallback;
+      setIdle(reset, disabled || value === fallback);
     },
   };
 }
@@ -260,4 +283,29 @@ export function checkbox(label: string, testId: string, onChange: (on: boolean) 
       input.disabled = disabled;
     },
   };
+}
+
+interface DialogOptions {
+  title: string;
+  label: string;
+  testId: string;
+  /** Test id of the button that closes it. */
+  closeId: string;
+  /** A class of the style sheet, besides that of all dialogs. */
+  kind?: string;
+}
+
+/** A dialog over the page, with its title; its button, Escape, or a press beside it closes it. */
+export function dialog({ title, label, testId, closeId, kind }: DialogOptions, ...content: Child[]): HTMLDialogElement {
+  const close = button({ label: 'Close', testId: closeId, icon: 'close', onClick: () => element.close() });
+  const element = h(
+    'dialog',
+    { class: kind ? `dialog ${kind}` : 'dialog', 'data-testid': testId, 'aria-label': label },
+    h('header', {}, h('h2', {}, title), close),
+    ...content,
+  );
+  element.addEventListener('click', (event) => {
+    if (event.target === element) element.close();
+  });
+  return element;
 }

@@ -1,7 +1,8 @@
 /** What is dragged between two motions of one shape; a slider for the keyboard and for who cannot see it. */
+import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle } from './dom.ts';
 import { icon } from './icons.ts';
-import { drag, focusPressed } from './pointer.ts';
+import { drag, focusPressed, isPress } from './pointer.ts';
 
 /** So much of either side always stays. */
 export const LEAST_SHARE = 0.02;
@@ -16,10 +17,7 @@ export interface DividerProps {
   right: string;
 }
 
-export function createDivider(onMove: (share: number) => void): {
-  element: HTMLElement;
-  update(props: DividerProps): void;
-} {
+export function createDivider(onMove: (share: number) => void): Component<DividerProps> {
   let now = 0.5;
   // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
   const move = (share: number): void => {
@@ -39,7 +37,7 @@ export function createDivider(onMove: (share: number) => void): {
       'aria-valuemax': Math.round(100 * (1 - LEAST_SHARE)),
       'data-testid': 'divider',
       onpointerdown: (event: PointerEvent) => {
-        if (event.button !== 0 || !event.isPrimary) return;
+        if (!isPress(event)) return;
         event.preventDefault();
         event.stopPropagation();
         focusPressed(element);

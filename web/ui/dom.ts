@@ -4,6 +4,18 @@ export type Child = Node | string | null | undefined | false;
 type Value = string | number | boolean | null | undefined | ((event: never) => void);
 export type Props = Record<string, Value>;
 
+/** What shows a slice of the state. */
+export interface Component<Props> {
+  element: HTMLElement;
+  update(props: Props): void;
+}
+
+/** The same, where it stands under something else in several pieces. */
+export interface Fields<Props> {
+  elements: HTMLElement[];
+  update(props: Props): void;
+}
+
 /**
  * An element with attributes, `on...` listeners and children. `true` sets an empty attribute, `false` and null none.
  */
@@ -58,6 +70,12 @@ export function setText(element: Element, text: string): void {
 
 export function setHidden(element: HTMLElement | SVGElement, hidden: boolean): void {
   setAttribute(element, 'hidden', hidden);
+}
+
+/** Sets a text; an element without one is hidden. */
+export function say(element: HTMLElement, text: string): void {
+  setText(element, text);
+  setHidden(element, text === '');
 }
 
 export function setStyle(element: HTMLElement | SVGElement, name: string, value: string): void {

@@ -1,5 +1,5 @@
 /** What is open, on somebody's own page: the lines to copy there, and the file to put beside them. */
-import { button } from './controls.ts';
+import { button, dialog } from './controls.ts';
 import { h, setText } from './dom.ts';
 
 export interface EmbedDialog {
@@ -36,22 +36,20 @@ export function createEmbedDialog({ onSave, onError }: EmbedDialogEvents): Embed
     testId: 'embed-save',
     icon: 'download',
     text: 'Download the GLB',
-    kind: 'plain',
     onClick: () => {
       element.close();
       onSave();
     },
   });
   const examples = h('a', { href: EXAMPLES, target: '_blank', rel: 'noopener' }, 'Examples and all attributes');
-  const element = h(
-    'dialog',
-    { class: 'dialog wide', 'data-testid': 'embed-dialog', 'aria-label': 'Embed this' },
-    h(
-      'header',
-      {},
-      h('h2', {}, 'Embed this on your page'),
-      button({ label: 'Close', testId: 'embed-close', icon: 'close', onClick: () => element.close() }),
-    ),
+  const element = dialog(
+    {
+      title: 'Embed this on your page',
+      label: 'Embed this',
+      testId: 'embed-dialog',
+      closeId: 'embed-close',
+      kind: 'wide',
+    },
     h(
       'p',
       {},
@@ -64,9 +62,6 @@ export function createEmbedDialog({ onSave, onError }: EmbedDialogEvents): Embed
     said,
     h('footer', {}, examples),
   );
-  element.addEventListener('click', (event) => {
-    if (event.target === element) element.close();
-  });
   return {
     element,
     open(text) {

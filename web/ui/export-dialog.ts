@@ -13,10 +13,12 @@ import type {
   VideoFormat,
 } from '../model/export-request.ts';
 import { DEFAULT_REQUEST, isTurn, isVideoRequest } from '../model/export-request.ts';
-import { button, checkbox, numberField, segments } from './controls.ts';
+import type { Choice } from './controls.ts';
+import { button, checkbox, dialog, fieldRow, numberField, segments } from './controls.ts';
+import type { Component, Fields } from './dom.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
 import type { Change, FieldsProps } from './export-fields.ts';
-import { createPictureFields, createTimeFields, fieldRow } from './export-fields.ts';
+import { createPictureFields, createTimeFields } from './export-fields.ts';
 
 export interface ExportDialogProps extends Playing {
   request: ExportRequest;
@@ -50,72 +52,49 @@ const WORDS: Record<string, string> = {
   patches: 'A table of the patch that each face belongs to.',
 };
 
+const KINDS: readonly Choice<ExportKind>[] = [
+  { value: 'animation', label: 'Animation' },
+  { value: 'pose', label: 'Pose' },
+  { value: 'picture', label: 'Picture' },
+  { value: 'numbers', label: 'Numbers' },
+];
+const ANIMATION_FORMATS: readonly Choice<AnimationFormat>[] = [
+  { value: 'glb', label: 'GLB' },
+  { value: 'obj', label: 'OBJ frames' },
+  { value: 'pc2', label: 'PC2' },
+  { value: 'mdd', label: 'MDD' },
+  { value: 'video', label: 'Video' },
+];
+const POSE_FORMATS: readonly Choice<PoseFormat>[] = [
+  { value: 'glb', label: 'GLB' },
+  { value: 'obj', label: 'OBJ' },
+  { value: 'ply', label: 'PLY' },
+];
+const PICTURE_FORMATS: readonly Choice<PictureFormat>[] = [
+  { value: 'png', label: 'PNG' },
+  { value: 'turntable', label: 'Turntable' },
+];
+const NUMBERS_FORMATS: readonly Choice<NumbersFormat>[] = [
+  { value: 'measures', label: 'Measures (CSV)' },
+  { value: 'patches', label: 'Patches (CSV)' },
+];
+const VIDEO_FORMATS: readonly Choice<VideoFormat>[] = [
+  { value: 'mp4', label: 'MP4' },
+  { value: 'webm', label: 'WebM' },
+  { value: 'gif', label: 'GIF' },
+];
+
 /** The rows of choices between kinds and formats, and which of them are shown. */
-function createFormatFields(change: Change) {
-  const kind = segments<ExportKind>(
-    'What',
-    'export-kind',
-    [
-      { value: 'animation', label: 'Animation' },
-      { value: 'pose', label: 'Pose' },
-      { value: 'picture', label: 'Picture' },
-      { value: 'numbers', label: 'Numbers' },
-    ],
-    (value) => change({ kind: value }),
-  );
-  const animation = segments<AnimationFormat>(
-    'Format',
-    'export-animation',
-    [
-      { value: 'glb', label: 'GLB' },
-      { value: 'obj', label: 'OBJ frames' },
-      { value: 'pc2', label: 'PC2' },
-      { value: 'mdd', label: 'MDD' },
-      { value: 'video', label: 'Video' },
-    ],
-    (value) => change({ animation: value }),
-  );
-  const pose = segments<PoseFormat>(
-    'Format',
-    'export-pose',
-    [
-      { value: 'glb', label: 'GLB' },
-      { value: 'obj', label: 'OBJ' },
-      { value: 'ply', label: 'PLY' },
-    ],
-    (value) => change({ pose: value }),
-  );
-  const picture = segments<PictureFormat>(
-    'Format',
-    'export-picture',
-    [
-      { value: 'png', label: 'PNG' },
-      { value: 'turntable', label: 'Turntable' },
-    ],
-    (value) => change({ picture: value }),
-  );
-  const numbers = segments<NumbersFormat>(
-    'Format',
-    'export-numbers',
-    [
-      { value: 'measures', label: 'Measures (CSV)' },
-      { value: 'patches', label: 'Patches (CSV)' },
-    ],
-    (value) => change({ numbers: value }),
-  );
-  const video = segments<VideoFormat>(
-    'Video format',
-    'export-video',
-    [
-      { value: 'mp4', label: 'MP4' },
-      { value: 'webm', label: 'WebM' },
-      { value: 'gif', label: 'GIF' },
-    ],
-    (value) => change({ video: value }),
-  );
+function createFormatFields(change: Change): Fields<ExportDialogProps> {
+  const kind = segments('What', 'export-kind', KINDS, (value) => change({ kind: value }));
+  const animation = segments('Format', 'export-animation', ANIMATION_FORMATS, (value) => change({ animation: value }));
+  const pose = segments('Format', 'export-pose', POSE_FORMATS, (value) => change({ pose: value }));
+  const picture = segments('Format', 'export-picture', PICTURE_FORMATS, (value) => change({ picture: value }));
+  const numbers = segments('Format', 'export-numbers', NUMBERS_FORMATS, (value) => change({ numbers: value }));
+  const video = segments('Video format', 'export-video', VIDEO_FORMATS, (value) => change({ video: value }));
   return {
     elements: [kind, animation, pose, picture, numbers, video].map(({ element }) => element),
-    update({ request, videoFormats }: ExportDialogProps): void {
+    update({ request, videoFormats }) {
       const { kind: what } = request;
       kind.update(what);
       animation.update(request.animation);
@@ -123,12 +102,7 @@ function createFormatFields(change: Change) {
       picture.update(request.picture);
       numbers.update(request.numbers);
       const formats = videoFormats ?? [];
-      const missing = (['mp4', 'webm'] as const).filter((format) => videoFormats && !formats.includes(format));
-      if (formats[0])
-        video.update(
-          request.video ?? formats[0],
-          Object.fromEntries(missing.map((format) => [format, `This browser cannot write ${NAMES[format]}.`])),
-        );
+      if (formats[0]) video.update(request.video ?? formats[0], reasonsAgainst(formats));
       setHidden(animation.element, what !== 'animation');
       setHidden(pose.element, what !== 'pose');
       setHidden(picture.element, what !== 'picture');
@@ -138,7 +112,10 @@ function createFormatFields(change: Change) {
   };
 }
 
-const NAMES = { mp4: 'MP4', webm: 'WebM' } as const;
+function reasonsAgainst(formats: readonly VideoFormat[]): Partial<Record<VideoFormat, string>> {
+  const missing = VIDEO_FORMATS.filter(({ value }) => value !== 'gif' && !formats.includes(value));
+  return Object.fromEntries(missing.map(({ value, label }) => [value, `This browser cannot write ${label}.`]));
+}
 
 /** What a GLB is made of. */
 function createGlbFields(change: Change) {
@@ -207,8 +184,7 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   const picture = createPictureFields(change);
   const inPlace = checkbox('Without travel (in place)', 'export-in-place', (on) => change({ inPlace: on }));
   const about = h('p', { class: 'hint' });
-  const plan = h('p', { class: 'plan', 'data-testid': 'export-size', role: 'status' });
-  const warnings = h('ul', { class: 'warning-list' });
+  const plan = createPlan();
   const go = button({
     label: 'Download',
     testId: 'export-go',
@@ -225,21 +201,13 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     testId: 'export-embed',
     icon: 'link',
     text: 'Embed this on your page',
-    kind: 'plain',
     onClick: () => {
       element.close();
       events.onEmbed();
     },
   });
-  const element = h(
-    'dialog',
-    { class: 'dialog', 'data-testid': 'export-dialog', 'aria-label': 'Export' },
-    h(
-      'header',
-      {},
-      h('h2', {}, 'Export'),
-      button({ label: 'Close', testId: 'export-close', icon: 'close', onClick: () => element.close() }),
-    ),
+  const element = dialog(
+    { title: 'Export', label: 'Export', testId: 'export-dialog', closeId: 'export-close' },
     ...formats.elements,
     about,
     ...glb.before,
@@ -248,11 +216,8 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     ...glb.after,
     inPlace.element,
     embed,
-    h('footer', {}, h('div', {}, plan, warnings), go),
+    h('footer', {}, plan.element, go),
   );
-  element.addEventListener('click', (event) => {
-    if (event.target === element) element.close();
-  });
 
   const draw = memo((props: ExportDialogProps) => {
     request = props.request;
@@ -266,14 +231,25 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     inPlace.update(request.inPlace);
     setHidden(embed, request.kind !== 'animation' || request.animation !== 'glb');
     setText(about, WORDS[wordsFor(request)] ?? '');
-    setText(plan, props.plan ? props.plan.text : 'Estimating the size');
-    warnings.replaceChildren(...(props.plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
+    plan.update(props);
   });
   const update = (props: ExportDialogProps): void => {
     shown = props;
     draw(props);
   };
   return { element, open: () => element.showModal(), close: () => element.close(), update };
+}
+
+function createPlan(): Component<ExportDialogProps> {
+  const text = h('p', { class: 'plan', 'data-testid': 'export-size', role: 'status' });
+  const warnings = h('ul', { class: 'warning-list' });
+  return {
+    element: h('div', {}, text, warnings),
+    update({ plan }) {
+      setText(text, plan ? plan.text : 'Estimating the size');
+      warnings.replaceChildren(...(plan?.warnings ?? []).map((warning) => h('li', {}, warning)));
+    },
+  };
 }
 
 function wordsFor(request: ExportRequest): string {

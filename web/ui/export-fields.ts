@@ -13,8 +13,9 @@ import {
   isVideoRequest,
   sizeName,
 } from '../model/export-request.ts';
-import { button, checkbox, numberField, select } from './controls.ts';
-import { h, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { button, checkbox, fieldRow, numberField, select, setIdle } from './controls.ts';
+import type { Fields } from './dom.ts';
+import { h, setField, setHidden, setText } from './dom.ts';
 
 export type Change = (part: Partial<ExportRequest>) => void;
 
@@ -24,20 +25,11 @@ export interface FieldsProps extends Playing {
   video: VideoFormat | null;
 }
 
-interface Fields {
-  elements: HTMLElement[];
-  update(props: FieldsProps): void;
-}
-
-export function fieldRow(label: string, ...fields: Node[]): HTMLElement {
-  return h('div', { class: 'field row' }, h('span', { class: 'label' }, label), ...fields);
-}
-
 const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
 const shortest = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
 /** First and last time, what they take, and the frames between them. */
-export function createTimeFields(change: Change): Fields {
+export function createTimeFields(change: Change): Fields<FieldsProps> {
   let numbers: ExportNumbers | null = null;
   let turns = false;
   const from = numberField({
@@ -104,8 +96,7 @@ export function createTimeFields(change: Change): Fields {
       setField(to, shortest(numbers.range[1], 4));
       setField(seconds, shortest(numbers.seconds, 3));
       setText(pace, turns ? '' : paceWords(request, numbers.speed));
-      setAttribute(reset, 'data-idle', turns || request.duration === null);
-      reset.disabled = turns || request.duration === null;
+      setIdle(reset, turns || request.duration === null);
       setField(frames, String(numbers.frames));
       // Of a video their number follows from its seconds.
       frames.readOnly = isVideo;
@@ -134,7 +125,7 @@ const SIZE_WORDS: Record<SizeName, string> = {
 };
 
 /** How large, and for a PNG with what around the shape. */
-export function createPictureFields(change: Change): Fields {
+export function createPictureFields(change: Change): Fields<FieldsProps> {
   let request: ExportRequest | null = null;
   const size = select<SizeName>(
     'Size',

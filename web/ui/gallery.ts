@@ -1,4 +1,5 @@
 /** The samples as cards that move, and the user's own files, behind a button that says what is open. */
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import { popover } from './popover.ts';
@@ -36,7 +37,7 @@ export interface GalleryEvents {
 export const PICTURE = { width: 304, height: 208 };
 export const MOMENTS = 16;
 
-export function createGallery(events: GalleryEvents): { element: HTMLElement; update(props: GalleryProps): void } {
+export function createGallery(events: GalleryEvents): Component<GalleryProps> {
   const name = h('span', { class: 'gallery-name' });
   const toggle = h(
     'button',
@@ -51,8 +52,18 @@ export function createGallery(events: GalleryEvents): { element: HTMLElement; up
     name,
     icon('down'),
   );
-  const cards = h('div', { class: 'gallery-cards' });
-  const ownList = h('div', { class: 'gallery-own', role: 'group', 'aria-label': 'Your files' });
+  const close = (): void => {
+    flip();
+    toggle.focus();
+  };
+  const cards = createCards((id) => {
+    close();
+    events.onSample(id);
+  });
+  const own = createOwnList((id, isOpen) => {
+    close();
+    if (!isOpen) events.onOwn(id);
+  });
   const panel = h(
     'div',
     {
@@ -63,80 +74,82 @@ export function createGallery(events: GalleryEvents): { element: HTMLElement; up
       'data-testid': 'gallery',
       hidden: true,
     },
-    ownList,
-    cards,
+    own.element,
+    cards.element,
   );
   const element = h('div', { class: 'sample' }, toggle, panel);
   const flip = popover(element, toggle, panel);
-
-  const drawCards = memo(({ samples, sample }: Pick<GalleryProps, 'samples' | 'sample'>) => {
-    const had = cards.contains(document.activeElement);
-    cards.replaceChildren(
-      ...samples.map(({ id, title, description, boundary }) =>
-        h(
-          'button',
-          {
-            type: 'button',
-            class: 'sample-card',
-            'data-testid': `sample-card-${id}`,
-            'data-id': id,
-            'aria-current': id === sample ? 'true' : null,
-            onclick: () => {
-              flip();
-              toggle.focus();
-              events.onSample(id);
-            },
-          },
-          h(
-            'span',
-            { class: 'sample-picture', 'data-loops': boundary === 'periodic', 'aria-hidden': 'true' },
-            // Fetched when the gallery is opened.
-            h('img', { loading: 'lazy', src: `gallery/${id}.webp`, alt: '', draggable: 'false' }),
-          ),
-          h('strong', {}, title),
-          h('span', { class: 'hint' }, description),
-        ),
-      ),
-    );
-    if (had) cards.querySelector<HTMLElement>('[aria-current]')?.focus();
-  });
-  let drawn = '';
-  const drawOwn = (own: readonly OwnItem[], project: string | null): void => {
-    const text = JSON.stringify([own, project]);
-    if (text === drawn) return;
-    drawn = text;
-    setHidden(ownList, own.length === 0);
-    ownList.replaceChildren(
-      h('span', { class: 'hint' }, 'Your files'),
-      ...own.map(({ id, title }) =>
-        h(
-          'button',
-          {
-            type: 'button',
-            class: 'button plain',
-            'data-testid': `own-${id}`,
-            'aria-current': id === project ? 'true' : null,
-            onclick: () => {
-              flip();
-              toggle.focus();
-              if (id !== project) events.onOwn(id);
-            },
-          },
-          title,
-        ),
-      ),
-    );
-  };
   return {
     element,
     update(next) {
-      const { samples, sample, own, project } = next;
-      drawCards({ samples, sample });
-      drawOwn(own, project);
-      const open = project === null ? samples.find(({ id }) => id === sample) : own.find(({ id }) => id === project);
+      const { samples, sample, project } = next;
+      cards.update({ samples, sample });
+      own.update(next);
+      const open =
+        project === null ? samples.find(({ id }) => id === sample) : next.own.find(({ id }) => id === project);
       const words = open?.title ?? 'Samples';
       setText(name, words);
       setAttribute(toggle, 'aria-label', `Samples; open now: ${words}`);
+    },
+  };
+}
+
+type CardsProps = Pick<GalleryProps, 'samples' | 'sample'>;
+
+function createCards(onChoose: (id: string) => void): Component<CardsProps> {
+  const element = h('div', { class: 'gallery-cards' });
+  const createCard = ({ id, title, description, boundary }: SampleItem, isOpen: boolean): HTMLElement =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'sample-card',
+        'data-testid': `sample-card-${id}`,
+        'data-id': id,
+        'aria-current': isOpen ? 'true' : null,
+        onclick: () => onChoose(id),
+      },
+      h(
+        'span',
+        { class: 'sample-picture', 'data-loops': boundary === 'periodic', 'aria-hidden': 'true' },
+        // Fetched when the gallery is opened.
+        h('img', { loading: 'lazy', src: `gallery/${id}.webp`, alt: '', draggable: 'false' }),
+      ),
+      h('strong', {}, title),
+      h('span', { class: 'hint' }, description),
+    );
+  const draw = memo(({ samples, sample }: CardsProps) => {
+    const had = element.contains(document.activeElement);
+    element.replaceChildren(...samples.map((item) => createCard(item, item.id === sample)));
+    if (had) element.querySelector<HTMLElement>('[aria-current]')?.focus();
+  });
+  return { element, update: draw };
+}
+
+function createOwnList(onChoose: (id: string, isOpen: boolean) => void): Component<GalleryProps> {
+  const element = h('div', { class: 'gallery-own', role: 'group', 'aria-label': 'Your files' });
+  const createItem = ({ id, title }: OwnItem, isOpen: boolean): HTMLElement =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'button plain',
+        'data-testid': `own-${id}`,
+        'aria-current': isOpen ? 'true' : null,
+        onclick: () => onChoose(id, isOpen),
+      },
+      title,
+    );
+  let drawn = '';
+  return {
+    element,
+    update({ own, project }) {
+      const text = JSON.stringify([own, project]);
+      if (text === drawn) return;
+      drawn = text;
+      setHidden(element, own.length === 0);
+      const items = own.map((item) => createItem(item, item.id === project));
+      element.replaceChildren(h('span', { class: 'hint' }, 'Your files'), ...items);
     },
   };
 }

@@ -4,8 +4,9 @@ import type { SequenceStats, Transfer } from '../engine/api/types.ts';
 import { DEFAULT_ENCODING, GHOST_FACES } from '../model/state.ts';
 import type { Encoding, View } from '../model/state.ts';
 import type { Choice } from './controls.ts';
-import { button, checkbox, numberField, segments } from './controls.ts';
-import { h, memo, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { button, checkbox, fieldRow, numberField, segments, setIdle } from './controls.ts';
+import type { Component } from './dom.ts';
+import { h, memo, setField, setHidden, setText } from './dom.ts';
 
 export interface GhostPanelProps {
   encoding: Encoding;
@@ -36,52 +37,24 @@ const TRANSFERS: readonly Choice<Transfer>[] = [
 ];
 
 /** `study`: the plot over sizes, which can be made whether a ghost leads now or not. */
-export function createGhostPanel(
-  events: GhostPanelEvents,
-  study: HTMLElement,
-): { element: HTMLElement; update(props: GhostPanelProps): void } {
+export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): Component<GhostPanelProps> {
   const toggle = checkbox('Ghost mesh', 'ghost', (on) => events.onEncoding({ ghostFaces: on ? GHOST_FACES : 0 }), 'N');
   const hint = h('p', { class: 'hint', 'data-testid': 'ghost-hint' });
-  const faces = numberField({
-    label: 'Faces of the ghost mesh',
-    testId: 'ghost-faces',
-    min: ENCODING.ghostFaces.least,
-    max: 1_000_000,
-    step: 100,
-    onInput: (value) => events.onEncoding({ ghostFaces: Math.round(value) }),
-  });
-  const used = h('span', { class: 'muted', 'data-testid': 'ghost-used' });
-  const reset = button({
-    label: `Reset the faces to ${GHOST_FACES.toLocaleString('en')}`,
-    testId: 'ghost-faces-reset',
-    icon: 'reset',
-    onClick: () => events.onEncoding({ ghostFaces: GHOST_FACES }),
-  });
+  const faces = createFaces(events);
   const transfer = segments<Transfer>('Transfer', 'transfer', TRANSFERS, (value) =>
     events.onEncoding({ transfer: value }),
   );
   const placement = checkbox('Vertices may leave the surface', 'placement', (on) =>
     events.onEncoding({ placement: on ? 'optimal' : DEFAULT_ENCODING.placement }),
   );
-  const wire = checkbox('Wireframe', 'ghost-wire', (on) => events.onView({ ghostWire: on }));
-  const beside = checkbox('Beside the shape', 'ghost-beside', (on) => events.onView({ ghostBeside: on }));
-  const difference = checkbox('Difference from the full solve', 'ghost-difference', (on) =>
-    events.onView({ ghostDifference: on }),
-  );
-  const sizes = checkbox('Twice and four times the faces', 'ghost-sizes', (on) => events.onView({ ghostSizes: on }));
-  const shown = h(
-    'fieldset',
-    { class: 'field' },
-    h('legend', {}, 'Show'),
-    h('div', { class: 'chips' }, wire.element, beside.element, difference.element, sizes.element),
-  );
+  const shown = createShown(events);
   const details = h(
     'div',
     { class: 'group', id: 'ghost-details' },
-    h('div', { class: 'field row' }, h('span', { class: 'label' }, 'Faces'), faces, used, reset),
+    faces.element,
     transfer.element,
     placement.element,
-    shown,
+    shown.element,
   );
   const element = h(
     'section',
@@ -93,30 +66,69 @@ export function createGhostPanel(
   );
 
   const draw = memo((props: GhostPanelProps) => {
-    const { encoding, view, stats } = props;
-    const on = encoding.ghostFaces > 0;
-    toggle.update(on, props.disabled);
+    const { encoding, lriMethod, disabled } = props;
+    toggle.update(encoding.ghostFaces > 0, disabled);
     setText(
       hint,
-      props.lriMethod
+      lriMethod
         ? 'A coarse mesh leads the motion and the full shape follows it.'
         : 'This method blends positions and uses no ghost mesh.',
     );
-    setHidden(details, !on);
-    setHidden(study, !props.lriMethod);
-    setField(faces, String(encoding.ghostFaces));
-    setText(used, on && stats ? usedText(stats.ghostFaces, props.faces) : '');
-    setAttribute(reset, 'data-idle', encoding.ghostFaces === GHOST_FACES);
-    reset.disabled = encoding.ghostFaces === GHOST_FACES;
+    setHidden(details, encoding.ghostFaces === 0);
+    setHidden(study, !lriMethod);
+    faces.update(props);
     transfer.update(encoding.transfer);
-    placement.update(encoding.placement === 'optimal', props.disabled);
-    wire.update(view.ghostWire, !props.lriMethod);
-    beside.update(view.ghostBeside, !props.lriMethod);
-    // Other sizes are shown by what they differ from the full solve.
-    difference.update(view.ghostDifference || view.ghostSizes, !props.lriMethod || view.ghostSizes);
-    sizes.update(view.ghostSizes, !props.lriMethod);
+    placement.update(encoding.placement === 'optimal', disabled);
+    shown.update(props);
   });
   return { element, update: draw };
+}
+
+function createFaces({ onEncoding }: GhostPanelEvents): Component<GhostPanelProps> {
+  const count = numberField({
+    label: 'Faces of the ghost mesh',
+    testId: 'ghost-faces',
+    min: ENCODING.ghostFaces.least,
+    max: 1_000_000,
+    step: 100,
+    onInput: (value) => onEncoding({ ghostFaces: Math.round(value) }),
+  });
+  const used = h('span', { class: 'muted', 'data-testid': 'ghost-used' });
+  const reset = button({
+    label: `Reset the faces to ${GHOST_FACES.toLocaleString('en')}`,
+    testId: 'ghost-faces-reset',
+    icon: 'reset',
+    onClick: () => onEncoding({ ghostFaces: GHOST_FACES }),
+  });
+  return {
+    element: fieldRow('Faces', count, used, reset),
+    update({ encoding: { ghostFaces }, stats, faces }) {
+      setField(count, String(ghostFaces));
+      setText(used, ghostFaces > 0 && stats ? usedText(stats.ghostFaces, faces) : '');
+      setIdle(reset, ghostFaces === GHOST_FACES);
+    },
+  };
+}
+
+/** What of the ghost mesh is drawn. */
+function createShown({ onView }: GhostPanelEvents): Component<GhostPanelProps> {
+  const wire = checkbox('Wireframe', 'ghost-wire', (on) => onView({ ghostWire: on }));
+  const beside = checkbox('Beside the shape', 'ghost-beside', (on) => onView({ ghostBeside: on }));
+  const difference = checkbox('Difference from the full solve', 'ghost-difference', (on) =>
+    onView({ ghostDifference: on }),
+  );
+  const sizes = checkbox('Twice and four times the faces', 'ghost-sizes', (on) => onView({ ghostSizes: on }));
+  const chips = h('div', { class: 'chips' }, wire.element, beside.element, difference.element, sizes.element);
+  return {
+    element: h('fieldset', { class: 'field' }, h('legend', {}, 'Show'), chips),
+    update({ view, lriMethod }) {
+      wire.update(view.ghostWire, !lriMethod);
+      beside.update(view.ghostBeside, !lriMethod);
+      // Other sizes are shown by what they differ from the full solve.
+      difference.update(view.ghostDifference || view.ghostSizes, !lriMethod || view.ghostSizes);
+      sizes.update(view.ghostSizes, !lriMethod);
+    },
+  };
 }
 
 function usedText(ghost: number, faces: number): string {

@@ -1,6 +1,6 @@
 /** A page of the guide beside the app: what is seen, what to do, one sentence to keep, and the ways on. */
 import { button } from './controls.ts';
-import { h, setHidden, setText } from './dom.ts';
+import { h, say, setHidden, setText } from './dom.ts';
 
 /** A formula as MathML, and the same in words. */
 export interface Formula {
@@ -101,8 +101,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
       element.querySelector('.guide-scroll')!.scrollTop = 0;
     },
     setLive(text) {
-      setText(live, text);
-      setHidden(live, text === '');
+      say(live, text);
     },
     focus: () => title.focus(),
     turn(to) {

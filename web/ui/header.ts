@@ -1,4 +1,5 @@
 /** The top bar: name, sample, buttons, theme. */
+import type { Component } from './dom.ts';
 import { h, memo } from './dom.ts';
 import { createGallery } from './gallery.ts';
 import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
@@ -27,10 +28,7 @@ export interface HeaderButtons {
   end: readonly HTMLElement[];
 }
 
-export function createHeader(
-  { start, history, end }: HeaderButtons,
-  events: HeaderEvents,
-): { element: HTMLElement; update(props: HeaderProps): void } {
+export function createHeader({ start, history, end }: HeaderButtons, events: HeaderEvents): Component<HeaderProps> {
   const gallery = createGallery(events);
   const theme = createThemeButton(() => events.onTheme(), 'D');
   const element = h(

@@ -1,5 +1,5 @@
 /** Help: what the page does, its gestures and keys, and where the method comes from. */
-import { button, checkbox } from './controls.ts';
+import { button, checkbox, dialog } from './controls.ts';
 import { h, setText } from './dom.ts';
 
 export interface ShortcutLine {
@@ -51,7 +51,6 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
     testId: 'copy-bibtex',
     icon: 'link',
     text: 'Copy BibTeX',
-    kind: 'plain',
     onClick: () =>
       void navigator.clipboard
         .writeText(BIBTEX)
@@ -61,15 +60,8 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
   // Where the clipboard cannot be written to, the entry itself.
   const cited = h('pre', { class: 'cited', role: 'status' });
   const switchOff = checkbox('Single-letter shortcuts', 'single-keys', onShortcuts);
-  const element = h(
-    'dialog',
-    { class: 'dialog wide', 'data-testid': 'help-dialog', 'aria-label': 'Help' },
-    h(
-      'header',
-      {},
-      h('h2', {}, 'From poses to motion'),
-      button({ label: 'Close', testId: 'help-close', icon: 'close', onClick: () => element.close() }),
-    ),
+  const element = dialog(
+    { title: 'From poses to motion', label: 'Help', testId: 'help-dialog', closeId: 'help-close', kind: 'wide' },
     h(
       'p',
       {},
@@ -119,8 +111,5 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
       ' of this page and of what it is made of.',
     ),
   );
-  element.addEventListener('click', (event) => {
-    if (event.target === element) element.close();
-  });
   return { element, open: () => element.showModal(), update: (singleKeys) => switchOff.update(singleKeys) };
 }

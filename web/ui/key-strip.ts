@@ -2,7 +2,7 @@
  * The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one.
  */
 import { button } from './controls.ts';
-import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
+import { h, memo, say, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import type { EditedKey, KeyEditor, KeyEditorEvents, KeyEditorProps } from './key-editor.ts';
 import { lazyComponent } from './lazy.ts';
@@ -56,7 +56,6 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
     icon: 'plus',
     text: 'Add key',
     shortcut: 'K',
-    kind: 'plain',
     onClick: () => events.onAddCurrent(),
   });
   const addFile = button({
@@ -64,7 +63,6 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
     testId: 'add-file',
     icon: 'open',
     text: 'Import pose',
-    kind: 'plain',
     onClick: () => events.onAddFile(),
   });
   const element = h(
@@ -143,26 +141,7 @@ function createCard(
     icon('down'),
   );
   const element = h('li', { class: 'key-card', draggable: 'true' }, go, edit);
-
-  element.addEventListener('dragstart', (event) => {
-    dragged.from = index;
-    event.dataTransfer?.setData('application/x-shapespline-key', String(index));
-    if (event.dataTransfer) event.dataTransfer.effectAllowed = 'move';
-  });
-  element.addEventListener('dragover', (event) => {
-    if (!event.dataTransfer?.types.includes('application/x-shapespline-key')) return;
-    event.preventDefault();
-    setAttribute(element, 'data-drop', dragged.from < index ? 'after' : 'before');
-  });
-  element.addEventListener('dragleave', () => setAttribute(element, 'data-drop', null));
-  element.addEventListener('drop', (event) => {
-    setAttribute(element, 'data-drop', null);
-    const from = event.dataTransfer?.getData('application/x-shapespline-key');
-    if (!from) return;
-    event.preventDefault();
-    event.stopPropagation();
-    events.onMove(Number(from), index);
-  });
+  listenToDrags(element, dragged, () => index, events);
   go.addEventListener('keydown', (event) => {
     if ((event.key === 'Delete' || event.key === 'Backspace') && removable) events.onRemove(index);
   });
@@ -191,11 +170,40 @@ function createCard(
       setAttribute(image, 'src', item.thumbnail);
       setAttribute(image, 'hidden', item.thumbnail === null);
       setText(badge, String(at + 1));
-      setText(name, short);
-      setHidden(name, short === '');
+      say(name, short);
       setText(when, `${Number(formatTime(item.time, range))} s`);
       go.disabled = disabled;
       edit.disabled = disabled;
     },
   };
+}
+
+const DRAGGED_KEY = 'application/x-shapespline-key';
+
+/** A key is dragged to the place of another one. */
+function listenToDrags(
+  element: HTMLElement,
+  dragged: { from: number },
+  indexOf: () => number,
+  { onMove }: KeyStripEvents,
+): void {
+  element.addEventListener('dragstart', ({ dataTransfer }) => {
+    dragged.from = indexOf();
+    dataTransfer?.setData(DRAGGED_KEY, String(dragged.from));
+    if (dataTransfer) dataTransfer.effectAllowed = 'move';
+  });
+  element.addEventListener('dragover', (event) => {
+    if (!event.dataTransfer?.types.includes(DRAGGED_KEY)) return;
+    event.preventDefault();
+    setAttribute(element, 'data-drop', dragged.from < indexOf() ? 'after' : 'before');
+  });
+  element.addEventListener('dragleave', () => setAttribute(element, 'data-drop', null));
+  element.addEventListener('drop', (event) => {
+    setAttribute(element, 'data-drop', null);
+    const from = event.dataTransfer?.getData(DRAGGED_KEY);
+    if (!from) return;
+    event.preventDefault();
+    event.stopPropagation();
+    onMove(Number(from), indexOf());
+  });
 }

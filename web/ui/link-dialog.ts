@@ -1,5 +1,5 @@
 /** The link to what is on the screen, as a QR code for those who sit before it. */
-import { button } from './controls.ts';
+import { button, dialog } from './controls.ts';
 import { h, setAttribute, setHidden, setText, svg } from './dom.ts';
 import { QUIET, qrPath } from './qr.ts';
 
@@ -27,25 +27,14 @@ export function createLinkDialog(onCopy: () => void): LinkDialog {
     testId: 'qr-copy',
     icon: 'link',
     text: 'Copy the link',
-    kind: 'plain',
     onClick: onCopy,
   });
-  const element = h(
-    'dialog',
-    { class: 'dialog qr-dialog', 'data-testid': 'link-dialog', 'aria-label': 'Link' },
-    h(
-      'header',
-      {},
-      h('h2', {}, 'Open this view elsewhere'),
-      button({ label: 'Close', testId: 'qr-close', icon: 'close', onClick: () => element.close() }),
-    ),
+  const element = dialog(
+    { title: 'Open this view elsewhere', label: 'Link', testId: 'link-dialog', closeId: 'qr-close', kind: 'qr-dialog' },
     code,
     text,
     h('div', { class: 'button-row' }, copy),
   );
-  element.addEventListener('click', (event) => {
-    if (event.target === element) element.close();
-  });
 
   const show = (words: string, d: string | null, size = 0): void => {
     setHidden(code, d === null);

@@ -1,5 +1,7 @@
 /** In and out: two handles over the timeline between which the motion plays, dragged or moved with the arrow keys. */
-import { h, setAttribute, setHidden, setStyle } from './dom.ts';
+import { place } from './at-moment.ts';
+import type { Fields } from './dom.ts';
+import { h, setAttribute } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';
 import { momentWords, playRange, steppedFrameTime, withEnd } from '../model/frames.ts';
@@ -24,10 +26,7 @@ export interface LoopHandlesEvents {
 type End = 'start' | 'end';
 const LABELS: Record<End, string> = { start: 'Playback start', end: 'Playback end' };
 
-export interface LoopHandles {
-  elements: HTMLElement[];
-  update(props: LoopHandlesProps): void;
-}
+export type LoopHandles = Fields<LoopHandlesProps>;
 
 export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents): LoopHandles {
   let props: LoopHandlesProps | null = null;
@@ -90,9 +89,7 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
       const places = ends(next);
       handles.forEach((handle, index) => {
         const t = places[index === 0 ? 'start' : 'end'];
-        const at = fractionIn(t, window);
-        setHidden(handle, disabled || at < -1e-9 || at > 1 + 1e-9);
-        setStyle(handle, 'left', `${(at * 100).toFixed(4)}%`);
+        place(handle, disabled ? null : t, window);
         setAttribute(handle, 'data-set', between !== null);
         // Unset they are a mouse's convenience: the fields of the menu do the same.
         setAttribute(handle, 'role', between ? 'slider' : 'presentation');

@@ -31,14 +31,7 @@ export function createProgress(onCancel: () => void): {
     { class: 'meter', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': 0, 'aria-valuemax': 100 },
     bar,
   );
-  const cancel = button({
-    label: 'Cancel',
-    testId: 'cancel',
-    text: 'Cancel',
-    shortcut: 'Esc',
-    kind: 'plain',
-    onClick: onCancel,
-  });
+  const cancel = button({ label: 'Cancel', testId: 'cancel', text: 'Cancel', shortcut: 'Esc', onClick: onCancel });
   const element = h(
     'div',
     { class: 'card progress', 'data-testid': 'progress', hidden: true },
@@ -63,7 +56,7 @@ export function createFitHint(onFit: () => void): { element: HTMLElement; update
     'div',
     { class: 'card progress', role: 'status', 'data-testid': 'out-of-view', hidden: true },
     h('span', {}, 'The shape is out of view.'),
-    button({ label: 'Fit the view to the shape', testId: 'fit-hint', text: 'Fit', kind: 'plain', onClick: onFit }),
+    button({ label: 'Fit the view to the shape', testId: 'fit-hint', text: 'Fit', onClick: onFit }),
   );
   return { element, update: (shown) => setHidden(element, !shown) };
 }
@@ -91,7 +84,6 @@ export function createErrorMessage(
     label: 'Try again: load the page anew',
     testId: 'error-retry',
     text: 'Try again',
-    kind: 'plain',
     onClick: onRetry,
   });
   const element = h(
@@ -136,13 +128,7 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
     taken?.onAccept?.();
   };
   const message = h('p', { class: 'message' });
-  const action = button({
-    label: 'Accept',
-    testId: `${testId}-accept`,
-    text: 'Accept',
-    kind: 'plain',
-    onClick: accept,
-  });
+  const action = button({ label: 'Accept', testId: `${testId}-accept`, text: 'Accept', onClick: accept });
   const others = h('div', { class: 'offer-others', hidden: true });
   const showOthers = (offered: Offer['others'] = []): void => {
     const buttons = offered.map(({ action, onAccept }, index) =>
@@ -150,7 +136,6 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
         label: action,
         testId: `${testId}-other-${index}`,
         text: action,
-        kind: 'plain',
         onClick: () => {
           show(null);
           onAccept();
@@ -212,14 +197,7 @@ export function createWelcome(onPick: () => void): {
     { class: 'welcome', 'data-testid': 'welcome', hidden: true },
     h('p', {}, claim, ' ', rest),
     h('a', { class: 'button', href: '#tour=1', 'data-testid': 'welcome-tour' }, 'Take the tour'),
-    button({
-      label: 'Choose files',
-      testId: 'welcome-open',
-      text: 'Choose files',
-      icon: 'open',
-      kind: 'plain',
-      onClick: onPick,
-    }),
+    button({ label: 'Choose files', testId: 'welcome-open', text: 'Choose files', icon: 'open', onClick: onPick }),
   );
   return {
     element,

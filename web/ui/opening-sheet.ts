@@ -34,7 +34,7 @@ export function createOpeningSheet(parts: OpeningSheetParts): OpeningSheet {
   const messages = over[0]!.parentElement!;
   const place = h('div', { 'aria-hidden': 'true' });
   const close = button({ label: 'Close', testId: 'opening-close', icon: 'close', shortcut: 'Esc', onClick: onClose });
-  const done = button({ label: 'Done', testId: 'opening-done', text: 'Done', kind: 'plain', onClick: onClose });
+  const done = button({ label: 'Done', testId: 'opening-done', text: 'Done', onClick: onClose });
   const end = h('div', { class: 'opening-end' }, done);
   element.append(close, end);
 

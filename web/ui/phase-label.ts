@@ -1,6 +1,7 @@
 /** The phase of the moment in words, over the shape. */
 import type { Phase } from '../model/time-scale.ts';
 import { button } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setText } from './dom.ts';
 
 /** What of the shape has turned inside out. */
@@ -24,17 +25,13 @@ const SEEN_SHARE = 0.001;
  * Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape
  * breaks.
  */
-export function createPhaseLabel(onShowLost: () => void): {
-  element: HTMLElement;
-  update(props: PhaseLabelProps): void;
-} {
+export function createPhaseLabel(onShowLost: () => void): Component<PhaseLabelProps> {
   const text = h('span', { 'data-testid': 'phase' });
   const lostText = h('span', {});
   const show = button({
     label: 'Show where',
     testId: 'lost-show',
     text: 'Show where',
-    kind: 'plain',
     onClick: onShowLost,
   });
   const hint = h('div', { class: 'lost', 'data-testid': 'lost', hidden: true }, lostText, show);

@@ -1,6 +1,6 @@
 /** Pins where they are on the shape: dragged with the pointer or moved with the arrow keys, taken away with Delete. */
 import { h, setHidden, setStyle } from './dom.ts';
-import { drag, focusPressed } from './pointer.ts';
+import { drag, focusPressed, isPress } from './pointer.ts';
 
 /** From the top left corner of the picture, in CSS pixels. */
 export interface Place {
@@ -38,7 +38,7 @@ export function createPinHandles(events: PinHandleEvents): PinHandles {
 
   const press = (index: number, event: PointerEvent): void => {
     const from = shown[index];
-    if (event.button !== 0 || !event.isPrimary || !from) return;
+    if (!isPress(event) || !from) return;
     event.preventDefault();
     event.stopPropagation();
     const handle = handles[index]!;

@@ -5,7 +5,7 @@ import type { Pins } from '../model/pins.ts';
 import { PIN_SIZES, changedPin, pinSize, withoutPin } from '../model/pins.ts';
 import { keyLabel } from '../model/key-names.ts';
 import { button } from './controls.ts';
-import { h, setAttribute, setField, setHidden, setText } from './dom.ts';
+import { h, say, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 
 const OWN = 'own';
@@ -38,7 +38,6 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
     testId: 'pin-place',
     icon: 'pin',
     text: 'Pin',
-    kind: 'plain',
     onClick: () => events.onPlacing(!placing),
   });
   const hint = h('p', { class: 'hint', 'data-testid': 'pin-hint' });
@@ -112,6 +111,7 @@ function createRow(
     label: `${name} goes nowhere: its path is taken away`,
     testId: `pin-${index}-clear`,
     text: 'Clear path',
+    kind: 'quiet',
     onClick: () => change(index, { path: undefined }),
   });
   const pathRow = h('div', { class: 'pin-path' }, path, clear);
@@ -148,9 +148,7 @@ function createRow(
       setHidden(pathRow, count === 0);
       setText(path, `Dragged at ${count} ${count === 1 ? 'time' : 'times'}`);
       setAttribute(path, 'title', (pin.path ?? []).map(({ time }) => `${Number(time.toPrecision(4))} s`).join(', '));
-      const said = noteFor(pin, props);
-      setText(note, said);
-      setHidden(note, said === '');
+      say(note, noteFor(pin, props));
     },
   };
 }

@@ -5,6 +5,11 @@ export interface Dragging {
   onEnd?(): void;
 }
 
+/** Whether a finger, a pen or the mouse's first button went down, and no other finger before. */
+export function isPress(event: PointerEvent): boolean {
+  return event.button === 0 && event.isPrimary;
+}
+
 /** Follows one pointer. A second finger that comes down ends it: that is another gesture. */
 export function drag(element: HTMLElement, start: PointerEvent, { onMove, onEnd }: Dragging): void {
   element.setPointerCapture(start.pointerId);

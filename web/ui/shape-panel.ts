@@ -5,8 +5,9 @@ import type { Encoding, KeyRef } from '../model/state.ts';
 import { DEFAULT_ENCODING } from '../model/state.ts';
 import { keyLabel } from '../model/key-names.ts';
 import type { Choice } from './controls.ts';
-import { button, numberField, segments, select } from './controls.ts';
-import { h, memo, setAttribute, setField, setText } from './dom.ts';
+import { button, fieldRow, numberField, segments, select, setIdle } from './controls.ts';
+import type { Component } from './dom.ts';
+import { h, memo, setField, setText } from './dom.ts';
 import { createObjectList } from './object-list.ts';
 import { createOrientation } from './orientation.ts';
 
@@ -45,24 +46,12 @@ const STRETCHES: readonly Choice<Stretch>[] = [
 ];
 
 /** `ghost`: the section on the ghost mesh. */
-export function createShapePanel(
-  ghost: HTMLElement,
-  events: ShapePanelEvents,
-): { element: HTMLElement; update(props: ShapePanelProps): void } {
+export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): Component<ShapePanelProps> {
   const stretch = segments<Stretch>('Stretch', 'stretch', STRETCHES, (value) => events.onEncoding({ stretch: value }));
   const reference = select<string>('Reference pose', 'reference', [], (value) =>
     events.onEncoding({ referencePose: Number(value) }),
   );
-  const patches = numberField({
-    label: 'Number of patches; empty: chosen automatically',
-    testId: 'patches',
-    min: 0,
-    max: 5000,
-    step: 1,
-    empty: 0,
-    onInput: (value) => events.onEncoding({ patches: Math.round(value) }),
-  });
-  const patchesUsed = h('span', { class: 'muted', 'data-testid': 'patches-used' });
+  const patches = createPatches(events);
   const reset = button({
     label: 'Reset the shape options to what they were when opened',
     testId: 'shape-reset',
@@ -78,20 +67,7 @@ export function createShapePanel(
     h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
     stretch.element,
     reference.element,
-    h(
-      'div',
-      { class: 'field row' },
-      h(
-        'span',
-        {
-          class: 'label',
-          title: 'Regions that the shape is divided into; each turns as a whole, and the faces turn within them',
-        },
-        'Patches',
-      ),
-      patches,
-      patchesUsed,
-    ),
+    patches.element,
     orientation.element,
     objects.element,
     ghost,
@@ -102,31 +78,45 @@ export function createShapePanel(
     const { encoding, keys, info, stats } = props;
     stretch.update(
       encoding.stretch,
-      props.lriMethod
-        ? {}
-        : {
-            log: 'This method blends positions and has no stretches.',
-            linear: '',
-          },
+      props.lriMethod ? {} : { log: 'This method blends positions and has no stretches.', linear: '' },
     );
     reference.update(
       String(keys[props.reference]?.pose ?? ''),
       keys.map((key, index) => ({ value: String(key.pose), label: keyLabel(index, key.name) })),
     );
-    const chosen = encoding.patches;
-    setField(patches, chosen === 0 ? '' : String(chosen));
-    patches.placeholder = stats && chosen === 0 ? `Auto (${stats.patches})` : 'Auto';
-    setText(patchesUsed, stats && chosen !== 0 && stats.patches !== chosen ? `${stats.patches} used` : '');
-    const touched = (Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[]).some(
-      (key) => encoding[key] !== props.defaults[key],
+    patches.update(props);
+    const names = Object.keys(DEFAULT_ENCODING) as (keyof Encoding)[];
+    setIdle(
+      reset,
+      names.every((name) => encoding[name] === props.defaults[name]),
     );
-    reset.disabled = !touched;
-    setAttribute(reset, 'data-idle', !touched);
     orientation.update(props.orientation);
     objects.update({ names: props.canSample ? (info?.objects ?? NO_NAMES) : NO_NAMES, taken: props.objects });
     drawFacts(facts, info, stats, props.threads);
   });
   return { element, update: draw };
+}
+
+function createPatches({ onEncoding }: ShapePanelEvents): Component<ShapePanelProps> {
+  const count = numberField({
+    label: 'Number of patches; empty: chosen automatically',
+    testId: 'patches',
+    min: 0,
+    max: 5000,
+    step: 1,
+    empty: 0,
+    onInput: (value) => onEncoding({ patches: Math.round(value) }),
+  });
+  const used = h('span', { class: 'muted', 'data-testid': 'patches-used' });
+  const hint = 'Regions that the shape is divided into; each turns as a whole, and the faces turn within them';
+  return {
+    element: fieldRow(h('span', { class: 'label', title: hint }, 'Patches'), count, used),
+    update({ encoding: { patches: chosen }, stats }) {
+      setField(count, chosen === 0 ? '' : String(chosen));
+      count.placeholder = stats && chosen === 0 ? `Auto (${stats.patches})` : 'Auto';
+      setText(used, stats && chosen !== 0 && stats.patches !== chosen ? `${stats.patches} used` : '');
+    },
+  };
 }
 
 const drawFacts = (

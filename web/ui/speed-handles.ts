@@ -2,14 +2,16 @@
  * The Hermite speeds as handles at the ends of the curve, under the first and the last key of the timeline: the longer
  * the handle, the faster the motion leaves the first key or arrives at the last. Dragged, or moved with the arrow keys.
  */
+import { place } from './at-moment.ts';
+import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
-import { length } from '../model/time-scale.ts';
+import { clamp, length } from '../model/time-scale.ts';
 import type { End, Speeds } from '../model/speeds.ts';
 import { DEFAULT_SPEED, MAX_SPEED, formatSpeed, offeredSpeed, steppedSpeed } from '../model/speeds.ts';
 import type { Towards } from '../model/state.ts';
 import { fractionIn } from '../model/time-window.ts';
-import { drag, focusPressed } from './pointer.ts';
+import { drag, focusPressed, isPress } from './pointer.ts';
 
 /** Pixels of a handle at speed 1, where there is room. */
 const UNIT_PX = 40;
@@ -42,92 +44,22 @@ export interface SpeedHandlesProps {
   window: Range;
 }
 
-export interface SpeedHandles {
-  element: HTMLElement;
-  update(props: SpeedHandlesProps): void;
-}
+export type SpeedHandles = Component<SpeedHandlesProps>;
 
 export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): SpeedHandles {
   let props: SpeedHandlesProps | null = null;
-  let width = 0;
-  const speedOf = (end: End): number => props?.speeds?.[end] ?? DEFAULT_SPEED;
-  const mostOf = (end: End): number => props?.most[end] ?? MAX_SPEED;
-  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
-  const set = (end: End, speed: number): void => {
-    if (props?.speeds) props = { ...props, speeds: { ...props.speeds, [end]: speed } };
-    onSpeed(end, speed);
-  };
-
-  // Both handles at their longest share the room between the keys, and are as long.
-  const unit = (end: End): number => {
-    const room = props ? ((length(props.range) / length(props.window)) * width) / (2 * MAX_SPEED + 1) : UNIT_PX;
-    return (Math.min(UNIT_PX, room) * MAX_SPEED) / mostOf(end);
-  };
-
-  const pressed = (end: End, event: PointerEvent): void => {
-    if (event.button !== 0 || !event.isPrimary) return;
-    event.preventDefault();
-    focusPressed(event.currentTarget as HTMLElement);
-    const [from, pixels] = [speedOf(end), (end === 'start' ? 1 : -1) * unit(end)];
-    drag(event.currentTarget as HTMLElement, event, {
-      onMove: (moved) => set(end, offeredSpeed(from + (moved.clientX - event.clientX) / pixels, mostOf(end))),
-    });
-  };
-
-  const typed = (end: End, event: KeyboardEvent): void => {
-    const speed = typedSpeed(event, speedOf(end), end, mostOf(end));
-    if (speed === null) return;
-    event.preventDefault();
-    set(end, speed);
-  };
-
-  const handles = (['start', 'end'] as const).map((end) => {
-    const { label, verb, neighbour } = SPEED_WORDS[end];
-    const value = h('strong', { 'data-testid': `${end}-speed-value` });
-    const grip = h('div', {
-      class: 'grip',
-      role: 'slider',
-      tabindex: 0,
-      'data-testid': `${end}-speed-handle`,
-      'aria-label': label,
-      'aria-orientation': 'horizontal',
-      'aria-valuemin': 0,
-      title: `${label}, relative to the straight speed from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
-      onpointerdown: (event: PointerEvent) => pressed(end, event),
-      onkeydown: (event: KeyboardEvent) => typed(end, event),
-      ondblclick: () => set(end, DEFAULT_SPEED),
-    });
-    const words = h('span', { class: 'words', 'aria-hidden': 'true' }, h('span', { class: 'verb' }, `${verb} `), value);
-    return { end, grip, value, element: h('div', { class: `speed-handle ${end}` }, grip, words) };
-  });
+  const handles = (['start', 'end'] as const).map((end) => createSpeedHandle(end, (speed) => onSpeed(end, speed)));
   const element = h(
     'div',
     { class: 'speed-lane', 'data-testid': 'speed-lane', hidden: true },
     ...handles.map((handle) => handle.element),
   );
-
+  let width = 0;
   const draw = (): void => {
     if (!props) return;
-    const { speeds, most, towards, range, window } = props;
+    const { speeds } = props;
     setHidden(element, speeds === null);
-    if (!speeds) return;
-    for (const { end, grip, value, element: handle } of handles) {
-      const speed = speeds[end];
-      const at = fractionIn(end === 'start' ? range[0] : range[1], window);
-      const room = (end === 'start' ? at : 1 - at) * width;
-      setHidden(handle, at < -1e-9 || at > 1 + 1e-9);
-      setStyle(handle, 'left', `${(at * 100).toFixed(4)}%`);
-      setStyle(handle, '--reach', `${(Math.min(Math.max(speed, 0), most[end]) * unit(end)).toFixed(2)}px`);
-      setAttribute(handle, 'data-inside', room < (width < ROOM_FOR_WORDS_PX ? NUMBER_PX : WORDS_PX));
-      setAttribute(grip, 'aria-valuemax', most[end]);
-      setAttribute(grip, 'aria-valuenow', Number(speed.toFixed(6)));
-      setAttribute(
-        grip,
-        'aria-valuetext',
-        `${Number(speed.toFixed(2))} times the straight speed from ${towards?.[end] === 'shape' ? SHAPED[end] : SPEED_WORDS[end].neighbour}`,
-      );
-      setText(value, formatSpeed(speed));
-    }
+    if (speeds) for (const handle of handles) handle.update({ ...props, speeds, width });
   };
   new ResizeObserver(() => {
     width = element.clientWidth;
@@ -139,6 +71,80 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
     update(next) {
       props = next;
       draw();
+    },
+  };
+}
+
+interface SpeedHandleProps extends SpeedHandlesProps {
+  speeds: Speeds;
+  /** Of the timeline, in pixels. */
+  width: number;
+}
+
+/** Pixels of a handle at speed 1. Both at their longest share the room between the keys, and are as long. */
+function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): number {
+  const room = ((length(range) / length(window)) * width) / (2 * MAX_SPEED + 1);
+  return (Math.min(UNIT_PX, room) * MAX_SPEED) / most[end];
+}
+
+function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Component<SpeedHandleProps> {
+  let props: SpeedHandleProps | null = null;
+  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  const set = (speed: number): void => {
+    if (props) props = { ...props, speeds: { ...props.speeds, [end]: speed } };
+    onSpeed(speed);
+  };
+  const pressed = (event: PointerEvent): void => {
+    if (!props || !isPress(event)) return;
+    event.preventDefault();
+    focusPressed(grip);
+    const [from, most] = [props.speeds[end], props.most[end]];
+    const pixels = (end === 'start' ? 1 : -1) * unitOf(end, props);
+    drag(grip, event, {
+      onMove: (moved) => set(offeredSpeed(from + (moved.clientX - event.clientX) / pixels, most)),
+    });
+  };
+  const typed = (event: KeyboardEvent): void => {
+    const speed = props && typedSpeed(event, props.speeds[end], end, props.most[end]);
+    if (speed === null) return;
+    event.preventDefault();
+    set(speed);
+  };
+
+  const { label, verb, neighbour } = SPEED_WORDS[end];
+  const value = h('strong', { 'data-testid': `${end}-speed-value` });
+  const grip = h('div', {
+    class: 'grip',
+    role: 'slider',
+    tabindex: 0,
+    'data-testid': `${end}-speed-handle`,
+    'aria-label': label,
+    'aria-orientation': 'horizontal',
+    'aria-valuemin': 0,
+    title: `${label}, relative to the straight speed from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
+    onpointerdown: pressed,
+    onkeydown: typed,
+    ondblclick: () => set(DEFAULT_SPEED),
+  });
+  const words = h('span', { class: 'words', 'aria-hidden': 'true' }, h('span', { class: 'verb' }, `${verb} `), value);
+  const element = h('div', { class: `speed-handle ${end}` }, grip, words);
+  return {
+    element,
+    update(next) {
+      props = next;
+      const { speeds, most, towards, range, window, width } = next;
+      const speed = speeds[end];
+      const t = end === 'start' ? range[0] : range[1];
+      const at = fractionIn(t, window);
+      const room = (end === 'start' ? at : 1 - at) * width;
+      place(element, t, window);
+      setStyle(element, '--reach', `${(clamp(speed, 0, most[end]) * unitOf(end, next)).toFixed(2)}px`);
+      setAttribute(element, 'data-inside', room < (width < ROOM_FOR_WORDS_PX ? NUMBER_PX : WORDS_PX));
+      setAttribute(grip, 'aria-valuemax', most[end]);
+      setAttribute(grip, 'aria-valuenow', Number(speed.toFixed(6)));
+      const from = towards?.[end] === 'shape' ? SHAPED[end] : neighbour;
+      setAttribute(grip, 'aria-valuetext', `${Number(speed.toFixed(2))} times the straight speed from ${from}`);
+      setText(value, formatSpeed(speed));
     },
   };
 }

@@ -1,4 +1,5 @@
 /** One quiet line: what is loaded, how fast it is, and how many warnings there are; the count opens the list. */
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
 
@@ -13,10 +14,7 @@ export interface StatusProps {
 }
 
 /** onWarnings hears which button was pressed. */
-export function createStatusLine(onWarnings: (from: HTMLElement) => void): {
-  element: HTMLElement;
-  update(props: StatusProps): void;
-} {
+export function createStatusLine(onWarnings: (from: HTMLElement) => void): Component<StatusProps> {
   const keys = h('span', { 'data-testid': 'status-keys' });
   const vertices = h('span', { 'data-testid': 'status-vertices' });
   const faces = h('span', { 'data-testid': 'status-faces' });

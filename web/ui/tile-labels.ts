@@ -1,4 +1,5 @@
 /** The names of the views, over the shape. */
+import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 
 export interface TileLabel {
@@ -22,10 +23,7 @@ export interface TileLabelsProps {
 const NARROW_PX = 120;
 
 /** The method's name and its measures over each of several views; beside a divider, the volume in large figures. */
-export function createTileLabels(): {
-  element: HTMLElement;
-  update(props: TileLabelsProps): void;
-} {
+export function createTileLabels(): Component<TileLabelsProps> {
   const element = h('div', { class: 'tile-labels' });
   return {
     element,

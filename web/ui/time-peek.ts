@@ -3,6 +3,7 @@ import type { Pace } from '../model/pace.ts';
 import { paceAt } from '../model/pace.ts';
 import type { Range } from '../model/time-scale.ts';
 import { momentWords } from '../model/frames.ts';
+import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 
 export interface TimePeekProps {
@@ -24,10 +25,7 @@ export interface TimePeekParts {
   onPeek(t: number | null): void;
 }
 
-export interface TimePeek {
-  element: HTMLElement;
-  update(props: TimePeekProps): void;
-}
+export type TimePeek = Component<TimePeekProps>;
 
 export function createTimePeek({ over, frame, timeAt, onPeek }: TimePeekParts): TimePeek {
   let props: TimePeekProps | null = null;

@@ -2,6 +2,7 @@
 import type { LoopMode, Play } from '../model/state.ts';
 import { SPEEDS } from '../model/state.ts';
 import { button, numberField, select, tooltip } from './controls.ts';
+import type { Component, Fields } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import type { IconName } from './icons.ts';
 import { setIcon } from './icons.ts';
@@ -34,10 +35,28 @@ export function createTransport(
   timeline: HTMLElement,
   clockMenu: HTMLElement,
   events: TransportEvents,
-): {
-  element: HTMLElement;
-  update(props: TransportProps): void;
-} {
+): Component<TransportProps> {
+  const buttons = createPlayButtons(events);
+  const time = createTimeField(events);
+  const element = h(
+    'section',
+    { class: 'transport', 'aria-label': 'Time' },
+    buttons.element,
+    timeline,
+    h('div', { class: 'transport-time' }, ...time.elements, clockMenu),
+  );
+  return {
+    element,
+    update(props) {
+      buttons.update({ play: props.play, disabled: props.disabled, periodic: props.periodic });
+      time.update(props);
+    },
+  };
+}
+
+type PlayButtonsProps = Pick<TransportProps, 'play' | 'disabled' | 'periodic'>;
+
+function createPlayButtons(events: TransportEvents): Component<PlayButtonsProps> {
   let loop: LoopMode = 'bounce';
   const play = button({
     label: 'Play',
@@ -62,60 +81,47 @@ export function createTransport(
     ', and .',
   );
   speed.element.classList.add('compact');
+  const draw = memo(({ play: state, disabled, periodic }: PlayButtonsProps) => {
+    const label = state.playing ? 'Pause' : 'Play';
+    setIcon(play, state.playing ? 'pause' : 'play');
+    setAttribute(play, 'aria-label', label);
+    setAttribute(play, 'title', tooltip(label, 'Space'));
+    loop = state.loop;
+    const shown = periodic && loop === 'bounce' ? 'loop' : loop;
+    const words = `${LOOPS[shown].label}; click to change`;
+    setIcon(loopButton, LOOPS[shown].icon);
+    setAttribute(loopButton, 'aria-label', words);
+    setAttribute(loopButton, 'title', tooltip(words, 'L'));
+    setAttribute(loopButton, 'data-loop', shown);
+    speed.update(String(state.speed));
+    for (const control of [play, loopButton]) control.disabled = disabled;
+  });
+  return { element: h('div', { class: 'transport-buttons' }, play, loopButton, speed.element), update: draw };
+}
+
+const TYPE_TIME = 'Time in seconds; type a number to go there';
+
+/** The time, or the frame, as a number that can be typed. */
+function createTimeField({ onSeek }: TransportEvents): Fields<TransportProps> {
   let fps: number | null = null;
   const time = numberField({
-    label: 'Time in seconds; type a number to go there',
+    label: TYPE_TIME,
     testId: 'time',
-    onInput: (value) => events.onSeek(fps === null ? value : value / fps),
+    onInput: (value) => onSeek(fps === null ? value : value / fps),
   });
   time.classList.add('time');
   const unit = h('span', { class: 'unit', 'data-testid': 'time-unit' });
-  const element = h(
-    'section',
-    { class: 'transport', 'aria-label': 'Time' },
-    h('div', { class: 'transport-buttons' }, play, loopButton, speed.element),
-    timeline,
-    h('div', { class: 'transport-time' }, time, unit, clockMenu),
-  );
-
-  const drawButtons = memo(
-    ({ play: state, disabled, periodic }: Pick<TransportProps, 'play' | 'disabled' | 'periodic'>) => {
-      const label = state.playing ? 'Pause' : 'Play';
-      setIcon(play, state.playing ? 'pause' : 'play');
-      setAttribute(play, 'aria-label', label);
-      setAttribute(play, 'title', tooltip(label, 'Space'));
-      loop = state.loop;
-      const shown = periodic && loop === 'bounce' ? 'loop' : loop;
-      const words = `${LOOPS[shown].label}; click to change`;
-      setIcon(loopButton, LOOPS[shown].icon);
-      setAttribute(loopButton, 'aria-label', words);
-      setAttribute(loopButton, 'title', tooltip(words, 'L'));
-      setAttribute(loopButton, 'data-loop', shown);
-      speed.update(String(state.speed));
-      for (const control of [play, loopButton, time]) control.disabled = disabled;
-    },
-  );
-
   return {
-    element,
-    update(props) {
-      drawButtons({ play: props.play, disabled: props.disabled, periodic: props.periodic });
-      ({ fps } = props.play);
-      setField(time, formatMoment(props.time, props.range, fps));
-      setAttribute(
-        time,
-        'aria-label',
-        fps === null ? 'Time in seconds; type a number to go there' : 'Frame; type a number to go there',
-      );
+    elements: [time, unit],
+    update({ play, time: t, range, disabled }) {
+      ({ fps } = play);
+      time.disabled = disabled;
+      setField(time, formatMoment(t, range, fps));
       setText(unit, fps === null ? 's' : 'f');
-      setAttribute(
-        time,
-        'title',
-        fps === null
-          ? 'Time in seconds; type a number to go there'
-          : `Frame, at ${momentWords(props.time, props.range, null)}; type a number to go there`,
-      );
-      setAttribute(time, 'step', fps === null ? stepFor(props.range) : 1);
+      setAttribute(time, 'aria-label', fps === null ? TYPE_TIME : 'Frame; type a number to go there');
+      const frameWords = `Frame, at ${momentWords(t, range, null)}; type a number to go there`;
+      setAttribute(time, 'title', fps === null ? TYPE_TIME : frameWords);
+      setAttribute(time, 'step', fps === null ? stepFor(range) : 1);
     },
   };
 }

@@ -1,9 +1,10 @@
 /** The bar below the shape: standard views, which axis is up, and how the shape looks. */
 import type { View } from '../model/state.ts';
 import { button } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
-import { createLookMenu } from './look-menu.ts';
-import type { LookEvents } from './look-menu.ts';
+import { createLook } from './look.ts';
+import type { LookEvents } from './look.ts';
 import { popover } from './popover.ts';
 
 export interface ViewBarProps {
@@ -21,23 +22,18 @@ export interface ViewBarEvents extends LookEvents {
 export function createViewBar(
   views: readonly HTMLElement[],
   events: ViewBarEvents,
-): {
-  element: HTMLElement;
-  toggleLook(): void;
-  update(props: ViewBarProps): void;
-} {
+): Component<ViewBarProps> & { toggleLook(): void } {
   const onPresent = (): void => {
     toggleLook();
     events.onPresent();
   };
-  const look = createLookMenu({ ...events, onPresent });
+  const look = createLook({ ...events, onPresent });
   const toggle = button({
     label: 'Display',
     testId: 'look-toggle',
     icon: 'eye',
     text: 'Display',
     shortcut: 'V',
-    kind: 'plain',
     onClick: () => toggleLook(),
   });
   let shownUp: ViewBarProps['up'] = null;
@@ -45,7 +41,6 @@ export function createViewBar(
     label: 'Stand the shape up, or lay it down: these files do not say which axis is up',
     testId: 'stand-up',
     text: 'Stand up',
-    kind: 'plain',
     onClick: () => events.onUp(shownUp === 'z' ? 'y' : 'z'),
   });
   const bar = h('div', { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' }, ...views, stand, toggle);

@@ -70,7 +70,6 @@ export function createWarnings(onShow: (index: number | null) => void): Warnings
       label: 'Show it',
       testId: `warning-${index}-show`,
       text: 'Show',
-      kind: 'plain',
       onClick: () => onShow(show.getAttribute('aria-pressed') === 'true' ? null : index),
     });
     setAttribute(show, 'aria-pressed', 'false');

@@ -27,7 +27,7 @@ export interface Button {
   icon?: IconName;
   /** Stands beside the icon. */
   text?: string;
-  kind?: 'plain' | 'primary';
+  kind?: 'primary';
   now?(context: Context): ButtonState;
 }
 

@@ -11,7 +11,7 @@ export const FILES = {
     keys: ['ctrl+o'],
     shown: 'Ctrl+O',
     does: 'Open files',
-    button: { in: 'start', testId: 'open', label: 'Open files', icon: 'open', text: 'Open', kind: 'plain' },
+    button: { in: 'start', testId: 'open', label: 'Open files', icon: 'open', text: 'Open' },
     run: ({ overlays }) => overlays.pickFiles(),
   },
   /** `place`: before which key they were put down, or null where they were not put among the keys. */

@@ -12,7 +12,7 @@ export const VIEW = {
     keys: ['f'],
     shown: 'F',
     does: 'Fit the shape into view',
-    button: { in: 'views', testId: 'fit', label: 'Fit the shape into view', icon: 'fit', text: 'Fit', kind: 'plain' },
+    button: { in: 'views', testId: 'fit', label: 'Fit the shape into view', icon: 'fit', text: 'Fit' },
     run: (context) => fitView(context, null),
   },
   front: standardView('front', 'Front', '1'),
@@ -81,7 +81,7 @@ function standardView(name: ViewName, label: string, key: string) {
     keys: [key],
     shown: key,
     does: `${label} view`,
-    button: { in: 'views', testId: `view-${name}`, label: `${label} view`, text: label, kind: 'plain' },
+    button: { in: 'views', testId: `view-${name}`, label: `${label} view`, text: label },
     run: (context: Context) => fitView(context, name),
   } as const satisfies Action;
 }

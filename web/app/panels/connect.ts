@@ -1,6 +1,7 @@
 /** What the page shows at a moment, and the components that are shown it. */
 import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
+import type { Component } from '../../ui/dom.ts';
 import type { Theme } from '../../ui/theme.ts';
 import type { Context } from '../actions/context.ts';
 import type { ViewState } from '../view/view-state.ts';
@@ -23,11 +24,6 @@ export function shownOf({ session: { store, range }, viewState, theme }: Context
     theme: theme.theme(),
     disabled: shown.info === null,
   };
-}
-
-interface Component<Props> {
-  element: HTMLElement;
-  update(props: Props): void;
 }
 
 /** Keeps a component up to date from now on; returns its element. */

@@ -77,36 +77,10 @@ export function createLayout(): Layout {
     'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
   });
   let app: HTMLElement | null = null;
-  const covered = (views: number, split: boolean): { top: number; bottom: number } => {
-    const host = viewport.getBoundingClientRect();
-    const height = (selector: string, from: (box: DOMRect) => number): number => {
-      const box = document.querySelector(selector)?.getBoundingClientRect();
-      return box && box.height > 0 ? Math.max(from(box), 0) : 0;
-    };
-    // A phone held sideways: words and buttons stand beside the shape.
-    if (matchMedia('(max-height: 520px)').matches) return { top: 0, bottom: 0 };
-    const small = matchMedia('(max-width: 767px)').matches;
-    const crowded = small && views > 3 && app?.dataset['guide'] !== undefined && !app.dataset['sheet'];
-    if (crowded) return { top: CROWDED_PX, bottom: 0 };
-    const buttons = height('.view-buttons', (box) => host.bottom - box.top);
-    const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
-    const bar = height(small ? '.colour-bar' : '.colour-bar[data-along]', (box) => box.bottom - host.top);
-    const welcome = height('.welcome', (box) => box.bottom - host.top);
-    const offer = height('.overlay-top > .offer:not([hidden])', (box) => box.bottom - host.top);
-    const over = split && matchMedia('(max-width: 1023px)').matches;
-    const type = app?.dataset['present'] ? LARGE_TYPE : 1;
-    return {
-      top: Math.max(Math.max(status, bar) + (views > 1 ? type * TILE_LABEL_PX : 0), welcome, offer),
-      bottom:
-        buttons +
-        (small || over || type > 1 ? type * PHASE_PX : 0) +
-        (over ? type * SPLIT_LABEL_PX[small ? 'small' : 'large'] : 0),
-    };
-  };
   return {
     viewport,
     showFilmLabels: filmLabels.update,
-    covered,
+    covered: (views, split) => coveredHeights(viewport, views, split),
     setGuide(panel, wide = false) {
       if (app) setAttribute(app, 'data-wide', wide);
       const shown = app?.querySelector('.guide') ?? null;
@@ -157,6 +131,34 @@ export function createLayout(): Layout {
       app.append(createTabs(app));
       root.replaceChildren(app, ...parts.floating);
     },
+  };
+}
+
+function coveredHeights(viewport: HTMLElement, views: number, split: boolean): { top: number; bottom: number } {
+  const app = viewport.closest<HTMLElement>('.app');
+  const host = viewport.getBoundingClientRect();
+  const height = (selector: string, from: (box: DOMRect) => number): number => {
+    const box = document.querySelector(selector)?.getBoundingClientRect();
+    return box && box.height > 0 ? Math.max(from(box), 0) : 0;
+  };
+  // A phone held sideways: words and buttons stand beside the shape.
+  if (matchMedia('(max-height: 520px)').matches) return { top: 0, bottom: 0 };
+  const small = matchMedia('(max-width: 767px)').matches;
+  const crowded = small && views > 3 && app?.dataset['guide'] !== undefined && !app.dataset['sheet'];
+  if (crowded) return { top: CROWDED_PX, bottom: 0 };
+  const buttons = height('.view-buttons', (box) => host.bottom - box.top);
+  const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
+  const bar = height(small ? '.colour-bar' : '.colour-bar[data-along]', (box) => box.bottom - host.top);
+  const welcome = height('.welcome', (box) => box.bottom - host.top);
+  const offer = height('.overlay-top > .offer:not([hidden])', (box) => box.bottom - host.top);
+  const over = split && matchMedia('(max-width: 1023px)').matches;
+  const type = app?.dataset['present'] ? LARGE_TYPE : 1;
+  return {
+    top: Math.max(Math.max(status, bar) + (views > 1 ? type * TILE_LABEL_PX : 0), welcome, offer),
+    bottom:
+      buttons +
+      (small || over || type > 1 ? type * PHASE_PX : 0) +
+      (over ? type * SPLIT_LABEL_PX[small ? 'small' : 'large'] : 0),
   };
 }
 

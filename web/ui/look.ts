@@ -1,23 +1,19 @@
-/** The popover that says how the shape looks: colour, shading, and what is shown beside it. */
+/** How the shape is shown: its colours, what is drawn around it, and other shapes beside it. */
 import type { Colouring, View } from '../model/state.ts';
 import { LEAST_FILM_SHAPES, MOST_FILM_SHAPES } from '../model/state.ts';
-import { button, checkbox, numberField, segments } from './controls.ts';
 import type { Choice } from './controls.ts';
+import { button, checkbox, numberField, segments } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, setField, setHidden } from './dom.ts';
 
 export interface LookEvents {
-  onView(change: Partial<View>): void;
   /** Two motions on either side of a divider, or not. */
   onSplit(on: boolean): void;
+  onView(change: Partial<View>): void;
   /** The shape alone, in large type. */
   onPresent(): void;
   /** The link as a QR code. */
   onQr(): void;
-}
-
-interface Part {
-  element: HTMLElement;
-  update(view: View): void;
 }
 
 const COLOURINGS: readonly Choice<Colouring>[] = [
@@ -38,87 +34,25 @@ const SHADINGS: readonly Choice<View['shading']>[] = [
   { value: 'flat', label: 'Flat' },
 ];
 
-export function createLookMenu(events: LookEvents): Part {
+export function createLook(events: LookEvents): Component<View> {
   const colouring = segments('Colour', 'colouring', COLOURINGS, (value) => events.onView({ colouring: value }));
   // Two rows of three.
   colouring.element.classList.add('colourings');
   const shading = segments('Shading', 'shading', SHADINGS, (value) => events.onView({ shading: value }));
-  const checks = createChecks(events);
-  const filmRow = createFilmRow(events);
-  const element = h(
-    'div',
-    { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
-    colouring.element,
-    shading.element,
-    checks.element,
-    filmRow.element,
-    createButtons(events),
-  );
-  return {
-    element,
-    update(view) {
-      colouring.update(view.colouring);
-      shading.update(view.shading);
-      checks.update(view);
-      filmRow.update(view);
-    },
-  };
-}
-
-function createChecks({ onView, onSplit }: LookEvents): Part {
-  const wireframe = checkbox('Wireframe', 'wireframe', (on) => onView({ wireframe: on }), 'W');
-  const floor = checkbox('Floor', 'floor', (on) => onView({ floor: on }), 'G');
-  const onion = checkbox('Onion skin', 'onion', (on) => onView({ onion: on, film: false }), 'O');
-  const film = checkbox('Film strip', 'film', (on) => onView({ film: on, filmShapes: null, onion: false }), 'I');
-  const split = checkbox('Divider', 'split', (on) => onSplit(on), 'S');
+  const wireframe = checkbox('Wireframe', 'wireframe', (on) => events.onView({ wireframe: on }), 'W');
+  const floor = checkbox('Floor', 'floor', (on) => events.onView({ floor: on }), 'G');
+  const onion = checkbox('Onion skin', 'onion', (on) => events.onView({ onion: on, film: false }), 'O');
+  const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, filmShapes: null, onion: false }), 'I');
+  const split = checkbox('Divider', 'split', (on) => events.onSplit(on), 'S');
   split.element.title = 'Two motions of one shape, on either side of a divider';
-  const boxes = [wireframe, floor, onion, film, split];
-  return {
-    element: h('div', { class: 'checks' }, ...boxes.map(({ element }) => element)),
-    update(view) {
-      wireframe.update(view.wireframe);
-      floor.update(view.floor);
-      onion.update(view.onion);
-      film.update(view.film);
-      split.update(view.split !== null);
-    },
-  };
-}
-
-function createFilmRow({ onView }: LookEvents): Part {
-  const shapes = numberField({
-    label: 'Shapes of the film strip',
-    testId: 'film-shapes',
-    min: LEAST_FILM_SHAPES,
-    max: MOST_FILM_SHAPES,
-    step: 1,
-    onInput: (value) => onView({ filmShapes: Math.round(value) }),
-  });
-  shapes.placeholder = 'Auto';
-  const element = h(
-    'label',
-    { class: 'field row', hidden: true },
-    h('span', { class: 'label' }, 'Shapes in the strip'),
-    shapes,
-  );
-  return {
-    element,
-    update({ film, filmShapes }) {
-      setHidden(element, !film);
-      setField(shapes, String(filmShapes ?? ''));
-    },
-  };
-}
-
-function createButtons({ onPresent, onQr }: LookEvents): HTMLElement {
+  const filmShapes = createFilmShapes(events);
   const present = button({
     label: 'Presentation: the shape alone, in large type; A shows the plots',
     testId: 'present',
     icon: 'present',
     text: 'Present',
     shortcut: 'X',
-    kind: 'plain',
-    onClick: onPresent,
+    onClick: () => events.onPresent(),
   });
   const qr = button({
     label: 'QR code of the link to this view',
@@ -126,8 +60,49 @@ function createButtons({ onPresent, onQr }: LookEvents): HTMLElement {
     icon: 'qr',
     text: 'QR code',
     shortcut: 'Q',
-    kind: 'plain',
-    onClick: onQr,
+    onClick: () => events.onQr(),
   });
-  return h('div', { class: 'button-row' }, present, qr);
+  const element = h(
+    'div',
+    { class: 'card popover', id: 'look', 'data-testid': 'look', hidden: true },
+    colouring.element,
+    shading.element,
+    h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element, split.element),
+    filmShapes.element,
+    h('div', { class: 'button-row' }, present, qr),
+  );
+  return {
+    element,
+    update(view) {
+      colouring.update(view.colouring);
+      shading.update(view.shading);
+      wireframe.update(view.wireframe);
+      floor.update(view.floor);
+      onion.update(view.onion);
+      film.update(view.film);
+      filmShapes.update(view);
+      split.update(view.split !== null);
+    },
+  };
+}
+
+function createFilmShapes({ onView }: LookEvents): Component<View> {
+  const count = numberField({
+    label: 'Shapes of the film strip',
+    testId: 'film-shapes',
+    min: LEAST_FILM_SHAPES,
+    max: MOST_FILM_SHAPES,
+    step: 1,
+    onInput: (value) => onView({ filmShapes: Math.round(value) }),
+  });
+  count.placeholder = 'Auto';
+  const text = h('span', { class: 'label' }, 'Shapes in the strip');
+  const element = h('label', { class: 'field row', hidden: true }, text, count);
+  return {
+    element,
+    update({ film, filmShapes }) {
+      setHidden(element, !film);
+      setField(count, String(filmShapes ?? ''));
+    },
+  };
 }

@@ -1,0 +1,84 @@
+/** Whole turns on the way to a key: of the whole shape, or of one of its components. */
+import { MOST_TURNS, PER_KEY } from '../engine/api/option-table.ts';
+import type { KeyTurns, Shaping } from '../model/shaping.ts';
+import { turnsOf } from '../model/shaping.ts';
+import type { Choice } from './controls.ts';
+import { fieldRow, numberField, select } from './controls.ts';
+import { h, setField, setHidden } from './dom.ts';
+
+/** More of them cannot be told apart in a list. */
+const MOST_COMPONENTS = 400;
+
+export interface KeyTurnsProps {
+  shaping: Shaping;
+  /** No way leads to the first key. */
+  isFirst: boolean;
+  /** How many components the shape has. */
+  components: number;
+}
+
+/** onComponent hears the component that turns are given to, null for the whole shape. */
+export function createKeyTurns(
+  onTurns: (added: KeyTurns) => void,
+  onComponent: (component: number | null) => void,
+): {
+  elements: HTMLElement[];
+  update(props: KeyTurnsProps): void;
+  /** Back to the whole shape. */
+  reset(): void;
+} {
+  let props: KeyTurnsProps | null = null;
+  let component: number | null = null;
+  const { label, hint } = PER_KEY.turns;
+  const turns = numberField({
+    label,
+    testId: 'key-turns',
+    min: -MOST_TURNS,
+    max: MOST_TURNS,
+    step: 1,
+    onInput: (value) => {
+      const added = { turns: Math.round(value) };
+      onTurns(component === null ? added : { component, ...added });
+    },
+  });
+  const row = fieldRow(h('span', { class: 'label', title: hint }, label), turns);
+  const turning = select<string>('Of', 'key-turns-component', [], (value) =>
+    choose(value === '' ? null : Number(value)),
+  );
+  turning.element.classList.add('row');
+
+  const choose = (chosen: number | null): void => {
+    if (component === chosen) return;
+    component = chosen;
+    onComponent(component);
+    draw();
+  };
+  const draw = (): void => {
+    if (!props) return;
+    const { shaping, isFirst, components } = props;
+    const count = !isFirst && components > 1 ? Math.min(components, MOST_COMPONENTS) : 0;
+    if (component !== null && component >= count) return choose(null);
+    setField(turns, String(turnsOf(shaping, component ?? undefined)));
+    setHidden(row, isFirst);
+    setHidden(turning.element, count === 0);
+    turning.update(String(component ?? ''), count === 0 ? [] : componentChoices(count, shaping));
+  };
+  return {
+    elements: [row, turning.element],
+    update(next) {
+      props = next;
+      draw();
+    },
+    reset: () => choose(null),
+  };
+}
+
+/** Those that turn already say so. */
+function componentChoices(count: number, shaping: Shaping): Choice<string>[] {
+  const label = (component: number): string => {
+    const turns = turnsOf(shaping, component);
+    return `Component ${component + 1}${turns === 0 ? '' : `: ${turns > 0 ? '+' : ''}${turns}`}`;
+  };
+  const each = Array.from({ length: count }, (_, component) => ({ value: String(component), label: label(component) }));
+  return [{ value: '', label: 'Whole shape' }, ...each];
+}

@@ -1,0 +1,96 @@
+/** How the keys of an animation are chosen: so many at even times, or as few as keep the motion near to it. */
+import { MOST_SAMPLED } from '../engine/api/option-table.ts';
+import { fieldRow, numberField } from './controls.ts';
+import { h, say, setField, uniqueId } from './dom.ts';
+
+/** Of the error that the fewest keys are found for, in percent of the diagonal. */
+const TOLERANCE = { least: 0.1, most: 20, default: 2 };
+
+export interface SampleWayEvents {
+  onCount(count: number): void;
+  /** Resolves when the keys are taken or not. */
+  onFewest(percent: number): Promise<void>;
+}
+
+export interface SampleWay {
+  elements: HTMLElement[];
+  /** `taken`: the keys are of the animation. `fewest`: they were found for an error. */
+  update(taken: boolean, fewest: boolean): void;
+  /** Shows how many keys were chosen anew, whatever is being typed. */
+  setCount(count: number, taken: boolean): void;
+}
+
+export function createSampleWay({ onCount, onFewest }: SampleWayEvents): SampleWay {
+  let chosen = 0;
+  let [isTaken, isFewest] = [false, false];
+  /** The fewest keys are being looked for. */
+  let searching = 0;
+  const most = h('p', { class: 'reason', role: 'status', 'data-testid': 'sample-most', hidden: true });
+  const count = numberField({
+    label: 'Number of keys; another one spaces them evenly',
+    testId: 'sample-count',
+    min: 2,
+    step: 1,
+    onInput(value) {
+      onCount(Math.min(Math.round(value), MOST_SAMPLED));
+      say(most, value > MOST_SAMPLED ? `An animation gives at most ${MOST_SAMPLED} keys.` : '');
+    },
+  });
+  const tolerance = numberField({
+    label: 'Largest error in percent of the diagonal',
+    testId: 'sample-tolerance',
+    min: TOLERANCE.least,
+    max: TOLERANCE.most,
+    onInput(value) {
+      setField(tolerance, String(value));
+      void search();
+    },
+  });
+  tolerance.value = tolerance.defaultValue = String(TOLERANCE.default);
+  const name = uniqueId('sample-way');
+  const byCount = h('input', {
+    type: 'radio',
+    name,
+    'data-testid': 'sample-number',
+    onchange: () => onCount(count.valueAsNumber || chosen),
+  });
+  const byError = h('input', { type: 'radio', name, 'data-testid': 'sample-fewest', onchange: () => void search() });
+
+  const search = async (): Promise<void> => {
+    searching += 1;
+    draw();
+    await onFewest(tolerance.valueAsNumber || TOLERANCE.default);
+    searching -= 1;
+    draw();
+  };
+  const draw = (): void => {
+    byError.checked = searching > 0 || isFewest;
+    byCount.checked = !byError.checked && isTaken;
+  };
+  return {
+    elements: [
+      fieldRow(wayLabel(byCount, 'Number of keys', 'Keys at even times'), count),
+      most,
+      fieldRow(
+        wayLabel(byError, 'Fewest within', 'As few keys as keep the motion this near to the animation'),
+        tolerance,
+        h('span', { class: 'muted' }, '%'),
+      ),
+    ],
+    update(taken, fewest) {
+      [isTaken, isFewest] = [taken, fewest];
+      draw();
+    },
+    setCount(keys, taken) {
+      chosen = keys;
+      const shown = taken ? String(keys) : '';
+      setField(count, shown);
+      count.value = shown;
+      count.placeholder = String(keys);
+    },
+  };
+}
+
+function wayLabel(input: HTMLInputElement, text: string, hint: string): HTMLElement {
+  return h('label', { class: 'check label', title: hint }, input, h('span', {}, text));
+}

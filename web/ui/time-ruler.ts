@@ -1,0 +1,46 @@
+/** The numbers under the timeline: seconds, or whole frames. */
+import type { Range } from '../model/time-scale.ts';
+import { fractionIn, rulerMarks } from '../model/time-window.ts';
+import { place } from './at-moment.ts';
+import { h, memo, setAttribute } from './dom.ts';
+
+/** Pixels that a number takes. */
+const NUMBER_PX = 72;
+/** From the middle of the knob to that of a number that it would lie on. */
+const COVERED_PX = 26;
+
+export interface TimeRulerProps {
+  part: Range;
+  fps: number | null;
+  /** Of the ruler, in pixels. */
+  width: number;
+}
+
+/** `knob`: where the playhead lies; null: nowhere. */
+export function createTimeRuler(): { element: HTMLElement; update(props: TimeRulerProps, knob: number | null): void } {
+  const element = h('div', { class: 'ruler', 'aria-hidden': 'true' });
+  let times: number[] = [];
+  const draw = memo(({ part, fps, width }: TimeRulerProps) => {
+    const marks = width > 0 ? rulerMarks(part, fps, width / NUMBER_PX) : [];
+    times = marks.map(({ time }) => time);
+    element.replaceChildren(
+      ...marks.map(({ time, text }) => {
+        const mark = h('span', { class: 'mark' }, text);
+        place(mark, time, part);
+        return mark;
+      }),
+    );
+  });
+  return {
+    element,
+    update(props, knob) {
+      draw(props);
+      if (knob === null) return;
+      const x = (time: number): number => fractionIn(time, props.part) * props.width;
+      // Half of a number beside the knob reads as none.
+      times.forEach((time, index) =>
+        setAttribute(element.children[index]!, 'data-covered', Math.abs(x(time) - x(knob)) < COVERED_PX),
+      );
+    },
+  };
+}

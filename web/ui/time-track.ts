@@ -1,0 +1,62 @@
+/** The timeline's track: the range of the keys between its margins, what of it does not play, and the speed over it. */
+import { loopRange } from '../model/frames.ts';
+import type { Pace } from '../model/pace.ts';
+import type { Range } from '../model/time-scale.ts';
+import { stretch } from './at-moment.ts';
+import { h, memo, setAttribute, setText } from './dom.ts';
+import { createPaceLane } from './pace-lane.ts';
+
+export interface TimeTrackProps {
+  range: Range;
+  /** The stretch of time that is shown. */
+  part: Range;
+  /** What plays; null = the range of the keys. */
+  between: Range | null;
+  periodic: boolean;
+  /** null = not known yet. */
+  pace: Pace | null;
+}
+
+export function createTimeTrack(): { element: HTMLElement; update(props: TimeTrackProps): void } {
+  const before = createMargin('before');
+  const after = createMargin('after');
+  const keyRange = h('div', { class: 'key-range' });
+  const silent = [h('div', { class: 'silent' }), h('div', { class: 'silent' })] as const;
+  const pace = createPaceLane();
+  const element = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, keyRange, after.element);
+  element.append(pace.element, ...silent);
+
+  const draw = memo(({ range, part, between, periodic }: Omit<TimeTrackProps, 'pace'>) => {
+    const [start, end] = loopRange(between, range) ?? part;
+    stretch(before.element, [part[0], range[0]], part);
+    stretch(keyRange, range, part);
+    stretch(after.element, [range[1], part[1]], part);
+    stretch(silent[0], [part[0], start], part);
+    stretch(silent[1], [end, part[1]], part);
+    before.label(periodic ? REPEATS : ['Before the first key (extrapolated)', 'Extrapolated', 'Before']);
+    after.label(periodic ? REPEATS : ['Beyond the last key (extrapolated)', 'Extrapolated', 'Beyond']);
+  });
+  return {
+    element,
+    update({ pace: speed, ...props }) {
+      draw(props);
+      pace.update({ pace: speed, range: props.range, part: props.part });
+    },
+  };
+}
+
+/** From the longest to the shortest; the style sheet shows the one that fits. */
+type MarginWords = readonly [string, string, string];
+const REPEATS: MarginWords = ['Repeats', 'Repeats', 'Repeats'];
+
+function createMargin(side: 'before' | 'after'): { element: HTMLElement; label(words: MarginWords): void } {
+  const labels = ['long', 'middle', 'short'].map((size) => h('span', { class: `margin-label ${size}` }));
+  const element = h('div', { class: `margin ${side}` }, ...labels);
+  return {
+    element,
+    label(words) {
+      labels.forEach((label, index) => setText(label, words[index]!));
+      setAttribute(element, 'title', words[0]);
+    },
+  };
+}
