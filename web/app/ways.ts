@@ -6,7 +6,6 @@ import { plural } from '../ui/status-line.ts';
 import type { Ways } from './actions/context.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
 import type { Display } from './drawing/display.ts';
-import type { ExportParts } from './export/export-controller.ts';
 import type { Feedback } from './view/feedback.ts';
 import { importOffer } from './panels/import-offer.ts';
 import { openedView } from './view/view-state.ts';
@@ -70,8 +69,8 @@ export function createWays(parts: WaysParts): Ways {
   });
   const titleOf: Ways['titleOf'] = (source) => sourceTitle(source, viewState.get().samples);
   const exporting = lazy(async () => {
-    const { createExportController } = await import('./export/export-controller.ts');
-    return createExportController(exportParts(parts, titleOf));
+    const { ExportController } = await import('./export/export-controller.ts');
+    return new ExportController({ ...parts, titleOf });
   });
   const undo = createUndo({ store, files, titleOf });
   const openOwn = async (project: string): Promise<void> => {
@@ -112,35 +111,4 @@ function withRoom(offer: Offer | null, leave: () => void): Offer | null {
     leave();
   };
   return { ...offer, onAccept, onDecline: leave };
-}
-
-function exportParts(
-  { session, display, analysis, viewState, feedback }: WaysParts,
-  titleOf: Ways['titleOf'],
-): ExportParts {
-  const { store, sequence, range } = session;
-  const { say, onStart, onError, onWorking } = feedback;
-  const { frameLoop } = display.playback;
-  return {
-    store,
-    scene: display.scene,
-    analysis,
-    sequence,
-    range,
-    say,
-    onStart,
-    onError,
-    onWorking,
-    title: ({ source }) => titleOf(source),
-    drawExactly(t) {
-      // What is exported is the motion.
-      if (viewState.get().blend) viewState.change({ blend: null });
-      return frameLoop.request(t);
-    },
-    idle: () => frameLoop.idle(),
-    onVideoFormats: (videoFormats) => viewState.change({ videoFormats }),
-    onPlan(request, plan) {
-      if (viewState.get().exporting.request === request) viewState.change({ exporting: { request, plan } });
-    },
-  };
 }

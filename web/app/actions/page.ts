@@ -96,7 +96,7 @@ export const PAGE = {
   saveFile: { run: (context) => runExport(context, { ...DEFAULT_REQUEST }) },
   export: { run: runExport },
   openEmbed: {
-    run: async ({ exporting, overlays }) => overlays.openEmbed(await (await exporting.get()).snippet()),
+    run: async ({ exporting, overlays }) => overlays.openEmbed((await exporting.get()).snippet()),
   },
 } satisfies Actions;
 

@@ -2,162 +2,157 @@
 import { isCancelled } from '../../engine/api/errors.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import type { Motion } from '../../engine/api/api.ts';
-import type { Progress } from '../../engine/api/types.ts';
 import type { ExportRequest, Playing, VideoFormat } from '../../model/export-request.ts';
 import { playRange } from '../../model/frames.ts';
 import { bounces } from '../../model/state.ts';
 import type { AppState } from '../../model/state.ts';
-import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import { analyseAt } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
-import type { SceneController } from '../drawing/scene-controller.ts';
-import type { Store } from '../session/store.ts';
+import type { Viewer } from '../../viewer/viewer.ts';
+import type { Display } from '../drawing/display.ts';
+import type { Session } from '../session/session.ts';
+import type { Feedback } from '../view/feedback.ts';
+import type { ViewStateHolder } from '../view/view-state.ts';
 import { embedSnippet } from './embed-snippet.ts';
 import type { ExportPlan } from './export-job.ts';
 import { videoFormats } from './write-video.ts';
 
 export interface ExportParts {
-  store: Store;
-  scene: SceneController;
+  session: Session;
+  display: Display;
   analysis: AnalysisCache;
-  /** The first running sequence. */
-  sequence(): Motion | undefined;
-  range(): Range;
-  /** Draws the exact shape of a moment; resolves when it is on the screen. */
-  title(state: AppState): string;
-  drawExactly(t: number): Promise<void>;
-  /** Resolves when the shape on the screen is the exact one. */
-  idle(): Promise<void>;
-  onVideoFormats(formats: readonly VideoFormat[]): void;
-  /** What the export that was asked for would be. */
-  onPlan(request: ExportRequest, plan: ExportPlan): void;
-  /** Something else is asked for: what went wrong before is of no interest. */
-  onStart(): void;
-  onWorking(working: Progress | null): void;
-  say(text: string): void;
-  onError(error: unknown): void;
-}
-
-export interface ExportController {
-  /** Works out the size of what is asked for. */
-  plan(request: ExportRequest): void;
-  run(request: ExportRequest): Promise<void>;
-  /** What a page says to show it. */
-  snippet(): Promise<string>;
-  cancel(): void;
+  viewState: ViewStateHolder;
+  feedback: Feedback;
+  titleOf(source: AppState['source']): string;
 }
 
 /** Loaded when the dialog opens for the first time. */
 const exporting = () => import('./export-job.ts');
 
-export function createExportController(parts: ExportParts): ExportController {
-  const {
-    store,
-    scene: { viewer },
-    scene,
-    sequence,
-  } = parts;
-  let abort: AbortController | null = null;
+export class ExportController {
+  private abort: AbortController | null = null;
   /**
    * Of the plan that is being worked out: it evaluates the motion, which nobody waits for once another is asked for.
    */
-  let planning: AbortController | null = null;
-  let formats: Promise<VideoFormat[]> | null = null;
+  private planning: AbortController | null = null;
+  private formats: Promise<VideoFormat[]> | null = null;
 
-  const playing = (): Playing => {
+  constructor(private readonly parts: ExportParts) {}
+
+  /** Works out the size of what is asked for. */
+  plan(request: ExportRequest): void {
+    const { session, display, viewState } = this.parts;
+    if (!this.formats) {
+      this.formats = videoFormats();
+      void this.formats.then((found) => viewState.change({ videoFormats: found }));
+    }
+    this.planning?.abort();
+    const sequence = session.sequence();
+    if (!sequence) return;
+    this.planning = new AbortController();
+    const { signal } = this.planning;
+    const { time } = session.store.get();
+    const asked = { sequence, time, playing: this.playing, window: display.scene.viewer.canvas, signal };
+    const tell = (plan: ExportPlan): void => {
+      if (viewState.get().exporting.request === request) viewState.change({ exporting: { request, plan } });
+    };
+    exporting()
+      .then(({ describeExport }) => describeExport(request, asked))
+      .then(tell, (error: unknown) => {
+        if (!signal.aborted) tell({ text: error instanceof Error ? error.message : '', warnings: [] });
+      });
+  }
+
+  async run(request: ExportRequest): Promise<void> {
+    const { session, display, feedback } = this.parts;
+    const { store } = session;
+    const { viewer } = display.scene;
+    const sequence = session.sequence();
+    if (!sequence || this.abort) return;
+    this.abort = new AbortController();
+    const { signal } = this.abort;
+    const before = store.get();
+    const camera = viewer.cameraPose();
+    store.set({ play: { ...before.play, playing: false } });
+    feedback.onStart();
+    this.planning?.abort();
+    try {
+      // What moves until now is on its way to the screen.
+      await display.playback.frameLoop.idle();
+      await this.runJob(request, sequence, before, signal);
+      feedback.say('Saved to your downloads.');
+    } catch (error) {
+      if (!isCancelled(error) && !signal.aborted) feedback.onError(error);
+    } finally {
+      this.abort = null;
+      feedback.onWorking(null);
+      viewer.setCameraPose(camera);
+      store.set({ time: before.time, view: { ...store.get().view, camera: before.view.camera } });
+    }
+  }
+
+  /** What a page says to show it. */
+  snippet(): string {
+    const state = this.parts.session.store.get();
+    return embedSnippet(state, `${fileStem(state.source)}.glb`, this.parts.titleOf(state.source));
+  }
+
+  cancel(): void {
+    this.abort?.abort();
+  }
+
+  private get playing(): Playing {
+    const { store, range } = this.parts.session;
     const { doc, play } = store.get();
     const { between, fps, speed, loop } = play;
-    const range = playRange(between, parts.range());
-    return { range, fps, speed, bounces: bounces(loop, doc.motion.boundary) };
-  };
+    return { range: playRange(between, range()), fps, speed, bounces: bounces(loop, doc.motion.boundary) };
+  }
 
-  const show = async (t: number): Promise<void> => {
-    store.set({ time: t });
-    await parts.drawExactly(t);
-  };
-
-  const turned = (): ((share: number) => Promise<void>) => {
-    let before = 0;
-    return async (share) => {
-      viewer.orbit((share - before) * 2 * Math.PI, 0);
-      before = share;
-      await viewer.drawn();
-    };
-  };
-
-  const runJob = async (request: ExportRequest, of: Motion, before: AppState, signal: AbortSignal): Promise<void> => {
-    const { doc, time, source } = before;
+  private async runJob(
+    request: ExportRequest,
+    sequence: Motion,
+    { doc, time, source }: AppState,
+    signal: AbortSignal,
+  ): Promise<void> {
+    const { display, analysis, feedback } = this.parts;
     const { runExport } = await exporting();
     return runExport(request, {
-      sequence: of,
+      sequence,
       signal,
       doc,
       time,
       name: fileStem(source),
-      playing: playing(),
-      scene,
-      show,
-      turn: turned(),
+      playing: this.playing,
+      scene: display.scene,
+      show: (t) => this.show(t),
+      turn: turned(display.scene.viewer),
       async analyseAt(times, report, stop) {
-        const what = parts.analysis.input();
+        const what = analysis.input();
         return what && analyseAt(what, times, report, stop);
       },
       onProgress: (working) => {
-        if (!signal.aborted) parts.onWorking(working);
+        if (!signal.aborted) feedback.onWorking(working);
       },
     });
-  };
+  }
 
-  return {
-    plan(request) {
-      if (!formats) {
-        formats = videoFormats();
-        void formats.then(parts.onVideoFormats);
-      }
-      planning?.abort();
-      const of = sequence();
-      if (!of) return;
-      const tell = (plan: ExportPlan): void => parts.onPlan(request, plan);
-      planning = new AbortController();
-      const { signal } = planning;
-      const asked = { sequence: of, time: store.get().time, playing: playing(), window: viewer.canvas, signal };
-      exporting()
-        .then(({ describeExport }) => describeExport(request, asked))
-        .then(tell, (error: unknown) => {
-          if (!signal.aborted) tell({ text: error instanceof Error ? error.message : '', warnings: [] });
-        });
-    },
-    async run(request) {
-      const of = sequence();
-      if (!of || abort) return;
-      abort = new AbortController();
-      const { signal } = abort;
-      const before = store.get();
-      const camera = viewer.cameraPose();
-      store.set({ play: { ...before.play, playing: false } });
-      parts.onStart();
-      planning?.abort();
-      try {
-        // What moved or played until now may be on the screen as a preview.
-        await parts.idle();
-        await runJob(request, of, before, signal);
-        parts.say('Saved to your downloads.');
-      } catch (error) {
-        if (!isCancelled(error) && !signal.aborted) parts.onError(error);
-      } finally {
-        abort = null;
-        parts.onWorking(null);
-        viewer.setCameraPose(camera);
-        store.set({ time: before.time, view: { ...store.get().view, camera: before.view.camera } });
-      }
-    },
-    async snippet() {
-      const state = store.get();
-      const name = fileStem(state.source);
-      return embedSnippet(state, `${name}.glb`, parts.title(state));
-    },
-    cancel: () => abort?.abort(),
+  /** Draws the exact shape of a moment; resolves when it is on the screen. */
+  private async show(t: number): Promise<void> {
+    const { session, display, viewState } = this.parts;
+    session.store.set({ time: t });
+    // What is exported is the motion.
+    if (viewState.get().blend) viewState.change({ blend: null });
+    await display.playback.frameLoop.request(t);
+  }
+}
+
+function turned(viewer: Viewer): (share: number) => Promise<void> {
+  let before = 0;
+  return async (share) => {
+    viewer.orbit((share - before) * 2 * Math.PI, 0);
+    before = share;
+    await viewer.drawn();
   };
 }
 
