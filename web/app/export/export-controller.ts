@@ -52,39 +52,10 @@ export interface ExportController {
 const exporting = () => import('./export-job.ts');
 
 export function createExportController(parts: ExportParts): ExportController {
-  const {
-    store,
-    scene: { viewer },
-    scene,
-    sequence,
-  } = parts;
+  const { store, scene, sequence } = parts;
+  const { viewer } = scene;
+  const planning = createPlanning(parts);
   let abort: AbortController | null = null;
-  /**
-   * Of the plan that is being worked out: it evaluates the motion, which nobody waits for once another is asked for.
-   */
-  let planning: AbortController | null = null;
-  let formats: Promise<VideoFormat[]> | null = null;
-
-  const playing = (): Playing => {
-    const { doc, play } = store.get();
-    const { between, fps, speed, loop } = play;
-    const range = playRange(between, parts.range());
-    return { range, fps, speed, bounces: bounces(loop, doc.motion.boundary) };
-  };
-
-  const show = async (t: number): Promise<void> => {
-    store.set({ time: t });
-    await parts.drawExactly(t);
-  };
-
-  const turned = (): ((share: number) => Promise<void>) => {
-    let before = 0;
-    return async (share) => {
-      viewer.orbit((share - before) * 2 * Math.PI, 0);
-      before = share;
-      await viewer.drawn();
-    };
-  };
 
   const runJob = async (request: ExportRequest, of: Motion, before: AppState, signal: AbortSignal): Promise<void> => {
     const { doc, time, source } = before;
@@ -95,10 +66,13 @@ export function createExportController(parts: ExportParts): ExportController {
       doc,
       time,
       name: fileStem(source),
-      playing: playing(),
+      playing: playingOf(parts),
       scene,
-      show,
-      turn: turned(),
+      async show(t) {
+        store.set({ time: t });
+        await parts.drawExactly(t);
+      },
+      turn: turning(viewer),
       async analyseAt(times, report, stop) {
         const what = parts.analysis.input();
         return what && analyseAt(what, times, report, stop);
@@ -110,24 +84,7 @@ export function createExportController(parts: ExportParts): ExportController {
   };
 
   return {
-    plan(request) {
-      if (!formats) {
-        formats = videoFormats();
-        void formats.then(parts.onVideoFormats);
-      }
-      planning?.abort();
-      const of = sequence();
-      if (!of) return;
-      const tell = (plan: ExportPlan): void => parts.onPlan(request, plan);
-      planning = new AbortController();
-      const { signal } = planning;
-      const asked = { sequence: of, time: store.get().time, playing: playing(), window: viewer.canvas, signal };
-      exporting()
-        .then(({ describeExport }) => describeExport(request, asked))
-        .then(tell, (error: unknown) => {
-          if (!signal.aborted) tell({ text: error instanceof Error ? error.message : '', warnings: [] });
-        });
-    },
+    plan: planning.plan,
     async run(request) {
       const of = sequence();
       if (!of || abort) return;
@@ -137,7 +94,7 @@ export function createExportController(parts: ExportParts): ExportController {
       const camera = viewer.cameraPose();
       store.set({ play: { ...before.play, playing: false } });
       parts.onStart();
-      planning?.abort();
+      planning.stop();
       try {
         // What moved or played until now may be on the screen as a preview.
         await parts.idle();
@@ -158,6 +115,50 @@ export function createExportController(parts: ExportParts): ExportController {
       return embedSnippet(state, `${name}.glb`, parts.title(state));
     },
     cancel: () => abort?.abort(),
+  };
+}
+
+/** A plan evaluates the motion, which nobody waits for once another is asked for. */
+function createPlanning(parts: ExportParts): { plan(request: ExportRequest): void; stop(): void } {
+  let working: AbortController | null = null;
+  let formats: Promise<VideoFormat[]> | null = null;
+  return {
+    plan(request) {
+      if (!formats) {
+        formats = videoFormats();
+        void formats.then(parts.onVideoFormats);
+      }
+      working?.abort();
+      const sequence = parts.sequence();
+      if (!sequence) return;
+      const tell = (plan: ExportPlan): void => parts.onPlan(request, plan);
+      working = new AbortController();
+      const { signal } = working;
+      const { time } = parts.store.get();
+      const asked = { sequence, time, playing: playingOf(parts), window: parts.scene.viewer.canvas, signal };
+      exporting()
+        .then(({ describeExport }) => describeExport(request, asked))
+        .then(tell, (error: unknown) => {
+          if (!signal.aborted) tell({ text: error instanceof Error ? error.message : '', warnings: [] });
+        });
+    },
+    stop: () => working?.abort(),
+  };
+}
+
+function playingOf({ store, range }: Pick<ExportParts, 'store' | 'range'>): Playing {
+  const { doc, play } = store.get();
+  const { between, fps, speed, loop } = play;
+  return { range: playRange(between, range()), fps, speed, bounces: bounces(loop, doc.motion.boundary) };
+}
+
+/** Turns the camera to shares of a whole turn. */
+function turning(viewer: ExportParts['scene']['viewer']): (share: number) => Promise<void> {
+  let before = 0;
+  return async (share) => {
+    viewer.orbit((share - before) * 2 * Math.PI, 0);
+    before = share;
+    await viewer.drawn();
   };
 }
 
