@@ -119,7 +119,7 @@ export function createExportController(parts: ExportParts): ExportController {
 }
 
 /** A plan evaluates the motion, which nobody waits for once another is asked for. */
-function createPlanning(parts: ExportParts): { plan(request: ExportRequest): void; stop(): void } {
+function createPlanning(parts: ExportParts): { plan: ExportController['plan']; stop(): void } {
   let working: AbortController | null = null;
   let formats: Promise<VideoFormat[]> | null = null;
   return {
