@@ -3,7 +3,7 @@ import { h } from '../ui/dom.ts';
 import type { Edits } from './edits.ts';
 import { createCurveFigure } from './figures/curve-figure.ts';
 import { createFigure } from './figures/figure.ts';
-import type { Part } from './figures/figure.ts';
+import type { FigureOptions, Part } from './figures/figure.ts';
 import { createKeysTable } from './figures/keys-table.ts';
 import { createLayerList } from './figures/layer-list.ts';
 import { createRateFigure } from './figures/rate-figure.ts';
@@ -14,62 +14,51 @@ import { bendingNumbers, curveNumbers, systemNumbers, weightNumbers } from './nu
 import { createCurveControls, createEndsChoice, createTools } from './panels.ts';
 import type { Panel } from './panels.ts';
 
-export interface BoardEvents {
-  edits: Edits;
-  /** A key is pointed at; -1: none any more. */
-  onLit(key: number): void;
-  onError(error: unknown): void;
-}
-
 /** `real`: the window to the app. */
-export function createBoard(real: Panel, { edits, onLit, onError }: BoardEvents): Part<HTMLElement> {
+export function createBoard(real: Panel, edits: Edits, onError: (error: unknown) => void): Part<HTMLElement> {
+  const figure = (options: Omit<FigureOptions, 'onError'>): Part<HTMLElement> => createFigure({ ...options, onError });
   const rate = (id: 'slope' | 'bend', title: string, derivative: 1 | 2): Part<HTMLElement> =>
-    createFigure({
+    figure({
       id,
       title,
       body: createRateFigure(derivative, edits.onTime),
       notice: ({ state, derived }) => rateNotice(state, derived, derivative),
       numbers: ({ state, derived }) => curveNumbers(state, derived, derivative),
-      onError,
     });
   const pictures = [
-    createFigure({
+    figure({
       id: 'curve',
       title: 'The curve',
       body: createCurveFigure(edits),
       tools: createTools(edits),
       notice: ({ state, derived, touched }) => curveNotice(state, derived, touched),
       numbers: ({ state, derived }) => curveNumbers(state, derived, 0),
-      onError,
     }),
     rate('slope', 'Slope', 1),
     rate('bend', 'Bend', 2),
-    createFigure({
+    figure({
       id: 'weights',
       title: 'Weights',
       body: createWeightsFigure(edits.onTime),
       notice: ({ state, derived }) => weightsNotice(state, derived),
       numbers: ({ derived }) => weightNumbers(derived),
-      onError,
     }),
   ];
   const tables = [
-    createFigure({
+    figure({
       id: 'bending',
       title: 'Curves',
       body: createCurves(edits),
       notice: ({ state, derived }) => bendingNotice(state, derived),
       numbers: ({ derived }) => bendingNumbers(derived),
-      onError,
     }),
-    createFigure({
+    figure({
       id: 'system',
       title: 'The system',
-      body: createSystemTable(onLit),
+      body: createSystemTable(edits.onLit),
       tools: createEndsChoice(edits),
       notice: ({ state, derived, lit }) => systemNotice(state, derived, lit),
       numbers: ({ derived }) => systemNumbers(derived),
-      onError,
     }),
   ];
   const keys = createKeysTable(edits);

@@ -11,9 +11,15 @@ import type { Layer, PlayState, Touched } from './state.ts';
 export interface Edits extends PanelEvents, CurveFigureEvents, KeysTableEvents {
   onLayer(layer: Layer, on: boolean): void;
   onTime(time: number): void;
+  /** A key is pointed at; -1: none any more. */
+  onLit(key: number): void;
 }
 
-export function createEdits(get: () => PlayState, change: (state: PlayState, touched: Touched) => void): Edits {
+export function createEdits(
+  get: () => PlayState,
+  change: (state: PlayState, touched: Touched) => void,
+  onLit: Edits['onLit'],
+): Edits {
   const set = (part: Partial<PlayState>, touched: Touched): void => change({ ...get(), ...part }, touched);
   const remove = (key: number): void => change(removeKey(get(), key), 'key');
   return {
@@ -49,6 +55,7 @@ export function createEdits(get: () => PlayState, change: (state: PlayState, tou
       set({ speeds: end === 'start' ? [speed, last] : [start, speed] }, 'speed');
     },
     onTime: (time) => set({ time: shownTime(get(), time) }, 'time'),
+    onLit,
   };
 }
 

@@ -65,11 +65,8 @@ export function createPlayPage({ notices, real, theme, playing, onError, onLeftO
     history.replaceState(null, '', link ? `#${link}` : location.pathname + location.search);
   });
   const player = createPlayer(showState);
-  const board = createBoard(real, {
-    edits: createEdits(get, change),
-    onLit: (lit) => lit !== shown.lit && show({ lit }),
-    onError,
-  });
+  const edits = createEdits(get, change, (lit) => lit !== shown.lit && show({ lit }));
+  const board = createBoard(real, edits, onError);
   const lead = createLead(player, () => change(INITIAL, 'natural'));
   const main = h('main', { class: 'play-main' }, lead, board.element, said);
   // The first touch ends what plays by itself; links and the button that stops it mean something else.

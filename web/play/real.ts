@@ -101,10 +101,7 @@ interface Listener {
 }
 
 /** The shapes that other tabs have open, by their pages: asked for whenever this one is seen. */
-function listenForShapes({ onShape, onDone }: Listener): {
-  shapes: ReadonlyMap<string, OpenShape>;
-  send(message: PlaygroundMessage): void;
-} {
+function listenForShapes({ onShape, onDone }: Listener) {
   const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
   const shapes = new Map<string, OpenShape>();
   let again = 0;

@@ -82,9 +82,13 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
   });
   const content = make('g', {});
   const keys = make('g', {});
-  const further = createFurther();
+  const under = make('g', {});
+  const over = make('g', {});
+  const drawn = make('path', { class: 'drawn' });
   const handles = { start: createEndHandle('start', element, events), end: createEndHandle('end', element, events) };
   let current: Current | null = null;
+  let overlays: readonly PlaneOverlay[] = [];
+  let line: readonly Vector[] = [];
   let off: Vector | null = null;
   let time = 0;
   const point = createPlanePoint(element, WIDTH, {
@@ -92,29 +96,38 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
     onDrag: (at) => current && events.onPoint(snapped(current, at)),
     onStroke: (places) => current && events.onPath(places.map(current.back)),
   });
-  const { under, over, drawn } = further;
   element.append(under, content, over, keys, drawn, point.element, handles.start.element, handles.end.element);
 
+  const drawOver = (): void => {
+    if (!current) return;
+    const { place } = current;
+    // What falls onto the motion's curve shows by its marks alone.
+    under.replaceChildren(...overlays.map((overlay) => overlayLine(overlay, place)));
+    over.replaceChildren(...overlays.flatMap((overlay) => (overlay.marked ? overlayMarks(overlay, place) : [])));
+    drawn.setAttribute('d', path(line.map(([x, y]) => place(x, y))));
+  };
   const placePoint = (): void => {
     if (!current) return;
     const [start, end] = current.data.range;
     const [x, y] = off ?? at(current.data, time);
     point.place(current.place(x, y), off ? 'off' : time < start || time > end ? 'beyond' : 'between');
   };
-  const draw = (data: ShapePlaneData): void => {
-    const [place, back] = placing(data);
-    current = { data, place, back };
-    content.replaceChildren(...parts(data, place));
-    keys.replaceChildren(...tangentMarks(data, place), ...keyMarks(data, place));
-    further.setPlace(place);
-    placePoint();
-    element.setAttribute('aria-label', describe(data));
-    for (const end of ENDS) handles[end].place(onPicture(data, end, place));
-  };
 
   return {
     element,
-    draw,
+    draw(data) {
+      const [place, back] = placing(data);
+      current = { data, place, back };
+      content.replaceChildren(...parts(data, place));
+      keys.replaceChildren(...tangentMarks(data, place), ...keyMarks(data, place));
+      drawOver();
+      placePoint();
+      element.setAttribute(
+        'aria-label',
+        `The motion through ${data.keys.length / 2} keys as a curve in the plane of their two leading principal components`,
+      );
+      for (const end of ENDS) handles[end].place(onPicture(data, end, place));
+    },
     setSpeeds(speeds, most) {
       for (const end of ENDS) handles[end].setSpeed(speeds?.[end] ?? null, most[end]);
     },
@@ -127,14 +140,16 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
       off = next;
       placePoint();
     },
-    setOverlays: further.setOverlays,
-    setPath: further.setPath,
+    setOverlays(next) {
+      overlays = next;
+      drawOver();
+    },
+    setPath(points) {
+      line = points ?? [];
+      drawOver();
+    },
     setDrawing: point.setDrawing,
   };
-}
-
-function describe({ keys }: ShapePlaneData): string {
-  return `The motion through ${keys.length / 2} keys as a curve in the plane of their two leading principal components`;
 }
 
 interface Current {
@@ -151,39 +166,6 @@ function snapped({ data: { keys }, place, back }: Current, at: Vector): Vector {
     if (Math.hypot(x - at[0], y - at[1]) < SNAP) return key;
   }
   return back(at);
-}
-
-/** What is drawn besides the motions: further curves, and the path of the hand. */
-function createFurther() {
-  const under = make('g', {});
-  const over = make('g', {});
-  const drawn = make('path', { class: 'drawn' });
-  let place: Place | null = null;
-  let overlays: readonly PlaneOverlay[] = [];
-  let line: readonly Vector[] = [];
-  const draw = (): void => {
-    const to = place;
-    if (!to) return;
-    // What falls onto the motion's curve shows by its marks alone.
-    under.replaceChildren(...overlays.map((overlay) => overlayLine(overlay, to)));
-    over.replaceChildren(...overlays.flatMap((overlay) => (overlay.marked ? overlayMarks(overlay, to) : [])));
-    drawn.setAttribute('d', path(line.map(([x, y]) => to(x, y))));
-  };
-  return {
-    ...{ under, over, drawn },
-    setPlace(next: Place): void {
-      place = next;
-      draw();
-    },
-    setOverlays(next: readonly PlaneOverlay[]): void {
-      overlays = next;
-      draw();
-    },
-    setPath(points: readonly Vector[] | null): void {
-      line = points ?? [];
-      draw();
-    },
-  };
 }
 
 function placesOf({ points }: PlaneOverlay, place: Place): [number, number][] {

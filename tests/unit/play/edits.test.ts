@@ -11,6 +11,7 @@ function editing(start: PlayState = INITIAL): { edits: Edits; now: { state: Play
   const edits = createEdits(
     () => now.state,
     (state, touched) => Object.assign(now, { state, touched }),
+    () => undefined,
   );
   return { edits, now };
 }

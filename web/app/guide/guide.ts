@@ -145,18 +145,12 @@ function prepare(
   return () => undone.forEach((one) => one());
 }
 
-interface Answers {
-  /** Asks the engine what the page wants to know of the motion, once. */
-  ask(page: GuidePage, facts: Facts): Promise<void>;
-  forget(): void;
-  readonly last: string | undefined;
-}
-
-function createAnswers(workspace: Workspace, onAnswer: (answer: string) => void): Answers {
+/** Asks the engine what a page wants to know of the motion, once. */
+function createAnswers(workspace: Workspace, onAnswer: (answer: string) => void) {
   /** What was asked last, and of which motion. */
   let asked: { of: Facts['stats']; answer: string } | null = null;
   return {
-    async ask(page, facts) {
+    async ask(page: GuidePage, facts: Facts): Promise<void> {
       const { stats } = facts;
       const sequence = workspace.sequences[0]?.sequence;
       if (!sequence || !page.ask || asked?.of === stats) return;
@@ -167,10 +161,10 @@ function createAnswers(workspace: Workspace, onAnswer: (answer: string) => void)
       question.answer = answer;
       onAnswer(answer);
     },
-    forget() {
+    forget(): void {
       asked = null;
     },
-    get last() {
+    get last(): string | undefined {
       return asked?.answer;
     },
   };

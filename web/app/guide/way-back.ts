@@ -14,16 +14,7 @@ export interface WayBackParts {
   openFirst(): Promise<void>;
 }
 
-export interface WayBack {
-  /** The first page is about to be opened. */
-  remember(): void;
-  go(): Promise<void>;
-  /** Something else was opened: there is no way back any more. */
-  drop(): void;
-  readonly underWay: boolean;
-}
-
-export function createWayBack(parts: WayBackParts): WayBack {
+export function createWayBack(parts: WayBackParts) {
   const { store, workspace, files } = parts;
   let before: Work | null = null;
   let focused: Element | null = null;
@@ -31,11 +22,12 @@ export function createWayBack(parts: WayBackParts): WayBack {
   let returning = 0;
   let comingBack: Work | null = null;
   return {
-    remember() {
+    /** The first page is about to be opened. */
+    remember(): void {
       before = returning > 0 ? comingBack : currentWork(store, workspace);
       focused = document.activeElement;
     },
-    async go() {
+    async go(): Promise<void> {
       comingBack = before;
       before = null;
       focusAgain(focused);
@@ -43,11 +35,12 @@ export function createWayBack(parts: WayBackParts): WayBack {
       returning += 1;
       await giveBack(comingBack, parts).finally(() => (returning -= 1));
     },
-    drop() {
+    /** Something else was opened: there is no way back any more. */
+    drop(): void {
       if (before) files.openings.left(before);
       before = null;
     },
-    get underWay() {
+    get underWay(): boolean {
       return returning > 0;
     },
   };

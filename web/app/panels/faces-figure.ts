@@ -119,10 +119,7 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
 }
 
 /** What colours the surface; and the figure of the distance, while that does. */
-function createSurfaceColours(
-  input: () => AnalysisInput | null,
-  events: FacesFigureEvents,
-): { elements: HTMLElement[]; update(props: FacesFigureProps): void } {
+function createSurfaceColours(input: () => AnalysisInput | null, events: FacesFigureEvents) {
   const heat = segments<Heat>(
     'Colour the surface',
     'heat',
@@ -144,7 +141,7 @@ function createSurfaceColours(
   }, events.onError);
   return {
     elements: [heat.element, distance.element],
-    update({ colouring, cursor, version }) {
+    update({ colouring, cursor, version }: FacesFigureProps): void {
       const byDistance = colouring === 'distance';
       heat.update(isFaceAmount(colouring) || byDistance ? colouring : 'none');
       distance.update({ shown: byDistance, cursor, version });

@@ -84,7 +84,7 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
 }
 
 /** How far the comparison is, and the button that ends it. */
-function createWorking(onCancel: () => void): { element: HTMLElement; update(progress: Progress): void } {
+function createWorking(onCancel: () => void) {
   const stage = h('span', { class: 'muted stage', role: 'status' });
   const bar = h('div', { class: 'bar' });
   const cancel = button({
@@ -102,7 +102,7 @@ function createWorking(onCancel: () => void): { element: HTMLElement; update(pro
   );
   return {
     element,
-    update(progress) {
+    update(progress: Progress): void {
       setText(stage, progress.stage);
       setStyle(bar, 'width', `${(100 * progress.fraction).toFixed(1)}%`);
     },

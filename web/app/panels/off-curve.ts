@@ -6,6 +6,7 @@ import { h, setAttribute, setHidden, setText } from '../../ui/dom.ts';
 import { mixtureAt } from '../analysis/plane-weights.ts';
 import type { PlaneShapes, Point } from '../analysis/plane-weights.ts';
 import { createPlanePath } from './plane-path.ts';
+import type { PlanePath } from './plane-path.ts';
 import type { Blend } from '../view/view-state.ts';
 import { reducedMotion } from '../view/window-events.ts';
 
@@ -50,18 +51,18 @@ export function createOffCurve(
   };
   const path = createPlanePath(show, () => drawTools());
   const weights = createBlendWeights();
-  const tools = createPlaneTools({
-    onDraw: () => setDrawing(!drawing),
-    onPlay: () => (path.playing ? path.stop() : path.play()),
-    onBack() {
-      path.stop();
-      onBlend(null);
-    },
-  });
+  const leave = (): void => {
+    path.stop();
+    onBlend(null);
+  };
+  const tools = createPlaneTools(
+    () => setDrawing(!drawing),
+    () => (path.playing ? path.stop() : path.play()),
+    leave,
+  );
   const element = h('div', { class: 'group' }, ...tools.elements, weights.element);
 
-  const drawTools = (): void =>
-    tools.update({ drawing, drawn: path.points !== null, playing: path.playing, off: shown !== null });
+  const drawTools = (): void => tools.update(drawing, path, shown !== null);
   const setDrawing = (on: boolean): void => {
     drawing = on;
     plot().setDrawing(on);
@@ -119,25 +120,7 @@ function stepped([x, y]: Point, event: KeyboardEvent, extent: number): Point | n
   return [x + arrow[0] * step, y + arrow[1] * step];
 }
 
-interface PlaneToolsEvents {
-  onDraw(): void;
-  onPlay(): void;
-  onBack(): void;
-}
-
-interface PlaneToolsProps {
-  drawing: boolean;
-  /** There is a path. */
-  drawn: boolean;
-  playing: boolean;
-  /** Another shape than the motion's is shown. */
-  off: boolean;
-}
-
-function createPlaneTools({ onDraw, onPlay, onBack }: PlaneToolsEvents): {
-  elements: HTMLElement[];
-  update(props: PlaneToolsProps): void;
-} {
+function createPlaneTools(onDraw: () => void, onPlay: () => void, onBack: () => void) {
   const hint = h('p', { class: 'plane-note' }, HINT);
   const draw = button({
     label: 'Draw a path in the plane and play it',
@@ -164,10 +147,11 @@ function createPlaneTools({ onDraw, onPlay, onBack }: PlaneToolsEvents): {
   });
   return {
     elements: [hint, h('div', { class: 'plane-tools' }, draw, play, back)],
-    update({ drawing, drawn, playing, off }) {
+    /** `off`: another shape than the motion's is shown. */
+    update(drawing: boolean, path: PlanePath, off: boolean): void {
       setAttribute(draw, 'aria-pressed', String(drawing));
-      setHidden(play, !drawn);
-      setText(play.lastElementChild!, playing ? 'Stop' : 'Play path');
+      setHidden(play, path.points === null);
+      setText(play.lastElementChild!, path.playing ? 'Stop' : 'Play path');
       setHidden(back, !off);
       setText(hint, drawing ? DRAWING_HINT : HINT);
     },

@@ -30,7 +30,6 @@ export function createPatchCharts(events: ChartEvents, onPair: (patch: number | 
       const [main] = input?.sequences ?? [];
       const mine = ++asked;
       if (patch === null || !input || !main) {
-        turns.draw(null);
         setHidden(element, true);
         return '';
       }
@@ -56,14 +55,8 @@ export function createPatchCharts(events: ChartEvents, onPair: (patch: number | 
   };
 }
 
-interface TurnCharts {
-  element: HTMLElement;
-  draw(loaded: Loaded | null): void;
-  setCursor(t: number): void;
-}
-
 /** How far the patch turns against all of its neighbours, and in which way against one that is chosen. */
-function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) => void): TurnCharts {
+function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) => void) {
   const angles = createCoordinateChart('patch-angles', 'Turn against its neighbours', 'angle, degrees', events);
   const turned = 'degrees, as a rotation vector in the axes of the reference pose';
   const rotation = createCoordinateChart('patch-rotation', 'Turn against a neighbour', turned, events);
@@ -100,11 +93,11 @@ function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) =>
   };
   return {
     element,
-    draw(next) {
+    draw(next: Loaded): void {
       loaded = next;
       draw();
     },
-    setCursor(t) {
+    setCursor(t: number): void {
       for (const one of [angles, rotation]) one.setCursor(t);
     },
   };

@@ -16,18 +16,6 @@ export interface PickedPartEvents {
   onError(error: unknown): void;
 }
 
-export interface PickedPart {
-  field: HTMLInputElement;
-  element: HTMLElement;
-  /** Counted from 0; null: none. */
-  readonly index: number | null;
-  show(index: number | null): void;
-  /** The motion is another one. */
-  refresh(): void;
-  setHidden(hidden: boolean): void;
-  setCursor(t: number): void;
-}
-
 /** The engine counts patches from 0. */
 const FIELDS = {
   face: { label: 'Face, counted from 0 as in the file', placeholder: 'Face', first: 0 },
@@ -36,11 +24,8 @@ const FIELDS = {
 
 const nothing = (): void => undefined;
 
-export function createPickedPart(
-  part: Part,
-  charts: PartCharts,
-  { input, onShow, onWords, onError }: PickedPartEvents,
-): PickedPart {
+export function createPickedPart(part: Part, charts: PartCharts, events: PickedPartEvents) {
+  const { input, onShow, onWords, onError } = events;
   const { label, placeholder, first } = FIELDS[part];
   const field = numberField({
     label,
@@ -81,18 +66,20 @@ export function createPickedPart(
   return {
     field,
     element: charts.element,
-    get index() {
+    /** Counted from 0; null: none. */
+    get index(): number | null {
       return shown;
     },
-    show: (index) => show(index),
-    refresh() {
+    show: (index: number | null): void => show(index),
+    /** The motion is another one. */
+    refresh(): void {
       if (shown !== null) load();
     },
-    setHidden(hidden) {
+    setHidden(hidden: boolean): void {
       setHidden(field, hidden);
       setHidden(charts.element, hidden || shown === null);
     },
-    setCursor(t) {
+    setCursor(t: number): void {
       cursor = t;
       charts.setCursor(t);
     },

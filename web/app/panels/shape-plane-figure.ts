@@ -95,10 +95,7 @@ export function createShapePlaneFigure(
 }
 
 /** What the handles at the ends do to the speeds there. */
-function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']): {
-  events: EndHandleEvents;
-  setSpeeds: ShapePlaneFigure['setSpeeds'];
-} {
+function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']) {
   let speeds: Speeds | null = null;
   let most = USUAL_MOST;
   // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
@@ -106,40 +103,37 @@ function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']): {
     if (speeds) speeds = { ...speeds, [end]: speed };
     onSpeed(end, speed);
   };
-  return {
-    events: {
-      label: (end) => SPEED_WORDS[end].label,
-      words: formatSpeed,
-      onSpeed: (end, speed) => set(end, offeredSpeed(speed, most[end])),
-      onReset: (end) => set(end, DEFAULT_SPEED),
-      onKey(end, event) {
-        const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end, most[end]);
-        if (speed === null) return;
-        event.preventDefault();
-        set(end, speed);
-      },
-    },
-    setSpeeds(next, nextMost) {
-      [speeds, most] = [next, nextMost];
+  const events: EndHandleEvents = {
+    label: (end) => SPEED_WORDS[end].label,
+    words: formatSpeed,
+    onSpeed: (end, speed) => set(end, offeredSpeed(speed, most[end])),
+    onReset: (end) => set(end, DEFAULT_SPEED),
+    onKey(end, event) {
+      const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end, most[end]);
+      if (speed === null) return;
+      event.preventDefault();
+      set(end, speed);
     },
   };
+  const setSpeeds: ShapePlaneFigure['setSpeeds'] = (next, nextMost) => {
+    [speeds, most] = [next, nextMost];
+  };
+  return { events, setSpeeds };
 }
 
 /** Does the work once more after calls that came in the middle of it. */
-function oneAfterTheOther(work: () => Promise<void>, onError: (error: unknown) => void): () => void {
+function oneAfterTheOther(work: () => Promise<void>, onError: (error: unknown) => void): () => Promise<void> {
   let stale = false;
   let running = false;
-  const follow = async (): Promise<void> => {
+  return async () => {
+    stale = true;
+    if (running) return;
     running = true;
     while (stale) {
       stale = false;
       await work().catch(onError);
     }
     running = false;
-  };
-  return () => {
-    stale = true;
-    if (!running) void follow();
   };
 }
 
