@@ -105,7 +105,7 @@ export async function benchEmbed({ sizes }: Wanted): Promise<void> {
   console.log('|---|---|---|---|---|---|---|');
   try {
     for (const { faces } of sizes ?? DEFAULT_SIZES) {
-      const generator = path.join(build, 'cmake-wasm/shapespline_samples.js');
+      const generator = path.join(build, 'cmake-wasm/shapespline_meshes.js');
       execFileSync(process.execPath, [generator, '--bench', String(faces), folder], {
         stdio: ['ignore', 'ignore', 'inherit'],
       });

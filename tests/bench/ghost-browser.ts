@@ -18,7 +18,7 @@ import { residentOf } from './process-memory.ts';
 const DEFAULT_SIZES = [{ faces: 330_000 }, { faces: 1_300_000 }];
 const MOVES = 40;
 const WAIT_MS = 600_000;
-const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_samples.js', import.meta.url));
+const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_meshes.js', import.meta.url));
 
 export async function benchGhostInBrowser({ sizes }: Wanted): Promise<void> {
   if (!isPageBuilt()) return;

@@ -24,7 +24,7 @@ const GHOST_FACES = 2000;
 /** Larger meshes get one ghost instead of all sizes. */
 const STUDIED_FACES = 100_000;
 const cactus = fileURLToPath(new URL('../../public/samples/cactus.glb', import.meta.url));
-const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_samples.js', import.meta.url));
+const generator = fileURLToPath(new URL('../cmake-wasm/shapespline_meshes.js', import.meta.url));
 
 type Line = string[];
 

@@ -29,7 +29,7 @@ import { threadsLine } from './threads.ts';
 // Relative to the bundle, build/node/bench.mjs.
 const repository = fileURLToPath(new URL('../../', import.meta.url));
 const folder = path.join(repository, 'build/bench');
-const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js');
+const generator = path.join(repository, 'build/cmake-wasm/shapespline_meshes.js');
 const reader = path.join(repository, 'build/cmake-wasm/shapespline_bench_read.wasm');
 
 const DEFAULT_FACES = [10_000, 32_000, 80_000, 332_000, 1_300_000];

@@ -10,7 +10,7 @@ import type { App } from './support.ts';
 // What a service worker answers cannot be held.
 test.use({ contextOptions: { reducedMotion: 'no-preference', serviceWorkers: 'block' }, ownProfile: true });
 
-const generator = fileURLToPath(new URL('../../build/cmake-wasm/shapespline_samples.js', import.meta.url));
+const generator = fileURLToPath(new URL('../../build/cmake-wasm/shapespline_meshes.js', import.meta.url));
 const FACES = 100_000;
 let folder = '';
 test.beforeAll(() => {

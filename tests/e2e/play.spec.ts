@@ -263,6 +263,7 @@ test('for who has not asked for less motion it plays until the first touch', asy
   await expect.poll(() => play.line('linear')).not.toBe(moving);
   await page.locator('.curve-figure').click({ position: { x: 20, y: 20 } });
   await expect(play.by('scene')).toBeHidden();
+  await frames(page, 2); // what was on its way is drawn
   const rests = await play.line('linear');
   await frames(page, 20);
   expect(await play.line('linear')).toBe(rests);

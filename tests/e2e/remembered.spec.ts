@@ -2,9 +2,11 @@
  * Files that this browser keeps between visits: by several tabs, where something went wrong, and where there is no
  * room.
  */
-import { statSync } from 'node:fs';
+import { randomBytes } from 'node:crypto';
+import { readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import type { Page } from '@playwright/test';
+import type { Page, TestInfo } from '@playwright/test';
 import { App, expect, test } from './support.ts';
 
 // Each test begins with an empty shelf.
@@ -17,6 +19,22 @@ const OTHER = sample('cactus');
 interface Kept {
   project: { id: string; opening: boolean; version: number; state: { time: number; source: { names: string[] } } };
   files?: { name: string }[];
+}
+
+/** The same model with so many more bytes that no disk can pack. */
+function padded(file: string, bytes: number, info: TestInfo): string {
+  const glb = readFileSync(file);
+  const end = 20 + glb.readUInt32LE(12);
+  const json = JSON.parse(glb.toString('utf8', 20, end)) as { extras?: unknown };
+  json.extras = randomBytes(bytes / 2).toString('hex');
+  const text = JSON.stringify(json);
+  const padding = Buffer.from(text + ' '.repeat((4 - (text.length % 4)) % 4));
+  const head = Buffer.from(glb.subarray(0, 20));
+  head.writeUInt32LE(glb.length - end + 20 + padding.length, 8);
+  head.writeUInt32LE(padding.length, 12);
+  const to = info.outputPath(path.basename(file));
+  writeFileSync(to, Buffer.concat([head, padding, glb.subarray(end)]));
+  return to;
 }
 
 /** Everything on the shelf, by key. */
@@ -382,11 +400,12 @@ test.describe('with a service worker', () => {
       const session = await context.newCDPSession(app.page);
       const { origin } = new URL(app.page.url());
       const { usage } = await session.send('Storage.getUsageAndQuota', { origin });
-      await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: usage + 1.5 * statSync(BAR).size });
-      await drop(app, BAR);
+      await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: usage + 600_000 });
+      const [first, next] = [padded(BAR, 50_000, info), padded(OTHER, 800_000, info)];
+      await drop(app, first);
       await isRemembered(app);
       const before = await kept(app.page);
-      await drop(app, OTHER);
+      await drop(app, next);
       await expect(app.by('error-message')).toContainText('no room');
       await isRemembered(app, false);
       expect(Object.keys(await kept(app.page))).toEqual(Object.keys(before));

@@ -11,7 +11,7 @@ import type { AppState } from '../../web/model/state.ts';
 import type {} from '../../web/app/test-hook.ts';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
-const generator = path.join(repository, 'build/cmake-wasm/shapespline_samples.js');
+const generator = path.join(repository, 'build/cmake-wasm/shapespline_meshes.js');
 const dataFolder = process.env['SHAPESPLINE_DATA'] ?? path.join(repository, '..', 'shared', 'data');
 
 /** Path of a real input, or null where the folder is missing. Where SHAPESPLINE_DATA_REQUIRED is 1 it must be there. */
@@ -109,7 +109,7 @@ export class App {
     await this.settled();
   }
 
-  /** Opens a generated mesh with three keys in place of what is open (wasm/samples/bench_mesh.h). */
+  /** Opens a generated mesh with three keys in place of what is open (tests/shapes/bench_mesh.h). */
   async openGenerated(faces: number): Promise<void> {
     const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-generated-'));
     try {

@@ -50,13 +50,14 @@ it('the patches of the twisted bar turn by as much as its ends do, in small step
     measured.push(Math.abs(turned) * DEGREES);
   }
   expect(measured[23]).toBeGreaterThan(170);
-  // Patches are measured from middle to middle, which is a little less than from end to end.
+  // Patches are measured from middle to middle, which is a little less than from end to end; the way through them winds
+  // a little, which is more.
   for (const [said, seen] of [
     [turn.total[1]!, measured[11]!],
     [turn.total[2]!, measured[23]!],
   ] as const) {
     expect(Math.abs(said)).toBeGreaterThan(0.93 * seen);
-    expect(Math.abs(said)).toBeLessThan(1.01 * seen);
+    expect(Math.abs(said)).toBeLessThan(1.02 * seen);
   }
   sequence.dispose();
 });

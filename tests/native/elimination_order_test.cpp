@@ -6,7 +6,7 @@
 
 #include "core/sequence/elimination_order.h"
 #include "core/sequence/sequence.h"
-#include "samples/bench_mesh.h"
+#include "shapes/bench_mesh.h"
 #include "shapes.h"
 
 using namespace shapespline;

@@ -9,8 +9,8 @@
 #include "core/patches/face_clusters.h"
 #include "core/patches/patch_coordinates.h"
 #include "core/sequence/welded_keys.h"
-#include "samples/bench_mesh.h"
-#include "samples/bench_parts.h"
+#include "shapes/bench_mesh.h"
+#include "shapes/bench_parts.h"
 #include "shapes.h"
 
 using namespace shapespline;

@@ -8,7 +8,7 @@
 #include "core/mesh/measures.h"
 #include "core/mesh/triangle.h"
 #include "laplacian_meshes.h"
-#include "samples/bench_mesh.h"
+#include "shapes/bench_mesh.h"
 #include "shapes.h"
 
 using namespace shapespline;

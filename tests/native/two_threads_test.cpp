@@ -12,7 +12,7 @@
 #include "core/sparse/subtree_partition.h"
 #include "helper_thread.h"
 #include "laplacian_meshes.h"
-#include "samples/bench_mesh.h"
+#include "shapes/bench_mesh.h"
 #include "shapes.h"
 
 using namespace shapespline;

@@ -18,7 +18,7 @@ for (const file of files.filter(Boolean)) {
 }
 
 /** Made by the build, or outside of the repository. */
-const ELSEWHERE = /^(build|dist|\.toolchain|public\/samples|tests\/fuzz\/found|\.\.\/shared)\b/;
+const ELSEWHERE = /^(build|dist|\.toolchain|tests\/fuzz\/found|\.\.\/shared)\b/;
 /** Text in backticks that is a path, and in the first column of a table the name of a file. */
 function namedIn(readme: string): string[] {
   const text = readFileSync(path.join(root, readme), 'utf8').replace(/```[\s\S]*?```/g, '');

@@ -87,12 +87,9 @@ export async function buildFuzzers(targets) {
   return folder;
 }
 
-const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', 'wasm/samples'];
+const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', 'tests/shapes'];
 const wasmModules = ['shapespline', 'shapespline_threads'];
-const wasmOutputs = [
-  ...wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]),
-  'public/samples',
-];
+const wasmOutputs = wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]);
 
 /** A step that a digest of its inputs guards. The digest is taken before it runs, so that edits meanwhile count. */
 function guarded(name, value, outputs, action) {
@@ -111,21 +108,9 @@ export const wasmModule = guarded(
   () => digest(wasmInputs, emccOnPath()),
   wasmOutputs,
   async () => {
-    const folder = await buildWasm([...wasmModules, 'shapespline_samples']);
-    await makeSamples(folder);
+    await buildWasm([...wasmModules, 'shapespline_meshes']);
   },
 );
-
-async function makeSamples(folder) {
-  step('making the samples');
-  const partial = inRoot('build/samples.partial');
-  rmSync(partial, { recursive: true, force: true });
-  mkdirSync(partial, { recursive: true });
-  mkdirSync(inRoot('public'), { recursive: true });
-  await run(node, [path.join(folder, 'shapespline_samples.js'), partial]);
-  rmSync(inRoot('public/samples'), { recursive: true, force: true });
-  renameSync(partial, inRoot('public/samples'));
-}
 
 const noticeInputs = ['wasm/toolchain/notices.mjs', 'LICENSE'];
 

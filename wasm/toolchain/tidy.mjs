@@ -1,4 +1,4 @@
-// clang-tidy over the core, the readers and writers of files and the samples, a room at a time: all sources of a room
+// clang-tidy over the core, the readers and writers of files, a room at a time: all sources of a room
 // as one, because most of the time goes into the headers of others. A room is checked again when it, a header of ours
 // that it reaches, or the rules have changed.
 import { readdirSync, readFileSync } from 'node:fs';
@@ -15,7 +15,7 @@ const rules = ['.clang-tidy', 'CMakeLists.txt'];
 
 const sourcesOf = (folder) => readdirSync(inRoot(folder)).filter((name) => /\.(h|cpp)$/.test(name));
 const rooms = () =>
-  ['wasm/core', 'wasm/io', 'wasm/samples']
+  ['wasm/core', 'wasm/io']
     .flatMap((folder) => [folder, ...readdirSync(inRoot(folder)).map((name) => path.join(folder, name))])
     .filter((folder) => !path.extname(folder) && sourcesOf(folder).some((name) => name.endsWith('.cpp')));
 

@@ -1,4 +1,4 @@
-#include "samples/shape_check.h"
+#include "shapes/shape_check.h"
 
 #include <algorithm>
 #include <cmath>

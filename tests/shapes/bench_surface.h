@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "samples/random.h"
-#include "samples/surface.h"
+#include "shapes/random.h"
+#include "shapes/surface.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "samples/bench_parts.h"
+#include "shapes/bench_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "samples/bench_surface.h"
+#include "shapes/bench_surface.h"
 
 namespace shapespline {
 namespace {

@@ -1,10 +1,10 @@
-#include "samples/bench_mesh.h"
+#include "shapes/bench_mesh.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "samples/bench_surface.h"
+#include "shapes/bench_surface.h"
 
 namespace shapespline {
 

@@ -1,4 +1,4 @@
-#include "samples/bench_surface.h"
+#include "shapes/bench_surface.h"
 
 #include <algorithm>
 #include <array>
