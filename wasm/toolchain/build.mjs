@@ -1,5 +1,5 @@
 // The steps of a build. Each has `isCurrent()`, which is quick and silent, and `make()`.
-import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { emccOnPath, findEmscripten } from './emscripten.mjs';
 import { run } from './exec.mjs';
