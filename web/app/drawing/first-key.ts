@@ -1,5 +1,6 @@
 /** While large files are opened, what is open rests dimmed until the first key of the new motion takes its place. */
 import type { Opening } from '../session/workspace.ts';
+import type { Seen } from '../view/view-state.ts';
 
 export interface FirstKeyParts {
   /** Resolves when what is open no longer asks for the processor; until `resume`. */
@@ -11,9 +12,6 @@ export interface FirstKeyParts {
   hide(): void;
   onSeen(seen: Seen): void;
 }
-
-/** What is seen: what is open, that dimmed, or the first key of what is being opened. */
-export type Seen = 'open' | 'dimmed' | 'first key';
 
 export class FirstKey {
   /** Another promise for each opening; null while there is none. */

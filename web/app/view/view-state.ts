@@ -8,7 +8,6 @@ import type { ExportRequest, VideoFormat } from '../../model/export-request.ts';
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../model/orientation.ts';
-import type { Seen } from '../drawing/first-key.ts';
 import type { Fewest } from '../sources/animation.ts';
 import type { Opened } from '../sources/opener.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
@@ -20,6 +19,9 @@ export interface Blend {
   /** Where it lies in the shape plane. */
   at: readonly [number, number];
 }
+
+/** What is seen: what is open, that dimmed, or the first key of what is being opened. */
+export type Seen = 'open' | 'dimmed' | 'first key';
 
 export interface ViewState {
   samples: readonly Sample[];
