@@ -1,11 +1,11 @@
-/** What a change of the state, or of the motions that serve it, makes necessary. */
+/** What happens when the state or its motions change. */
 import type { Warning } from '../engine/api/types.ts';
 import type { Context } from './actions/context.ts';
 import { withPlaces } from './drawing/warning-places.ts';
 import type { Session, SessionEvents } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 
-/** The one subscriber of the state: what changed decides who hears of it. */
+/** The only subscriber of the state: it tells each part what changed. */
 export function followState(context: Context, onOpened: () => void, redraw: () => void): void {
   const { session, display, viewState, takeFiles, link, remembered } = context;
   const { store } = session;
@@ -21,14 +21,14 @@ export function followState(context: Context, onOpened: () => void, redraw: () =
       takeFiles.forget();
       onOpened();
     } else if (changed.motions) viewState.change({ welcome: false });
-    // Own files take the address of what was open before, whether they play or not.
+    // Own files have no link: the address is cleared even while they play.
     if (!state.play.playing || changed.opened) link.follow();
     if (!state.play.playing || changed.opened || changed.motions) remembered.follow();
     redraw();
   });
 }
 
-/** Instead of a shape off the curve. */
+/** Shows the motion again instead of a mixture of the keys. */
 export function showMotion({ viewState }: Context): void {
   if (viewState.get().blend) viewState.change({ blend: null });
 }
@@ -38,14 +38,14 @@ export function applyLook({ session: { store }, display, theme }: Context): void
   display.timePictures.forget();
 }
 
-/** At once, but on a visit that has seen no shape yet: other motions than the first one do not hold it up. */
+/** Makes the motions, but not before the first shape is drawn: further motions must not delay it. */
 function serveAfterFirst({ session: { serve, store }, display: { scene, playback } }: Context): void {
   if (scene.viewer.hasSeen) return serve();
   void scene.viewer.firstSeen.then(serve);
   playback.frameLoop.follow(store.get().time);
 }
 
-/** What follows from what is read and computed. */
+/** What happens when files are read and motions are made. */
 export function sessionEvents(app: () => Context): SessionEvents {
   return {
     onServed: () => showServed(app()),
@@ -67,7 +67,7 @@ export function sessionEvents(app: () => Context): SessionEvents {
   };
 }
 
-/** The motions follow the document now. */
+/** The motions are up to date with the document. */
 function showServed({ session, display, viewState, feedback, analysis, pace }: Context): void {
   const main = session.sequence();
   if (!main) return;
@@ -81,7 +81,7 @@ function showServed({ session, display, viewState, feedback, analysis, pace }: C
   display.thumbnails.refresh();
 }
 
-/** With the place of each, in the pose of its key. */
+/** The warnings, each with its place in the pose of its key. */
 function warningsOf({ store, workspace: { warnings, info, pool } }: Session): Warning[] {
   if (!info || !pool) return warnings;
   return withPlaces(warnings, info.faces, (key) => {

@@ -1,4 +1,4 @@
-/** A visit: what it opens with, what is joined to it once that is seen, and the hook for tests. */
+/** A visit: what it opens, what starts once that is drawn, and the hook for tests. */
 import { clampTime } from '../model/time-scale.ts';
 import type { Context } from './actions/context.ts';
 import { showMotion } from './follow-state.ts';
@@ -15,9 +15,9 @@ export interface VisitParts {
 }
 
 export interface Visit {
-  /** Opens what the address names; resolves when all that there is of it is shown. */
+  /** Opens what the address names; resolves when all of it is shown. */
   begin(): Promise<void>;
-  /** Opens what the address named before any page of the guide. */
+  /** Opens what the address named before the guide was opened. */
   openBegun(): Promise<void>;
 }
 

@@ -51,7 +51,6 @@ export function createTools(events: PanelEvents): Panel {
     label: 'Add a key',
     testId: 'add-key',
     icon: 'plus',
-    kind: 'plain',
     text: 'Add',
     onClick: events.onAdd,
   });
@@ -59,7 +58,6 @@ export function createTools(events: PanelEvents): Panel {
     label: 'Delete the selected key',
     testId: 'remove-key',
     icon: 'trash',
-    kind: 'plain',
     text: 'Delete',
     shortcut: 'Delete',
     onClick: events.onRemoveSelected,

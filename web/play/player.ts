@@ -22,7 +22,6 @@ export function createPlayer(show: (state: PlayState, touched: Touched) => void)
     label: 'Play the demonstration',
     testId: 'demonstration',
     icon: 'play',
-    kind: 'plain',
     text: 'Watch',
     onClick: () => set(!demonstration.running),
   });

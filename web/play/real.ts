@@ -37,7 +37,6 @@ export function createReal({ get, change }: RealParts): Panel {
   const take = button({
     label: 'Take it as the values',
     testId: 'take-real',
-    kind: 'plain',
     text: 'Take it',
     onClick() {
       const [page, index] = chosen.split('|');
@@ -48,7 +47,6 @@ export function createReal({ get, change }: RealParts): Panel {
   const back = button({
     label: 'Give the times, ends, tensions and biases back to the shape',
     testId: 'give-back',
-    kind: 'plain',
     text: 'Give times and ends back',
     onClick: () => send(backMessage(get())),
   });

@@ -1,15 +1,15 @@
-/** A command: what it does, and by which key and button. Keyboard, help and buttons read the same table. */
+/** A command: what it does, its keys and its button. Keyboard, help and buttons read the same table. */
 import type { IconName } from '../../ui/icons.ts';
 import type { Context } from './context.ts';
 
 export interface Action {
   /** `event.key`, lower case; with 'ctrl+' and 'shift+' before it where they are needed. */
   keys?: readonly string[];
-  /** The keys as help and tooltips show them, separated by two spaces. */
+  /** The keys in help and tooltips, separated by two spaces. */
   shown?: string;
-  /** For the help. */
+  /** The line in the help. */
   does?: string;
-  /** A key that edits closes the sheet that covers what is edited. */
+  /** It edits the document: its key first closes the sheet that covers the panels. */
   edits?: boolean;
   button?: Button;
   run(context: Context, ...args: never[]): unknown;
@@ -17,7 +17,7 @@ export interface Action {
 
 export type Actions = Readonly<Record<string, Action>>;
 
-/** In the header: at its start, for the history, or at its end; or among the views below the shape. */
+/** The header's start, its history or its end, or the bar below the shape. */
 export type Place = 'start' | 'history' | 'end' | 'views';
 
 export interface Button {
@@ -25,15 +25,15 @@ export interface Button {
   testId: string;
   label: string;
   icon?: IconName;
-  /** Stands beside the icon. */
+  /** Written beside the icon. */
   text?: string;
   kind?: 'primary';
   now?(context: Context): ButtonState;
 }
 
-/** How the button stands now. */
+/** What changes about a button. */
 export interface ButtonState {
-  /** Instead of the label in the tooltip; where it is the name itself, `label`. */
+  /** Replaces the label in the tooltip. */
   hint?: string;
   label?: string;
   disabled?: boolean;
@@ -43,12 +43,12 @@ export interface ButtonState {
 
 type Arguments<Run> = Run extends (context: Context, ...args: infer Args) => unknown ? Args : never;
 
-/** The commands, each with the app that it works on. */
+/** The commands without their first argument, the context. */
 export type Bound<Table extends Actions> = {
   readonly [Id in keyof Table]: (...args: Arguments<Table[Id]['run']>) => ReturnType<Table[Id]['run']>;
 };
 
-/** What fails is said; a promise of it resolves all the same. */
+/** Gives each command its context. A failure is shown on the page; its promise resolves all the same. */
 export function bindActions<Table extends Actions>(table: Table, context: Context): Bound<Table> {
   const { onError } = context.feedback;
   const bind =

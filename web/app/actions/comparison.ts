@@ -1,4 +1,4 @@
-/** Commands that show a motion beside another one, and presentations. */
+/** Commands that compare motions, and the presentation. */
 import { OWN_METHOD } from '../../engine/api/methods.ts';
 import type { Method } from '../../engine/api/types.ts';
 import { PRESENTED, holds } from '../../model/state.ts';
@@ -8,7 +8,7 @@ import type { Context } from './context.ts';
 import { jumpKey } from './time.ts';
 import { changeView } from './view.ts';
 
-/** From what everybody knows to what is nearest to the method. */
+/** From the best known method to the closest to ours. */
 const COMPARED: readonly Method[] = ['linear', 'cubic-vertex', 'geodesic', 'lri'];
 
 export const COMPARISON = {
@@ -34,7 +34,7 @@ export const COMPARISON = {
   compare: { run: (context, methods: Method[]) => changeView(context, { compare: methods }) },
   split: { run: (context, split: number) => changeView(context, { split }) },
   present: { run: present },
-  /** The plot alone beside the shape, or as it was. */
+  /** Shows the plot large beside the shape, or as before. */
   enlarge: { run: (context, plot: Plot) => present(context, presented(context) === plot ? null : plot) },
 } satisfies Actions;
 
@@ -46,7 +46,7 @@ export function present(context: Context, what: Presented | null): void {
   changeView(context, { present: what });
 }
 
-/** Puts a divider between the motion and another one, or takes it away with what came with it. */
+/** Puts a divider between the motion and another one, or removes it and restores what was compared before. */
 function toggleSplit(context: Context): void {
   const { doc, view } = context.session.store.get();
   const { compare, split } = view;
@@ -60,7 +60,7 @@ function toggleSplit(context: Context): void {
   changeView(context, { split: 0.5, compare: [other] });
 }
 
-/** One other method after the other behind a divider, then none. */
+/** Compares with the next method behind a divider; after the last one, with none. */
 function nextComparison(context: Context): void {
   const { doc, view } = context.session.store.get();
   const others = COMPARED.filter((method) => method !== doc.motion.method || holds(doc.motion));
@@ -69,7 +69,7 @@ function nextComparison(context: Context): void {
   else changeView(context, { compare: [], split: null });
 }
 
-/** In the presentation: one plot after the other, that of the guide's page first, then the shape alone. */
+/** In the presentation: the next plot, that of the guide's page first; after the last one, the shape alone. */
 function nextPlot(context: Context): void {
   const own = context.guide.now?.plot ?? null;
   const order: Presented[] = PRESENTED.filter((one) => one !== own);

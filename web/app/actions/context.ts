@@ -1,4 +1,4 @@
-/** What commands work on: the parts of the app, which know nothing of commands. */
+/** What commands work on: the parts of the app. The parts do not know the commands. */
 import type { AppState, Plot } from '../../model/state.ts';
 import type { End } from '../../model/speeds.ts';
 import type { Lazy } from '../../ui/lazy.ts';
@@ -27,20 +27,20 @@ export interface Context extends Ways {
   analysis: AnalysisCache;
   pace: MotionPaceFollower;
   takeFiles: TakeFiles;
-  /** What waits for the user's word about the files that were just opened. */
+  /** Offers what can be done about the files that were just opened; null takes the offer back. */
   offerImport(offer: Offer | null): void;
   guide: Lazy<GuideControl>;
-  /** There as soon as the page is. */
+  /** Not before the page is made. */
   readonly overlays: Overlays;
 }
 
-/** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
+/** What opens and saves: files and samples, work of an earlier visit, the page's address, exports. */
 export interface Ways {
   files: Opener;
   remembered: RememberedFiles;
   undo: Undo;
   animation: Lazy<Animation>;
-  /** Opens files of the user again. */
+  /** Opens a project of the user again. */
   openOwn(project: string): Promise<void>;
   link: PageLink;
   exporting: Lazy<ExportController>;
@@ -51,7 +51,7 @@ export interface Ways {
 export interface GuideControl {
   /** The plot that the page on show speaks of, or null. */
   readonly plot: Plot | null;
-  /** Leaves it where a page of it is being opened; true where that is what is under way, or the way back is. */
+  /** Stops opening a page of it, or the way back; false if neither was under way. */
   cancel(): boolean;
   close(): Promise<void>;
 }

@@ -1,4 +1,4 @@
-/** Commands that open something, and that compare with an animation. */
+/** Commands that open files or compare with an animation. */
 import { originalOf } from '../drawing/original.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
@@ -14,25 +14,25 @@ export const FILES = {
     button: { in: 'start', testId: 'open', label: 'Open files', icon: 'open', text: 'Open' },
     run: ({ overlays }) => overlays.pickFiles(),
   },
-  /** `place`: before which key they were put down, or null where they were not put among the keys. */
+  /** `place`: the files were dropped before this key; null: not among the keys. */
   take: { run: ({ takeFiles }, picked: Picked, place?: number | null) => takeFiles.take(picked, place) },
   sample: { run: ({ files }, id: string) => files.sample(id) },
   own: { run: ({ openOwn }, project: string) => openOwn(project) },
-  /** The sheet on opening an animation has been seen. */
+  /** Closes the sheet that asks which keys to take of an animation. */
   asked: { run: asked },
-  /** Takes the keys anew, at these seconds of the animation. */
+  /** Takes the keys again, at these seconds of the animation. */
   takeKeys: {
     run: (context, animation: number, times: number[]) =>
       besideOriginal(context, () => context.files.resample(animation, times)),
   },
-  /** Looks for the fewest keys of an animation, for an error in percent of the diagonal. */
+  /** Takes the fewest keys that stay within an error in percent of the diagonal. */
   takeFewest: {
     run: (context, animation: number, percent: number) =>
       besideOriginal(context, () => takeFewest(context, animation, percent)),
   },
   original: { run: showOriginal },
   pickTruth: { run: ({ overlays }) => overlays.pickTruth() },
-  /** An animation of other files, or again that of the keys. */
+  /** Compares with an animation of other files; null: with none. */
   compareWith: {
     async run(context, picked: Picked | null) {
       const { animation } = context;
@@ -56,7 +56,7 @@ async function takeFewest({ animation, viewState }: Context, of: number, percent
   if (fewest) viewState.change({ fewest });
 }
 
-/** Other keys leave the animation where it is shown. */
+/** Changes the keys and shows the animation again if it was shown. */
 async function besideOriginal(context: Context, work: () => Promise<unknown>): Promise<void> {
   const { viewState } = context;
   const { original } = viewState.get();

@@ -42,7 +42,7 @@ export const KEYS = {
     run: ({ session: { store } }, key: number, name: string) =>
       store.edit('rename a key', (doc) => renameKey(doc, key, name)),
   },
-  /** Who looks at the key goes with it. */
+  /** If the key is on the screen, the time moves with it. */
   retimeKey: {
     run({ session: { store } }, key: number, time: number) {
       const { doc, time: now, play } = store.get();
@@ -79,14 +79,14 @@ export const KEYS = {
   },
 } satisfies Actions;
 
-/** Of the keys as they are; null where they have changed meanwhile, or nothing runs. */
+/** The pace at the keys; null if they have changed meanwhile, or nothing is open. */
 async function paceOfKeys({ session: { store, sequence } }: Context): Promise<KeyPace | null> {
   const { keys } = store.get().doc;
   const pace = (await sequence()?.keyPace()) ?? null;
   return store.get().doc.keys === keys && pace?.tension.length === keys.length ? pace : null;
 }
 
-/** As much tension at each key as keeps its slope within the bound of `KeyPace`. */
+/** Gives each key just enough tension to keep its slope within the bound of `KeyPace`. */
 async function autoTightness(context: Context): Promise<void> {
   const pace = await paceOfKeys(context);
   if (!pace) return;
@@ -97,7 +97,7 @@ async function autoTightness(context: Context): Promise<void> {
   store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));
 }
 
-/** Takes the shape on the screen as a key at its own time. */
+/** Adds the shape on the screen as a key at its time. */
 async function addCurrent({ session, display }: Context): Promise<void> {
   const { store, workspace, range } = session;
   const { pool } = workspace;
@@ -111,7 +111,7 @@ async function addCurrent({ session, display }: Context): Promise<void> {
   store.edit('add a key', (before) => addKey(before, { pose, name: '', time: t }));
 }
 
-/** Why there can be no key at t, or null. */
+/** Why no key can be added at t, or null. */
 export function addReason(keyTimes: readonly number[], t: number, range: readonly [number, number]): string | null {
   const taken = keyTimes.some((time) => Math.abs(time - t) <= 1000 * SAME_TIME * length(range));
   return taken ? 'There is a key at this time already. Move the slider first.' : null;

@@ -52,7 +52,7 @@ export const MOTION = {
   },
   /** The next click on the shape pins it there. */
   placing: { run: ({ viewState }, placing: boolean) => viewState.change({ placing }) },
-  /** The shape on the screen and the stretch that plays stay what they are. */
+  /** The same shape stays on the screen, and the same part plays. */
   reverse: {
     run(context) {
       const { store, range } = context.session;
@@ -69,7 +69,7 @@ function changeMotion({ session: { store } }: Context, change: Partial<Motion>, 
   store.edit(undoName(change), (doc) => setMotion(doc, withBoundary(change, doc.motion)), merge);
 }
 
-/** A method that has no use for Hermite takes natural ends. */
+/** A method without Hermite ends gets natural ones. */
 function withBoundary(change: Partial<Motion>, { boundary }: Motion): Partial<Motion> {
   const straight = change.method !== undefined && METHOD[change.method].curve === 'polygon';
   return straight && boundary === 'hermite' ? { ...change, boundary: 'natural' } : change;

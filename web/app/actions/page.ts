@@ -1,4 +1,4 @@
-/** Commands on the page: its link, its colours, exports, the history, and the ways out. */
+/** Commands on the page: link, colours, export, undo, cancel. */
 import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ExportRequest } from '../../model/export-request.ts';
 import type { Actions, Button } from './action.ts';
@@ -109,7 +109,7 @@ function historyButton(testId: 'undo' | 'redo', verb: string, step: (context: Co
   return { in: 'history', testId, label: verb, icon: testId, now };
 }
 
-/** What is chosen counts at once: its plan may come after the next choice. */
+/** The choice counts at once. Its plan is worked out later. */
 async function planExport({ viewState, exporting }: Context, chosen: ExportRequest): Promise<void> {
   const request = { ...chosen };
   viewState.change({ exporting: { request, plan: null } });
@@ -131,7 +131,7 @@ function closeError({ viewState }: Context): void {
   viewState.change({ errorMessage: null });
 }
 
-/** Escape: ends the newest of what can be ended. */
+/** Escape ends one thing at a time. */
 function stepBack(context: Context): void {
   const { viewState, session, guide } = context;
   const { placing, working, blend, errorMessage, opening } = viewState.get();

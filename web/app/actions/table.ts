@@ -1,4 +1,4 @@
-/** All commands. The help lists those with keys, and the header shows those with buttons, in this order. */
+/** All commands, in the order of the help and of the buttons. */
 import type { Bound } from './action.ts';
 import { COMPARISON } from './comparison.ts';
 import { FILES } from './files.ts';

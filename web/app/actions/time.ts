@@ -1,4 +1,4 @@
-/** Commands on the time and on what plays. */
+/** Commands on time and playing. */
 import { loopRange, withEnd } from '../../model/frames.ts';
 import { keyboardStep } from '../../model/keyboard-step.ts';
 import type { LoopMode, Play } from '../../model/state.ts';
@@ -66,7 +66,7 @@ export const TIME = {
     run: ({ overlays }) => overlays.toggleClock(),
   },
   seek: { run: seek },
-  /** To a time that was typed, which the timeline shows then. */
+  /** Goes to a typed time and brings it into the timeline's view. */
   goTo: {
     run(context, t: number) {
       const { store, range } = context.session;
@@ -78,7 +78,7 @@ export const TIME = {
       seek(context, t);
     },
   },
-  /** The mouse points at a moment of the timeline, or at none any more. */
+  /** The mouse points at time t on the timeline; null: it has left. */
   peek: { run: ({ display }, t: number | null) => display.timePictures.want(t) },
   loop: { run: (context, loop: LoopMode) => play(context, { loop }) },
   speed: { run: (context, speed: number) => play(context, { speed }) },
@@ -89,7 +89,7 @@ export const TIME = {
   zoomTime: { run: zoomTime },
 } satisfies Actions;
 
-/** The visitor has found out how to move through time. */
+/** The visitor has moved through time: the welcome can go. */
 function used({ viewState }: Context): void {
   viewState.change({ welcome: false });
 }
@@ -105,7 +105,7 @@ export function seek(context: Context, t: number): void {
   used(context);
 }
 
-/** Arrows, Home, End and the page keys; false where it is none of them. */
+/** Moves by an arrow, Home, End or page key; false for any other key. */
 function step(context: Context, event: KeyboardEvent): boolean {
   const { store, range } = context.session;
   const { doc, time, play: clock } = store.get();
@@ -134,7 +134,7 @@ function window(context: Context, part: Range | null): void {
   changeView(context, { window: part && [part[0], part[1]] });
 }
 
-/** Playing starts or ends at t; null = at the moment on the screen. */
+/** Sets where playing starts or ends; null: at the time on the screen. */
 function loopEnd(context: Context, end: 'start' | 'end', t: number | null): void {
   const { store, range } = context.session;
   const { play: clock, time } = store.get();
@@ -143,7 +143,7 @@ function loopEnd(context: Context, end: 'start' | 'end', t: number | null): void
   between(context, withEnd(loopRange(clock.between, whole), whole, end, t ?? time, least));
 }
 
-/** Zooms the timeline about the playhead, or about its middle where that is out of sight. */
+/** Zooms the timeline about the playhead, or about its middle if the playhead is out of view. */
 function zoomTime(context: Context, factor: number): void {
   const { store, range } = context.session;
   const { doc, time: t, view } = store.get();

@@ -50,9 +50,9 @@ export const VIEW = {
     run: (context) => changeView(context, { film: !viewOf(context).film, onion: false }),
   },
   view: { run: changeView },
-  /** Shows a shape off the curve; null: the motion again. */
+  /** Shows a mixture of the keys; null shows the motion again. */
   blend: { run: showBlend },
-  /** Marks what an analysis speaks of. */
+  /** Marks on the shape what a figure shows. */
   mark: {
     run({ display: { marking } }, what: { face: number } | { patches: readonly number[] } | null) {
       if (!what) marking.component(null);

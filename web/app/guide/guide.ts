@@ -59,7 +59,7 @@ export function createGuide(parts: GuideParts): Guide {
   const back = createWayBack(parts);
   const panel = createGuidePanel(() => void guide.close());
   const answers = createAnswers(workspace, (answer) => panel.setLive(answer));
-  /** Whoever presents goes on doing so on the next page. */
+  /** A presentation goes on with the next page. */
   const presenting = (): boolean => store.get().view.present !== null;
   listenToClicker(
     () => page !== null && presenting(),
@@ -129,7 +129,7 @@ export function createGuide(parts: GuideParts): Guide {
   return guide;
 }
 
-/** Shows what a page speaks of besides its state; what that returns takes it back. */
+/** Shows what a page needs besides its state; the result undoes that. */
 function prepare(
   { panel, part, press, fill, beside }: GuidePage,
   { frame, showPanel }: Pick<GuideParts, 'frame' | 'showPanel'>,

@@ -1,4 +1,4 @@
-/** The buttons of commands, as their table has them. */
+/** Buttons made from the table of commands. */
 import { button, tooltip } from '../../ui/controls.ts';
 import { setAttribute, setHidden } from '../../ui/dom.ts';
 import type { Action, ButtonState, Place } from '../actions/action.ts';
@@ -7,7 +7,7 @@ import { ACTIONS } from '../actions/table.ts';
 import type { Commands } from '../actions/table.ts';
 import type { Connect } from './connect.ts';
 
-/** All that stand in a place, kept up to date. */
+/** The buttons of a place, kept up to date. */
 export function actionButtons(place: Place, context: Context, commands: Commands, connect: Connect): HTMLElement[] {
   const entries = Object.entries(ACTIONS) as [keyof Commands, Action][];
   return entries.flatMap(([id, { button: options, shown: shortcut }]) => {

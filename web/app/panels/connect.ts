@@ -1,4 +1,4 @@
-/** What the page shows at a moment, and the components that are shown it. */
+/** What the page shows, and how its components get their share. */
 import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { Component } from '../../ui/dom.ts';
@@ -26,7 +26,7 @@ export function shownOf({ session: { store, range }, viewState, theme }: Context
   };
 }
 
-/** Keeps a component up to date from now on; returns its element. */
+/** Keeps a component up to date; returns its element. */
 export type Connect = <Props>(component: Component<Props>, props: (shown: Shown) => Props) => HTMLElement;
 
 export interface Connections {
@@ -34,7 +34,7 @@ export interface Connections {
   update(shown: Shown): void;
 }
 
-/** They are updated in the order in which they were connected. */
+/** Components are updated in the order in which they were connected. */
 export function createConnections(): Connections {
   const updates: ((shown: Shown) => void)[] = [];
   return {
@@ -43,5 +43,16 @@ export function createConnections(): Connections {
       return component.element;
     },
     update: (shown) => updates.forEach((update) => update(shown)),
+  };
+}
+
+/** The same result as long as the arguments are the same. */
+export function latest<Args extends readonly unknown[], Result>(
+  make: (...args: Args) => Result,
+): (...args: Args) => Result {
+  let last: { args: Args; result: Result } | null = null;
+  return (...args) => {
+    if (!last?.args.every((arg, index) => arg === args[index])) last = { args, result: make(...args) };
+    return last.result;
   };
 }

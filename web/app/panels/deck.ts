@@ -14,12 +14,13 @@ import { createStatusLine } from '../../ui/status-line.ts';
 import { createTimeline } from '../../ui/timeline.ts';
 import type { TimelineProps } from '../../ui/timeline.ts';
 import { createTransport } from '../../ui/transport.ts';
-import type { WarningItem, WarningsList, WarningsProps } from '../../ui/warnings.ts';
+import type { WarningsList, WarningsProps } from '../../ui/warnings.ts';
 import { addReason } from '../actions/keys.ts';
 import type { Commands } from '../actions/table.ts';
 import { warningItems } from '../drawing/marking.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
 import type { ViewState } from '../view/view-state.ts';
+import { latest } from './connect.ts';
 import type { Connect, Shown } from './connect.ts';
 
 export interface Deck {
@@ -99,13 +100,13 @@ function createTime(commands: Commands, connect: Connect): Pick<Deck, 'transport
   return { transport: element, toggleClock: clockMenu.toggle };
 }
 
-/** Where the moment lies among the keys. */
+/** Where the time lies among the keys. */
 export function shownPhase({ state: { doc, play, time }, range }: Shown): Phase {
   const tolerance = play.playing ? PLAYING_TOLERANCE : undefined;
   return phaseOf({ t: time, keys: doc.keys, range, periodic: doc.motion.boundary === 'periodic', tolerance });
 }
 
-/** With Hermite ends, how fast the motion is there; else null. */
+/** The speeds at Hermite ends; null at other ends. */
 export function endSpeeds({ state: { doc }, disabled }: Shown): Speeds | null {
   const { boundary, startSpeed: start, endSpeed: end } = doc.motion;
   return boundary === 'hermite' && !disabled ? { start, end } : null;
@@ -142,7 +143,7 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
   const { doc, time } = state;
   const times = doc.keys.map((key) => key.time);
   return {
-    keys: keyItems(state, viewState),
+    keys: keyItems(doc, viewState.thumbnails),
     time,
     range,
     disabled,
@@ -152,30 +153,13 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
   };
 }
 
-/** The same list as long as nothing in it changes, so that the strip is not drawn anew on every frame. */
-const keyItems = (() => {
-  let last: { doc: unknown; thumbnails: unknown; items: KeyItem[] } | null = null;
-  return ({ doc }: AppState, { thumbnails }: ViewState): KeyItem[] => {
-    if (last?.doc !== doc || last.thumbnails !== thumbnails)
-      last = { doc, thumbnails, items: makeItems(doc, thumbnails) };
-    return last.items;
-  };
-})();
-
-function makeItems(doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] {
+// The same lists until something in them changes, so that strip and warnings are not redrawn on every frame.
+const itemsOf = latest(warningItems);
+const keyItems = latest((doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] => {
   const reference = referenceKey(doc);
   return doc.keys.map((key, index) => ({
     ...key,
     isReference: index === reference,
     thumbnail: thumbnails.get(key.pose) ?? null,
   }));
-}
-
-/** The same list as long as the warnings are the same. */
-const itemsOf = (() => {
-  let last: { warnings: unknown; items: WarningItem[] } | null = null;
-  return (warnings: ViewState['warnings']): WarningItem[] => {
-    if (last?.warnings !== warnings) last = { warnings, items: warningItems(warnings) };
-    return last.items;
-  };
-})();
+});

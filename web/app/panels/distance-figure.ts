@@ -40,14 +40,12 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     label: 'Compare with an animation of the same mesh; it can be dropped here, too',
     testId: 'truth-pick',
     text: 'An animation from a file…',
-    kind: 'plain',
     onClick: parts.onPickTruth,
   });
   const leave = button({
     label: 'Compare with this animation no more',
     testId: 'truth-leave',
     text: 'Without it',
-    kind: 'plain',
     onClick: parts.onLeaveTruth,
   });
   const tools = h('div', { class: 'plane-tools' }, pick, leave);

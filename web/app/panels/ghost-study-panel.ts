@@ -33,7 +33,6 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
     testId: 'study-start',
     icon: 'chart',
     text: 'Compare sizes',
-    kind: 'plain',
     onClick: () => void run(),
   });
   const working = createWorking(() => abort?.abort());
@@ -91,7 +90,6 @@ function createWorking(onCancel: () => void) {
     label: 'Cancel the comparison',
     testId: 'study-cancel',
     text: 'Cancel',
-    kind: 'plain',
     onClick: onCancel,
   });
   const element = h(

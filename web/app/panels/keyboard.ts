@@ -1,4 +1,4 @@
-/** The keys of the keyboard, as the table of commands has them. */
+/** The keyboard, from the table of commands. */
 import type { ShortcutLine } from '../../ui/help.ts';
 import type { Action } from '../actions/action.ts';
 import type { Context } from '../actions/context.ts';
@@ -7,7 +7,7 @@ import type { Commands } from '../actions/table.ts';
 
 const TABLE = Object.entries(ACTIONS) as [keyof Commands, Action][];
 
-/** What the help lists. */
+/** The lines of the help. */
 export const SHORTCUTS: readonly ShortcutLine[] = TABLE.flatMap(([, { shown, does }]) =>
   shown && does ? [{ keys: shown, does }] : [],
 );
@@ -29,15 +29,15 @@ export function listenToKeys({ viewState }: Context, commands: Commands): void {
     const id = byKey.get(nameOf(event, ctrl));
     if (!id) return;
     event.preventDefault();
-    // What is edited lies under the sheet.
+    // The sheet covers the panels.
     if ((ACTIONS[id] as Action).edits && viewState.get().opening) commands.asked();
     void (commands[id] as () => unknown)();
   });
 }
 
 /**
- * Arrow keys, Home and End move through time wherever the focus is, unless a control has its own use for them. The
- * viewport has.
+ * Arrow keys, Home and End move through time wherever the focus is, unless a control uses them itself. The viewport
+ * does.
  */
 export function listenToArrows(
   { session: { store }, viewState }: Context,

@@ -126,7 +126,6 @@ function createPlaneTools(onDraw: () => void, onPlay: () => void, onBack: () => 
     label: 'Draw a path in the plane and play it',
     testId: 'plane-draw',
     text: 'Draw a path',
-    kind: 'plain',
     onClick: onDraw,
   });
   const play = button({
@@ -134,7 +133,6 @@ function createPlaneTools(onDraw: () => void, onPlay: () => void, onBack: () => 
     testId: 'plane-play',
     icon: 'play',
     text: 'Play path',
-    kind: 'plain',
     onClick: onPlay,
   });
   const back = button({
@@ -142,7 +140,6 @@ function createPlaneTools(onDraw: () => void, onPlay: () => void, onBack: () => 
     testId: 'plane-back',
     text: 'Back to the motion',
     shortcut: 'Esc',
-    kind: 'plain',
     onClick: onBack,
   });
   return {

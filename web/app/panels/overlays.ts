@@ -1,4 +1,4 @@
-/** What opens over the page: dialogs, which are loaded when they are first needed, and choosers of files. */
+/** What opens over the page: dialogs, loaded when first needed, and file choosers. */
 import { playRange } from '../../model/frames.ts';
 import type { End } from '../../model/speeds.ts';
 import { bounces } from '../../model/state.ts';

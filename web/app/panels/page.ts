@@ -1,4 +1,4 @@
-/** The page: its components with their commands, the keyboard, and one redrawing per animation frame. */
+/** The page: its components, the keyboard, and one redraw per animation frame. */
 import { setAttribute } from '../../ui/dom.ts';
 import { createHeader } from '../../ui/header.ts';
 import { listenToCamera } from '../../viewer/camera-keys.ts';
@@ -28,13 +28,13 @@ export interface PageParts {
   context: Context;
   commands: Commands;
   offers: Offers;
-  /** All of it was drawn anew. */
+  /** Everything was redrawn. */
   onDrawn(): void;
 }
 
 export interface Page {
   overlays: Overlays;
-  /** Something that the components show has changed. */
+  /** Redraws on the next animation frame. */
   redraw(): void;
 }
 
@@ -91,7 +91,7 @@ export function createPage(parts: PageParts): Page {
   return { redraw, overlays: { ...dialogs, ...choosers, toggleLook, toggleClock } };
 }
 
-/** What is open comes before what is said of it. */
+/** The components wait for the first shape. */
 function waits({ session: { store }, display: { scene }, viewState }: Context): boolean {
   return store.get().source.kind !== 'none' && !scene.viewer.hasSeen && !viewState.get().errorMessage;
 }

@@ -22,7 +22,7 @@ export interface SideParts {
   context: Context;
   commands: Commands;
   connect: Connect;
-  /** There are figures now that a presentation may show. */
+  /** The figures are there, for a presentation to show. */
   onFilled(): void;
 }
 
@@ -132,7 +132,7 @@ function createShape(context: Context, commands: Commands, connect: Connect): HT
     disabled,
   }));
   connect(ghostStudy, ({ viewState }) => {
-    // Not before the first shape is seen, which needs none of it.
+    // The first shape does not need it.
     if (viewState.ms !== null) void ghostStudy.need();
   });
   return shapePanel.element;

@@ -1,4 +1,4 @@
-/** What lies over the shape: views, labels, the divider, the phase, and what is said there. */
+/** Over the shape: views, labels, divider, phase and messages. */
 import { OFF_CURVE } from '../../model/time-scale.ts';
 import { viridisGradient } from '../../plots/viridis.ts';
 import { createColourBar } from '../../ui/colour-bar.ts';
@@ -66,7 +66,7 @@ export function createStage(context: Context, commands: Commands, connect: Conne
   };
 }
 
-/** A film strip shows no one moment; a first key is not of what is open. */
+/** A film strip shows many times; a first key does not belong to the open motion. */
 function phaseProps(shown: Shown): PhaseLabelProps {
   const { state, viewState, disabled } = shown;
   const none = disabled || state.view.film || viewState.seen === 'first key';
@@ -86,7 +86,7 @@ function welcomeProps({ state: { view }, viewState }: Shown, { display: { scene 
   return {
     wanted: viewState.welcome,
     givesWay: scene.colourBar !== null || labelled || message,
-    // The divider is on its way: what it says of it is not said after something else.
+    // The divider may not be drawn yet: its sentence comes at once.
     split: view.split !== null && view.compare.length === 1,
   };
 }

@@ -66,12 +66,12 @@ export function leftRequest(left: Remembered | Work, samples: readonly Sample[],
   return { input: files, options, source, project, step, begins: sample ?? 'files', left };
 }
 
-/** The keys are taken anew, at these seconds of the animation's own timeline. */
+/** Takes the keys again, at these seconds of the animation's own timeline. */
 export function momentsRequest(present: Present, animation: number, times: number[]): OpenRequest {
   return { ...readAgain(present, { animation, sample: times }), stays: true };
 }
 
-/** The keys are taken from the animation that the files hold themselves, at the times that are taken by default. */
+/** Takes the keys from the files' own animation, at the default times. */
 export function animationRequest(present: Present): OpenRequest {
   return { ...readAgain(present, { animation: 0 }), stays: true, begins: 'files' };
 }

@@ -52,7 +52,7 @@ export interface OpenerParts {
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
   onOpened(opened: Opened): void;
-  /** The files were read anew for the same document: what is shown is to be made of them. */
+  /** The files were read again for the same document: the motions are to be made from them. */
   onRead(): void;
   /** Of reading further poses; an import is told of by the workspace. */
   onWorking(working: Progress | null): void;
@@ -144,7 +144,7 @@ export class Opener {
     return this.again(this.openings.after, 'forth');
   }
 
-  /** Takes the keys anew, at these seconds of the animation's own timeline. */
+  /** Takes the keys again, at these seconds of the animation's own timeline. */
   resample(animation: number, times: number[]): Promise<boolean> {
     return this.guarded(() => this.meet(momentsRequest(this.present, animation, times)));
   }

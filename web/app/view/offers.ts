@@ -1,4 +1,4 @@
-/** What waits for the user's word, over the shape. */
+/** Offers over the shape that the user accepts or declines. */
 import { createOffer } from '../../ui/messages.ts';
 
 export function createOffers() {
