@@ -1,3 +1,5 @@
+import { readdirSync } from 'node:fs';
+import path from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Action } from '../../web/app/actions/action.ts';
 import { bindActions } from '../../web/app/actions/action.ts';
@@ -18,9 +20,10 @@ describe('the table of commands', () => {
   });
 
   it('keeps commands of different files apart', async () => {
-    const names = ['comparison', 'files', 'keys', 'motion', 'page', 'shape', 'time', 'view'];
-    const modules = await Promise.all(names.map((name) => import(`../../web/app/actions/${name}.ts`)));
-    const tables = modules.map((module, index) => module[names[index]!.toUpperCase()] as object);
+    const folder = path.resolve(import.meta.dirname, '../../web/app/actions');
+    const files = readdirSync(folder).filter((name) => !['action.ts', 'context.ts', 'table.ts'].includes(name));
+    const modules = await Promise.all(files.map((name) => import(path.join(folder, name))));
+    const tables = modules.map((module, index) => module[path.parse(files[index]!).name.toUpperCase()] as object);
     const ids = tables.flatMap((table) => Object.keys(table));
     expect(ids).toHaveLength(Object.keys(ACTIONS).length);
   });

@@ -29,9 +29,10 @@ export const PAGE = {
       now: ({ viewState }) => ({ disabled: viewState.get().info === null }),
     },
     run(context) {
-      if (!context.viewState.get().info) return;
-      void planExport(context, context.viewState.get().exporting.request);
+      const { info, exporting } = context.viewState.get();
+      if (!info) return undefined;
       context.overlays.openExport();
+      return planExport(context, exporting.request);
     },
   },
   copyLink: {
