@@ -6,8 +6,8 @@
 
 #include "core/sequence/elimination_order.h"
 #include "core/sequence/sequence.h"
-#include "shapes/bench_mesh.h"
 #include "shapes.h"
+#include "shapes/bench_mesh.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

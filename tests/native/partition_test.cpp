@@ -9,9 +9,9 @@
 #include "core/patches/face_clusters.h"
 #include "core/patches/patch_coordinates.h"
 #include "core/sequence/welded_keys.h"
+#include "shapes.h"
 #include "shapes/bench_mesh.h"
 #include "shapes/bench_parts.h"
-#include "shapes.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

@@ -8,8 +8,8 @@
 #include "core/mesh/measures.h"
 #include "core/mesh/triangle.h"
 #include "laplacian_meshes.h"
-#include "shapes/bench_mesh.h"
 #include "shapes.h"
+#include "shapes/bench_mesh.h"
 
 using namespace shapespline;
 using namespace shapespline::test;

@@ -12,8 +12,8 @@
 #include "core/sparse/subtree_partition.h"
 #include "helper_thread.h"
 #include "laplacian_meshes.h"
-#include "shapes/bench_mesh.h"
 #include "shapes.h"
+#include "shapes/bench_mesh.h"
 
 using namespace shapespline;
 using namespace shapespline::test;
