@@ -1,4 +1,4 @@
-/** The README's list of options says what the table of options says. */
+/** The list of options, web/engine/OPTIONS.md, says what the table of options says. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../../../web/engine/api/option-table.ts';
@@ -26,8 +26,8 @@ const EXPECTED = [
 /** Lines are broken anywhere. */
 const onOneLine = (text: string): string => text.replace(/\s+/g, ' ').trim();
 
-it('the list in the README agrees with the table', () => {
-  const readme = readFileSync(new URL('../../../web/engine/README.md', import.meta.url), 'utf8');
-  const [, listed] = readme.split('<!-- options -->');
+it('the list agrees with the table', () => {
+  const list = readFileSync(new URL('../../../web/engine/OPTIONS.md', import.meta.url), 'utf8');
+  const [, listed] = list.split('<!-- options -->');
   expect(onOneLine(listed!)).toBe(onOneLine(EXPECTED));
 });

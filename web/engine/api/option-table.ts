@@ -1,7 +1,7 @@
 /**
  * Every option of the engine, described once: what it may be, its default, its flag on the command line, its name in
  * the page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the
- * command line with its help, the page's document with links, undo and CSV, and the list in the README. Plain data;
+ * command line with its help, the page's document with links, undo and CSV, and the list in OPTIONS.md. Plain data;
  * imports nothing.
  */
 
@@ -89,7 +89,7 @@ interface Values {
 }
 
 interface Described {
-  /** What the help of the command line and the README say. */
+  /** What the help of the command line and OPTIONS.md say. */
   help: string;
   /** On the command line: the flag without its dashes, and what stands for its value. */
   flag?: string;
