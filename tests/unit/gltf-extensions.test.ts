@@ -1,4 +1,4 @@
-/** The lists of glTF extensions in the README of wasm/io are those of the code. */
+/** The lists in wasm/io/gltf/EXTENSIONS.md are those of the code. */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { expect, it } from 'vitest';
@@ -11,7 +11,7 @@ const TITLES = { Applied: 'Applied', Decoded: 'Decoded', Harmless: 'Harmless', I
 it.each(Object.entries(TITLES))('%s', (use, title) => {
   const code = read('gltf_extensions.cpp').matchAll(/\{"([^"]+)", (\w+)\}/g);
   const inCode = Array.from(code).flatMap(([, name, of]) => (of === use ? [name] : []));
-  const item = read('../README.md')
+  const item = read('EXTENSIONS.md')
     .split(/^- \*\*/m)
     .find((text) => text.startsWith(`${title}**`));
   const inList = Array.from(item!.split('\n\n')[0]!.matchAll(/`([A-Z][\w*]+)`/g), ([, name]) => name);

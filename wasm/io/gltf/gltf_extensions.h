@@ -1,5 +1,5 @@
-// The extensions of glTF that are registered, and what becomes of each. The README of io has the
-// same lists.
+// The extensions of glTF that are registered, and what becomes of each. EXTENSIONS.md has the same
+// lists.
 #pragma once
 
 #include <span>
