@@ -1,4 +1,4 @@
-/** Files and folders that READMEs name are there. */
+/** Files and folders that documents name are there; READMEs are short. */
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -20,14 +20,14 @@ for (const file of files.filter(Boolean)) {
 /** Made by the build, or outside of the repository. */
 const ELSEWHERE = /^(build|dist|\.toolchain|tests\/fuzz\/found|\.\.\/shared)\b/;
 /** Text in backticks that is a path, and in the first column of a table the name of a file. */
-function namedIn(readme: string): string[] {
-  const text = readFileSync(path.join(root, readme), 'utf8').replace(/```[\s\S]*?```/g, '');
+function namedIn(document: string): string[] {
+  const text = readFileSync(path.join(root, document), 'utf8').replace(/```[\s\S]*?```/g, '');
   const spans = (of: string): string[] => Array.from(of.matchAll(/`([\w.-]+(?:\/[\w.-]+)*\/?)`/g), ([, name]) => name!);
   const firstCells = Array.from(text.matchAll(/^\| *((?:`[^`|]+`(?:, )?)+) *\|/gm), ([, cell]) => cell!);
   return [...new Set([...spans(text).filter((name) => name.includes('/')), ...firstCells.flatMap(spans)])];
 }
 
-/** Seen from the README's folder, from a folder in it, from the root, or from the core that the main README maps. */
+/** Seen from the document's folder, from a folder in it, from the root, or from the core that the main README maps. */
 function isThere(name: string, folder: string): boolean {
   const clean = name.replace(/\/$/, '');
   const candidates = [path.join(folder, clean), clean, path.join('wasm/core', clean)];
@@ -37,11 +37,24 @@ function isThere(name: string, folder: string): boolean {
   );
 }
 
-describe('READMEs name what is there', () => {
-  it.each(files.filter((file) => /(^|\/)(README|CONTRIBUTING)\.md$/.test(file)))('%s', (readme) => {
-    const folder = path.dirname(readme) === '.' ? '' : path.dirname(readme);
+describe('documents name what is there', () => {
+  const documents = files.filter((file) => /(?<!CHANGELOG)\.md$/.test(file) && !file.includes('bench/results/'));
+  it.each(documents)('%s', (document) => {
+    const folder = path.dirname(document) === '.' ? '' : path.dirname(document);
     const made = (name: string): boolean => [name, path.join(folder, name)].some((one) => ELSEWHERE.test(one));
-    const missing = namedIn(readme).filter((name) => !made(name) && !isThere(name, folder));
+    const missing = namedIn(document).filter((name) => !made(name) && !isThere(name, folder));
     expect(missing).toEqual([]);
+  });
+});
+
+/** The front page, and what npm shows to users. */
+const FOR_USERS = ['README.md', 'web/package/README.md'];
+const MOST_LINES = 60;
+
+describe(`READMEs have at most ${MOST_LINES} lines, generated tables aside`, () => {
+  it.each(files.filter((file) => file.endsWith('/README.md') && !FOR_USERS.includes(file)))('%s', (readme) => {
+    // Generated tables stand between two equal markers.
+    const text = readFileSync(path.join(root, readme), 'utf8').replace(/(<!-- \w+ -->)[\s\S]*?\1/g, '');
+    expect(text.trimEnd().split('\n').length).toBeLessThanOrEqual(MOST_LINES);
   });
 });
