@@ -136,11 +136,19 @@ describe('the bindings', () => {
 
   it('report progress that ends at 1 and names its stages', async () => {
     const { core } = await localCore();
-    const seen: [string, number][] = [];
-    core.encode(bendData(), (stage, fraction) => seen.push([stage, fraction]));
-    expect(seen.length).toBeGreaterThan(2);
-    expect(seen.every(([stage, fraction]) => stage.length > 0 && fraction >= 0 && fraction <= 1)).toBe(true);
-    expect(seen.map(([, f]) => f)).toEqual(seen.map(([, f]) => f).sort((a, b) => a - b));
-    expect(seen.at(-1)?.[1]).toBe(1);
+    const encoding: [string, number][] = [];
+    const making: [string, number][] = [];
+    const shape = core.encode(bendData(), (...progress) => encoding.push(progress));
+    core.motion(shape, motion, null, { report: (...progress) => making.push(progress) });
+    for (const seen of [encoding, making]) {
+      const fractions = seen.map(([, fraction]) => fraction);
+      expect(seen.length).toBeGreaterThan(1);
+      expect(seen.every(([stage, fraction]) => stage.length > 0 && fraction >= 0 && fraction <= 1)).toBe(true);
+      expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
+      expect(fractions.at(-1)).toBe(1);
+    }
+    const again: unknown[] = [];
+    core.motion(shape, motion, null, { report: (...progress) => again.push(progress) });
+    expect(again).toEqual([]);
   });
 });

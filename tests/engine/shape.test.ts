@@ -16,6 +16,7 @@ describe('a shape', () => {
     const engine = testEngine();
     const { keys } = await bendKeys(engine);
     const shape = await engine.encode(keys);
+    await shape.motion();
     const before = await shape.stats();
     const choices = [
       {},
@@ -40,6 +41,41 @@ describe('a shape', () => {
     const after = await shape.stats();
     expect([after.encodings, after.factorisations]).toEqual([before.encodings, before.factorisations]);
     expect([after.encodeMs, after.factorMs]).toEqual([before.encodeMs, before.factorMs]);
+  });
+
+  it('makes LRI space with the first motion that needs it, or for a question about it', async () => {
+    const made = async (shape: Shape): Promise<number[]> => {
+      const { encodings, factorisations, patches } = await shape.stats();
+      return [encodings, factorisations, Math.sign(patches)];
+    };
+    const { engine, shape } = await encoded();
+    const stages = new Set<string>();
+    const onProgress = ({ stage }: { stage: string }): void => void stages.add(stage);
+    const blend = await shape.motion({ method: 'linear' }, { onProgress });
+    expect((await blend.evaluate(0.5))?.t).toBe(0.5);
+    expect(await shape.components()).toContain(0);
+    expect(await made(shape)).toEqual([0, 0, 0]);
+    expect(stages.size).toBe(0);
+    await shape.motion({ method: 'geodesic' }, { onProgress });
+    expect(await made(shape)).toEqual([1, 2, 1]);
+    expect([...stages]).toEqual(expect.arrayContaining(['encoding', 'factorising']));
+    const sequence = await engine.createSequence((await bendKeys(engine)).keys, { method: 'cubic-vertex' });
+    expect((await sequence.stats()).encodings).toBe(0);
+    expect((await sequence.shapePlane([0.5])).curve).toHaveLength(2);
+    expect((await sequence.stats()).encodings).toBe(1);
+  });
+
+  it('is there again after the making of LRI space was cancelled', async () => {
+    const { shape } = await encoded();
+    const blend = await shape.motion({ method: 'linear' });
+    const before = (await frameAt(blend, 0.3)).positions;
+    const controller = new AbortController();
+    const motion = failureOf(shape.motion({}, { signal: controller.signal, onProgress: () => controller.abort() }));
+    expect((await motion).code).toBe('cancelled');
+    expect((await shape.stats()).encodings).toBe(0);
+    expect((await frameAt(blend, 0.3)).positions).toEqual(before);
+    expect((await (await shape.motion()).evaluate(0.3))?.t).toBe(0.3);
+    expect((await shape.stats()).encodings).toBe(1);
   });
 
   it('answers for its motions in turn, and each keeps its own newest request', async () => {

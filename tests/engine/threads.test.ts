@@ -9,7 +9,7 @@ import { WasmCore } from '../../web/engine/worker/wasm-core.ts';
 import type { Frame, Progress } from '../../web/engine/api/types.ts';
 import type { CreateWasmModule, WasmModule } from '../../web/engine/worker/wasm-module.ts';
 import { provideOrder, type SharedOrder, sharedOrder } from '../../web/engine/wire/shared-order.ts';
-import { bendData, createBend } from './support/core.ts';
+import { bendData, createBend, motion } from './support/core.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar } from './support/shapes.ts';
 
@@ -97,8 +97,11 @@ describe('a large sequence', () => {
   it('is eliminated in the order that another worker found', async () => {
     const { core } = await started(createWasm, 'shapespline');
     const request = bendData(bar(8, 80));
-    const factorWith = (order: SharedOrder | null): number =>
-      core.ask('stats', core.encode({ ...request, order }), {}).factorBytes;
+    const factorWith = (order: SharedOrder | null): number => {
+      const shape = core.encode(request);
+      core.motion(shape, motion, null, { order });
+      return core.ask('stats', shape, {}).factorBytes;
+    };
     const own = factorWith(null);
     const empty = (): SharedOrder => sharedOrder(request.positions[0]!.length / 3);
     const factorBy = (order: Int32Array): number => {

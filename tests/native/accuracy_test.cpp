@@ -2,8 +2,8 @@
 // key, the others what should be there.
 #include <doctest/doctest.h>
 
-#include "core/mesh/measures.h"
 #include "dense.h"
+#include "kg_error.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"

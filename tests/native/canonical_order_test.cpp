@@ -91,8 +91,8 @@ void checkSameMotion(const Keyframes& k, std::uint32_t seed, const EncodingOptio
   const Shuffled other = shuffled(k, seed);
   Sequence a = sequenceOf(k, encoding), b = sequenceOf(other.keyframes, encoding);
   std::vector<int> patches;
-  for (int f : other.face) patches.push_back(a.patchOfFace()[f]);
-  CHECK(patches == b.patchOfFace());
+  for (int f : other.face) patches.push_back(a.encoded().lri().patchOfInputFace()[f]);
+  CHECK(patches == b.encoded().lri().patchOfInputFace());
   double largest = 0;
   const double start = k.keys.front().time, span = k.keys.back().time - start;
   for (double s = -0.4; s <= 1.4; s += 0.045) {
@@ -103,11 +103,12 @@ void checkSameMotion(const Keyframes& k, std::uint32_t seed, const EncodingOptio
   if (encoding.ghostFaces == 0) return;
   CHECK(a.stats().ghostFaces == b.stats().ghostFaces);
   std::vector<int> follows;
-  for (int f : other.face) follows.push_back(a.ghost().ghostFaceOf[f]);
-  CHECK(follows == b.ghost().ghostFaceOf);
-  CHECK(a.ghost().faces == b.ghost().faces);
-  for (std::size_t g = 0; g < b.ghost().vertexOf.size(); ++g)
-    CHECK(k.keys[0].positions[a.ghost().vertexOf[g]] == other.keyframes.keys[0].positions[b.ghost().vertexOf[g]]);
+  for (int f : other.face) follows.push_back(a.encoded().lri().ghost().ghostFaceOf[f]);
+  CHECK(follows == b.encoded().lri().ghost().ghostFaceOf);
+  CHECK(a.encoded().lri().ghost().faces == b.encoded().lri().ghost().faces);
+  for (std::size_t g = 0; g < b.encoded().lri().ghost().vertexOf.size(); ++g)
+    CHECK(k.keys[0].positions[a.encoded().lri().ghost().vertexOf[g]] ==
+          other.keyframes.keys[0].positions[b.encoded().lri().ghost().vertexOf[g]]);
 }
 
 EncodingOptions withGhost(int faces) {

@@ -160,16 +160,17 @@ TEST_CASE("discrete path: the feature vector of a sequence tends to the spline i
     auto s =
         Sequence::create(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), motion);
     REQUIRE(s.ok());
-    CHECK(s->shapePlane({}).explained == doctest::Approx(1));  // three keys: the plane holds the whole metric
+    CHECK(s->featureCurve()->plane({}).explained ==
+          doctest::Approx(1));  // three keys: the plane holds the whole metric
     const auto distance = [&](int intervals) {
       const int samples = boundary == BoundaryKind::Periodic ? intervals : intervals + 1;
-      const auto path = s->discretePath(samples);
+      const auto path = s->featureCurve()->discretePath(samples);
       REQUIRE(path.ok());
       CHECK(path->energy > 0);
       CHECK(path->curveEnergy >= path->energy);  // the keys are samples
       CHECK(path->curveEnergy < 1.1 * path->energy);
       REQUIRE(path->weights.size() == 3 * std::size_t(samples));
-      const ShapePlane plane = s->shapePlane(path->times);
+      const ShapePlane plane = s->featureCurve()->plane(path->times);
       REQUIRE(plane.curve.size() == path->plane.size());
       double largest = 0;
       for (std::size_t i = 0; i < plane.curve.size(); ++i)
@@ -179,6 +180,6 @@ TEST_CASE("discrete path: the feature vector of a sequence tends to the spline i
     const double coarse = distance(60), fine = distance(240);
     MESSAGE("in the metric: " << coarse << " at 60 samples, " << fine << " at 240");
     CHECK(fine < coarse / 14);  // second order: 16
-    CHECK(s->discretePath(2).error().code == ErrorCode::InvalidOption);
+    CHECK(s->featureCurve()->discretePath(2).error().code == ErrorCode::InvalidOption);
   }
 }

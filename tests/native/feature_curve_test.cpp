@@ -29,21 +29,21 @@ TEST_CASE("shape plane: a blend of vertices meets the keys and leaves their plan
     encoding.ghostFaces = ghostFaces;
     Sequence ours = moved(Method::Lri, encoding), blend = moved(Method::Linear, encoding);
     const std::vector<double> keys = ours.motion().keyTimes();
-    const ShapePlane atKeys = blend.shapePlane(keys);
+    const ShapePlane atKeys = blend.featureCurve()->plane(keys);
     for (std::size_t i = 0; i < atKeys.keys.size(); ++i)
       CHECK(atKeys.curve[i] == doctest::Approx(atKeys.keys[i]).epsilon(1e-9));
     CHECK(largest(atKeys.distance) < 1e-6);
     const std::vector<double> between = {0.25 * keys[1], 0.5 * keys[1], keys[1] + 0.5 * (keys[2] - keys[1])};
     // three keys span a plane: what is made of their coordinates lies in it
-    CHECK(largest(ours.shapePlane(between).distance) < 1e-6);
-    for (const double distance : blend.shapePlane(between).distance) CHECK(distance > 0.05);
+    CHECK(largest(ours.featureCurve()->plane(between).distance) < 1e-6);
+    for (const double distance : blend.featureCurve()->plane(between).distance) CHECK(distance > 0.05);
   }
 }
 
 TEST_CASE("shape plane: the weights are those of the motion") {
   Sequence s = moved(Method::Lri);
   const std::vector<double> times = {-0.5, 0, 0.3, 2};
-  const ShapePlane plane = s.shapePlane(times);
+  const ShapePlane plane = s.featureCurve()->plane(times);
   REQUIRE(plane.weights.size() == 3 * times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double* w = &plane.weights[3 * i];
@@ -72,7 +72,7 @@ TEST_CASE("shape plane: the shapes that stand for end tangents are where the mot
   Sequence s = sequenceOf(keyframes(bar, {bend(0), bend(1), twist(1)}), encoding, motion);
   const std::vector<double> keys = s.motion().keyTimes();
   const double h = 1e-5;
-  const ShapePlane plane = s.shapePlane({keys.front(), keys.front() + h, keys.back() - h, keys.back()});
+  const ShapePlane plane = s.featureCurve()->plane({keys.front(), keys.front() + h, keys.back() - h, keys.back()});
   REQUIRE(plane.tangents.size() == 4);
   for (const int axis : {0, 1}) {
     CAPTURE(axis);
@@ -82,12 +82,13 @@ TEST_CASE("shape plane: the shapes that stand for end tangents are where the mot
     CHECK((curve(1) - curve(0)) / h == doctest::Approx(start).epsilon(1e-3));
     CHECK((curve(3) - curve(2)) / h == doctest::Approx(end).epsilon(1e-3));
   }
-  CHECK(moved(Method::Lri).shapePlane({0}).tangents.empty());
+  CHECK(moved(Method::Lri).featureCurve()->plane({0}).tangents.empty());
 
   // two keys lie on a line: a tangent shape beside it spans the plane
   encoding.startTangent.reset();
   Sequence two = sequenceOf(keyframes(bar, {bend(0), twist(1)}), encoding, motion);
-  const ShapePlane spanned = two.shapePlane({two.motion().keyTimes().front(), two.motion().keyTimes().back()});
+  const ShapePlane spanned =
+      two.featureCurve()->plane({two.motion().keyTimes().front(), two.motion().keyTimes().back()});
   CHECK(std::abs(spanned.keys[1]) < 1e-9);
   CHECK(std::abs(spanned.keys[3]) < 1e-9);
   REQUIRE(spanned.tangents.size() == 2);
@@ -101,7 +102,7 @@ TEST_CASE("bending: what is linear between keys turns at them alone, in shape sp
     Sequence s = moved(method);
     const std::vector<double> keys = s.motion().keyTimes();
     const double h = (keys[2] - keys[0]) / 100, a = keys[1] - keys[0], b = keys[2] - keys[1];
-    const std::vector<double> energy = s.bendingEnergy({keys[0] + 0.5 * a, keys[1], keys[1] + 0.5 * b});
+    const std::vector<double> energy = s.featureCurve()->bendingEnergy({keys[0] + 0.5 * a, keys[1], keys[1] + 0.5 * b});
     CHECK(energy[0] < 1e-12 * energy[1]);
     CHECK(energy[2] < 1e-12 * energy[1]);
     // |(x2 - x1) / b - (x1 - x0) / a|^2 / h^2 is between what the two steps allow
@@ -110,16 +111,16 @@ TEST_CASE("bending: what is linear between keys turns at them alone, in shape sp
   }
   Sequence cubic = moved(Method::CubicVertex), linear = moved(Method::Linear);
   const double key = cubic.motion().keyTimes()[1];
-  CHECK(cubic.bendingEnergy({key})[0] < 0.01 * linear.bendingEnergy({key})[0]);
+  CHECK(cubic.featureCurve()->bendingEnergy({key})[0] < 0.01 * linear.featureCurve()->bendingEnergy({key})[0]);
 }
 
 TEST_CASE("a face over time passes through its coordinates at the keys") {
   Sequence s = moved(Method::Lri), straight = moved(Method::Geodesic);
   const std::vector<double> keys = s.motion().keyTimes();
   for (const int face : {0, 50}) {
-    const auto curve = s.faceCurve(face, keys), other = straight.faceCurve(face, keys);
+    const auto curve = s.featureCurve()->face(face, keys), other = straight.featureCurve()->face(face, keys);
     REQUIRE(curve.ok());
-    CHECK(curve->patch == s.patchOfFace()[face]);
+    CHECK(curve->patch == s.encoded().lri().patchOfInputFace()[face]);
     REQUIRE(curve->numbers.size() == 18);
     // every curve through the keys is there
     for (int i = 0; i < 18; ++i) CHECK(curve->numbers[i] == doctest::Approx(other->numbers[i]));
@@ -129,13 +130,13 @@ TEST_CASE("a face over time passes through its coordinates at the keys") {
   }
   // the natural motion is itself; another boundary leaves it, except at the keys
   const std::vector<double> times = {keys[0], keys[0] + 0.3 * (keys[1] - keys[0]), keys[1], keys[2]};
-  const auto own = s.faceCurve(50, times);
+  const auto own = s.featureCurve()->face(50, times);
   CHECK(own->natural == own->numbers);
   MotionOptions eased;
   eased.boundary = BoundaryKind::Hermite;
   eased.startSpeed = 0;
   Sequence e = sequenceOf(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), eased);
-  const auto other = e.faceCurve(50, times);
+  const auto other = e.featureCurve()->face(50, times);
   double off = 0;
   for (std::size_t i = 0; i < own->natural.size(); ++i) {
     CHECK(other->natural[i] == doctest::Approx(own->natural[i]));
@@ -143,8 +144,8 @@ TEST_CASE("a face over time passes through its coordinates at the keys") {
     off = std::max(off, std::abs(other->numbers[i] - own->numbers[i]));
   }
   CHECK(off > 1e-3);
-  CHECK(s.faceCurve(-1, keys).error().code == ErrorCode::InvalidOption);
-  CHECK(s.faceCurve(static_cast<int>(s.faces().size()), keys).error().code == ErrorCode::InvalidOption);
+  CHECK(s.featureCurve()->face(-1, keys).error().code == ErrorCode::InvalidOption);
+  CHECK(s.featureCurve()->face(static_cast<int>(s.faces().size()), keys).error().code == ErrorCode::InvalidOption);
 }
 
 TEST_CASE("a patch over time turns against each neighbour as the two turn at the keys") {
@@ -155,7 +156,7 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
     return Quaternion(q[0], q[1], q[2], q[3]);
   };
   const std::vector<double> times = {keys[0], keys[1], 0.5 * (keys[1] + keys[2]), keys[2]};
-  const auto curve = s.patchCurve(0, times);
+  const auto curve = s.featureCurve()->patch(0, times);
   REQUIRE(curve.ok());
   REQUIRE(!curve->neighbours.empty());
   CHECK(curve->numbers.size() == times.size() * (1 + 4 * curve->neighbours.size()));
@@ -173,7 +174,7 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
       turned = std::max(turned, expected.angularDistance(Quaternion::Identity()));
     }
     // seen from the other patch it is the other way round
-    const auto back = s.patchCurve(curve->neighbours[n], times);
+    const auto back = s.featureCurve()->patch(curve->neighbours[n], times);
     const auto& around = back->neighbours;
     const auto at = std::find(around.begin(), around.end(), 0) - around.begin();
     REQUIRE(at < static_cast<std::ptrdiff_t>(around.size()));
@@ -185,12 +186,13 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
   eased.boundary = BoundaryKind::Hermite;
   eased.startSpeed = 0;
   Sequence e = sequenceOf(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), eased);
-  const auto other = e.patchCurve(0, times);
+  const auto other = e.featureCurve()->patch(0, times);
   CHECK(other->natural == curve->natural);
   CHECK(other->numbers != other->natural);
-  const int count = 1 + *std::max_element(s.patchOfFace().begin(), s.patchOfFace().end());
-  CHECK(s.patchCurve(-1, keys).error().code == ErrorCode::InvalidOption);
-  CHECK(s.patchCurve(count, keys).error().code == ErrorCode::InvalidOption);
+  const int count =
+      1 + *std::max_element(s.encoded().lri().patchOfInputFace().begin(), s.encoded().lri().patchOfInputFace().end());
+  CHECK(s.featureCurve()->patch(-1, keys).error().code == ErrorCode::InvalidOption);
+  CHECK(s.featureCurve()->patch(count, keys).error().code == ErrorCode::InvalidOption);
 }
 
 TEST_CASE("the stretch of a patch is that of its area: slivers count as little as they cover") {
@@ -204,14 +206,14 @@ TEST_CASE("the stretch of a patch is that of its area: slivers count as little a
   double sum = 0, total = 0, plain = 0;
   int count = 0;
   for (int face = 0; face < static_cast<int>(s.faces().size()); ++face) {
-    if (s.patchOfFace()[face] != 0) continue;
+    if (s.encoded().lri().patchOfInputFace()[face] != 0) continue;
     const auto& [a, b, c] = s.faces()[face];
     const double area = (rest[b] - rest[a]).cross(rest[c] - rest[a]).norm();
-    const std::vector<double> six = s.faceCurve(face, {key})->numbers;
+    const std::vector<double> six = s.featureCurve()->face(face, {key})->numbers;
     sum += area * (six[3] + six[5]) / 2, total += area;
     plain += (six[3] + six[5]) / 2, ++count;
   }
-  const double whole = s.patchCurve(0, {key})->numbers[0];
+  const double whole = s.featureCurve()->patch(0, {key})->numbers[0];
   CHECK(whole == doctest::Approx(sum / total));
   CHECK(std::abs(whole - plain / count) > 1e-3);
 }

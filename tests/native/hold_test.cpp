@@ -9,9 +9,9 @@
 #include "core/base/centroid.h"
 #include "core/hold/bodies.h"
 #include "core/hold/vertex_path.h"
-#include "core/mesh/measures.h"
 #include "core/mesh/weld.h"
 #include "dense.h"
+#include "kg_error.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
@@ -141,10 +141,10 @@ TEST_CASE("a held motion meets its keys, and slides less where they rest") {
   Sequence s = make(k, holding());
   for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-9 * diagonalOf(k));
   const double after = slide(s, k);
-  CHECK(s.sliding(1.6, shapeAt(s, 1.6)) < 0.6 * plain.sliding(1.6, shapeAt(plain, 1.6)));
-  CHECK(s.sliding(1, k.keys[1].positions) < 1e-12);
-  CHECK(std::isnan(s.sliding(3.5, shapeAt(s, 3.5))));  // all of it walks
-  CHECK(std::isnan(s.sliding(4.5, shapeAt(s, 4.5))));
+  CHECK(*s.sliding(1.6, shapeAt(s, 1.6)) < 0.6 * *plain.sliding(1.6, shapeAt(plain, 1.6)));
+  CHECK(*s.sliding(1, k.keys[1].positions) < 1e-12);
+  CHECK(std::isnan(*s.sliding(3.5, shapeAt(s, 3.5))));  // all of it walks
+  CHECK(std::isnan(*s.sliding(4.5, shapeAt(s, 4.5))));
   MESSAGE("slides " << 100 * before << " % of the diagonal, held " << 100 * after << " %");
   CHECK(after < 0.6 * before);
 }
@@ -361,7 +361,7 @@ TEST_CASE("separate objects are placed each by itself, and what stays joined as 
   };
   Sequence plain = make(k, {});
   REQUIRE(plain.stats().components == 2);
-  const std::vector<int> body = bodiesOf(plain.encoded().holdInput().mesh);
+  const std::vector<int> body = bodiesOf(plain.encoded().lri().holdInput().mesh);
   CHECK(*std::max_element(body.begin(), body.end()) == 1);
   const double before = error(plain);
   Sequence s = make(k, holding());
@@ -387,7 +387,7 @@ TEST_CASE("separate objects are placed each by itself, and what stays joined as 
       key.positions[v] =
           turn({0, 0, 1}, 0.5 * key.time)(both.positions[v] + Vec3(0, v < first.positions.size() ? 0 : 12, 0));
   Sequence rigid = make(k, {});
-  for (const int b : bodiesOf(rigid.encoded().holdInput().mesh)) CHECK(b == 0);
+  for (const int b : bodiesOf(rigid.encoded().lri().holdInput().mesh)) CHECK(b == 0);
 }
 
 TEST_CASE("objects and parts of real shapes") {
@@ -399,7 +399,7 @@ TEST_CASE("objects and parts of real shapes") {
     Keyframes k = realKeyframes({file}, walk);
     CAPTURE(file);
     Sequence s = sequenceOf(k, {});
-    for (const int body : bodiesOf(s.encoded().holdInput().mesh)) CHECK(body == 0);
+    for (const int body : bodiesOf(s.encoded().lri().holdInput().mesh)) CHECK(body == 0);
   }
   if (!hasData({"skin/CesiumMan.glb"})) return;
   // Two men who walk about each other.
@@ -440,7 +440,7 @@ TEST_CASE("a ghost goes with the shape that is held") {
   const Positions a = toPositions(before), b = toPositions(after), p = shapeAt(plain, 1.6), q = shapeAt(s, 1.6);
   double moved = 0;
   for (std::size_t v = 0; v < a.size(); ++v) {
-    const int raw = s.ghost().vertexOf[v];
+    const int raw = s.encoded().lri().ghost().vertexOf[v];
     moved = std::max(moved, (b[v] - a[v]).norm());
     CHECK((b[v] - a[v] - (q[raw] - p[raw])).norm() < 1e-6 * diagonalOf(k));
   }

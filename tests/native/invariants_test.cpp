@@ -3,6 +3,7 @@
 
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
+#include "kg_error.h"
 #include "sequences.h"
 #include "shapes.h"
 

@@ -3,6 +3,7 @@
 
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
+#include "kg_error.h"
 #include "sequences.h"
 #include "shapes.h"
 
@@ -140,7 +141,7 @@ TEST_CASE("volume, area and the KG error of known shapes") {
 TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that leave no overshoot") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
   Sequence s = make(k);
-  const KeyPace pace = s.keyPace();
+  const KeyPace pace = s.featureCurve()->pace();
   REQUIRE(pace.distance.size() == 4);
   CHECK(pace.distance[1] / pace.distance[0] == doctest::Approx(10).epsilon(0.02));
   CHECK(pace.distance[2] < 1e-9 * pace.distance[1]);
@@ -155,27 +156,27 @@ TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that l
   calm.tension = pace.tension;
   REQUIRE(s.update(calm, evenTimes(5)).ok());
   CHECK(largestDistance(shapeAt(s, between), k.keys[2].positions) < 1e-9 * diagonal);
-  const KeyPace again = s.keyPace();
+  const KeyPace again = s.featureCurve()->pace();
   for (int j = 0; j < 5; ++j) CHECK(again.tension[j] == pace.tension[j]);
 }
 
 TEST_CASE("the pace of the motion: its speed and where it swings past a key") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
   Sequence s = make(k);
-  const KeyPace keys = s.keyPace();
+  const KeyPace keys = s.featureCurve()->pace();
   const std::vector<double>& times = s.motion().keyTimes();
   const double mean = (keys.distance[0] + keys.distance[1] + keys.distance[2] + keys.distance[3]) / 4;
   const auto middle = [&](int j) { return (times[j] + times[j + 1]) / 2; };
-  const MotionPace pace = s.motionPace({middle(1), middle(2), -1, times[1]});
+  const MotionPace pace = s.featureCurve()->paceAt({middle(1), middle(2), -1, times[1]});
   CHECK(pace.overshoot[0] == 0);
   CHECK(pace.overshoot[1] > 0.01);  // equal keys, and the motion leaves them
   CHECK(pace.overshoot[2] == 0);    // extrapolated
   CHECK(pace.overshoot[3] < 1e-9);
-  CHECK(s.motionPace({middle(0)}).overshoot[0] > 0.01);  // swings back before the long way
+  CHECK(s.featureCurve()->paceAt({middle(0)}).overshoot[0] > 0.01);  // swings back before the long way
   MotionOptions straight;
   straight.method = Method::Geodesic;
   REQUIRE(s.update(straight, times).ok());
-  const MotionPace steps = s.motionPace({middle(0), middle(1), middle(2), middle(3)});
+  const MotionPace steps = s.featureCurve()->paceAt({middle(0), middle(1), middle(2), middle(3)});
   for (int j = 0; j < 4; ++j) {
     CHECK(steps.speed[j] * (times[j + 1] - times[j]) == doctest::Approx(keys.distance[j]).epsilon(1e-6).scale(mean));
     CHECK(steps.overshoot[j] < 1e-9);
@@ -186,22 +187,23 @@ TEST_CASE("the speed of the motion is the length of its step over a short time")
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence s = make(k);
   const double h = 1e-4;
-  const ShapePlane plane = s.shapePlane({0.3 - h, 0.3 + h});  // three keys span a plane
+  const ShapePlane plane = s.featureCurve()->plane({0.3 - h, 0.3 + h});  // three keys span a plane
   const double step = std::hypot(plane.curve[2] - plane.curve[0], plane.curve[3] - plane.curve[1]) / (2 * h);
   const double chord = std::hypot(plane.keys[2] - plane.keys[0], plane.keys[3] - plane.keys[1]);
-  CHECK(s.motionPace({0.3}).speed[0] / s.keyPace().distance[0] == doctest::Approx(step / chord).epsilon(1e-5));
+  CHECK(s.featureCurve()->paceAt({0.3}).speed[0] / s.featureCurve()->pace().distance[0] ==
+        doctest::Approx(step / chord).epsilon(1e-5));
 }
 
 TEST_CASE("the keys lie in their own principal plane, and the spline bends less than the geodesic") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence s = make(k);
-  const ShapePlane plane = s.shapePlane({0, 0.5, 1});
+  const ShapePlane plane = s.featureCurve()->plane({0, 0.5, 1});
   CHECK(plane.explained == doctest::Approx(1));  // three keys span a plane
   for (int i = 0; i < 6; ++i) CHECK(plane.keys[i] == doctest::Approx(plane.curve[i]).epsilon(1e-9));
-  const double spline = s.bendingEnergy({0.5})[0];
+  const double spline = s.featureCurve()->bendingEnergy({0.5})[0];
   MotionOptions geodesic;
   geodesic.method = Method::Geodesic;
   REQUIRE(s.update(geodesic, evenTimes(3)).ok());
-  CHECK(s.bendingEnergy({0.5})[0] > 10 * spline);
-  CHECK(s.bendingEnergy({0.25})[0] < 1e-6 * s.bendingEnergy({0.5})[0]);
+  CHECK(s.featureCurve()->bendingEnergy({0.5})[0] > 10 * spline);
+  CHECK(s.featureCurve()->bendingEnergy({0.25})[0] < 1e-6 * s.featureCurve()->bendingEnergy({0.5})[0]);
 }

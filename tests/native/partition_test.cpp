@@ -8,7 +8,7 @@
 
 #include "core/patches/face_clusters.h"
 #include "core/patches/patch_coordinates.h"
-#include "core/sequence/welded_keys.h"
+#include "core/sequence/weld_keys.h"
 #include "shapes.h"
 #include "shapes/bench_mesh.h"
 #include "shapes/bench_parts.h"

@@ -128,7 +128,7 @@ TEST_CASE("repro: turns that are added to one part silence its warning, and no o
     return warning ? warning->count : 0;
   };
   CHECK(wheelsWarnedOf({}) == 4);
-  const std::vector<int> component = sequence.componentOfFace();
+  const std::vector<int> component = sequence.encoded().componentOfInputFace();
   std::vector<AddedTurns> turns;
   for (std::size_t f = 0; f < component.size(); ++f)
     if (car.wheelOfFace(static_cast<int>(f)) == 2) {

@@ -11,9 +11,9 @@
 #include "core/mesh/mesh.h"
 #include "core/rotation/rigid_fit.h"
 #include "core/rotation/rotation.h"
-#include "core/sequence/gram_matrix.h"
 #include "core/sequence/keyframes.h"
 #include "core/sequence/sequence.h"
+#include "core/space/gram_matrix.h"
 
 namespace shapespline::test {
 

@@ -11,8 +11,8 @@
 
 #include "core/mesh/measures.h"
 #include "core/rotation/rigid_fit.h"
-#include "core/sequence/gram_matrix.h"
 #include "core/sequence/mesh_report.h"
+#include "core/space/gram_matrix.h"
 #include "dense.h"
 #include "io/import.h"
 #include "shapes/bench_mesh.h"

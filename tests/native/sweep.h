@@ -33,7 +33,7 @@ class PatchTurning {
  public:
   explicit PatchTurning(const Sequence& sequence) {
     const std::vector<Triangle>& faces = sequence.faces();
-    const std::vector<int>& patchOf = sequence.patchOfFace();
+    const std::vector<int>& patchOf = sequence.encoded().lri().patchOfInputFace();
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (patchOf[f] < 0) continue;
       const auto patch = static_cast<std::size_t>(patchOf[f]);

@@ -8,7 +8,8 @@
 #include "bindings/marshal.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/measures.h"
-#include "core/sequence/gram_matrix.h"
+#include "core/sequence/elimination_order.h"
+#include "core/space/lri_space.h"
 
 namespace shapespline::bindings {
 namespace {
@@ -29,9 +30,31 @@ Json described(const Frame& frame) {
 
 std::vector<double> numbersOf(const Json& json, const char* name) { return json.at(name).get<std::vector<double>>(); }
 
+Json described(const std::vector<int>& numbers) { return range(numbers.data(), numbers.size()); }
+
 Json described(const PartCurve& curve) {
   return {
       {"patch", curve.patch}, {"neighbours", curve.neighbours}, {"numbers", curve.numbers}, {"natural", curve.natural}};
+}
+
+/// A question about the motion with this handle in LRI space. ask: FeatureCurve, Json -> Result<Json>.
+template <class Ask>
+const char* askCurve(int handle, const char* request, const Ask& ask) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    const auto curve = motionOf(handle).featureCurve();
+    if (!curve) return curve.error();
+    return ask(*curve, json);
+  });
+}
+
+/// One about LRI space itself, which is made for it where it is not there.
+template <class Ask>
+const char* askLri(int handle, const Ask& ask) {
+  return callResult([&]() -> Result<Json> {
+    SharedShape& shape = *shapeOf(handle).shape;
+    if (const Status status = shape.makeSpace(Method::Lri); !status) return status.error();
+    return ask(shape.encoded().lri());
+  });
 }
 
 }  // namespace
@@ -40,7 +63,7 @@ Json described(const PartCurve& curve) {
 EXPORT const char* shapespline_encode(const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     reportProgress("welding", 0);
-    auto shape = SharedShape::encode(keyframesFrom(json), encodingFrom(json.at("encoding")), reportProgress, takeOrder);
+    auto shape = SharedShape::encode(keyframesFrom(json), encodingFrom(json.at("encoding")), reportProgress);
     if (!shape) return shape.error();
     return Json{{"handle", handleTable().add(ShapeObject{std::move(*shape), {}, {}})}};
   });
@@ -58,12 +81,12 @@ EXPORT const char* shapespline_order(const char* request) {
 }
 
 /// {motion, keyTimes, before} -> {handle, range, warnings} of a motion of the shape. `before`: another motion of it,
-/// which what is costly is taken from; or null.
+/// which what is costly is taken from; or null. Makes the space that it needs.
 EXPORT const char* shapespline_motion(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     const Json& before = json.at("before");
     auto motion = Sequence::fit(shapeOf(handle).shape, numbersOf(json, "keyTimes"), motionFrom(json.at("motion")),
-                                before.is_null() ? nullptr : &motionOf(before));
+                                before.is_null() ? nullptr : &motionOf(before), reportProgress, takeOrder);
     if (!motion) return motion.error();
     const auto [first, last] = motion->range();
     Json described = {{"range", {first, last}}, {"warnings", toJson(motion->warnings())}};
@@ -108,7 +131,9 @@ EXPORT const char* shapespline_measure(int handle, const char* request) {
       if (const Status status = motion.evaluate(t, positions); !status) return status.error();
       volume.push_back(enclosedVolume(positions, motion.faces()));
       area.push_back(surfaceArea(positions, motion.faces()));
-      sliding.push_back(motion.sliding(t, positions));
+      const auto slides = motion.sliding(t, positions);
+      if (!slides) return slides.error();
+      sliding.push_back(*slides);
       spent += watch.lap();
     }
     return Json{{"volume", volume}, {"area", area}, {"sliding", sliding}};
@@ -117,8 +142,8 @@ EXPORT const char* shapespline_measure(int handle, const char* request) {
 
 /// {times} -> {keys, tangents, curve, distance, weights, explained}: feature_curve.h.
 EXPORT const char* shapespline_plane(int handle, const char* request) {
-  return answer(request, [&](const Json& json) -> Result<Json> {
-    const ShapePlane plane = motionOf(handle).shapePlane(numbersOf(json, "times"));
+  return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
+    const ShapePlane plane = curve.plane(numbersOf(json, "times"));
     return Json{{"keys", plane.keys},         {"tangents", plane.tangents}, {"curve", plane.curve},
                 {"distance", plane.distance}, {"weights", plane.weights},   {"explained", plane.explained}};
   });
@@ -126,8 +151,8 @@ EXPORT const char* shapespline_plane(int handle, const char* request) {
 
 /// {samples} -> {times, weights, plane, energy, curveEnergy} of so many: feature_curve.h.
 EXPORT const char* shapespline_discrete_path(int handle, const char* request) {
-  return answer(request, [&](const Json& json) -> Result<Json> {
-    const auto path = motionOf(handle).discretePath(json.at("samples"));
+  return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
+    const auto path = curve.discretePath(json.at("samples"));
     if (!path) return path.error();
     return Json{{"times", path->times},
                 {"weights", path->weights},
@@ -139,42 +164,42 @@ EXPORT const char* shapespline_discrete_path(int handle, const char* request) {
 
 /// {face, times} -> {patch, neighbours, numbers, natural}: feature_curve.h.
 EXPORT const char* shapespline_face_curve(int handle, const char* request) {
-  return answer(request, [&](const Json& json) -> Result<Json> {
-    const auto curve = motionOf(handle).faceCurve(json.at("face"), numbersOf(json, "times"));
-    if (!curve) return curve.error();
-    return described(*curve);
+  return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
+    const auto face = curve.face(json.at("face"), numbersOf(json, "times"));
+    if (!face) return face.error();
+    return described(*face);
   });
 }
 
 /// {patch, times} -> the same.
 EXPORT const char* shapespline_patch_curve(int handle, const char* request) {
-  return answer(request, [&](const Json& json) -> Result<Json> {
-    const auto curve = motionOf(handle).patchCurve(json.at("patch"), numbersOf(json, "times"));
-    if (!curve) return curve.error();
-    return described(*curve);
+  return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
+    const auto patch = curve.patch(json.at("patch"), numbersOf(json, "times"));
+    if (!patch) return patch.error();
+    return described(*patch);
   });
 }
 
 /// {} -> {distance, tension}: feature_curve.h.
 EXPORT const char* shapespline_pace(int handle, const char* request) {
-  return answer(request, [&](const Json&) -> Result<Json> {
-    const KeyPace pace = motionOf(handle).keyPace();
+  return askCurve(handle, request, [](const FeatureCurve& curve, const Json&) -> Result<Json> {
+    const KeyPace pace = curve.pace();
     return Json{{"distance", pace.distance}, {"tension", pace.tension}};
   });
 }
 
 /// {times} -> {speed, overshoot}: feature_curve.h.
 EXPORT const char* shapespline_motion_pace(int handle, const char* request) {
-  return answer(request, [&](const Json& json) -> Result<Json> {
-    const MotionPace pace = motionOf(handle).motionPace(numbersOf(json, "times"));
+  return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
+    const MotionPace pace = curve.paceAt(numbersOf(json, "times"));
     return Json{{"speed", pace.speed}, {"overshoot", pace.overshoot}};
   });
 }
 
 /// {times} -> {energy}.
 EXPORT const char* shapespline_bending(int handle, const char* request) {
-  return answer(request, [&](const Json& json) -> Result<Json> {
-    return Json{{"energy", motionOf(handle).bendingEnergy(numbersOf(json, "times"))}};
+  return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
+    return Json{{"energy", curve.bendingEnergy(numbersOf(json, "times"))}};
   });
 }
 
@@ -187,26 +212,27 @@ EXPORT const char* shapespline_ghost_positions(int handle, const char* request) 
   });
 }
 
-/// {} -> {patchOf, componentOf}: of each face of the shape, int32, belonging to the handle.
-EXPORT const char* shapespline_parts(int handle, const char* request) {
-  return answer(request, [&](const Json&) -> Result<Json> {
-    const EncodedShape& encoded = shapeOf(handle).shape->encoded();
-    const std::vector<int>&patches = encoded.patchOfInputFace(), &components = encoded.componentOfInputFace();
-    return Json{{"patchOf", range(patches.data(), patches.size())},
-                {"componentOf", range(components.data(), components.size())}};
+/// {} -> {componentOf}: the component of each face of the shape, int32, belonging to the handle; -1 without area.
+EXPORT const char* shapespline_components(int handle, const char*) {
+  return callResult([&]() -> Result<Json> {
+    return Json{{"componentOf", described(shapeOf(handle).shape->encoded().componentOfInputFace())}};
   });
+}
+
+/// {} -> {patchOf}: likewise the patch.
+EXPORT const char* shapespline_patches(int handle, const char*) {
+  return askLri(handle, [](const LriSpace& lri) { return Json{{"patchOf", described(lri.patchOfInputFace())}}; });
 }
 
 /// {} -> {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the shape's ghost mesh, int32, belonging to the handle; all
 /// empty without one.
-EXPORT const char* shapespline_ghost(int handle, const char* request) {
-  return answer(request, [&](const Json&) -> Result<Json> {
-    const Ghost& ghost = shapeOf(handle).shape->encoded().ghost();
-    const auto indices = [](const std::vector<int>& list) { return range(list.data(), list.size()); };
+EXPORT const char* shapespline_ghost(int handle, const char*) {
+  return askLri(handle, [](const LriSpace& lri) {
+    const Ghost& ghost = lri.ghost();
     return Json{{"faces", range(reinterpret_cast<const int*>(ghost.faces.data()), 3 * ghost.faces.size())},
-                {"vertexOf", indices(ghost.vertexOf)},
-                {"ghostVertexOf", indices(ghost.ghostVertexOf)},
-                {"ghostFaceOf", indices(ghost.ghostFaceOf)}};
+                {"vertexOf", described(ghost.vertexOf)},
+                {"ghostVertexOf", described(ghost.ghostVertexOf)},
+                {"ghostFaceOf", described(ghost.ghostFaceOf)}};
   });
 }
 

@@ -6,6 +6,7 @@
 import type { Engine, Keys, Motion, Shape } from '../engine/api/api.ts';
 import { createEngine } from '../engine/browser.ts';
 import { encodingOf, motionOf } from '../engine/api/options.ts';
+import { ENCODING_SHARE, partOf } from '../engine/api/progress.ts';
 import { SEQUENCE_DEFAULTS } from '../engine/api/types.ts';
 import type { ImportOptions, SequenceOptions } from '../engine/api/types.ts';
 import { readSources, keyOf } from './sources.ts';
@@ -69,9 +70,9 @@ export function takeKeys(
     async (making) => {
       const files = await readSources(list, base, {
         ...making,
-        report: ({ stage, fraction }) => making.report({ stage, fraction: fraction / 2 }),
+        report: partOf(making.report, 0, 0.5),
       });
-      const onProgress = ({ stage, fraction }: Stage): void => making.report({ stage, fraction: (1 + fraction) / 2 });
+      const onProgress = partOf(making.report, 0.5, 1);
       return withEngine((one) => one.importKeyframes(files, all, { signal: making.signal, onProgress }));
     },
     onProgress,
@@ -113,13 +114,14 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
   const { value, release } = motions.take(
     keyOfMotion(wanted),
     async ({ signal, report }) => {
-      const shape = takeShape(wanted, report);
+      const shape = takeShape(wanted, partOf(report, 0, ENCODING_SHARE));
       // No element waits for it: the encoding may end.
       signal.addEventListener('abort', shape.release);
       try {
         const keyTimes = [...(await keysOf(wanted)).info.times];
         const options = motionOf({ ...SEQUENCE_DEFAULTS, ...wanted.options });
-        return { shape, motion: await (await shape.value).motion({ ...options, keyTimes }, { signal }) };
+        const onProgress = partOf(report, ENCODING_SHARE, 1);
+        return { shape, motion: await (await shape.value).motion({ ...options, keyTimes }, { signal, onProgress }) };
       } catch (error) {
         shape.release();
         throw error;

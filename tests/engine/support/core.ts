@@ -34,7 +34,6 @@ export function bendData(mesh: Mesh = bar()): RequestOf<'encode'> {
     positions: [0, 60, 120].map((degrees) => bent(mesh, degrees)),
     normals: null,
     encoding: ENCODING_DEFAULTS,
-    order: null,
   };
 }
 

@@ -1,4 +1,7 @@
-/** Limits that the engine checks before it calls the core, and the core once more, are the same numbers. */
+/**
+ * Limits that the engine checks before it calls the core, and the core once more, are the same numbers. They stand in
+ * both languages because the engine says what is wrong before it starts a worker, and the core trusts nobody.
+ */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { describe, expect, it } from 'vitest';

@@ -207,7 +207,7 @@ describe('progress', () => {
     const { engine, workers } = fakeEngine((request) => (request.type === 'encode' ? null : replyTo(request)));
     const seen: number[] = [];
     const keys = await engine.importKeyframes([someFile]);
-    const made = engine.createSequence(keys, {}, { onProgress: ({ fraction }) => seen.push(fraction) });
+    const made = engine.encode(keys, {}, { onProgress: ({ fraction }) => seen.push(fraction) });
     await settled();
     const worker = workers[0] as FakeWorker;
     const { id } = worker.requests.at(-1) as Request;

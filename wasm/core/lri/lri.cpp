@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/centroid.h"
+
 namespace shapespline {
 
 namespace {
@@ -13,12 +15,6 @@ namespace {
 constexpr double tameAngle = std::numbers::pi / 2;
 // In the reference frames do not turn; what they seem to is rounding.
 constexpr double roundedTurn = 1e-9;
-
-Vec3 meanOf(const Positions& pose) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& p : pose) sum += p;
-  return sum / static_cast<double>(pose.size());
-}
 
 template <class Real>
 class Encoder {
@@ -35,7 +31,7 @@ class Encoder {
     out_.places = std::move(carried.places);
     out_.loose = std::move(carried.loose);
     reportFraction(onProgress, 0.95);
-    for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(meanOf(pose));
+    for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(centroidOf(pose));
     return std::move(out_);
   }
 

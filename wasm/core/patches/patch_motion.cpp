@@ -213,7 +213,7 @@ PatchTurns PatchMotion::addedTurns(const WeldedShape& shape, const std::vector<A
 Quaternion PatchMotion::addedTurn(const CurvePoint& point, const PatchTurns& turns) const {
   Quaternion turn = Quaternion::Identity();
   for (const StepShare& s : point.steps) {
-    if (turns.whole[s.step] == 0) continue;
+    if (turns.whole.empty() || turns.whole[s.step] == 0) continue;
     Vec3 axis = axis_[s.step == steps_.turnedClosing() ? steps_.keys - 2 : s.step];
     if (closing_ && !point.closes) axis = closing_->power(s.period).rotation * axis;
     turn = turn * expQuaternion(twoPi * turns.whole[s.step] * s.share * axis);

@@ -56,14 +56,13 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
       lri_(std::move(coordinates)),
       poisson_(std::move(poisson)),
       kernel_(in.shape, frameOf_, in.stretch, poisson_.slot(), poisson_.trashSlot(), partOf(onProgress, 0.8, 0.93)),
-      componentOfVertex_(in.shape.vertexCount(), -1),
-      componentOfFace_(in.topology.components.ofFace) {
+      componentOfVertex_(in.shape.vertexCount(), -1) {
   lri_.face.reorder(kernel_.order(), partOf(onProgress, 0.93, 0.95));
   const Positions* reference = &shape_->poses[shape_->reference];
   extent_ = boundingDiagonal({&reference, 1});
   for (int f = 0; f < shape_->faceCount(); ++f)
     if (in.topology.hasArea[f])
-      for (int v : shape_->faces[f]) componentOfVertex_[v] = componentOfFace_[f];
+      for (int v : shape_->faces[f]) componentOfVertex_[v] = in.topology.components.ofFace[f];
   const auto components = static_cast<std::size_t>(in.topology.components.count);
   verticesOfComponent_.assign(components, 0);
   for (int component : componentOfVertex_)

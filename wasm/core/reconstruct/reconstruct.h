@@ -77,9 +77,6 @@ class Reconstructor {
   CholeskyStats solverStats() const { return poisson_.stats(); }
   const Times& times() const { return times_; }
 
-  /// Component of each face, -1 without area.
-  const std::vector<int>& componentOfFace() const { return componentOfFace_; }
-
   /// Of each welded vertex, a permutation: as they are eliminated, then those that are not. Neighbours of the mesh are
   /// near each other in this order, so that passes over it stay in the processor's caches.
   const std::vector<int>& placeOf() const { return placeOf_; }
@@ -112,7 +109,6 @@ class Reconstructor {
   std::vector<int> placeOf_;
   std::vector<int> componentAt_;  // of the vertex at each place, 0 for loose ones; empty where there is one component
   std::vector<int> verticesOfComponent_;
-  std::vector<int> componentOfFace_;
   Times times_;
 };
 

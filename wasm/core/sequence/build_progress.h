@@ -1,4 +1,4 @@
-// The stages of making a sequence, and how much of the whole each takes.
+// The stages of making LRI space, and how much of the whole each takes.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ inline double wholeProgress(std::string_view stage, double fraction, bool withGh
     std::string_view name;
     int percent, percentWithGhost;
   };
-  constexpr Stage stages[] = {{"welding", 8, 2},    {"simplifying", 0, 58}, {"matching", 0, 6},
-                              {"encoding", 42, 12}, {"ordering", 15, 14},   {"factorising", 35, 8}};
+  constexpr Stage stages[] = {
+      {"simplifying", 0, 59}, {"matching", 0, 6}, {"encoding", 41, 12}, {"ordering", 18, 15}, {"factorising", 41, 8}};
   int before = 0;
   for (const Stage& s : stages) {
     const int percent = withGhost ? s.percentWithGhost : s.percent;

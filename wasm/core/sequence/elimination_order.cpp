@@ -4,7 +4,7 @@
 
 #include "core/lri/welded_shape.h"
 #include "core/reconstruct/poisson.h"
-#include "core/sequence/welded_keys.h"
+#include "core/sequence/weld_keys.h"
 
 namespace shapespline {
 

@@ -17,13 +17,6 @@ CurvePoint pointAt(const Motion& motion, double t) {
 
 bool moves(const RigidMotion& motion) { return motion.rotation.w() != 1 || motion.translation != Vec3::Zero(); }
 
-void blendVertices(const WeldedShape& shape, const CurvePoint& point, Positions& out) {
-  const PoseWeights w = poseWeights(point, shape.roles());
-  out.assign(shape.vertexCount(), Vec3::Zero());
-  for (int c = 0; c < shape.columns(); ++c)
-    for (std::size_t v = 0; v < out.size(); ++v) out[v] += w.column[c] * shape.poses[c][v];
-}
-
 }  // namespace
 
 // welded_: the shape at `point`, in frames_.
@@ -42,7 +35,7 @@ void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double 
   const CurvePoint point = pointAt(motion, t);
   reconstruct(encoded, motion, point, frame);
   holdPlaced(encoded, motion, t, point, placed_);
-  draw(encoded, motion.globalMotion(encoded, t, point), frame);
+  draw(encoded, motion, motion.globalMotion(encoded, t, point), frame);
 }
 
 void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& blend,
@@ -52,7 +45,7 @@ void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const s
   Weights weights = Weights::Zero(columns.count());
   weights.head(columns.keys) = Eigen::Map<const Eigen::VectorXd>(blend.data(), columns.keys);
   reconstruct(encoded, motion, blendedPoint(weights, columns), frame);
-  draw(encoded, {}, frame);
+  draw(encoded, motion, {}, frame);
 }
 
 // Leaves the shape in `placed_`.
@@ -67,9 +60,9 @@ void Evaluator::holdPlaced(const EncodedShape& encoded, const Motion& motion, do
                            PlacedShape<float>& placed) {
   if (!motion.corrects()) return;
   Stopwatch watch;
-  readPlaces(placed.places, encoded.placeOf(), placed.move, welded_);
+  readPlaces(placed.places, encoded.lri().placeOf(), placed.move, welded_);
   hold(encoded, motion, t, point);
-  writePlaces(welded_, encoded.placeOf(), placed.move, placed.places);
+  writePlaces(welded_, encoded.lri().placeOf(), placed.move, placed.places);
   stats_.placeMs += watch.lap();
 }
 
@@ -80,9 +73,9 @@ Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motio
   if (motion.blendsVertices()) return placeBlend(encoded, point, placed);
   ++stats_.solves;
   Stopwatch watch;
-  encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
+  encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
   stats_.framesMs = watch.lap();
-  return encoded.withReconstructor([&]<class Real>(const Reconstructor<Real>& reconstructor) {
+  return encoded.lri().withReconstructor([&]<class Real>(const Reconstructor<Real>& reconstructor) {
     if constexpr (std::is_same_v<Real, float>) {
       return reconstructor.reconstruct(point, frames_, single_, placed, forkJoin);
     } else {
@@ -95,23 +88,22 @@ Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motio
 }
 
 Reconstruction Evaluator::placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed) {
-  blendVertices(encoded.shape(), point, welded_);
+  encoded.vertices().positions(point, welded_);
   placed.move = Vec3::Zero();
   placed.places.resize(4 * welded_.size());
   for (std::size_t v = 0; v < welded_.size(); ++v)
-    for (int k = 0; k < 3; ++k)
-      placed.places[4 * static_cast<std::size_t>(encoded.placeOf()[v]) + k] = static_cast<float>(welded_[v][k]);
+    for (int k = 0; k < 3; ++k) placed.places[4 * v + k] = static_cast<float>(welded_[v][k]);
   return {};
 }
 
 void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, double t, Positions& positions) {
   const CurvePoint point = pointAt(motion, t);
   if (motion.blendsVertices()) {
-    blendVertices(encoded.shape(), point, welded_);
+    encoded.vertices().positions(point, welded_);
   } else {
     ++stats_.solves;
-    encoded.framesAt(point, motion.turns(), framesScratch_, frames_);
-    encoded.withReconstructor([&](const auto& r) { r.reconstruct(point, frames_, scratch(r), welded_); });
+    encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
+    encoded.lri().withReconstructor([&](const auto& r) { r.reconstruct(point, frames_, scratch(r), welded_); });
   }
   if (motion.corrects()) hold(encoded, motion, t, point);
   const RigidMotion global = motion.globalMotion(encoded, t, point);
@@ -123,7 +115,7 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
 }
 
 // From `placed_` to what is drawn.
-void Evaluator::draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame) {
+void Evaluator::draw(const EncodedShape& encoded, const Motion& motion, const RigidMotion& global, Frame& frame) {
   Stopwatch watch;
   std::vector<float>& places = placed_.places;
   if (moves(global)) {
@@ -134,16 +126,17 @@ void Evaluator::draw(const EncodedShape& encoded, const RigidMotion& global, Fra
     placed_.move = Vec3::Zero();
   }
   stats_.placeMs += watch.lap();
-  encoded.normals().draw(places, placed_.move, normalsScratch_, frame.positions, frame.normals, forkJoin_);
+  const VertexNormals& normals = motion.blendsVertices() ? encoded.vertices().normals() : encoded.lri().normals();
+  normals.draw(places, placed_.move, normalsScratch_, frame.positions, frame.normals, forkJoin_);
   stats_.normalsMs = watch.lap();
 }
 
 void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions) {
-  assert(encoded.ghostMotion());
+  assert(encoded.lri().ghostMotion());
   Stopwatch watch;
-  const GhostMotion& ghost = *encoded.ghostMotion();
+  const GhostMotion& ghost = *encoded.lri().ghostMotion();
   const CurvePoint point = pointAt(motion, t);
-  if (motion.blendsVertices()) blendVertices(ghost.shape(), point, welded_);
+  if (motion.blendsVertices()) blendVertices(ghost.shape(), poseWeights(point, ghost.shape().roles()).column, welded_);
   else ghost.positions(point, motion.turns(), framesScratch_.ghost, welded_);
   if (motion.corrects()) moveGhost(encoded, motion, t, point);
   stats_.ghostMs = watch.lap();
@@ -160,9 +153,9 @@ void Evaluator::moveGhost(const EncodedShape& encoded, const Motion& motion, dou
   place(encoded, motion, point, shape, nullptr);
   PlacedShape<float> held = shape;
   holdPlaced(encoded, motion, t, point, held);
-  const std::vector<int>& vertexOf = encoded.ghostMotion()->mesh().vertexOf;
+  const std::vector<int>& vertexOf = encoded.lri().ghostMotion()->mesh().vertexOf;
   for (std::size_t v = 0; v < ghost.size(); ++v) {
-    const std::size_t at = 4 * static_cast<std::size_t>(encoded.placeOf()[vertexOf[v]]);
+    const std::size_t at = 4 * static_cast<std::size_t>(encoded.lri().placeOf()[vertexOf[v]]);
     for (int k = 0; k < 3; ++k) ghost[v][k] += held.places[at + k] - shape.places[at + k];
   }
   welded_ = std::move(ghost);
@@ -171,7 +164,7 @@ void Evaluator::moveGhost(const EncodedShape& encoded, const Motion& motion, dou
 void Evaluator::patchRotations(const EncodedShape& encoded, const Motion& motion, double t,
                                std::vector<Quaternion>& rotations) {
   const CurvePoint point = pointAt(motion, t);
-  encoded.patches().at(point, motion.turns(), framesScratch_.patches, frames_);
+  encoded.lri().patches().at(point, motion.turns(), framesScratch_.patches, frames_);
   const Quaternion turn = motion.globalMotion(encoded, t, point).rotation;
   rotations.clear();
   for (const Quaternion& g : frames_.rotation) rotations.push_back(turn * g);

@@ -17,7 +17,8 @@ struct Frame {
   int indefiniteFace = -1;       ///< one of them, of the input; -1 where there is none
 };
 
-/// Every result is a pure function of its arguments, bit for bit. Times must be finite.
+/// Every result is a pure function of its arguments, bit for bit. Times must be finite. encoded: what the motion was
+/// fitted to.
 class Evaluator {
  public:
   /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the evaluator.
@@ -32,10 +33,10 @@ class Evaluator {
   /// The shape at an affine combination of the keys, one weight per key.
   void blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& weights, Frame& frame);
 
-  /// xyz of each vertex of the ghost at time t; there must be one.
+  /// xyz of each vertex of the ghost at time t; LRI space and a ghost must have been made.
   void ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions);
 
-  /// The rotations G_k of the patches at time t, as the first system gives them and the whole is turned.
+  /// The rotations G_k of the patches of LRI space at time t, as the first system gives them and the whole is turned.
   void patchRotations(const EncodedShape& encoded, const Motion& motion, double t, std::vector<Quaternion>& rotations);
 
   /// What was counted and timed here: solves and the last frame's times.
@@ -50,13 +51,13 @@ class Evaluator {
                   PlacedShape<float>& placed);
   void moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);
   void reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame);
-  void draw(const EncodedShape& encoded, const RigidMotion& global, Frame& frame);
+  void draw(const EncodedShape& encoded, const Motion& motion, const RigidMotion& global, Frame& frame);
   Reconstructor<float>::Scratch& scratch(const Reconstructor<float>&) { return single_; }
   Reconstructor<double>::Scratch& scratch(const Reconstructor<double>&) { return double_; }
 
   ForkJoin* forkJoin_ = nullptr;
   FrameStats stats_;
-  FramesScratch framesScratch_;
+  LriSpace::Scratch framesScratch_;
   Frames frames_;
   Reconstructor<float>::Scratch single_;
   Reconstructor<double>::Scratch double_;

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/sequence/gram_matrix.h"
+#include "core/base/format.h"
+#include "core/space/gram_matrix.h"
 #include "core/spline/discrete_spline.h"
 
 namespace shapespline {
@@ -36,8 +37,7 @@ ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
   const double step = meanStep();
   for (double t : times) {
     const Eigen::VectorXd weights = poseWeightsAt(t);
-    const ShapeProducts at =
-        motion_.blendsVertices() ? encoded_.vertexBlendProducts(weights) : plane.productsOf(weights);
+    const ShapeProducts at = motion_.blendsVertices() ? lri_.vertexBlendProducts(weights) : plane.productsOf(weights);
     append(result.curve, plane.project(at));
     result.distance.push_back(step > 0 ? plane.distance(at) / step : 0);
     result.weights.insert(result.weights.end(), weights.begin(), weights.end());
@@ -51,11 +51,13 @@ double FeatureCurve::meanStep() const {
   return sum / (shape_.keys - 1);
 }
 
-PartCurve FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
+Result<PartCurve> FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
+  if (inputFace < 0 || inputFace >= static_cast<int>(lri_.patchOfInputFace().size()))
+    return Error{ErrorCode::InvalidOption, "There is no face " + grouped(inputFace) + "."};
   PartCurve result;
-  result.patch = encoded_.patchOfInputFace()[inputFace];
+  result.patch = lri_.patchOfInputFace()[inputFace];
   if (result.patch < 0) return result;
-  const Eigen::MatrixXd columns = encoded_.faceColumns(inputFace);
+  const Eigen::MatrixXd columns = lri_.faceColumns(inputFace);
   const Curve natural = motion_.naturalCurve();
   for (const Curve* curve : {&motion_.curve(), &natural}) {
     std::vector<double>& rows = curve == &natural ? result.natural : result.numbers;
@@ -67,13 +69,15 @@ PartCurve FeatureCurve::face(int inputFace, const std::vector<double>& times) co
   return result;
 }
 
-PartCurve FeatureCurve::patch(int patch, const std::vector<double>& times) const {
+Result<PartCurve> FeatureCurve::patch(int patch, const std::vector<double>& times) const {
+  const PatchCoordinates& patches = lri_.patches().coordinates();
+  if (patch < 0 || patch >= patches.patches.count)
+    return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + "."};
   PartCurve result;
-  const PatchCoordinates& patches = encoded_.patches().coordinates();
   const std::vector<PatchLink>& links = patches.graph.links();
   for (const PatchLink& link : links)
     if (link.from == patch || link.to == patch) result.neighbours.push_back(link.from + link.to - patch);
-  const Eigen::VectorXd stretch = encoded_.patchStretch(patch);
+  const Eigen::VectorXd stretch = lri_.patchStretch(patch);
   const Curve natural = motion_.naturalCurve();
   std::vector<Quaternion> rotation;
   for (const Curve* curve : {&motion_.curve(), &natural}) {
@@ -173,7 +177,7 @@ double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) con
 }
 
 std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
-  const Eigen::MatrixXd vertexGram = motion_.blendsVertices() ? encoded_.vertexGram() : Eigen::MatrixXd();
+  const Eigen::MatrixXd vertexGram = motion_.blendsVertices() ? lri_.vertexGram() : Eigen::MatrixXd();
   const Eigen::MatrixXd& gram = motion_.blendsVertices() ? vertexGram : gram_;
   const auto squared = [&](const Eigen::VectorXd& weights) { return std::max(0.0, weights.dot(gram * weights)); };
   double average = 0;

@@ -64,9 +64,9 @@ struct MotionPace {
 /// What can be said of a motion from the inner products of its coordinates alone.
 class FeatureCurve {
  public:
-  /// gram: EncodedShape::gramMatrix(). All must outlive the curve.
-  FeatureCurve(const EncodedShape& encoded, const Motion& motion, const Eigen::MatrixXd& gram)
-      : encoded_(encoded), shape_(encoded.shape()), motion_(motion), gram_(gram) {}
+  /// shape: of LRI space. gram: its gramMatrix(). All must outlive the curve.
+  FeatureCurve(const LriSpace& lri, const WeldedShape& shape, const Motion& motion, const Eigen::MatrixXd& gram)
+      : lri_(lri), shape_(shape), motion_(motion), gram_(gram) {}
 
   /// Blends of vertices are encoded for it, which costs about as much as a frame each.
   ShapePlane plane(const std::vector<double>& times) const;
@@ -85,10 +85,10 @@ class FeatureCurve {
 
   MotionPace paceAt(const std::vector<double>& times) const;
   /// The coordinates of a face of the input as the motion's curve has them; of a blend of vertices those that the
-  /// coordinates' own curve would have.
-  PartCurve face(int inputFace, const std::vector<double>& times) const;
+  /// coordinates' own curve would have. Error: InvalidOption (no such face).
+  Result<PartCurve> face(int inputFace, const std::vector<double>& times) const;
   /// Likewise of a patch; with a ghost of one of the ghost's.
-  PartCurve patch(int patch, const std::vector<double>& times) const;
+  Result<PartCurve> patch(int patch, const std::vector<double>& times) const;
 
  private:
   double squaredLength(const Eigen::VectorXd& poseWeights) const;
@@ -99,7 +99,7 @@ class FeatureCurve {
   Eigen::VectorXd poseWeightsAt(const Curve& curve, double t) const;
   Eigen::VectorXd poseWeightsAt(double t) const { return poseWeightsAt(motion_.curve(), t); }
 
-  const EncodedShape& encoded_;
+  const LriSpace& lri_;
   const WeldedShape& shape_;
   const Motion& motion_;
   const Eigen::MatrixXd& gram_;

@@ -50,7 +50,7 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   Result<Curve> curve = Curve::fit(keyTimes, curveOptions(shape, options));
   if (!curve) return curve.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);
-  motion.turns_ = encoded.turnsOfPatches(options.turns);
+  if (!motion.blendsVertices()) motion.turns_ = encoded.turnsOfPatches(options.turns);
   if (Status status = motion.hold(encoded, before); !status) return status.error();
   motion.collectWarnings(encoded);
   return motion;
@@ -62,13 +62,13 @@ Status Motion::hold(const EncodedShape& encoded, const Motion* before) {
   if (Status status = checkPins(options_.pins, vertices, keys); !status) return status;
   if (options_.method != Method::Lri) return {};
   if (options_.hold && keys > 2) {
-    auto held = HeldMotion::create(encoded.holdInput(), curve_, before ? before->held() : nullptr);
+    auto held = HeldMotion::create(encoded.lri().holdInput(), curve_, before ? before->held() : nullptr);
     if (!held) return held.error();
     held_ = std::move(*held);
   }
   if (!options_.pins.empty()) {
-    auto pinned =
-        PinnedMotion::create(encoded.holdInput(), curve_, options_.pins, weldedOf, before ? before->pinned() : nullptr);
+    auto pinned = PinnedMotion::create(encoded.lri().holdInput(), curve_, options_.pins, weldedOf,
+                                       before ? before->pinned() : nullptr);
     if (!pinned) return pinned.error();
     pinned_ = std::move(*pinned);
   }
@@ -91,14 +91,16 @@ Curve Motion::naturalCurve() const {
 }
 
 void Motion::collectWarnings(const EncodedShape& encoded) {
+  warnings_ = encoded.warnings();
+  if (blendsVertices()) return;
+  const LriSpace& lri = encoded.lri();
   const bool closes = options_.boundary == BoundaryKind::Periodic && !curve_.closesOnLastKey();
-  if (!blendsVertices()) {
-    warnings_ = turnWarnings(encoded.shape(), encoded.patches(), encoded.ambiguousFaces(), encoded.patchOfFace(),
-                             encoded.turnsOfPatchComponents(options_.turns), closes);
-    for (Warning& w : warnings_)
-      if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
-  }
-  warnings_.insert(warnings_.begin(), encoded.warnings().begin(), encoded.warnings().end());
+  std::vector<Warning> turns = turnWarnings(encoded.shape(), lri.patches(), lri.ambiguousFaces(), lri.patchOfFace(),
+                                            encoded.turnsOfPatchComponents(options_.turns), closes);
+  for (Warning& w : turns)
+    if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
+  warnings_.insert(warnings_.end(), lri.warnings().begin(), lri.warnings().end());
+  warnings_.insert(warnings_.end(), turns.begin(), turns.end());
 }
 
 Vec3 Motion::loopMove(const EncodedShape& encoded, const CurvePoint& point) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/warning.h"
+#include "core/hold/pinned_motion.h"
 #include "core/rotation/rigid_motion.h"
 #include "core/sequence/encoded_shape.h"
 #include "core/sequence/options.h"
@@ -17,8 +18,9 @@ namespace shapespline {
 /// The curve through the keys at their times, what turns are added, and how the whole is moved along. Immutable.
 class Motion {
  public:
-  /// Errors: InvalidOption, NotFinite, TimesNotIncreasing, TimeCountMismatch, and those of the solver.
-  /// before: another motion of the same shape, which what is costly is taken from; or null.
+  /// encoded: the space that the method needs must have been made. Errors: InvalidOption, NotFinite,
+  /// TimesNotIncreasing, TimeCountMismatch, and those of the solver. before: another motion of the same shape, which
+  /// what is costly is taken from; or null.
   static Result<Motion> fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options,
                             const Motion* before = nullptr);
 
@@ -40,8 +42,7 @@ class Motion {
   /// What the shape at `t` is moved by after its reconstruction; point: at(t).
   RigidMotion globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const;
 
-  /// Whether every vertex moves on its own: the baselines.
-  bool blendsVertices() const { return options_.method == Method::Linear || options_.method == Method::CubicVertex; }
+  bool blendsVertices() const { return shapespline::blendsVertices(options_.method); }
 
   /// What shapes are corrected by, or null.
   const HeldMotion* held() const { return held_.get(); }
@@ -50,7 +51,7 @@ class Motion {
   /// Where the mean of a loop's vertices is that ends elsewhere, against the mean of its keys' blend.
   Vec3 loopMove(const EncodedShape& encoded, const CurvePoint& point) const;
 
-  /// Those of the encoded shape, and what this motion's keys leave open.
+  /// Those of the encoded shape and of the space, and what this motion's keys leave open.
   const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:

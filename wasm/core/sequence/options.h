@@ -4,12 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/precision.h"
 #include "core/base/types.h"
 #include "core/hold/held_motion.h"
 #include "core/hold/pin.h"
-#include "core/lri/face_frame.h"
-#include "core/lri/lri.h"
+#include "core/space/lri_space.h"
 #include "core/spline/rotation_spline.h"
 #include "core/spline/spline.h"
 
@@ -22,6 +20,9 @@ enum class Method {
   Linear,       ///< piecewise linear vertex positions: what morph targets do
   CubicVertex,  ///< cubic splines of the vertex positions
 };
+
+/// Whether every vertex moves on its own: the baselines.
+constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
 /// Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold` and
 /// `pins`.
@@ -42,15 +43,8 @@ struct MotionOptions {
 };
 
 /// Choices that change the encoding: a new sequence is built for them.
-struct EncodingOptions {
+struct EncodingOptions : LriOptions {
   int reference = 0;  ///< 0-based key that deformation gradients are measured from
-  int patches =
-      0;  ///< wanted number of patches (of the ghost, with one), 0 = the default formula (patches/partition.h)
-  Stretch stretch = Stretch::Linear;
-  int ghostFaces = 0;  ///< 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces
-  Transfer transfer = Transfer::Exact;  ///< with a ghost
-  bool optimalPlacement = false;        ///< ghost vertices need not be vertices of the shape (simplify.h)
-  Precision precision = Precision::Single;
   /// hermite: shapes that take the place of key 2 in the difference at key 1, and of key J - 1 in that at key J
   std::optional<Positions> startTangent, endTangent;
 };

@@ -24,7 +24,9 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
 }  // namespace
 
 Result<Sequence> Sequence::fit(std::shared_ptr<SharedShape> shape, std::vector<double> keyTimes,
-                               const MotionOptions& motion, const Sequence* before) {
+                               const MotionOptions& motion, const Sequence* before, const StageProgress& progress,
+                               OrderSource order) {
+  if (Status status = shape->makeSpace(motion.method, progress, order); !status) return status.error();
   auto fitted = Motion::fit(shape->encoded(), std::move(keyTimes), motion, before ? &before->motion_ : nullptr);
   if (!fitted) return fitted.error();
   Sequence sequence(std::move(shape), std::move(*fitted));
@@ -35,9 +37,9 @@ Result<Sequence> Sequence::fit(std::shared_ptr<SharedShape> shape, std::vector<d
 Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                   const StageProgress& progress, OrderSource order) {
   std::vector<double> times = timesOf(keyframes);
-  auto shape = SharedShape::encode(std::move(keyframes), encoding, progress, order);
+  auto shape = SharedShape::encode(std::move(keyframes), encoding, progress);
   if (!shape) return shape.error();
-  return fit(std::move(*shape), std::move(times), motion);
+  return fit(std::move(*shape), std::move(times), motion, nullptr, progress, order);
 }
 
 void Sequence::collectWarnings() {
@@ -48,6 +50,7 @@ void Sequence::collectWarnings() {
 }
 
 Status Sequence::update(const MotionOptions& options, const std::vector<double>& keyTimes) {
+  if (Status status = shape_->makeSpace(options.method); !status) return status.error();
   auto motion = Motion::fit(encoded(), keyTimes, options, &motion_);
   if (!motion) return motion.error();
   motion_ = std::move(*motion);
@@ -68,10 +71,11 @@ Status Sequence::evaluate(double t, Positions& positions) {
   return {};
 }
 
-double Sequence::sliding(double t, const Positions& shape) {
+Result<double> Sequence::sliding(double t, const Positions& shape) {
   const auto [first, last] = range();
   if (!(t >= first && t <= last) || motion_.options().inPlace) return std::numeric_limits<double>::quiet_NaN();
-  if (!sliding_) sliding_ = std::make_unique<const Sliding>(encoded().holdInput().mesh, motion_.naturalCurve());
+  if (Status status = shape_->makeSpace(Method::Lri); !status) return status.error();
+  if (!sliding_) sliding_ = std::make_unique<const Sliding>(encoded().lri().holdInput().mesh, motion_.naturalCurve());
   return sliding_->at(t, shape, encoded().input().welding.weldedOfRaw);
 }
 
@@ -89,7 +93,8 @@ Status Sequence::evaluateBlend(const std::vector<double>& weights, Frame& frame)
 
 Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
   if (Status status = checkTime(t); !status) return status;
-  if (!encoded().ghostMotion())
+  if (Status status = shape_->makeSpace(Method::Lri); !status) return status;
+  if (!encoded().lri().ghostMotion())
     return Error{ErrorCode::InvalidOption, "This sequence has no ghost mesh. Create it with ghost faces."};
   shape_->evaluator().ghost(encoded(), motion_, t, positions);
   return {};
@@ -97,20 +102,14 @@ Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
 
 Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
   if (Status status = checkTime(t); !status) return status;
+  if (Status status = shape_->makeSpace(Method::Lri); !status) return status;
   shape_->evaluator().patchRotations(encoded(), motion_, t, rotations);
   return {};
 }
 
-Result<PartCurve> Sequence::faceCurve(int inputFace, const std::vector<double>& times) {
-  if (inputFace < 0 || inputFace >= static_cast<int>(faces().size()))
-    return Error{ErrorCode::InvalidOption, "There is no face " + grouped(inputFace) + "."};
-  return featureCurve().face(inputFace, times);
-}
-
-Result<PartCurve> Sequence::patchCurve(int patch, const std::vector<double>& times) {
-  if (patch < 0 || patch >= encoded().patches().coordinates().patches.count)
-    return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + "."};
-  return featureCurve().patch(patch, times);
+Result<FeatureCurve> Sequence::featureCurve() {
+  if (Status status = shape_->makeSpace(Method::Lri); !status) return status.error();
+  return FeatureCurve(encoded().lri(), encoded().shape(), motion_, shape_->gram());
 }
 
 }  // namespace shapespline

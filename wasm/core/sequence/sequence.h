@@ -17,12 +17,12 @@ namespace shapespline {
 class Sequence {
  public:
   /// A motion of a shape that may have others. before: one of them, which what is costly is taken from; or null.
-  /// Errors: those of Motion::fit.
+  /// progress, order: as for SharedShape::makeSpace. Errors: those of SharedShape::makeSpace and of Motion::fit.
   static Result<Sequence> fit(std::shared_ptr<SharedShape> shape, std::vector<double> keyTimes,
-                              const MotionOptions& motion, const Sequence* before = nullptr);
+                              const MotionOptions& motion, const Sequence* before = nullptr,
+                              const StageProgress& progress = {}, OrderSource order = nullptr);
 
-  /// The same of a shape of its own. Arguments as for SharedShape::encode. Errors: those of SharedShape::encode and of
-  /// Motion::fit.
+  /// The same of a shape of its own. progress: of each in turn. Errors: those of SharedShape::encode as well.
   static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                  const StageProgress& progress = {}, OrderSource order = nullptr);
 
@@ -41,15 +41,16 @@ class Sequence {
 
   /// How far what rests between its keys is from its place in `shape`, which is evaluate(t) (hold/sliding.h); NaN where
   /// nothing rests, and where the shape moves on with a loop or is kept in place.
-  double sliding(double t, const Positions& shape);
+  /// Error: those of SharedShape::makeSpace.
+  Result<double> sliding(double t, const Positions& shape);
 
   /// The shape at an affine combination of the keys: one weight per key, sum 1. evaluate(t) is this at the curve's
   /// weights, but for what the motion holds.
   Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
 
-  /// The ghost that belongs to the shape at time t: xyz of each ghost vertex. Error: InvalidOption without a ghost.
+  /// The ghost that belongs to the shape at time t: xyz of each ghost vertex. Errors: InvalidOption without a ghost,
+  /// and those of SharedShape::makeSpace.
   Status evaluateGhost(double t, std::vector<float>& positions);
-  const Ghost& ghost() const { return encoded().ghost(); }
 
   const EncodedShape& encoded() const { return shape_->encoded(); }
   const Motion& motion() const { return motion_; }
@@ -62,32 +63,17 @@ class Sequence {
   /// First and last time at which the curve is defined by keys (for periodic: one whole period).
   std::pair<double, double> range() const { return motion_.range(); }
 
-  /// Patch of each face of the input, in [0, stats().patches); -1 for faces without area.
-  const std::vector<int>& patchOfFace() const { return encoded().patchOfInputFace(); }
-
-  /// Component of each face of the input, in [0, stats().components), numbered by their first faces; -1 for faces
-  /// without area.
-  const std::vector<int>& componentOfFace() const { return encoded().componentOfInputFace(); }
-
   /// The rotations G_k of the patches (of the ghost, with one) at time t, as the first system gives them and the whole
   /// is turned.
   Status patchRotations(double t, std::vector<Quaternion>& rotations);
 
-  /// feature_curve.h
-  ShapePlane shapePlane(const std::vector<double>& times) { return featureCurve().plane(times); }
-  Result<DiscretePath> discretePath(int samples) { return featureCurve().discretePath(samples); }
-  /// inputFace: in [0, faces().size()). Error: InvalidOption.
-  Result<PartCurve> faceCurve(int inputFace, const std::vector<double>& times);
-  /// patch: one of patchOfFace(). Error: InvalidOption.
-  Result<PartCurve> patchCurve(int patch, const std::vector<double>& times);
-  KeyPace keyPace() { return featureCurve().pace(); }
-  MotionPace motionPace(const std::vector<double>& times) { return featureCurve().paceAt(times); }
-  std::vector<double> bendingEnergy(const std::vector<double>& times) { return featureCurve().bendingEnergy(times); }
+  /// What can be said of it in LRI space, which is made for it where it is not there. Errors: those of
+  /// SharedShape::makeSpace.
+  Result<FeatureCurve> featureCurve();
 
  private:
   Sequence(std::shared_ptr<SharedShape> shape, Motion motion) : shape_(std::move(shape)), motion_(std::move(motion)) {}
   void collectWarnings();
-  FeatureCurve featureCurve() { return {encoded(), motion_, shape_->gram()}; }
 
   std::shared_ptr<SharedShape> shape_;
   Motion motion_;

@@ -1,24 +1,16 @@
 // What building and evaluating a sequence cost.
 #pragma once
 
+#include "core/space/lri_space.h"
+
 namespace shapespline {
 
-/// Of the encoded shape: neither encodings nor factorisations move while t, the motion options or the key times change.
-/// What a motion factorises to hold what rests is not counted.
-struct BuildStats {
-  int encodings = 0;
-  int factorisations = 0;
-  int patches = 0;  ///< of the ghost, with one
+/// Of the encoded shape: what was made so far.
+struct BuildStats : LriStats {
   int weldedVertices = 0;
   int components = 0;
-  /// Wall time of each stage; the ghost's own systems count as encoding. Joining: which faces have area, what they
-  /// border on and which components they form. Arranging lays the faces' numbers out in the order in which the system
-  /// is eliminated. Finishing: normals, what is told of the input's faces, warnings.
-  double weldMs = 0, joinMs = 0, encodeMs = 0, orderMs = 0, factorMs = 0, arrangeMs = 0, finishMs = 0;
-  long long factorBytes = 0;  ///< of the stored factor, entries and row lists: what one sweep of a solve reads
-  int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost
-  int joinedComponents = 0;               ///< components too small for a ghost of their own
-  double simplifyMs = 0, transferMs = 0;  ///< with a ghost: collapses; correspondence and residuals
+  /// Wall time of each stage. Joining: which faces have area, what they border on and which components they form.
+  double weldMs = 0, joinMs = 0;
 };
 
 /// Of the evaluator.

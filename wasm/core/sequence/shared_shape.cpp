@@ -16,23 +16,30 @@ constexpr int mostKeys = 2000;
 }  // namespace
 
 Result<std::shared_ptr<SharedShape>> SharedShape::encode(Keyframes keyframes, const EncodingOptions& options,
-                                                         const StageProgress& progress, OrderSource order) {
+                                                         const StageProgress& progress) {
   if (keyframes.keyCount() > mostKeys)
     return Error{ErrorCode::TooLarge, "There are " + grouped(keyframes.keyCount()) + " keys; a motion passes through " +
                                           grouped(mostKeys) + " at most. Take fewer keys."};
+  auto encoded = EncodedShape::build(std::move(keyframes), options, progress);
+  if (!encoded) return encoded.error();
+  return std::shared_ptr<SharedShape>(new SharedShape(std::move(*encoded), options.ghostFaces > 0));
+}
+
+Status SharedShape::makeSpace(Method method, const StageProgress& progress, OrderSource order) {
+  if (blendsVertices(method)) return encoded_.makeVertices(), Status();
+  if (encoded_.hasLri()) return {};
   double reached = 0;
-  const StageProgress report = [&, withGhost = options.ghostFaces > 0](const char* stage, double fraction) {
-    reached = std::max(reached, wholeProgress(stage, fraction, withGhost));
+  const StageProgress report = [&](const char* stage, double fraction) {
+    reached = std::max(reached, wholeProgress(stage, fraction, wantsGhost_));
     if (progress) progress(stage, reached);
   };
-  auto encoded = EncodedShape::build(std::move(keyframes), options, report, order);
-  if (!encoded) return encoded.error();
+  if (Status status = encoded_.makeLri(report, order); !status) return status;
   report("factorising", 1);
-  return std::shared_ptr<SharedShape>(new SharedShape(std::move(*encoded)));
+  return {};
 }
 
 const Eigen::MatrixXd& SharedShape::gram() {
-  if (gram_.size() == 0) gram_ = encoded_.gramMatrix();
+  if (gram_.size() == 0) gram_ = encoded_.lri().gramMatrix();
   return gram_;
 }
 

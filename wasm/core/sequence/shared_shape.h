@@ -1,4 +1,4 @@
-// An encoded shape and what its frames are computed in: what all its motions share.
+// A shape, what its frames are computed in, and what all its motions share.
 #pragma once
 
 #include <memory>
@@ -10,26 +10,31 @@
 
 namespace shapespline {
 
-/// Encoded once, moved in any number of ways (sequence.h). Not thread-safe.
+/// Made once, moved in any number of ways (sequence.h). Not thread-safe.
 class SharedShape {
  public:
   /// keyframes: moved in where the caller needs them no more; freed once they are welded. progress: called with a
-  /// stage's name and the fraction of the whole work that is done, in [0, 1] and never falling. order: as for
-  /// EncodedShape::build. Errors: TooLarge for too many keys, and those of EncodedShape::build.
+  /// stage's name and the fraction of the work that is done, in [0, 1] and never falling. Errors: TooLarge for too many
+  /// keys, and those of EncodedShape::build.
   static Result<std::shared_ptr<SharedShape>> encode(Keyframes keyframes, const EncodingOptions& options,
-                                                     const StageProgress& progress = {}, OrderSource order = nullptr);
+                                                     const StageProgress& progress = {});
+
+  /// Makes the space that a method's motions need, where it is not there. progress: as above. order: as for
+  /// LriSpace::create. Errors: those of LriSpace::create.
+  Status makeSpace(Method method, const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const EncodedShape& encoded() const { return encoded_; }
   Evaluator& evaluator() { return evaluator_; }
   SequenceStats stats() const { return {encoded_.stats(), evaluator_.stats()}; }
 
-  /// EncodedShape::gramMatrix(), made when it is first asked for.
+  /// LriSpace::gramMatrix(), made when it is first asked for. LRI space must have been made.
   const Eigen::MatrixXd& gram();
 
  private:
-  explicit SharedShape(EncodedShape encoded) : encoded_(std::move(encoded)) {}
+  SharedShape(EncodedShape encoded, bool wantsGhost) : encoded_(std::move(encoded)), wantsGhost_(wantsGhost) {}
 
   EncodedShape encoded_;
+  bool wantsGhost_;
   Evaluator evaluator_;
   Eigen::MatrixXd gram_;
 };

@@ -1,6 +1,7 @@
 /** The motions that are shown, of as few shapes as they need. Follows the wanted plan, the newest one wins. */
 import type { Engine, Keys, Shape } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
+import { ENCODING_SHARE, partOf } from '../../engine/api/progress.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { RunningMotion, Variant } from '../../playback/frame-set.ts';
 import type { SequencePlan } from './sequence-plan.ts';
@@ -100,34 +101,39 @@ export class SequenceSet {
     const variants = new Map(plan.variants.map((variant) => [shapeKey(plan, variant), variant]));
     const kept = [...this.shapes].filter(([key]) => variants.has(key));
     const missing = [...variants].filter(([key]) => !this.shapes.has(key));
-    const added = missing.length > 0 ? await this.encode(plan, missing) : new Map<string, EncodedShape>();
-    const shapes = new Map([...kept, ...added]);
-    const motions = await move(plan, shapes, this.motions).catch((error: unknown) => {
-      disposeAll(added);
-      throw error;
-    });
-    disposeMotions(this.motions, motions);
-    disposeAll(new Map([...this.shapes].filter(([key]) => !variants.has(key))));
-    this.shapes = shapes;
-    this.motions = motions;
+    const abort = new AbortController();
+    const progress = new BuildProgress(missing.length, this.events.onProgress);
+    this.building = { shapes: shapesOf(plan), abort };
+    try {
+      const added = await this.encode(plan, missing, abort, progress);
+      const shapes = new Map([...kept, ...added]);
+      const motions = await makeMotions(plan, shapes, this.motions, { signal: abort.signal, progress }).catch(
+        (error: unknown) => {
+          disposeAll(added);
+          throw error;
+        },
+      );
+      disposeMotions(this.motions, motions);
+      disposeAll(new Map([...this.shapes].filter(([key]) => !variants.has(key))));
+      this.shapes = shapes;
+      this.motions = motions;
+    } finally {
+      this.building = null;
+      progress.end();
+    }
   }
 
-  private async encode(plan: SequencePlan, missing: [key: string, variant: Variant][]): Promise<Shapes> {
-    const abort = new AbortController();
-    const fractions = missing.map(() => 0);
-    const progressOf =
-      (index: number) =>
-      ({ stage, fraction }: Progress): void => {
-        fractions[index] = fraction;
-        const done = fractions.reduce((sum, share) => sum + share, 0);
-        this.events.onProgress({ stage, fraction: done / missing.length });
-      };
-    const encodeOne = async ([key, variant]: [string, Variant], index: number): Promise<[string, EncodedShape]> => {
+  private async encode(
+    plan: SequencePlan,
+    missing: [key: string, variant: Variant][],
+    abort: AbortController,
+    progress: BuildProgress,
+  ): Promise<Shapes> {
+    const encodeOne = async ([key, variant]: [string, Variant]): Promise<[string, EncodedShape]> => {
       const keys = this.pool.keys.arrange(plan.order, plan.times, plan.names);
-      const call = { signal: abort.signal, onProgress: progressOf(index) };
+      const call = { signal: abort.signal, onProgress: progress.of(key, 0, ENCODING_SHARE) };
       return [key, { keys, shape: await this.engine.encode(keys, encodingFor(plan, variant, this.pool.keys), call) }];
     };
-    this.building = { shapes: shapesOf(plan), abort };
     // Each in a worker of its own.
     const encodings = missing.map(encodeOne);
     try {
@@ -138,22 +144,53 @@ export class SequenceSet {
       for (const one of await Promise.allSettled(encodings))
         if (one.status === 'fulfilled') disposeAll(new Map([one.value]));
       throw error;
-    } finally {
-      this.building = null;
-      this.events.onProgress(null);
     }
   }
 }
 
+/** How far all shapes are that are made at the same time. */
+class BuildProgress {
+  private readonly fractions = new Map<string, number>();
+
+  constructor(
+    private readonly shapes: number,
+    private readonly tell: SequenceSetEvents['onProgress'],
+  ) {}
+
+  /** What a part of one shape's work reports to. */
+  of(shape: string, from: number, to: number): (progress: Progress) => void {
+    return partOf(
+      ({ stage, fraction }) => {
+        this.fractions.set(shape, fraction);
+        const done = [...this.fractions.values()].reduce((sum, share) => sum + share, 0);
+        this.tell({ stage, fraction: done / Math.max(this.shapes, this.fractions.size) });
+      },
+      from,
+      to,
+    );
+  }
+
+  end(): void {
+    if (this.fractions.size > 0) this.tell(null);
+  }
+}
+
 /** One motion for each variant, those that are there among them. Made are all of them or none. */
-async function move(plan: SequencePlan, shapes: Shapes, present: readonly Running[]): Promise<Running[]> {
+async function makeMotions(
+  plan: SequencePlan,
+  shapes: Shapes,
+  present: readonly Running[],
+  { signal, progress }: { signal: AbortSignal; progress: BuildProgress },
+): Promise<Running[]> {
   const made = await Promise.allSettled(
     plan.variants.map(async (variant) => {
       const of = shapeKey(plan, variant);
       const options = { ...motionFor(plan, variant), keyTimes: plan.times };
       const key = JSON.stringify([of, options]);
       const there = present.find((motion) => motion.key === key);
-      return { ...variant, key, sequence: there?.sequence ?? (await shapes.get(of)!.shape.motion(options)) };
+      if (there) return { ...variant, key, sequence: there.sequence };
+      const call = { signal, onProgress: progress.of(of, ENCODING_SHARE, 1) };
+      return { ...variant, key, sequence: await shapes.get(of)!.shape.motion(options, call) };
     }),
   );
   const motions = made.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : []));

@@ -38,7 +38,7 @@ export interface AheadOptions {
 export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
-  /** Encodes and factorises in a worker of its own, which ends where the call is cancelled. */
+  /** Takes the keys into a worker of its own, which ends where the call is cancelled. */
   encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape>;
   /** A shape and its one motion. */
   createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
@@ -63,10 +63,13 @@ export interface Keys {
 /** What a motion is made with: options, and the times of the keys, which are the file's where none are given. */
 export type MotionChange = Partial<MotionOptions> & { keyTimes?: number[] };
 
-/** Keys, encoded: what is costly to make and knows no time. Its motions share it. */
+/** Keys, and the spaces that its motions are made in: what is costly to make and knows no time. They share it. */
 export interface Shape {
   readonly options: Readonly<EncodingOptions>;
-  /** As many as are wanted. Nothing is encoded for it, and nothing factorised but what `hold` and pins need. */
+  /**
+   * As many as are wanted. The first of a method in LRI space encodes and factorises, which takes a while and can be
+   * cancelled; of the others nothing is encoded, and nothing factorised but what `hold` and pins need.
+   */
   motion(options?: MotionChange, call?: CallOptions): Promise<Motion>;
   stats(): Promise<SequenceStats>;
   /** Patch index of each face, -1 for faces without area. */

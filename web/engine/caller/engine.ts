@@ -5,6 +5,7 @@ import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeysHandle } from './keyframes.ts';
 import { withoutLeftovers } from '../api/paths.ts';
+import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
   checkCall,
   checkEncodingOptions,
@@ -15,9 +16,8 @@ import {
 } from '../api/options.ts';
 import type { Program, WorkerFiles } from '../wire/protocol.ts';
 import { WorkerClient, type Spawn } from './worker-client.ts';
-import { orderBeside } from './order-beside.ts';
 import { SequenceClient } from './sequence.ts';
-import { encodeRequest, ShapeClient, type ShapeParts } from './shape.ts';
+import { ShapeClient, type ShapeParts } from './shape.ts';
 import type { EncodingOptions, ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
 
 export interface Platform {
@@ -68,14 +68,16 @@ export class EngineClient implements Engine {
   }
 
   async encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape> {
-    return this.encoded(keys, checkEncodingOptions(options), call, async (shape) => shape);
+    return this.encoded(keys, checkEncodingOptions(options), call, call?.onProgress, async (shape) => shape);
   }
 
   async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
     const checked = checkSequenceOptions(options);
-    return this.encoded(keys, encodingOf(checked), call, async (shape) => {
+    const report = call?.onProgress ?? (() => undefined);
+    return this.encoded(keys, encodingOf(checked), call, partOf(report, 0, ENCODING_SHARE), async (shape) => {
       const spec = shape.spec(motionOf(checked), shape.parts.keys.info.times);
-      return new SequenceClient(shape, spec, await shape.make(spec));
+      const state = await shape.make(spec, { onProgress: partOf(report, ENCODING_SHARE, 1) });
+      return new SequenceClient(shape, spec, state);
     });
   }
 
@@ -92,6 +94,7 @@ export class EngineClient implements Engine {
     keys: Keys,
     encoding: EncodingOptions,
     call: CallOptions | undefined,
+    onProgress: CallOptions['onProgress'],
     goOn: (shape: ShapeClient) => Promise<T>,
   ): Promise<T> {
     this.checkAlive();
@@ -102,21 +105,17 @@ export class EngineClient implements Engine {
       keys: keys.data,
       encoding,
       freshWorker: () => this.freshWorker(),
+      // What read the files has the memory for it already.
+      workerBeside: large ? () => this.takeWorker() : null,
       onDispose: (gone) => void this.shapes.delete(gone),
     };
-    // What read the files has the memory for it already.
-    const beside = large ? orderBeside(this.takeWorker(), encodeRequest(parts)) : null;
     const client = large ? this.freshWorker(large) : this.takeWorker();
-    try {
-      return await this.task(client, call, async () => {
-        const shape = await ShapeClient.encode(parts, client, beside?.order ?? null, { onProgress: call?.onProgress });
-        const made = await goOn(shape);
-        this.shapes.add(shape);
-        return made;
-      });
-    } finally {
-      beside?.end();
-    }
+    return this.task(client, call, async () => {
+      const shape = await ShapeClient.encode(parts, client, { onProgress });
+      const made = await goOn(shape);
+      this.shapes.add(shape);
+      return made;
+    });
   }
 
   private takeWorker(): WorkerClient {

@@ -1,4 +1,4 @@
-/** The order of elimination, which a worker of its own finds while the shape's worker encodes. */
+/** The order of elimination, which a worker of its own finds while the shape's worker makes LRI space. */
 import { disposed } from '../api/errors.ts';
 import type { RequestOf } from '../wire/protocol.ts';
 import { giveUpOrder, type SharedOrder, sharedOrder } from '../wire/shared-order.ts';
@@ -11,7 +11,7 @@ export interface OrderBeside {
 }
 
 /** A failure is said by the shape, which fails as well, or finds the order itself. */
-export function orderBeside(client: WorkerClient, request: Omit<RequestOf<'encode'>, 'order'>): OrderBeside {
+export function orderBeside(client: WorkerClient, request: RequestOf<'encode'>): OrderBeside {
   const order = sharedOrder(request.positions[0]!.length / 3);
   const end = (): void => {
     giveUpOrder(order);

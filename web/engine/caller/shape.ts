@@ -1,13 +1,14 @@
 /** A shape on the caller's side: its worker, the order of its requests, and what it takes to encode it again. */
 import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
-import { disposed, untilAborted } from '../api/errors.ts';
+import { cancelled, disposed, untilAborted } from '../api/errors.ts';
+import { METHOD } from '../api/methods.ts';
 import { checkCall, checkUpdate } from '../api/options.ts';
 import { MOTION_DEFAULTS } from '../api/types.ts';
 import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../api/types.ts';
 import type { CallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
 import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
-import type { SharedOrder } from '../wire/shared-order.ts';
 import { MotionClient } from './motion.ts';
+import { orderBeside } from './order-beside.ts';
 import { Scheduler, urgency } from './scheduler.ts';
 import type { WorkerCall, WorkerClient } from './worker-client.ts';
 
@@ -16,12 +17,15 @@ export interface ShapeParts {
   encoding: EncodingOptions;
   /** Starts a worker that no other shape uses, with one thread. */
   freshWorker(): WorkerClient;
+  /** One that finds the order of elimination meanwhile, where the shape is large enough for that; or null. */
+  workerBeside: (() => WorkerClient) | null;
   onDispose(shape: ShapeClient): void;
 }
 
 export class ShapeClient implements Shape {
   readonly scheduler = new Scheduler();
   private motions = 0;
+  private hasLri = false;
   private over = false;
 
   private constructor(
@@ -30,13 +34,8 @@ export class ShapeClient implements Shape {
   ) {}
 
   /** Encodes it in `client`, which is the shape's own from here on. */
-  static async encode(
-    parts: ShapeParts,
-    client: WorkerClient,
-    order: SharedOrder | null,
-    call: WorkerCall,
-  ): Promise<ShapeClient> {
-    await client.call('encode', { ...encodeRequest(parts), order }, call);
+  static async encode(parts: ShapeParts, client: WorkerClient, call: WorkerCall): Promise<ShapeClient> {
+    await client.call('encode', encodeRequest(parts), call);
     return new ShapeClient(parts, client);
   }
 
@@ -48,7 +47,7 @@ export class ShapeClient implements Shape {
     checkCall(call);
     const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
     const spec = this.spec(motion, keyTimes ?? this.parts.keys.info.times);
-    const made = this.scheduler.run(urgency.shown, () => this.make(spec, call));
+    const made = this.scheduler.run(urgency.shown, () => this.make(spec, call), call?.signal);
     return new MotionClient(this, spec, await untilAborted(call?.signal, made));
   }
 
@@ -58,7 +57,8 @@ export class ShapeClient implements Shape {
   }
 
   make(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
-    return this.ask('motion', { motion }, { onProgress: call?.onProgress });
+    const needsLri = METHOD[motion.options.method].space === 'lri';
+    return needsLri && !this.hasLri ? this.makeWithLri(motion, call) : this.ask('motion', { motion, order: null });
   }
 
   /** The motion is no longer needed. */
@@ -72,11 +72,11 @@ export class ShapeClient implements Shape {
   }
 
   async patches(): Promise<Int32Array> {
-    return (await this.question('parts', () => ({}))).patchOf;
+    return (await this.question('patches', () => ({}))).patchOf;
   }
 
   async components(): Promise<Int32Array> {
-    return (await this.question('parts', () => ({}))).componentOf;
+    return (await this.question('components', () => ({}))).componentOf;
   }
 
   async ghost(): Promise<Ghost | null> {
@@ -109,17 +109,32 @@ export class ShapeClient implements Shape {
     this.checkAlive();
     if (!this.client.alive) {
       this.client = this.parts.freshWorker();
-      await this.client.call('encode', { ...encodeRequest(this.parts), order: null });
+      this.hasLri = false;
+      await this.client.call('encode', encodeRequest(this.parts));
     }
     return this.client.call(type, request, call);
+  }
+
+  /** The first motion in LRI space makes that. Who cancels ends the worker; another one encodes when it is asked. */
+  private async makeWithLri(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
+    const { workerBeside } = this.parts;
+    const beside = workerBeside && orderBeside(workerBeside(), encodeRequest(this.parts));
+    const cancel = (): void => this.client.terminate(cancelled());
+    call?.signal?.addEventListener('abort', cancel, { once: true });
+    try {
+      const request = { motion, order: beside?.order ?? null };
+      const state = await this.ask('motion', request, { onProgress: call?.onProgress });
+      this.hasLri = true;
+      return state;
+    } finally {
+      call?.signal?.removeEventListener('abort', cancel);
+      beside?.end();
+    }
   }
 }
 
 /** What a shape is made of. */
-export function encodeRequest({
-  keys,
-  encoding,
-}: Pick<ShapeParts, 'keys' | 'encoding'>): Omit<RequestOf<'encode'>, 'order'> {
+function encodeRequest({ keys, encoding }: ShapeParts): RequestOf<'encode'> {
   const { info, positions, normals } = keys;
   return { names: info.names, faces: info.faces, times: info.times, positions, normals, encoding };
 }

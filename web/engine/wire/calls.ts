@@ -48,7 +48,9 @@ export const QUESTIONS = {
   ghostPositions: ofMotion<{ t: number }, { positions: Float32Array }>('_shapespline_ghost_positions'),
   /** At the first of these times: one, and more as long as that takes no longer. */
   measure: ofMotion<{ times: number[]; mostMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
-  parts: ofShape<object, { patchOf: Int32Array; componentOf: Int32Array }>('_shapespline_parts'),
+  /** Of each face; -1 without area. */
+  components: ofShape<object, { componentOf: Int32Array }>('_shapespline_components'),
+  patches: ofShape<object, { patchOf: Int32Array }>('_shapespline_patches'),
   ghost: ofShape<object, Ghost>('_shapespline_ghost'),
   stats: ofShape<object, Omit<SequenceStats, 'threads' | 'heapBytes'>>('_shapespline_stats'),
 };

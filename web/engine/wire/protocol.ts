@@ -68,17 +68,13 @@ export interface Calls extends Omit<Questions, 'stats'> {
   import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
   /** Makes the shape that the worker holds from then on. */
   encode: {
-    request: Pick<KeysInfo, 'names' | 'faces' | 'times'> &
-      Omit<KeyData, 'info'> & {
-        encoding: EncodingOptions;
-        /** Where another worker leaves the order of elimination (shared-order), or null. */
-        order: SharedOrder | null;
-      };
+    request: Pick<KeysInfo, 'names' | 'faces' | 'times'> & Omit<KeyData, 'info'> & { encoding: EncodingOptions };
     result: null;
   };
-  /** Finds the order of elimination for `encode` in another worker. */
+  /** Finds the order of elimination of LRI space in another worker. */
   order: { request: Calls['encode']['request'] & { order: SharedOrder }; result: null };
-  motion: { request: { motion: MotionSpec }; result: MotionState };
+  /** `order`: where another worker leaves the order of elimination (shared-order), if LRI space is made; or null. */
+  motion: { request: { motion: MotionSpec; order: SharedOrder | null }; result: MotionState };
   /** The motion is not needed any more. */
   drop: { request: { motion: MotionSpec }; result: null };
   evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null }; result: FrameData };

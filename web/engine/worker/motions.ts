@@ -1,6 +1,6 @@
 /** The motions of a worker's shape. */
 import type { MotionSpec, MotionState } from '../wire/protocol.ts';
-import type { WasmCore } from './wasm-core.ts';
+import type { NewSpace, WasmCore } from './wasm-core.ts';
 
 /** More than any page shows: those that were asked for least lately are made again when they are. */
 const MOST = 16;
@@ -12,8 +12,8 @@ export class Motions {
   private holding: number | null = null;
 
   /** Where it fails, the others stay. */
-  make(core: WasmCore, shape: number, spec: MotionSpec): MotionState {
-    const { handle, ...state } = core.motion(shape, spec, this.holding);
+  make(core: WasmCore, shape: number, spec: MotionSpec, space?: NewSpace): MotionState {
+    const { handle, ...state } = core.motion(shape, spec, this.holding, space);
     if (spec.options.hold === 'on' || spec.options.pins.length > 0) this.holding = handle;
     this.drop(core, spec);
     this.handles.set(spec.number, handle);

@@ -136,7 +136,7 @@ export class RequestHandler {
         provideOrder(request.order, () => core.eliminationOrder(request));
         return null;
       },
-      motion: (core, { motion }) => this.motions.make(core, this.shape, motion),
+      motion: (core, { motion, order }, report) => this.motions.make(core, this.shape, motion, { order, report }),
       drop: (core, { motion }) => {
         this.motions.drop(core, motion);
         return null;

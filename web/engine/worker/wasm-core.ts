@@ -14,7 +14,7 @@ import type {
   RequestOf,
   ResultOf,
 } from '../wire/protocol.ts';
-import { awaitedOrder } from '../wire/shared-order.ts';
+import { awaitedOrder, type SharedOrder } from '../wire/shared-order.ts';
 import type { ImportOptions, InputFile, KeysInfo, Scene, TextureImage } from '../api/types.ts';
 import type { Address, CreateWasmModule, QuestionFunctions, WasmModule } from './wasm-module.ts';
 
@@ -43,6 +43,12 @@ interface FrameResult {
 }
 
 export type OnProgress = (stage: string, fraction: number) => void;
+
+/** For a motion that may be the first of its space. */
+export interface NewSpace {
+  order?: SharedOrder | null;
+  report?: OnProgress;
+}
 
 function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
   const entries = Object.entries({ key, vertex, face }).filter(([, index]) => index >= 0);
@@ -134,13 +140,6 @@ export class WasmCore {
   /** Returns the handle of a shape. */
   encode(request: RequestOf<'encode'>, onProgress: OnProgress = () => undefined): number {
     this.hear(onProgress);
-    const { order } = request;
-    this.module.takeOrder = (address, unknowns) => {
-      const made = order && awaitedOrder(order);
-      if (made?.length !== unknowns) return false;
-      new Int32Array(this.module.HEAPU8.buffer, address >>> 0, unknowns).set(made);
-      return true;
-    };
     return this.send<{ handle: number }>(keysOf(request), (address) => this.module._shapespline_encode(address)).handle;
   }
 
@@ -151,7 +150,19 @@ export class WasmCore {
   }
 
   /** `before`: another motion of the shape, which what is costly is taken from; or null. */
-  motion(shape: number, { options, keyTimes }: MotionSpec, before: number | null): MotionState & { handle: number } {
+  motion(
+    shape: number,
+    { options, keyTimes }: MotionSpec,
+    before: number | null,
+    { order, report }: NewSpace = {},
+  ): MotionState & { handle: number } {
+    this.hear(report ?? (() => undefined));
+    this.module.takeOrder = (address, unknowns) => {
+      const made = order && awaitedOrder(order);
+      if (made?.length !== unknowns) return false;
+      new Int32Array(this.module.HEAPU8.buffer, address >>> 0, unknowns).set(made);
+      return true;
+    };
     const request = { motion: options, keyTimes, before };
     return this.send(request, (address) => this.module._shapespline_motion(shape, address));
   }

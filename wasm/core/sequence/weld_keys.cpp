@@ -1,4 +1,4 @@
-#include "core/sequence/welded_keys.h"
+#include "core/sequence/weld_keys.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -73,6 +73,7 @@ Result<WeldedKeys> weldKeys(Keyframes keyframes, const EncodingOptions& options,
   reportFraction(onProgress, 0);
   if (Status status = validate(keyframes); !status) return status.error();
   if (Status status = checkEncoding(options, keyframes); !status) return status.error();
+  const Positions normals = std::move(keyframes.normals);
   std::vector<const Positions*> poses;
   for (const Key& key : keyframes.keys) poses.push_back(&key.positions);
   WeldedKeys keys;
@@ -91,6 +92,8 @@ Result<WeldedKeys> weldKeys(Keyframes keyframes, const EncodingOptions& options,
   keyframes.keys.clear();  // what follows takes the most memory, and works on the welded poses
   shape.closing = closingOf(shape, keys.diagonal);
   putInOrder(shape, input, partOf(onProgress, 0.55, 1));
+  for (const Positions& pose : shape.poses) keys.meanPosition.push_back(centroidOf(pose));
+  keys.shadingGroup = shadingGroups(input.welding, normals, keys.shadingGroups);
   reportFraction(onProgress, 1);
   return keys;
 }

@@ -1,4 +1,4 @@
-#include "core/sequence/gram_matrix.h"
+#include "core/space/gram_matrix.h"
 
 #include <algorithm>
 #include <cmath>

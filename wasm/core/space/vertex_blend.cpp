@@ -1,23 +1,14 @@
-#include "core/sequence/vertex_blend.h"
+#include "core/space/vertex_blend.h"
 
 #include "core/rotation/rotation.h"
+#include "core/space/vertex_space.h"
 
 namespace shapespline {
 
-namespace {
-
-Positions blendVertices(const WeldedShape& shape, const Eigen::VectorXd& weights) {
-  Positions blended(shape.vertexCount(), Vec3::Zero());
-  for (int c = 0; c < shape.columns(); ++c)
-    for (std::size_t v = 0; v < blended.size(); ++v) blended[v] += weights[c] * shape.poses[c][v];
-  return blended;
-}
-
-}  // namespace
-
 ShapeCoordinates encodeVertexBlend(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
                                    const Eigen::VectorXd& weights) {
-  const Positions pose = blendVertices(shape, weights);
+  Positions pose;
+  blendVertices(shape, {weights.data(), static_cast<std::size_t>(weights.size())}, pose);
   const Patches& patches = poses.patches.patches;
   ShapeCoordinates out{{}, {}, Vec3::Zero()};
   out.face.resize(shape.faceCount());

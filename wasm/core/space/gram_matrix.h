@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/lri/lri.h"
 #include "core/patches/patch_coordinates.h"
-#include "core/sequence/vertex_blend.h"
+#include "core/space/vertex_blend.h"
 
 namespace shapespline {
 

@@ -1,0 +1,32 @@
+// The space of vertex positions: what the baselines blend. Neither encoded nor factorised.
+#pragma once
+
+#include <span>
+
+#include "core/mesh/vertex_normals.h"
+#include "core/space/welded_keys.h"
+#include "core/spline/pose_weights.h"
+
+namespace shapespline {
+
+/// weights: one per column.
+void blendVertices(const WeldedShape& shape, std::span<const double> weights, Positions& blended);
+
+/// Immutable.
+class VertexSpace {
+ public:
+  /// keys: must outlive the space.
+  explicit VertexSpace(const WeldedKeys& keys);
+
+  /// Draws places in the order of the welded vertices.
+  const VertexNormals& normals() const { return normals_; }
+
+  /// The shape at `point`.
+  void positions(const CurvePoint& point, Positions& positions) const;
+
+ private:
+  const WeldedKeys* keys_;
+  VertexNormals normals_;
+};
+
+}  // namespace shapespline
