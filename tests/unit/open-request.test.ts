@@ -18,7 +18,7 @@ import type { Sample } from '../../web/app/sources/samples.ts';
 import { KeysHandle } from '../../web/engine/caller/keyframes.ts';
 import type { KeyData } from '../../web/engine/wire/protocol.ts';
 import { setMotion } from '../../web/model/edits.ts';
-import type { AppState } from '../../web/model/state.ts';
+import type { AppState, LoopMode } from '../../web/model/state.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
@@ -40,9 +40,9 @@ const pose = { name: 'added', positions: Float32Array.of(1, 2, 3) };
 const work = { ...present, poses: [pose], history: { past: [], future: [] } };
 
 /** A tetrahedron with two poses; `read`: the document that its files start with. */
-function imported(): PosePool {
+function imported(animation = -1): PosePool {
   const faces = Uint32Array.of(0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2);
-  const info = { names: ['a', 'b'], times: [0, 1], offset: [0, 0, 0], animation: -1, animations: [], project: null };
+  const info = { names: ['a', 'b'], times: [0, 1], offset: [0, 0, 0], animation, animations: [], project: null };
   const corners = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
   const keys = { info: { ...info, faces, report: { components: 1 }, speed: null }, positions: [corners, corners] };
   return new PosePool(new KeysHandle(keys as unknown as KeyData));
@@ -50,8 +50,8 @@ function imported(): PosePool {
 const read = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
 /** The start and the state that a request leads to from these files. */
-function met(request: OpenRequest, before: AppState = files) {
-  const pool = imported();
+function met(request: OpenRequest, before: AppState = files, animation = -1) {
+  const pool = imported(animation);
   const poses = [{ name: 'added', positions: new Float32Array(12).fill(2) }];
   const start = startOf(request, read, pool, request.turn ? { ...work, poses } : null);
   const opening: Opening & typeof start = { ...start, info: pool.keys.info, pool };
@@ -101,6 +101,13 @@ describe('a request', () => {
 });
 
 describe('what is there when it is met', () => {
+  it('plays clips in a loop and poses there and back, but once where that was chosen', () => {
+    const loopOf = (loop: LoopMode, animation: number): LoopMode =>
+      met(pickedRequest([]), { ...files, play: { ...files.play, loop } }, animation).state.play.loop;
+    expect([loopOf('bounce', 0), loopOf('loop', -1)]).toEqual(['loop', 'bounce']);
+    expect([loopOf('once', 0), loopOf('once', -1)]).toEqual(['once', 'once']);
+  });
+
   it('of a sample: its ends and names; a divider goes, the look stays, and it moves from the first key', () => {
     const { start, state } = met(sampleRequest(sample, input, null, 'on'));
     expect(state.doc).toBe(start.initial);

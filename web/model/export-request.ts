@@ -59,8 +59,8 @@ export interface ExportRequest {
   duration: number | null;
   /** Seconds of one turn. */
   turn: number;
-  /** There and back again; null = as it plays on the page. */
-  bounce: boolean | null;
+  /** There and back again. */
+  bounce: boolean;
   inPlace: boolean;
   /** null = the window's, of a GIF small. */
   size: SizeName | null;
@@ -85,7 +85,7 @@ export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
   range: null,
   duration: null,
   turn: 6,
-  bounce: null,
+  bounce: false,
   inPlace: false,
   size: null,
   own: SIZES['1080p'],
@@ -108,8 +108,6 @@ export interface Playing {
   fps: number | null;
   /** Units of time per second. */
   speed: number;
-  /** There and back again. */
-  bounces: boolean;
 }
 
 export interface ExportNumbers {
@@ -140,8 +138,8 @@ export function canBounce({ kind, animation }: ExportRequest): boolean {
   return kind === 'animation' && (animation === 'video' || animation === 'glb');
 }
 
-export function goesBack(request: ExportRequest, { bounces }: Playing): boolean {
-  return canBounce(request) && (request.bounce ?? bounces);
+export function goesBack(request: ExportRequest): boolean {
+  return canBounce(request) && request.bounce;
 }
 
 /** `video`: the format, where a video is asked for. */
@@ -165,7 +163,7 @@ function videoFrames(request: ExportRequest, playing: Playing, video: VideoForma
   const usual = video === 'gif' ? USUAL_GIF_RATE : USUAL_RATE;
   const rate = Math.min(request.rate ?? playing.fps ?? usual, MOST_RATE[video]);
   const oneWay = Math.max(Math.round(seconds * rate), 1);
-  return { rate, frames: goesBack(request, playing) ? 2 * oneWay : oneWay, whole: false };
+  return { rate, frames: goesBack(request) ? 2 * oneWay : oneWay, whole: false };
 }
 
 /** The frames of files go from the first time to the last, both included. */

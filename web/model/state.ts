@@ -33,11 +33,6 @@ export interface Doc {
 
 export type LoopMode = 'once' | 'loop' | 'bounce';
 
-/** Whether a motion goes back the way that it came; one that closes on itself goes on. */
-export function bounces(loop: LoopMode, boundary: Boundary): boolean {
-  return loop === 'bounce' && boundary !== 'periodic';
-}
-
 export interface Play {
   playing: boolean;
   /** Units of time per second. */

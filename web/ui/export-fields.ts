@@ -101,7 +101,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
       // Of a video their number follows from its seconds.
       frames.readOnly = isVideo;
       setField(rate, shortest(numbers.rate, 3));
-      bounce.update(goesBack(request, playing));
+      bounce.update(goesBack(request));
     },
   };
 }

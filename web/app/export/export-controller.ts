@@ -4,7 +4,6 @@ import { modelName } from '../../engine/api/paths.ts';
 import type { Motion } from '../../engine/api/api.ts';
 import type { ExportRequest, Playing, VideoFormat } from '../../model/export-request.ts';
 import { playRange } from '../../model/frames.ts';
-import { bounces } from '../../model/state.ts';
 import type { AppState } from '../../model/state.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import { analyseAt } from '../analysis/analysis.ts';
@@ -104,9 +103,8 @@ export class ExportController {
 
   private get playing(): Playing {
     const { store, range } = this.parts.session;
-    const { doc, play } = store.get();
-    const { between, fps, speed, loop } = play;
-    return { range: playRange(between, range()), fps, speed, bounces: bounces(loop, doc.motion.boundary) };
+    const { between, fps, speed } = store.get().play;
+    return { range: playRange(between, range()), fps, speed };
   }
 
   private async runJob(

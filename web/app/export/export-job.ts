@@ -54,7 +54,7 @@ export function engineOptions(request: ExportRequest, time: number, playing: Pla
   if (request.kind === 'pose') return { format: request.pose, pose: time };
   if (request.kind !== 'animation' || request.animation === 'video') return null;
   const { animation: format, inPlace, compression, targets } = request;
-  const bounce = goesBack(request, playing);
+  const bounce = goesBack(request);
   const numbers = exportNumbers(request, playing, null);
   // The time on the timeline, unless the export runs faster or slower.
   const duration = numbers.speed === 1 ? null : numbers.seconds;
@@ -150,7 +150,7 @@ function planText(request: ExportRequest, playing: Playing, { times, targets, er
   const off = error === null ? '' : `, off by at most ${errorText(error)} between them`;
   const size = `about ${bytesText(bytes)}`;
   if (request.animation !== 'glb') return `${grouped(times.length)} frames, ${size}`;
-  const bounces = goesBack(request, playing);
+  const bounces = goesBack(request);
   const back = bounces ? ' there and back' : '';
   const length = secondsText(bounces ? 2 * seconds : seconds);
   if (request.targets !== 'every')
@@ -206,7 +206,7 @@ async function video(request: ExportRequest, job: ExportJob): Promise<void> {
   const format = await formatOf(request);
   const { range, frames, rate } = exportNumbers(request, job.playing, format);
   const [start, end] = range;
-  const bounces = goesBack(request, job.playing);
+  const bounces = goesBack(request);
   const show = (share: number): Promise<void> =>
     isTurn(request) ? job.turn(share) : job.show(start + share * (end - start));
   const ground = pageColour('--stage-centre');

@@ -1,7 +1,6 @@
 /** What opens over the page: dialogs, loaded when first needed, and file choosers. */
 import { playRange } from '../../model/frames.ts';
 import type { End } from '../../model/speeds.ts';
-import { bounces } from '../../model/state.ts';
 import type { EmbedDialog } from '../../ui/embed-dialog.ts';
 import type { ExportDialog, ExportDialogProps } from '../../ui/export-dialog.ts';
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
@@ -54,13 +53,12 @@ export function createDialogs(commands: Commands, connect: Connect, onError: (er
   };
 }
 
-function exportProps({ state: { doc, play }, viewState, range }: Shown): ExportDialogProps {
+function exportProps({ state: { play }, viewState, range }: Shown): ExportDialogProps {
   return {
     ...viewState.exporting,
     range: playRange(play.between, range),
     fps: play.fps,
     speed: play.speed,
-    bounces: bounces(play.loop, doc.motion.boundary),
     videoFormats: viewState.videoFormats,
   };
 }

@@ -4,7 +4,7 @@ import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
 import { relativeTo, reoriented } from '../../model/orientation.ts';
-import type { AppState, Doc, Play, Source, View } from '../../model/state.ts';
+import type { AppState, Doc, LoopMode, Play, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { clampTime, length } from '../../model/time-scale.ts';
@@ -124,7 +124,13 @@ function openingPlay(
   const speed = link?.speed ?? own;
   const playing = (link?.playing ?? true) && !reducedMotion;
   if (link) return { playing, speed, loop: link.loop ?? loop, between: link.between, fps: link.fps };
-  return { playing, speed, loop, between: null, fps };
+  return { playing, speed, loop: openingLoop(loop, timed && info.animation >= 0), between: null, fps };
+}
+
+/** A clip plays in a loop, poses there and back, unless the visitor lets motions play once. */
+function openingLoop(before: LoopMode, clip: boolean): LoopMode {
+  if (before === 'once') return before;
+  return clip ? 'loop' : 'bounce';
 }
 
 /**
