@@ -90,6 +90,42 @@ test('the look changes the picture and not the shape', async ({ app }) => {
   await app.expectNoProblems();
 });
 
+test('onion skins lie behind the shape, as many as are asked for, before and after in other colours', async ({
+  app,
+}) => {
+  await app.open({ hash: `${COLOURED}&t=0.5` });
+  await app.by('look-toggle').click();
+  const alone = decode(await app.picture());
+  await app.by('onion').check();
+  const few = decode(await app.picture());
+  for (const [field, value] of [
+    ['onion-skins', '4'],
+    ['onion-spacing', '0.05'],
+  ] as const) {
+    await app.by(field).fill(value);
+    await app.by(field).press('Enter');
+  }
+  const many = decode(await app.picture());
+  const [before, after, more] = [alone, few, many].map((picture) => [...colours(picture)]);
+  const shape = grown(
+    Uint8Array.from(before!, (colour) => (saturation(colour) > 36 ? 0 : 1)),
+    alone.width,
+    2,
+  ); // 0 inside of the shape
+  const changed = (other: typeof before, inside: boolean): number =>
+    before!.filter(
+      (colour, i) => (shape[i] === 0) === inside && colour.some((value, k) => Math.abs(value - other![i]![k]!) > 8),
+    ).length;
+  expect(changed(after, true)).toBe(0);
+  expect(changed(more, true)).toBe(0);
+  expect(changed(after, false)).toBeGreaterThan(1000);
+  expect(more).not.toEqual(after);
+  await expect.poll(() => app.page.url()).toContain('onionSkins=4&onionSpacing=0.05');
+  await app.by('onion-spacing').fill('');
+  await app.by('onion-spacing').press('Enter');
+  await expect.poll(async () => (await app.state()).view.onionSpacing).toBeNull();
+});
+
 test('the film strip shows the motion in a row, and goes away again', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.page.keyboard.press('g');

@@ -76,6 +76,10 @@ export interface View {
   wireframe: boolean;
   floor: boolean;
   onion: boolean;
+  /** Onion skins on either side of the time. */
+  onionSkins: number;
+  /** Units of time between them; null = a share of the range. */
+  onionSpacing: number | null;
   film: boolean;
   /** How many shapes a film strip has; null = as many as the keys ask for. */
   filmShapes: number | null;
@@ -107,6 +111,12 @@ export interface AppState {
   view: View;
 }
 
+/** On either side. */
+export const MOST_ONION_SKINS = 6;
+/** Units of time. */
+export const LEAST_ONION_SPACING = 0.001;
+/** Shapes before the time and after it. */
+export const ONION_COLOURS = { before: '#8a5cd6', after: '#d9622b' } as const;
 /** Of a film strip. */
 export const [LEAST_FILM_SHAPES, MOST_FILM_SHAPES] = [4, 24];
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
@@ -123,6 +133,8 @@ export const DEFAULT_VIEW: Readonly<View> = {
   wireframe: false,
   floor: true,
   onion: false,
+  onionSkins: 2,
+  onionSpacing: null,
   film: false,
   filmShapes: null,
   compare: [],

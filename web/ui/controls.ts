@@ -52,6 +52,8 @@ export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
   return h('div', { class: 'field row' }, first, ...fields);
 }
 
+export const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
+
 /** Buttons beside each other, under what they are for. */
 export function buttonGroup(label: string, ...buttons: Node[]): HTMLElement {
   return h(

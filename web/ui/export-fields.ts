@@ -13,7 +13,7 @@ import {
   isVideoRequest,
   sizeName,
 } from '../model/export-request.ts';
-import { button, checkbox, fieldRow, numberField, select, setIdle } from './controls.ts';
+import { button, checkbox, fieldRow, numberField, select, setIdle, unit } from './controls.ts';
 import type { Fields } from './dom.ts';
 import { h, setField, setHidden, setText } from './dom.ts';
 
@@ -25,7 +25,6 @@ export interface FieldsProps extends Playing {
   video: VideoFormat | null;
 }
 
-const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
 const shortest = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
 /** First and last time, what they take, and the frames between them. */

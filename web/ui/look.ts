@@ -1,8 +1,9 @@
 /** How the shape is shown: its colours, what is drawn around it, and other shapes beside it. */
 import type { Colouring, View } from '../model/state.ts';
-import { LEAST_FILM_SHAPES, MOST_FILM_SHAPES } from '../model/state.ts';
+import { LEAST_FILM_SHAPES, LEAST_ONION_SPACING, MOST_FILM_SHAPES } from '../model/state.ts';
+import { MOST_ONION_SKINS, ONION_COLOURS } from '../model/state.ts';
 import type { Choice } from './controls.ts';
-import { button, checkbox, numberField, segments } from './controls.ts';
+import { button, checkbox, fieldRow, numberField, segments, unit } from './controls.ts';
 import type { Component } from './dom.ts';
 import { h, setField, setHidden } from './dom.ts';
 
@@ -45,6 +46,7 @@ export function createLook(events: LookEvents): Component<View> {
   const film = checkbox('Film strip', 'film', (on) => events.onView({ film: on, filmShapes: null, onion: false }), 'I');
   const split = checkbox('Divider', 'split', (on) => events.onSplit(on), 'S');
   split.element.title = 'Two motions of one shape, on either side of a divider';
+  const onionFields = createOnionFields(events);
   const filmShapes = createFilmShapes(events);
   const present = button({
     label: 'Presentation: the shape alone, in large type; A shows the plots',
@@ -68,6 +70,7 @@ export function createLook(events: LookEvents): Component<View> {
     colouring.element,
     shading.element,
     h('div', { class: 'checks' }, wireframe.element, floor.element, onion.element, film.element, split.element),
+    onionFields.element,
     filmShapes.element,
     h('div', { class: 'button-row' }, present, qr),
   );
@@ -80,8 +83,49 @@ export function createLook(events: LookEvents): Component<View> {
       floor.update(view.floor);
       onion.update(view.onion);
       film.update(view.film);
+      onionFields.update(view);
       filmShapes.update(view);
       split.update(view.split !== null);
+    },
+  };
+}
+
+function createOnionFields({ onView }: LookEvents): Component<View> {
+  const count = numberField({
+    label: 'Onion skins before, and as many after',
+    testId: 'onion-skins',
+    min: 1,
+    max: MOST_ONION_SKINS,
+    step: 1,
+    onInput: (value) => onView({ onionSkins: Math.round(value) }),
+  });
+  const spacing = numberField({
+    label: 'Seconds between onion skins',
+    testId: 'onion-spacing',
+    min: LEAST_ONION_SPACING,
+    empty: 0,
+    onInput: (value) => onView({ onionSpacing: value || null }),
+  });
+  spacing.placeholder = 'Auto';
+  const side = (when: keyof typeof ONION_COLOURS): HTMLElement =>
+    h(
+      'span',
+      { class: 'unit onion-side', style: `--swatch: ${ONION_COLOURS[when]}` },
+      h('span', { class: 'swatch' }),
+      when,
+    );
+  const element = h(
+    'div',
+    { class: 'field', hidden: true },
+    fieldRow(h('span', { class: 'onion-sides' }, side('before'), side('after')), count),
+    fieldRow('Apart', spacing, unit('s')),
+  );
+  return {
+    element,
+    update({ onion, onionSkins, onionSpacing }) {
+      setHidden(element, !onion);
+      setField(count, String(onionSkins));
+      setField(spacing, onionSpacing === null ? '' : String(onionSpacing));
     },
   };
 }

@@ -1,5 +1,5 @@
 /** What is in the picture: the shapes, one per view, onion skins or a film strip, and the ghost mesh. */
-import { Group, Layers } from 'three';
+import { Group } from 'three';
 import type { Camera, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import { GhostView } from './ghost.ts';
@@ -273,12 +273,16 @@ export class Contents {
     );
   }
 
-  /** What a view shows. The ghost belongs to the first view's motion. */
-  layersOf(view: number): Layers {
-    const layers = new Layers();
-    layers.enable(FIRST_EXTRAS + view);
-    if (!this.isStrip) layers.enable(FIRST_SHAPE + view);
-    return layers;
+  /**
+   * The masks of the layers that a view shows. What a later one shows lies over all of the earlier ones, as the shape
+   * does over its onion skins. The ghost belongs to the first view's motion.
+   */
+  layersOf(view: number): number[] {
+    const around = 1;
+    const shape = 1 << (FIRST_SHAPE + view);
+    const extras = 1 << (FIRST_EXTRAS + view);
+    if (this.isStrip) return [around | extras];
+    return this.extras[view]?.length ? [around | extras, shape] : [around | shape];
   }
 
   /** A further shape for a picture of its own, to be disposed of; null for a frame of another import. */

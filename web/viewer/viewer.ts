@@ -1,6 +1,6 @@
 /** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
 import { Scene, Vector3 } from 'three';
-import type { Layers, WebGLRenderer } from 'three';
+import type { WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../model/camera.ts';
 import { CameraRig } from './camera.ts';
@@ -582,7 +582,7 @@ export class Viewer {
     return this.pictureSize ? Math.min(width / height / this.aspect(), 1) : 1;
   }
 
-  private renderOne(rect: Rect, seen: Rect, height: number, layers: Layers): void {
+  private renderOne(rect: Rect, seen: Rect, height: number, layers: number[]): void {
     const bottom = (part: Rect): number => height - part.y - part.height;
     this.renderer.setViewport(rect.x, bottom(rect), rect.width, rect.height);
     this.renderer.setScissor(seen.x, bottom(seen), seen.width, seen.height);
@@ -590,9 +590,13 @@ export class Viewer {
     this.renderer.clear();
     this.rig.prepare(rect.width / rect.height, this.zoomOf(rect));
     this.studio.follow(this.rig.camera);
-    if (this.floored) this.stage.prepare(this.renderer, this.scene, layers.mask, this.version);
-    this.rig.camera.layers.mask = layers.mask;
-    this.renderer.render(this.scene, this.rig.camera);
+    const all = layers.reduce((sum, mask) => sum | mask);
+    if (this.floored) this.stage.prepare(this.renderer, this.scene, all, this.version);
+    for (const mask of layers) {
+      this.renderer.clearDepth();
+      this.rig.camera.layers.mask = mask;
+      this.renderer.render(this.scene, this.rig.camera);
+    }
   }
 }
 

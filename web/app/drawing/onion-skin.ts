@@ -2,16 +2,17 @@
 import type { Frame } from '../../engine/api/types.ts';
 import { PHASE_COLOURS, clamp, formatTime, length, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
+import { ONION_COLOURS } from '../../model/state.ts';
+import type { View } from '../../model/state.ts';
 import type { Extra } from '../../viewer/types.ts';
 
+type OnionView = Pick<View, 'onionSkins' | 'onionSpacing'>;
+
+/** Without a spacing of their own, skins stand this share of the range apart. */
 const ONION_STEP = 0.09;
-/** Nearer skins are more solid. */
-const ONION_SKINS: readonly { steps: number; opacity: number }[] = [
-  { steps: -2, opacity: 0.1 },
-  { steps: 2, opacity: 0.1 },
-  { steps: -1, opacity: 0.2 },
-  { steps: 1, opacity: 0.2 },
-];
+/** Of the nearest and of the farthest skin. */
+const SOLID = 0.35;
+const FAINT = 0.12;
 const FILM_STEPS = 6;
 const MOST_FILM_STEPS = 16;
 const FILM_BEYOND = 1;
@@ -23,18 +24,25 @@ export interface OnionSkinInput {
   periodic: boolean;
 }
 
-export function onionTimes({ t, range }: OnionSkinInput): number[] {
-  return ONION_SKINS.map(({ steps }) => t + steps * ONION_STEP * length(range));
+/** Skins before and after the time, the farthest first, so that nearer ones are drawn over them. */
+export function onionTimes({ t, range }: OnionSkinInput, { onionSkins, onionSpacing }: OnionView): number[] {
+  const step = onionSpacing ?? ONION_STEP * length(range);
+  return Array.from({ length: onionSkins }, (_, i) => (onionSkins - i) * step).flatMap((away) => [t - away, t + away]);
 }
 
-export function onionSkins(input: OnionSkinInput, frames: readonly Frame[]): Extra[] {
-  return frames.map((frame, index) => ({
-    positions: frame.positions,
-    normals: frame.normals,
-    offset: 0,
-    opacity: ONION_SKINS[index]?.opacity ?? 0.1,
-    colour: colourAt(frame.t, input, 0.01),
-  }));
+/** frames: at onionTimes(). */
+export function onionExtras({ t }: Pick<OnionSkinInput, 't'>, frames: readonly Frame[]): Extra[] {
+  const pairs = frames.length / 2;
+  return frames.map((frame, index) => {
+    const near = pairs > 1 ? Math.floor(index / 2) / (pairs - 1) : 1;
+    return {
+      positions: frame.positions,
+      normals: frame.normals,
+      offset: 0,
+      opacity: FAINT + near * (SOLID - FAINT),
+      colour: frame.t < t ? ONION_COLOURS.before : ONION_COLOURS.after,
+    };
+  });
 }
 
 /**

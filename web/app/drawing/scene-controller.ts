@@ -14,7 +14,7 @@ import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
 import type { FilmName } from './onion-skin.ts';
 import type { FilmLabel } from '../../ui/film-labels.ts';
-import { filmNames, filmPlaces, filmStrips, filmTimes, onionSkins, onionTimes } from './onion-skin.ts';
+import { filmNames, filmPlaces, filmStrips, filmTimes, onionExtras, onionTimes } from './onion-skin.ts';
 import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
 import { extentOf } from '../../viewer/bounds.ts';
@@ -353,9 +353,9 @@ export class SceneController {
     }
     // The strip does not depend on the moment: it is made once for a document.
     if (view.film && this.isFilmOf(doc, view, sequences.length)) return;
-    const times = view.film ? filmTimes(input, view.filmShapes) : onionTimes(input);
+    const times = view.film ? filmTimes(input, view.filmShapes) : onionTimes(input, view);
     const frames = await Promise.all(sequences.map(({ sequence }) => sequence.evaluateMany(times)));
-    const skins = view.film ? filmStrips(input, frames) : frames.map((of) => onionSkins(input, of));
+    const skins = view.film ? filmStrips(input, frames) : frames.map((of) => onionExtras(input, of));
     this.viewer.setExtras(skins, view.film);
     if (view.film) this.enterFilm({ of: doc, count: view.filmShapes, names: filmNames(input, times) }, skins);
     this.hasOnion = view.onion;

@@ -18,7 +18,16 @@ export interface StateChanges {
 
 const MOTIONS = ['compare', 'ghostDifference', 'ghostSizes'] as const satisfies readonly (keyof ShownMotions)[];
 const LOOK = ['colouring', 'shading', 'wireframe', 'floor', 'split'] as const;
-const DRAWING = ['onion', 'film', 'filmShapes', 'colouring', 'ghostWire', 'ghostBeside'] as const;
+const DRAWING = [
+  'onion',
+  'onionSkins',
+  'onionSpacing',
+  'film',
+  'filmShapes',
+  'colouring',
+  'ghostWire',
+  'ghostBeside',
+] as const;
 
 export function changesBetween(before: AppState, after: AppState): StateChanges {
   const otherView = (names: readonly (keyof View)[]): boolean =>

@@ -17,7 +17,8 @@ import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
 import { LEAST_SHARE } from '../../ui/divider.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, LEAST_FILM_SHAPES, MOST_FILM_SHAPES, PRESENTED, SPEEDS } from '../../model/state.ts';
+import { DEFAULT_VIEW, LEAST_FILM_SHAPES, LEAST_ONION_SPACING, MOST_FILM_SHAPES } from '../../model/state.ts';
+import { MOST_ONION_SKINS, PRESENTED, SPEEDS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
@@ -95,6 +96,8 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   for (const name of FLAGS) put(name, view[name], DEFAULT_VIEW[name]);
   put('compare', view.compare.join(','), '');
   put('split', view.split, null);
+  put('onionSkins', view.onionSkins, DEFAULT_VIEW.onionSkins);
+  put('onionSpacing', view.onionSpacing, null);
   put('filmShapes', view.filmShapes, null);
   if (view.camera)
     params.set('camera', [...view.camera.position, ...view.camera.target].map((x) => x.toPrecision(5)).join(','));
@@ -225,7 +228,9 @@ function readView(take: Take): Partial<View> {
     >),
     compare: take('compare', methods),
     split: take('split', (text) => numberFrom(text, LEAST_SHARE, 1 - LEAST_SHARE)),
-    filmShapes: take('filmShapes', filmShapes),
+    onionSkins: take('onionSkins', (text) => wholeFrom(text, 1, MOST_ONION_SKINS)),
+    onionSpacing: take('onionSpacing', (text) => numberFrom(text, LEAST_ONION_SPACING, MOST_TIME)),
+    filmShapes: take('filmShapes', (text) => wholeFrom(text, LEAST_FILM_SHAPES, MOST_FILM_SHAPES)),
     camera: take('camera', readCamera),
     window,
     present: take('present', (text) => oneOf(text, PRESENTED)),
@@ -238,8 +243,8 @@ function methods(text: string): Method[] | undefined {
   return known.length > 0 ? [...new Set(known)] : undefined;
 }
 
-function filmShapes(text: string): number | undefined {
-  const count = numberFrom(text, LEAST_FILM_SHAPES, MOST_FILM_SHAPES);
+function wholeFrom(text: string, least: number, most: number): number | undefined {
+  const count = numberFrom(text, least, most);
   return Number.isInteger(count) ? count : undefined;
 }
 
