@@ -84,8 +84,12 @@ test('the first key of a large file is seen while its motion is made, which take
   expect((await app.state()).source.kind).toBe('sample');
   await expect(app.by('progress')).toBeVisible();
   await expect.poll(() => opacity(app)).toBe('1');
+  const keysOpacity = (): Promise<string> =>
+    app.page.locator('.key-strip').evaluate((strip) => getComputedStyle(strip).opacity);
+  await expect.poll(keysOpacity).toBe('0.4');
   letGo('encode');
   await expect.poll(async () => (await app.state()).source.kind, { timeout: 60_000 }).toBe('files');
+  await expect.poll(keysOpacity).toBe('1');
   expect((await app.state()).play.playing).toBe(true);
   expect(difference(await camera(app), fitted)).toBeLessThan(1);
   expect(difference(await app.positionsAt(0), key)).toBeLessThan(1e-5 * diagonal(key));

@@ -83,6 +83,7 @@ export function createPage(parts: PageParts): Page {
     const { placing, seen } = shown.viewState;
     setAttribute(layout.viewport, 'data-placing', placing);
     setAttribute(layout.viewport, 'data-dimmed', seen === 'dimmed' && !shown.disabled);
+    setAttribute(layout.viewport, 'data-first-key', seen === 'first key');
     update(shown);
     parts.onDrawn();
   });
