@@ -38,6 +38,17 @@ test('a key is renamed, retimed and removed; two always stay', async ({ app }) =
   await app.settled();
   expect((await app.state()).doc.keys[1]).toMatchObject({ name: 'upright', time: 0.3 });
   await expect(app.by('key-1-go')).toHaveAccessibleName(/upright, at 0\.300/);
+  // A refused time is said, and the field shows what holds.
+  for (const [refused, why] of [
+    ['1', 'Key 3 is at this time already.'],
+    ['2e300', 'A key is at most 1,000,000,000 s away.'],
+    ['', null],
+  ] as const) {
+    await app.by('key-time').fill(refused);
+    await app.by('key-time').press('Enter');
+    if (why) await expect(app.by('toast')).toHaveText(why);
+    await expect(app.by('key-time')).toHaveValue('0.300');
+  }
   await app.by('key-editor-close').click();
   const count = (await app.state()).doc.keys.length;
   for (let left = count; left > 2; left -= 1) {

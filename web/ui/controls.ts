@@ -240,23 +240,40 @@ interface NumberFieldOptions {
   onInput: (value: number) => void;
 }
 
-/** A field for one number. What is not a number is put back when the field is left. */
+/** Bubbles up from a field that did not take what was typed; its detail is a sentence that says why. */
+export const REFUSED = 'refused';
+
+/**
+ * A field for one number. It shows what holds once it is left: what is not a number is put back, what is out of its
+ * limits becomes the nearest that is not.
+ */
 export function numberField(options: NumberFieldOptions): HTMLInputElement {
-  const { label, testId, min, max, step = 'any', empty, onInput } = options;
-  const commit = (): void => {
+  const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, onInput } = options;
+  const refuse = (why: string): void => {
+    field.dispatchEvent(new CustomEvent(REFUSED, { bubbles: true, detail: `${label}: ${why}` }));
+  };
+  const take = (): void => {
     const value = field.valueAsNumber;
-    if (empty !== undefined && field.value === '' && !field.validity.badInput) return onInput(empty);
-    if (!Number.isFinite(value)) {
-      field.value = field.defaultValue;
-      return;
-    }
-    onInput(Math.min(Math.max(value, min ?? -Infinity), max ?? Infinity));
+    if (field.value === '' && !field.validity.badInput) return empty === undefined ? undefined : onInput(empty);
+    if (!Number.isFinite(value)) return refuse('this is not a number.');
+    if (value < min) refuse(`at least ${min}.`);
+    if (value > max) refuse(`at most ${max}.`);
+    onInput(Math.min(Math.max(value, min), max));
+  };
+  const commit = (): void => {
+    take();
+    // Whatever came of it has been drawn by then.
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        if (document.activeElement !== field) field.value = field.defaultValue;
+      }),
+    );
   };
   const field = h('input', {
     type: 'number',
     class: 'number',
-    min,
-    max,
+    min: options.min,
+    max: options.max,
     step,
     inputmode: 'decimal',
     'data-testid': testId,

@@ -216,13 +216,22 @@ const [SHOWN_MS, READING_MS] = [4000, 2000];
 
 /** Short news that goes away by itself, read out by screen readers. */
 export function createToast(): { element: HTMLElement; say(text: string): void; clear(): void } {
-  const element = h('div', { class: 'toast', role: 'status', 'aria-live': 'polite', 'data-testid': 'toast' });
+  const element = h('div', {
+    class: 'toast',
+    popover: 'manual',
+    role: 'status',
+    'aria-live': 'polite',
+    'data-testid': 'toast',
+  });
   const waiting: string[] = [];
   let timer = 0;
   let readBy = 0;
   const next = (): void => {
     const text = waiting.shift();
     if (text === undefined) return setAttribute(element, 'data-shown', false);
+    // Above a dialog that opened meanwhile.
+    element.hidePopover();
+    element.showPopover();
     element.textContent = text;
     setAttribute(element, 'data-shown', true);
     readBy = performance.now() + READING_MS;

@@ -1,5 +1,5 @@
 /** Commands on the keys. */
-import { PER_KEY } from '../../engine/api/option-table.ts';
+import { MOST_TIME, PER_KEY } from '../../engine/api/option-table.ts';
 import type { KeyPace } from '../../engine/api/types.ts';
 import {
   addKey,
@@ -44,10 +44,14 @@ export const KEYS = {
   },
   /** If the key is on the screen, the time moves with it. */
   retimeKey: {
-    run({ session: { store } }, key: number, time: number) {
+    run({ session: { store }, feedback }, key: number, time: number) {
       const { doc, time: now, play } = store.get();
       store.edit('time of a key', (before) => retimeKey(before, key, time), `time ${key}`);
-      if (store.get().doc !== doc && doc.keys[key]?.time === now && !play.playing) store.set({ time });
+      const moved = store.get().doc !== doc;
+      if (moved && doc.keys[key]?.time === now && !play.playing) store.set({ time });
+      const other = doc.keys.findIndex((one, at) => at !== key && one.time === time);
+      if (other >= 0) feedback.say(`Key ${other + 1} is at this time already.`);
+      else if (Math.abs(time) > MOST_TIME) feedback.say(`A key is at most ${MOST_TIME.toLocaleString('en')} s away.`);
     },
   },
   shaping: {

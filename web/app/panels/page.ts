@@ -1,4 +1,5 @@
 /** The page: its components, the keyboard, and one redraw per animation frame. */
+import { REFUSED } from '../../ui/controls.ts';
 import { setAttribute } from '../../ui/dom.ts';
 import { createHeader } from '../../ui/header.ts';
 import { listenToCamera } from '../../viewer/camera-keys.ts';
@@ -130,7 +131,8 @@ function header(context: Context, commands: Commands, connect: Connect): HTMLEle
 }
 
 function listen({ layout: { viewport }, context, commands }: PageParts, { analysis }: Side, pins: PinsInView): void {
-  const { viewState, display } = context;
+  const { viewState, display, feedback } = context;
+  document.addEventListener(REFUSED, ({ detail }: CustomEventInit<string>) => feedback.say(detail ?? ''));
   listenToKeys(context, commands);
   listenToArrows(context, viewport, commands);
   listenToCamera(display.scene.viewer, viewport);
