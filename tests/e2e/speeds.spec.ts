@@ -42,6 +42,9 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
   expect((await buttons()).y).toBeCloseTo(button.y - lane.height, 0);
   const track = (await app.by('timeline').locator('.track').boundingBox())!;
   for (const { end, inward } of ENDS) {
+    await app.by(`${end}-speed-number`).fill('1');
+    await app.by(`${end}-speed-number`).press('Enter');
+    await app.settled();
     const key = track.x + (track.width * (end === 'start' ? 0.4 : 1.4)) / 1.8;
     const grip = (await app.by(`${end}-speed-handle`).boundingBox())!;
     const reach = (grip.x + grip.width / 2 - key) * inward;

@@ -116,6 +116,14 @@ describe('edits of keys', () => {
     expect(removeKey(two, 0)).toBe(two);
   });
 
+  it('an end that rests is led by a shape at the usual speed', () => {
+    const eased = setMotion(doc, { boundary: 'hermite', startSpeed: 0, endSpeed: 0 });
+    const led = setEncoding(eased, { startTangentPose: 1 });
+    expect(led.motion).toMatchObject({ startSpeed: 1, endSpeed: 0 });
+    expect(setEncoding(setMotion(led, { startSpeed: 0 }), { startTangentPose: null }).motion.startSpeed).toBe(0);
+    expect(setEncoding(setMotion(doc, { startSpeed: 2 }), { startTangentPose: 1 }).motion.startSpeed).toBe(2);
+  });
+
   it('keep the reference with its pose, and fall back to the first key', () => {
     const chosen = setEncoding(doc, { referencePose: 2 });
     expect(referenceKey(chosen)).toBe(2);

@@ -4,6 +4,7 @@ import { spacedTimes } from './key-spacing.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
 import { DEFAULT_SHAPING, turnsOf, withTurns } from './shaping.ts';
 import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
+import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from './speeds.ts';
 import { referenceKey } from './state.ts';
 import { clamp } from './time-scale.ts';
 
@@ -130,8 +131,14 @@ export function setMotion(doc: Doc, change: Partial<Motion>): Doc {
   return changed(doc.motion, change) ? { ...doc, motion: { ...doc.motion, ...change } } : doc;
 }
 
+/** A shape that an end is led by says nothing at speed 0: it gets the usual one. */
 export function setEncoding(doc: Doc, change: Partial<Encoding>): Doc {
-  return changed(doc.encoding, change) ? { ...doc, encoding: { ...doc.encoding, ...change } } : doc;
+  if (!changed(doc.encoding, change)) return doc;
+  const still = (['start', 'end'] as const).filter(
+    (end) => typeof change[TANGENT_NAME[end]] === 'number' && doc.motion[SPEED_NAME[end]] === 0,
+  );
+  const motion = setMotion(doc, Object.fromEntries(still.map((end) => [SPEED_NAME[end], DEFAULT_SPEED])));
+  return { ...motion, encoding: { ...doc.encoding, ...change } };
 }
 
 function reshaped(doc: Doc, index: number, change: (shaping: Shaping) => Shaping): Doc {

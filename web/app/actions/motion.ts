@@ -4,9 +4,9 @@ import type { Pin } from '../../engine/api/types.ts';
 import { reverseMotion, setMotion } from '../../model/edits.ts';
 import { undoName } from '../../model/page-options.ts';
 import type { End } from '../../model/speeds.ts';
-import { SPEED_NAME } from '../../model/speeds.ts';
+import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from '../../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION } from '../../model/state.ts';
-import type { Motion } from '../../model/state.ts';
+import type { Doc, Motion } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
@@ -66,7 +66,16 @@ export const MOTION = {
 } satisfies Actions;
 
 function changeMotion({ session: { store } }: Context, change: Partial<Motion>, merge?: string): void {
-  store.edit(undoName(change), (doc) => setMotion(doc, withBoundary(change, doc.motion)), merge);
+  store.edit(undoName(change), (doc) => setMotion(doc, eased(withBoundary(change, doc.motion), doc)), merge);
+}
+
+/** Ends that begin to ease do so, unless a speed or a shape was chosen for them before. */
+function eased(change: Partial<Motion>, { motion, encoding }: Doc): Partial<Motion> {
+  const begins = change.boundary === 'hermite' && motion.boundary !== 'hermite';
+  const chosen = (['start', 'end'] as const).some(
+    (end) => motion[SPEED_NAME[end]] !== DEFAULT_SPEED || encoding[TANGENT_NAME[end]] !== null,
+  );
+  return begins && !chosen ? { ...change, startSpeed: 0, endSpeed: 0 } : change;
 }
 
 /** A method without Hermite ends gets natural ones. */
