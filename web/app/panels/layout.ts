@@ -114,6 +114,7 @@ export function createLayout(): Layout {
       app = h(
         'div',
         { class: 'app' },
+        createSkips({ 'Go to the keys': '.key-list button', 'Go to the time': '.timeline' }),
         parts.header,
         h(
           'main',
@@ -132,6 +133,23 @@ export function createLayout(): Layout {
       root.replaceChildren(app, ...parts.floating);
     },
   };
+}
+
+/** The first stops of Tab, seen only there: past the header and the panels to the first of these. */
+function createSkips(places: Record<string, string>): HTMLElement {
+  const skipTo = (place: string) => (): void => {
+    const target = document.querySelector<HTMLElement>(place);
+    // On a phone the keys are on a sheet, the first one.
+    if (!target?.checkVisibility()) document.querySelector<HTMLElement>('.tabs button')?.click();
+    target?.focus();
+  };
+  return h(
+    'nav',
+    { class: 'skips', 'aria-label': 'Skip' },
+    ...Object.entries(places).map(([label, place]) =>
+      h('button', { class: 'button', type: 'button', onclick: skipTo(place) }, label),
+    ),
+  );
 }
 
 function coveredHeights(viewport: HTMLElement, views: number, split: boolean): { top: number; bottom: number } {
