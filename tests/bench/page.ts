@@ -33,7 +33,8 @@ const compile = async (name: string): Promise<WebAssembly.Module> =>
 /** The goals are those of one thread. */
 async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 2 = 1): Promise<T> {
   const threaded = threads === 2 ? onlyOnce(() => compile('shapespline_threads')) : null;
-  const engine = new EngineClient({ spawn, module: compile('shapespline'), threaded });
+  const filesModule = onlyOnce(() => compile('shapespline_files'));
+  const engine = new EngineClient({ spawn, module: compile('shapespline'), filesModule, threaded });
   try {
     return await work(engine);
   } finally {

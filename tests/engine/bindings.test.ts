@@ -4,7 +4,8 @@ import { EngineError } from '../../web/engine/api/errors.ts';
 import { QUESTIONS } from '../../web/engine/wire/calls.ts';
 import { MOST_TURNS } from '../../web/engine/api/option-table.ts';
 import { ENCODING_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS } from '../../web/engine/api/types.ts';
-import { bendData, createBend, localCore, motion } from './support/core.ts';
+import { bendData, createBend, localCore, localFiles, motion } from './support/core.ts';
+import type { WasmModule } from '../../web/engine/worker/wasm-module.ts';
 import { poseFiles } from './support/glb.ts';
 import { bar, bent } from './support/shapes.ts';
 
@@ -20,27 +21,31 @@ function failure(work: () => unknown): EngineError {
 
 describe('the bindings', () => {
   it('are those that the engine declares, and no others', async () => {
-    const { module } = await localCore();
     const source = await readFile(new URL('../../web/engine/worker/wasm-module.ts', import.meta.url), 'utf8');
-    const named = [...source.matchAll(/^ {2}(_\w+)\(/gm)].map(([, name]) => name);
-    const declared = [...named, ...Object.values(QUESTIONS).map(({ symbol }) => symbol)].sort();
-    const exported = Object.keys(module)
-      .filter((name) => /^_(shapespline_|malloc|free)/.test(name))
-      .sort();
-    expect(declared.length).toBeGreaterThan(10);
-    expect(exported).toEqual(declared);
+    const declaredIn = (name: string): string[] => {
+      const [, body = ''] = new RegExp(`interface ${name} [^{]*\\{([^}]*)\\}`).exec(source) ?? [];
+      return [...body.matchAll(/^ {2}(_\w+)\(/gm)].map(([, symbol]) => symbol!);
+    };
+    const exportedBy = (module: WasmModule): string[] =>
+      Object.keys(module).filter((name) => /^_(shapespline_|malloc|free)/.test(name));
+    const common = declaredIn('WasmModule');
+    const questions = Object.values(QUESTIONS).map(({ symbol }) => symbol);
+    const [core, files] = [(await localCore()).module, (await localFiles()).module];
+    expect(common.length).toBe(4);
+    expect(exportedBy(core).sort()).toEqual([...common, ...declaredIn('CoreModule'), ...questions].sort());
+    expect(exportedBy(files).sort()).toEqual([...common, ...declaredIn('FilesModule')].sort());
   });
 
   it('hand arrays over as they were: keys in, faces and positions out', async () => {
-    const { core } = await localCore();
+    const { files } = await localFiles();
     const mesh = bar();
     const poses = [0, 90].map((degrees) => bent(mesh, degrees));
-    const { info, positions } = core.importKeys(poseFiles(mesh, poses), IMPORT_DEFAULTS);
+    const { info, positions } = files.importKeys(poseFiles(mesh, poses), IMPORT_DEFAULTS);
     expect(info.names).toEqual(['pose-1', 'pose-2']);
     expect(info.times).toEqual([0, 1]);
     expect(info.faces).toEqual(mesh.indices);
     expect(positions).toEqual(poses);
-    expect(core.objects).toBe(0);
+    expect(files.objects).toBe(0);
   });
 
   it('pass every motion option on', async () => {

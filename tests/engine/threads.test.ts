@@ -1,15 +1,14 @@
 /** Frames made by two threads over one memory: the same bits, and nothing depends on the second one. */
 import { existsSync, readdirSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
 import { Worker } from 'node:worker_threads';
 import { afterEach, describe, expect, it } from 'vitest';
 import createWasm from '../../build/wasm/shapespline.mjs';
 import createThreaded from '../../build/wasm/shapespline_threads.mjs';
 import { WasmCore } from '../../web/engine/worker/wasm-core.ts';
 import type { Frame, Progress } from '../../web/engine/api/types.ts';
-import type { CreateWasmModule, WasmModule } from '../../web/engine/worker/wasm-module.ts';
+import type { CoreModule, CreateWasmModule } from '../../web/engine/worker/wasm-module.ts';
 import { provideOrder, type SharedOrder, sharedOrder } from '../../web/engine/wire/shared-order.ts';
-import { bendData, createBend, motion } from './support/core.ts';
+import { bendData, compiled, createBend, kept, type LocalCore, motion } from './support/core.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar } from './support/shapes.ts';
 
@@ -24,21 +23,16 @@ afterEach(async () => {
   await Promise.all(secondThreads.splice(0).map((secondThread) => secondThread.terminate()));
 });
 
-async function started(
-  create: CreateWasmModule,
-  name: string,
-): Promise<{ core: WasmCore; module: WasmModule; compiled: WebAssembly.Module }> {
-  const compiled = await WebAssembly.compile(await readFile(new URL(`../../build/wasm/${name}.wasm`, import.meta.url)));
-  let module: WasmModule | null = null;
-  const core = await WasmCore.start(async (settings) => (module = await create(settings)), compiled);
-  return { core, module: module as unknown as WasmModule, compiled };
+async function started(glue: CreateWasmModule<CoreModule>, name: string): Promise<LocalCore> {
+  const { create, made } = kept(glue);
+  return { core: await WasmCore.start(create, await compiled(name)), module: made() };
 }
 
 /** A core with a second thread that is ready to help. */
-async function withSecondThread(): Promise<{ core: WasmCore; module: WasmModule; secondThread: Worker }> {
-  const { core, module, compiled } = await started(createThreaded, 'shapespline_threads');
+async function withSecondThread(): Promise<LocalCore & { secondThread: Worker }> {
+  const { core, module } = await started(createThreaded, 'shapespline_threads');
   const secondThread = new Worker(new URL('../../build/node/second-thread-node.mjs', import.meta.url), {
-    workerData: core.secondThreadStart(compiled),
+    workerData: core.secondThreadStart(await compiled('shapespline_threads')),
   });
   secondThreads.push(secondThread);
   await new Promise((resolve, reject) => secondThread.once('message', resolve).once('error', reject));

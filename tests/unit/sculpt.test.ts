@@ -51,7 +51,7 @@ describe.each([
   });
 
   it('comes as a GLB as long as it says', async () => {
-    const bytes = await make(name, 0.2);
+    const { bytes } = await make(name, 0.2);
     const view = new DataView(bytes.buffer);
     expect([view.getUint32(0, true), view.getUint32(8, true)]).toEqual([0x46546c67, bytes.length]);
   });

@@ -1,19 +1,19 @@
-// JSON and heap ranges <-> the core's plain data. Bulk numbers travel as {"address", "length"}: a range of the heap
-// that its owner keeps until the call, or the handle that it belongs to, is done with.
+// JSON and heap ranges <-> the core's plain data, as far as both modules need it. Bulk numbers travel as {"address",
+// "length"}: a range of the heap that its owner keeps until the call, or the handle that it belongs to, is done with.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bindings/call_result.h"
-#include "core/sequence/keyframes.h"
+#include "core/base/types.h"
+#include "core/base/warning.h"
 #include "core/sequence/mesh_report.h"
-#include "core/sequence/options.h"
-#include "core/sequence/sequence.h"
-#include "io/base/scene.h"
-#include "io/import.h"
 
 namespace shapespline::bindings {
 
@@ -36,22 +36,22 @@ std::span<const T> elements(const Json& json) {
   return {reinterpret_cast<const T*>(address), json.at("length").get<std::size_t>()};
 }
 
+/// The value of a name. The engine has checked every name before; a stranger is a defect and becomes an internal error.
+template <class T, std::size_t count>
+T named(const Json& json, const std::pair<const char*, T> (&names)[count]) {
+  const auto text = json.get<std::string>();
+  for (const auto& [name, value] : names) {
+    if (text == name) return value;
+  }
+  throw std::invalid_argument("no such choice: " + text);
+}
+
 Positions positionsFrom(std::span<const float> numbers);
 Vec3 vec3From(const Json& json);  ///< of three numbers
 std::vector<float> floatsFrom(const Positions& positions);
 std::vector<Triangle> trianglesFrom(std::span<const std::int32_t> indices);
 
-Keyframes keyframesFrom(const Json& json);
-MotionOptions motionFrom(const Json& json);
-EncodingOptions encodingFrom(const Json& json);
-ImportOptions importOptionsFrom(const Json& json);
-Scene sceneFrom(const Json& json);
-
 Json toJson(const std::vector<Warning>& warnings);
-Json toJson(const SequenceStats& stats);
-Json toJson(const std::vector<AnimationInfo>& animations);
-Json toJson(const std::vector<MatchedObject>& matches);
 Json toJson(const MeshReport& report);
-Json toJson(const Scene& scene);  ///< ranges into the scene itself
 
 }  // namespace shapespline::bindings

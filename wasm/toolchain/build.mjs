@@ -88,7 +88,7 @@ export async function buildFuzzers(targets) {
 }
 
 const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', 'tests/shapes'];
-const wasmModules = ['shapespline', 'shapespline_threads'];
+const wasmModules = ['shapespline', 'shapespline_threads', 'shapespline_files'];
 const wasmOutputs = wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]);
 
 /** A step that a digest of its inputs guards. The digest is taken before it runs, so that edits meanwhile count. */

@@ -8,6 +8,7 @@ export const FILES = [
   'worker.js',
   'codecs.js',
   'shapespline.wasm',
+  'shapespline_files.wasm',
   'shapespline_threads.wasm',
   'draco_decoder_gltf.wasm',
 ];

@@ -1,5 +1,5 @@
 /** The engine in a browser. */
-import { type EngineUrls, urlsFor } from './api/configure.ts';
+import { besideCore, type EngineUrls, type FileUrls, urlsFor } from './api/configure.ts';
 import type { Engine } from './api/api.ts';
 import { engineError } from './api/errors.ts';
 import { files } from './browser-files.ts';
@@ -11,14 +11,16 @@ import { lockReleased } from './wire/worker-lock.ts';
 
 /** Starts fetching the wasm and a first worker at once; further workers are made when they are needed. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
-  const { wasmUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
+  const { wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
   const worker = ofPage(workerUrl);
   const compiled = onlyOnce(() => compileThreaded(threadsUrl));
-  const module = compile(ofPage(wasmUrl) ?? files.wasm());
+  const module = compile(ofPage(wasmUrl) ?? files.wasm(), 'wasmUrl');
+  const filesWasm = ofPage(filesUrl) ?? besideCore(ofPage(wasmUrl));
   const engine = new EngineClient({
     spawn: spawnFrom(module, worker, onLost),
     module,
+    filesModule: onlyOnce(async () => compile(filesWasm ?? (await files.filesWasm()), 'filesUrl')),
     threaded: possible ? () => Promise.race([compiled(), late()]) : null,
     files: files.forWorker({ draco: ofPage(dracoUrl)?.href, worker }),
   });
@@ -44,7 +46,7 @@ function late(): Promise<null> {
 // same.
 async function compileThreaded(given: string | URL | null | undefined): Promise<WebAssembly.Module | null> {
   try {
-    return await compile(ofPage(given) ?? (await files.threads()));
+    return await compile(ofPage(given) ?? (await files.threads()), 'threadsUrl');
   } catch {
     return null;
   }
@@ -82,7 +84,7 @@ function spawnFrom(loaded: Promise<unknown>, workerUrl: URL | undefined, onLost:
   };
 }
 
-async function compile(url: URL): Promise<WebAssembly.Module> {
+async function compile(url: URL, option: keyof FileUrls): Promise<WebAssembly.Module> {
   if (!hasSimd()) {
     throw engineError(
       'no-simd',
@@ -90,7 +92,7 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
         'Any current version of Firefox, Chrome, Edge or Safari can.',
     );
   }
-  return compileFrom(url);
+  return compileFrom(url, option);
 }
 
 /** Validates the smallest module that uses a vector instruction: a function that returns i8x16.splat(0). */

@@ -9,6 +9,7 @@ import type { WorkerFiles } from './wire/protocol.ts';
 export interface NodeFiles {
   worker: URL;
   wasm: URL;
+  filesWasm: URL;
   threads: URL;
   forWorker(draco?: string): WorkerFiles;
 }
@@ -18,6 +19,7 @@ const require = createRequire(import.meta.url);
 export const files: NodeFiles = {
   worker: new URL('../../build/node/node-worker.mjs', import.meta.url),
   wasm: new URL('../../build/wasm/shapespline.wasm', import.meta.url),
+  filesWasm: new URL('../../build/wasm/shapespline_files.wasm', import.meta.url),
   threads: new URL('../../build/wasm/shapespline_threads.wasm', import.meta.url),
   forWorker: (draco = pathToFileURL(require.resolve('draco3dgltf/draco_decoder_gltf.wasm')).href) => ({ draco }),
 };

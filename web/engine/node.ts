@@ -4,7 +4,7 @@ import { availableParallelism } from 'node:os';
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { Engine } from './api/api.ts';
-import { type EngineUrls, urlsFor } from './api/configure.ts';
+import { besideCore, type EngineUrls, type FileUrls, urlsFor } from './api/configure.ts';
 import { EngineClient, onlyOnce } from './caller/engine.ts';
 import { engineError, messageOf } from './api/errors.ts';
 import { files } from './node-files.ts';
@@ -13,12 +13,15 @@ import { endedWorker, type Spawn } from './caller/worker-client.ts';
 
 /** The process lives as long as an engine has workers: dispose of it. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
-  const { wasmUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
+  const { wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
+  const filesWasm = fileUrl(filesUrl) ?? besideCore(fileUrl(wasmUrl)) ?? files.filesWasm;
   const threads = threadsUrl === null ? null : (fileUrl(threadsUrl) ?? files.threads);
   return new EngineClient({
     spawn: spawnFrom(fileUrl(workerUrl) ?? files.worker, onLost),
-    module: compile(fileUrl(wasmUrl) ?? files.wasm),
-    threaded: threads && availableParallelism() > 1 ? onlyOnce(() => compile(threads).catch(() => null)) : null,
+    module: compile(fileUrl(wasmUrl) ?? files.wasm, 'wasmUrl'),
+    filesModule: onlyOnce(() => compile(filesWasm, 'filesUrl')),
+    threaded:
+      threads && availableParallelism() > 1 ? onlyOnce(() => compile(threads, 'threadsUrl').catch(() => null)) : null,
     files: files.forWorker(fileUrl(dracoUrl)?.href),
   });
 }
@@ -63,14 +66,14 @@ function spawnFrom(workerUrl: URL, onLost: (() => void) | undefined): Spawn {
   };
 }
 
-async function compile(url: URL): Promise<WebAssembly.Module> {
+async function compile(url: URL, option: keyof FileUrls): Promise<WebAssembly.Module> {
   try {
     return await WebAssembly.compile(await readFile(url));
   } catch (error) {
     throw engineError(
       'not-loaded',
       `The computation could not be loaded from ${url.pathname} (${messageOf(error)}). ` +
-        'Put the .wasm file there, or name the file: configure({ wasmUrl }).',
+        `Put the .wasm file there, or name the file: configure({ ${option} }).`,
       error,
     );
   }

@@ -2,14 +2,17 @@
 import { column } from './column.ts';
 import type { Sculpture } from './glb.ts';
 import { glb } from './glb.ts';
+import { meshOf } from './mesh.ts';
+import type { Mesh } from './mesh.ts';
 import { serpent } from './serpent.ts';
 import { turret } from './turret.ts';
 
 const SCULPTORS: Record<string, (detail: number) => Promise<Sculpture>> = { column, serpent, turret };
 
-/** A GLB; `detail` 1 is what is shown, less is coarser. */
-export async function make(id: string, detail = 1): Promise<Uint8Array> {
+/** As a GLB and as the arrays in it; `detail` 1 is what is shown, less is coarser. */
+export async function make(id: string, detail = 1): Promise<{ bytes: Uint8Array; mesh: Mesh }> {
   const sculptor = SCULPTORS[id];
   if (!sculptor) throw new Error(`Nothing is known of how ${id} is made.`);
-  return glb(await sculptor(detail));
+  const sculpture = await sculptor(detail);
+  return { bytes: glb(sculpture), mesh: meshOf(sculpture) };
 }

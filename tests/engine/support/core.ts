@@ -1,27 +1,49 @@
-/** The core in this very thread, for tests of the bindings and of the heap. */
+/** The wasm modules in this very thread, for tests of the bindings and of the heap. */
 /// <reference path="../../../web/engine/worker/generated.d.ts" />
 import { readFile } from 'node:fs/promises';
-import createWasm from '../../../build/wasm/shapespline.mjs';
+import createCore from '../../../build/wasm/shapespline.mjs';
+import createFiles from '../../../build/wasm/shapespline_files.mjs';
 import { WasmCore } from '../../../web/engine/worker/wasm-core.ts';
+import { WasmFiles } from '../../../web/engine/worker/wasm-files.ts';
 import type { MotionSpec, RequestOf } from '../../../web/engine/wire/protocol.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../../web/engine/api/types.ts';
-import type { WasmModule } from '../../../web/engine/worker/wasm-module.ts';
+import type { CoreModule, CreateWasmModule, FilesModule, WasmModule } from '../../../web/engine/worker/wasm-module.ts';
 import { bar, bent, type Mesh } from './shapes.ts';
-
-let compiled: Promise<WebAssembly.Module> | null = null;
 
 export interface LocalCore {
   core: WasmCore;
-  module: WasmModule;
+  module: CoreModule;
+}
+
+export interface LocalFiles {
+  files: WasmFiles;
+  module: FilesModule;
 }
 
 export async function localCore(): Promise<LocalCore> {
-  compiled ??= readFile(new URL('../../../build/wasm/shapespline.wasm', import.meta.url)).then((bytes) =>
-    WebAssembly.compile(bytes),
-  );
-  let module: WasmModule | null = null;
-  const core = await WasmCore.start(async (settings) => (module = await createWasm(settings)), await compiled);
-  return { core, module: module as unknown as WasmModule };
+  const { create, made } = kept(createCore);
+  return { core: await WasmCore.start(create, await compiled('shapespline')), module: made() };
+}
+
+export async function localFiles(): Promise<LocalFiles> {
+  const { create, made } = kept(createFiles);
+  return { files: await WasmFiles.start(create, await compiled('shapespline_files')), module: made() };
+}
+
+const compiling = new Map<string, Promise<WebAssembly.Module>>();
+
+/** A module of build/wasm, compiled once. */
+export function compiled(name: string): Promise<WebAssembly.Module> {
+  const compile = async (): Promise<WebAssembly.Module> =>
+    WebAssembly.compile(await readFile(new URL(`../../../build/wasm/${name}.wasm`, import.meta.url)));
+  if (!compiling.has(name)) compiling.set(name, compile());
+  return compiling.get(name)!;
+}
+
+/** The glue, and what it made. */
+export function kept<M extends WasmModule>(create: CreateWasmModule<M>): { create: CreateWasmModule<M>; made(): M } {
+  let module: M | null = null;
+  return { create: async (settings) => (module = await create(settings)), made: () => module! };
 }
 
 export const motion: MotionSpec = { number: 1, options: MOTION_DEFAULTS, keyTimes: [0, 0.5, 1] };

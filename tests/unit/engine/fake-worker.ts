@@ -1,22 +1,21 @@
 /** A worker that replies by hand, for tests of what the engine does with one. */
-import { EngineClient, type Platform } from '../../../web/engine/caller/engine.ts';
+import { EngineClient, onlyOnce, type Platform } from '../../../web/engine/caller/engine.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
-import type { FromWorker, Request, ToWorker } from '../../../web/engine/wire/protocol.ts';
+import type { FromWorker, Program, Request, ToWorker } from '../../../web/engine/wire/protocol.ts';
 import type { PortEvents } from '../../../web/engine/caller/worker-client.ts';
 
 export class FakeWorker {
   readonly requests: Request[] = [];
   terminated = false;
-  private readonly events: PortEvents;
-  private readonly reply: (request: Request) => FromWorker | null;
 
-  constructor(events: PortEvents, reply: (request: Request) => FromWorker | null) {
-    this.events = events;
-    this.reply = reply;
-  }
+  constructor(
+    private readonly events: PortEvents,
+    private readonly reply: (request: Request) => FromWorker | null,
+    private readonly begin: (kind: Program['kind']) => void,
+  ) {}
 
   receive(message: ToWorker): void {
-    if (message.type === 'start') return;
+    if (message.type === 'start') return this.begin(message.kind);
     this.requests.push(message);
     const reply = this.reply(message);
     if (reply) queueMicrotask(() => this.say(reply));
@@ -74,22 +73,26 @@ const EMPTY_MODULE = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0,
 
 /**
  * An engine over fake workers; `reply` returns null for what the test itself replies to. `threaded`: as of a page where
- * threads can share memory.
+ * threads can share memory. `fetchFiles`: before the module for files is there.
  */
 export function fakeEngine(
   reply: (request: Request) => FromWorker | null = replyTo,
   threaded: Platform['threaded'] = null,
+  fetchFiles: () => Promise<void> = async () => undefined,
 ): {
   engine: EngineClient;
+  /** With the core; with the module for files. */
   workers: FakeWorker[];
+  filesWorkers: FakeWorker[];
 } {
   const workers: FakeWorker[] = [];
+  const filesWorkers: FakeWorker[] = [];
   const engine = new EngineClient({
     module: Promise.resolve(EMPTY_MODULE),
+    filesModule: onlyOnce(() => fetchFiles().then(() => EMPTY_MODULE)),
     threaded,
     spawn: (events) => {
-      const worker = new FakeWorker(events, reply);
-      workers.push(worker);
+      const worker = new FakeWorker(events, reply, (kind) => (kind === 'core' ? workers : filesWorkers).push(worker));
       return {
         post: (message) => worker.receive(message),
         terminate: () => {
@@ -98,7 +101,7 @@ export function fakeEngine(
       };
     },
   });
-  return { engine, workers };
+  return { engine, workers, filesWorkers };
 }
 
 export const someFile = { name: 'a.glb', bytes: Uint8Array.of(1) };

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { EngineError } from '../../../web/engine/api/errors.ts';
+import { EngineError } from '../../../web/engine/api/errors.ts';
+import type { MeshReport } from '../../../web/engine/api/types.ts';
 import type { FromWorker, Request } from '../../../web/engine/wire/protocol.ts';
 import { replyTo, fakeEngine, settled, someFile, type FakeWorker } from './fake-worker.ts';
 
@@ -218,21 +219,55 @@ describe('progress', () => {
   });
 });
 
-describe('a worker that read a bad file', () => {
-  it('is not kept; one that read a good file builds the next sequence', async () => {
+describe('a worker for files', () => {
+  it('is not kept after a bad file; after a good one it reads the next, and encodes nothing', async () => {
     let good = false;
-    const { engine, workers } = fakeEngine((request) =>
+    const { engine, workers, filesWorkers } = fakeEngine((request) =>
       request.type === 'import' && !good
         ? { type: 'error', id: request.id, error: { code: 'malformed-file', message: 'no', place: {} }, fatal: false }
         : replyTo(request),
     );
     expect((await failure(engine.importKeyframes([someFile]))).code).toBe('malformed-file');
-    expect(workers[0]?.terminated).toBe(true);
+    expect(filesWorkers[0]?.terminated).toBe(true);
     good = true;
     await engine.createSequence(await engine.importKeyframes([someFile]));
-    expect(workers).toHaveLength(2);
     await engine.importKeyframes([someFile]);
-    expect(workers).toHaveLength(3); // a sequence's worker reads no files
+    expect([filesWorkers.length, workers.length]).toEqual([2, 1]);
+  });
+
+  it('ends where it read much: its memory would stay', async () => {
+    const { engine, filesWorkers } = fakeEngine();
+    await engine.importKeyframes([{ name: 'large.glb', bytes: new Uint8Array(1_000_000) }]);
+    expect(filesWorkers.map(({ terminated }) => terminated)).toEqual([true]);
+  });
+
+  it('is started again after its module could not be fetched', async () => {
+    let fetched = 0;
+    const { engine, filesWorkers } = fakeEngine(replyTo, null, async () => {
+      fetched += 1;
+      if (fetched === 1) throw new EngineError('not-loaded', 'no');
+    });
+    expect((await failure(engine.importKeyframes([someFile]))).code).toBe('not-loaded');
+    for (let i = 0; i < 2; i += 1) await engine.importKeyframes([someFile]);
+    expect([fetched, filesWorkers.length]).toEqual([2, 1]);
+  });
+});
+
+describe('keys of arrays', () => {
+  it('are checked by the worker that encodes them, and need no module for files', async () => {
+    const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
+    const poses = [0, 2].map((time) => ({ name: `at ${time}`, time, positions }));
+    const { engine, workers, filesWorkers } = fakeEngine((request) =>
+      request.type === 'report'
+        ? { type: 'result', id: request.id, value: { report: { vertices: 3, faces: 1 } as MeshReport } }
+        : replyTo(request),
+    );
+    const keys = await engine.createKeys({ faces: Uint32Array.of(0, 1, 2), poses });
+    expect([keys.info.names, keys.info.times, keys.info.report.faces]).toEqual([['at 0', 'at 2'], [0, 2], 1]);
+    await engine.createSequence(keys);
+    expect([workers.length, filesWorkers.length]).toEqual([1, 0]);
+    const odd = { faces: Uint32Array.of(0, 1), poses };
+    expect((await failure(engine.createKeys(odd))).code).toBe('invalid-option');
   });
 });
 

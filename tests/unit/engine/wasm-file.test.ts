@@ -11,11 +11,11 @@ const answer =
     Promise.resolve(new Response(body, { status, headers: type === undefined ? {} : { 'Content-Type': type } }));
 
 it.each(['application/wasm', 'application/octet-stream', undefined])('compiles what is served as %s', async (type) => {
-  expect(await compileFrom(url, answer(EMPTY_MODULE, type))).toBeInstanceOf(WebAssembly.Module);
+  expect(await compileFrom(url, 'wasmUrl', answer(EMPTY_MODULE, type))).toBeInstanceOf(WebAssembly.Module);
 });
 
 it.each(['text/html', 'application/wasm'])('says that a web page came instead, served as %s', async (type) => {
-  const failure = compileFrom(url, answer('<!doctype html><title>Home</title>', type));
+  const failure = compileFrom(url, 'wasmUrl', answer('<!doctype html><title>Home</title>', type));
   await expect(failure).rejects.toMatchObject({ code: 'not-loaded' });
   await expect(failure).rejects.toThrow(
     `${url.href} answered with “<!doctype html><title>Ho…” (${type}) instead of WebAssembly. ` +
@@ -24,10 +24,14 @@ it.each(['text/html', 'application/wasm'])('says that a web page came instead, s
 });
 
 it('says what else is wrong: nothing, a status, no connection, a damaged file', async () => {
-  await expect(compileFrom(url, answer(null, 'text/plain'))).rejects.toThrow('answered with nothing instead');
-  await expect(compileFrom(url, answer('', undefined, 404))).rejects.toThrow(`${url.href} answered with 404 instead`);
-  const offline = compileFrom(url, () => Promise.reject(new TypeError('Failed to fetch')));
+  await expect(compileFrom(url, 'wasmUrl', answer(null, 'text/plain'))).rejects.toThrow(
+    'answered with nothing instead',
+  );
+  await expect(compileFrom(url, 'wasmUrl', answer('', undefined, 404))).rejects.toThrow(
+    `${url.href} answered with 404 instead`,
+  );
+  const offline = compileFrom(url, 'wasmUrl', () => Promise.reject(new TypeError('Failed to fetch')));
   await expect(offline).rejects.toThrow('Failed to fetch). Check the connection and reload the page.');
-  const damaged = compileFrom(url, answer(new Uint8Array([...EMPTY_MODULE, 99]), 'application/wasm'));
+  const damaged = compileFrom(url, 'wasmUrl', answer(new Uint8Array([...EMPTY_MODULE, 99]), 'application/wasm'));
   await expect(damaged).rejects.toMatchObject({ code: 'not-loaded' });
 });

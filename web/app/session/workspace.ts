@@ -1,7 +1,7 @@
 /** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
-import type { Engine, Keys } from '../../engine/api/api.ts';
+import type { CallOptions, Engine, Keys } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
-import type { ImportOptions, InputFile, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
+import type { ImportOptions, InputFile, KeyMesh, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
 import { LARGE, mayBeLarge } from '../../engine/api/large.ts';
 import type { Doc, View } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -53,12 +53,17 @@ interface Current {
   info: KeysInfo;
   set: SequenceSet;
   pool: PosePool;
-  input: InputFile[];
+  input: OpenFile[];
   options: ImportOptions;
 }
 
+/** A file. Of a sample that is made here its arrays are known: no reader is loaded for it. */
+export interface OpenFile extends InputFile {
+  mesh?: KeyMesh;
+}
+
 /** Files, or where they come from: `report` hears the share that is there. */
-export type Input = InputFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
+export type Input = OpenFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
 
 /**
  * Reading's share of the bar, and of that the share of the bytes' way into memory; the rest is encoding and
@@ -104,7 +109,7 @@ export class Workspace {
   }
 
   /** The files that are open, to take other keys from. */
-  get input(): InputFile[] {
+  get input(): OpenFile[] {
     return this.current?.input ?? [];
   }
 
@@ -140,11 +145,11 @@ export class Workspace {
       if (!stays && mayBeLarge(input)) this.events.onLarge();
       const onProgress = ({ stage, fraction }: Progress): void => report(stage, fetched + (1 - fetched) * fraction);
       const read = { signal: abort.signal, onProgress };
-      keys = await this.engine.importKeyframes(input, given, read);
+      keys = await this.keysOf(input, given, read);
       const again = otherwise(keys.info);
       if (again) {
         keys.dispose();
-        keys = await this.engine.importKeyframes(input, again, read);
+        keys = await this.keysOf(input, again, read);
       }
       const options = again ?? given;
       performance.mark('shapespline read');
@@ -183,6 +188,14 @@ export class Workspace {
 
   async idle(): Promise<void> {
     await this.current?.set.idle();
+  }
+
+  private keysOf(input: OpenFile[], options: ImportOptions, call: CallOptions): Promise<Keys> {
+    const { keyTimes, ...others } = options;
+    const mesh = input[0]?.mesh;
+    if (!mesh || Object.keys(others).length > 0) return this.engine.importKeyframes(input, options, call);
+    const poses = mesh.poses.map((pose, key) => ({ ...pose, time: keyTimes?.[key] ?? pose.time }));
+    return this.engine.createKeys({ ...mesh, poses }, call);
   }
 
   private progress(abort: AbortController, progress: Progress | null): void {

@@ -1,6 +1,7 @@
 /** The built-in samples: a list and their files, fetched from beside the page. */
 import type { Boundary, Hold, InputFile } from '../../engine/api/types.ts';
 import { BOUNDARIES } from '../../model/state.ts';
+import type { OpenFile } from '../session/workspace.ts';
 
 export interface Sample {
   id: string;
@@ -74,9 +75,9 @@ export async function fetchSample(sample: Sample, signal: AbortSignal, detail = 
 }
 
 /** One of those that are made. */
-export async function makeSample(id: string, detail = 1): Promise<InputFile[]> {
+export async function makeSample(id: string, detail = 1): Promise<OpenFile[]> {
   const { make } = await import('../../sculpt/make.ts');
-  return [{ name: `${id}.glb`, bytes: await make(id, detail) }];
+  return [{ name: `${id}.glb`, ...(await make(id, detail)) }];
 }
 
 async function request(path: string, signal?: AbortSignal): Promise<Response> {

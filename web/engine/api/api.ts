@@ -10,6 +10,7 @@ import type {
   Ghost,
   ImportOptions,
   InputFile,
+  KeyMesh,
   KeysInfo,
   Measures,
   MotionOptions,
@@ -38,6 +39,8 @@ export interface AheadOptions {
 export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
+  /** Keys of poses that are arrays already. It loads nothing that reads files. */
+  createKeys(mesh: KeyMesh, call?: CallOptions): Promise<Keys>;
   /** Takes the keys into a worker of its own, which ends where the call is cancelled. */
   encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape>;
   /** A shape and its one motion. */

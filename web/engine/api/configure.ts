@@ -5,6 +5,11 @@ export interface FileUrls {
   /** shapespline.wasm; default: the one beside the engine's script. */
   wasmUrl?: string | URL | undefined;
   /**
+   * shapespline_files.wasm, fetched when files are first read or written; default: the one beside `wasmUrl` where that
+   * is given, else beside the engine's script.
+   */
+  filesUrl?: string | URL | undefined;
+  /**
    * The worker's script, a module; default: the one beside the engine's script. May be on another origin, where the
    * page's policy lets a `blob:` worker start; one of the page's own origin needs nothing.
    */
@@ -26,7 +31,7 @@ export interface EngineUrls extends FileUrls {
   onLost?: (() => void) | undefined;
 }
 
-const NAMES = ['wasmUrl', 'workerUrl', 'threadsUrl', 'dracoUrl'] as const;
+const NAMES = ['wasmUrl', 'filesUrl', 'workerUrl', 'threadsUrl', 'dracoUrl'] as const;
 
 let configured: FileUrls = {};
 let inUse = false;
@@ -57,4 +62,9 @@ function checkUrl(name: string, url: unknown): void {
 export function urlsFor(own: FileUrls): FileUrls {
   inUse = true;
   return { ...configured, ...own };
+}
+
+/** The module for files, where the core is somewhere of its own. */
+export function besideCore(wasm: URL | undefined): URL | undefined {
+  return wasm && new URL('shapespline_files.wasm', wasm);
 }

@@ -63,6 +63,13 @@ export function outOfMemory(): EngineError {
   );
 }
 
+export function notLoaded(what: string, reason: string): EngineError {
+  return engineError(
+    'not-loaded',
+    `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`,
+  );
+}
+
 export function vertexCountMismatch(what: string, given: number, wanted: number, place?: ErrorPlace): EngineError {
   const count = (vertices: number): string => vertices.toLocaleString('en');
   const sentence = `${what} has ${count(given)} vertices, but the keys have ${count(wanted)}. Use a pose of the same mesh.`;

@@ -187,6 +187,21 @@ export interface Scene {
   objects?: SceneObject[];
 }
 
+/** Poses of one mesh near the origin, y up. Arrays are copied, never kept. */
+export interface KeyMesh {
+  /** 3 x faces, of vertices. */
+  faces: Uint32Array;
+  poses: readonly {
+    name: string;
+    /** Increasing. */
+    time: number;
+    /** 3 x vertices. */
+    positions: Float32Array;
+  }[];
+  /** How it looks; default: plain. */
+  scene?: Scene | undefined;
+}
+
 export type Point = readonly [x: number, y: number, z: number];
 
 /** What an import found, with everything needed to list and draw its keys. */

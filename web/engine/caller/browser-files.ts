@@ -11,6 +11,7 @@ export interface StartedWorker
 
 export interface BrowserFiles {
   wasm(): URL;
+  filesWasm(): Promise<URL>;
   threads(): Promise<URL>;
   /** What a worker fetches by itself when it needs it, of files that were configured and those that were not. */
   forWorker(given: { draco?: string | undefined; worker?: URL | undefined }): WorkerFiles;

@@ -14,30 +14,35 @@ import {
   encodingOf,
   motionOf,
 } from '../api/options.ts';
-import type { Program, WorkerFiles } from '../wire/protocol.ts';
-import { WorkerClient, type Spawn } from './worker-client.ts';
+import type { CallName, Program, WorkerFiles } from '../wire/protocol.ts';
+import { keysOfMesh } from './key-mesh.ts';
+import { WorkerClient, type CoreWorker, type FilesWorker, type Spawn } from './worker-client.ts';
 import { SequenceClient } from './sequence.ts';
 import { ShapeClient, type ShapeParts } from './shape.ts';
-import type { EncodingOptions, ImportOptions, InputFile, SequenceOptions } from '../api/types.ts';
+import type { EncodingOptions, ImportOptions, InputFile, KeyMesh, SequenceOptions } from '../api/types.ts';
 
 export interface Platform {
   spawn: Spawn;
-  /** The compiled wasm, fetched once. */
+  /** The compiled core. */
   module: Promise<WebAssembly.Module>;
+  /** The compiled module for files, fetched when it is first asked for, and again where that failed. */
+  filesModule: () => Promise<WebAssembly.Module>;
   /**
-   * The same for two threads, fetched when it is first asked for; null where threads cannot share memory, and its
+   * The core for two threads, fetched when it is first asked for; null where threads cannot share memory, and its
    * result where it cannot be had soon. Never rejects.
    */
   threaded?: (() => Promise<WebAssembly.Module | null>) | null;
   files?: WorkerFiles;
 }
 
+type AnyWorker = CoreWorker | FilesWorker;
+
 export class EngineClient implements Engine {
   private readonly platform: Platform;
-  private readonly workers = new Set<WorkerClient>();
+  private readonly workers = new Set<AnyWorker>();
   private readonly shapes = new Set<ShapeClient>();
-  /** A worker that has nothing to do and read nothing bad. */
-  private idle: WorkerClient | null = null;
+  /** Workers that have nothing to do and read nothing bad. */
+  private readonly idle: { core: CoreWorker | null; files: FilesWorker | null } = { core: null, files: null };
   private over = false;
 
   constructor(platform: Platform) {
@@ -48,7 +53,7 @@ export class EngineClient implements Engine {
   /** Starts a worker ahead of the first call, which then need not wait for it. */
   warm(): void {
     this.checkAlive();
-    this.idle ??= this.freshWorker();
+    this.idle.core ??= this.coreWorker();
   }
 
   async importKeyframes(given: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys> {
@@ -59,12 +64,21 @@ export class EngineClient implements Engine {
     const files = withoutLeftovers(given);
     checkImportSize(bytesOf(files));
     if (mayBeLarge(files)) void this.platform.threaded?.(); // to be there when the keys are
-    const client = this.takeWorker();
-    const imported = await this.task(client, call, () =>
+    const imported = await this.inFilesWorker(call, mayBeLarge(files), (client) =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
     );
-    this.keepIdle(client);
     return new KeysHandle(imported);
+  }
+
+  async createKeys(mesh: KeyMesh, call?: CallOptions): Promise<Keys> {
+    this.checkAlive();
+    checkCall(call);
+    const { info, ...poses } = keysOfMesh(mesh);
+    const { names, times, faces } = info;
+    const client = this.takeCore();
+    const { report } = await this.task(client, call, () => client.call('report', { names, times, faces, ...poses }));
+    this.idle.core = this.kept(client, this.idle.core);
+    return new KeysHandle({ ...poses, info: { ...info, report } });
   }
 
   async encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape> {
@@ -100,16 +114,18 @@ export class EngineClient implements Engine {
     this.checkAlive();
     checkCall(call);
     if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
-    const large = Boolean(this.platform.threaded) && keys.info.report.vertices >= LARGE;
+    const large = keys.info.report.vertices >= LARGE;
+    const inTwo = large && Boolean(this.platform.threaded);
     const parts: ShapeParts = {
       keys: keys.data,
       encoding,
-      freshWorker: () => this.freshWorker(),
-      // What read the files has the memory for it already.
-      workerBeside: large ? () => this.takeWorker() : null,
+      freshWorker: () => this.coreWorker(),
+      workerBeside: inTwo ? () => this.takeCore() : null,
+      filesWorker: () => this.filesWorker(),
+      glbSize: (request) => this.inFilesWorker(undefined, large, (one) => one.call('glbSize', request)),
       onDispose: (gone) => void this.shapes.delete(gone),
     };
-    const client = large ? this.freshWorker(large) : this.takeWorker();
+    const client = inTwo ? this.coreWorker(true) : this.takeCore();
     return this.task(client, call, async () => {
       const shape = await ShapeClient.encode(parts, client, { onProgress });
       const made = await goOn(shape);
@@ -118,28 +134,58 @@ export class EngineClient implements Engine {
     });
   }
 
-  private takeWorker(): WorkerClient {
-    const { idle } = this;
-    this.idle = null;
-    return idle?.alive ? idle : this.freshWorker();
+  private takeCore(): CoreWorker {
+    const { core } = this.idle;
+    this.idle.core = null;
+    return core?.alive ? core : this.coreWorker();
   }
 
-  private freshWorker(large = false): WorkerClient {
+  /** Work in a worker for files that has no other. `large`: it needs memory that no worker gives back. */
+  private async inFilesWorker<T>(
+    call: CallOptions | undefined,
+    large: boolean,
+    work: (client: FilesWorker) => Promise<T>,
+  ): Promise<T> {
+    const { files } = this.idle;
+    this.idle.files = null;
+    const client = files?.alive ? files : this.filesWorker();
+    const result = await this.task(client, call, () => work(client));
+    if (large) client.terminate(disposed('engine'));
+    else this.idle.files = this.kept(client, this.idle.files);
+    return result;
+  }
+
+  private coreWorker(large = false): CoreWorker {
+    return this.started(this.coreProgram(large));
+  }
+
+  private filesWorker(): FilesWorker {
+    return this.started(this.program('files', this.platform.filesModule()));
+  }
+
+  private started<Name extends CallName>(program: Promise<Program>): WorkerClient<Name> {
     this.checkAlive();
     for (const worker of this.workers) if (!worker.alive) this.workers.delete(worker);
-    const client = new WorkerClient(this.platform.spawn, this.program(large));
-    this.workers.add(client);
+    const client = new WorkerClient<Name>(this.platform.spawn, program);
+    this.workers.add(client as AnyWorker);
     return client;
   }
 
-  private async program(large: boolean): Promise<Program> {
+  private async coreProgram(large: boolean): Promise<Program> {
     const threaded = large ? await this.platform.threaded?.() : null;
-    const { module, files = {} } = this.platform;
-    return { module: await module, threaded: threaded ?? null, files };
+    return this.program('core', this.platform.module, threaded);
+  }
+
+  private async program(
+    kind: Program['kind'],
+    module: Promise<WebAssembly.Module>,
+    threaded: WebAssembly.Module | null = null,
+  ): Promise<Program> {
+    return { kind, module: await module, threaded, files: this.platform.files ?? {} };
   }
 
   /** Work in one worker, which ends when the work fails or the caller cancels. */
-  private async task<T>(client: WorkerClient, call: CallOptions | undefined, work: () => Promise<T>): Promise<T> {
+  private async task<T>(client: AnyWorker, call: CallOptions | undefined, work: () => Promise<T>): Promise<T> {
     const cancel = (): void => client.terminate(cancelled());
     const signal = call?.signal;
     if (signal?.aborted) cancel();
@@ -154,9 +200,11 @@ export class EngineClient implements Engine {
     }
   }
 
-  private keepIdle(client: WorkerClient): void {
-    if (this.idle || this.over) client.terminate(disposed('engine'));
-    else this.idle = client;
+  /** The one that is idle from now on; another one ends. */
+  private kept<W extends AnyWorker>(client: W, idle: W | null): W | null {
+    if (!idle?.alive && !this.over) return client;
+    client.terminate(disposed('engine'));
+    return idle;
   }
 
   private checkAlive(): void {
@@ -178,8 +226,12 @@ function bytesOf(files: InputFile[]): number {
   return files.reduce((sum, { bytes }) => sum + bytes.length, 0);
 }
 
-/** Does the work when it is first asked for, and remembers what came of it. */
+/** Does the work when it is first asked for, and remembers what came of it, but for a failure. */
 export function onlyOnce<T>(work: () => Promise<T>): () => Promise<T> {
   let result: Promise<T> | null = null;
-  return () => (result ??= work());
+  const fail = (error: unknown): never => {
+    result = null;
+    throw error;
+  };
+  return () => (result ??= work().catch(fail));
 }

@@ -112,7 +112,7 @@ async function principalOf(
     for (const t of list) frames.push(await frame(t));
     return frames;
   };
-  const worker = source.freshWorker();
+  const worker = source.filesWorker();
   try {
     const [first, last] = source.range;
     return await principalTargets({

@@ -16,7 +16,7 @@ import { targetNames } from './target-names.ts';
 import { GridFit, mostWeight, roundingError } from '../wire/position-grid.ts';
 import { writeProject } from '../wire/project.ts';
 import type { FrameBuffers } from '../wire/protocol.ts';
-import type { WorkerClient } from './worker-client.ts';
+import type { FilesWorker } from './worker-client.ts';
 import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene } from '../api/types.ts';
 
 const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
@@ -105,7 +105,7 @@ export async function* exportFiles(
     },
   });
   const { frames, error } = await planOnce(source, options, call);
-  const writer = source.freshWorker();
+  const writer = source.filesWorker();
   const stop = (): void => writer.terminate(cancelled());
   if (call.signal?.aborted) stop();
   call.signal?.addEventListener('abort', stop, { once: true });
@@ -126,7 +126,7 @@ function writerOf(options: ExportOptions, { times }: PlannedFrames) {
 interface Job extends Planned {
   source: ExportSource;
   options: ExportOptions;
-  writer: WorkerClient;
+  writer: FilesWorker;
   call: CallOptions;
   /** How far the progress is. */
   start: number;
@@ -285,7 +285,7 @@ async function estimate(
   if (format !== 'glb') return { bytes: frames * (12 * vertices + 4) + obj, vertices };
   const images = scene.images.reduce((sum, image) => sum + image.bytes.length, 0);
   const bare = { ...scene, images: scene.images.map((image) => ({ ...image, bytes: new Uint8Array(0) })) };
-  const size = await glbSize(info.faces, vertices, frames, bare);
+  const size = await glbSize({ faces: info.faces, vertices, frames, scene: bare });
   return { bytes: images + LEFT[compression] * size.bytes, vertices: size.vertices };
 }
 

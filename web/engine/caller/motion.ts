@@ -259,17 +259,16 @@ export class MotionClient implements Motion {
       inPlace && !settled.options.inPlace
         ? this.shape.spec({ ...settled.options, inPlace }, settled.keyTimes)
         : settled;
-    const { keys, freshWorker } = this.shape.parts;
+    const { keys, filesWorker, glbSize } = this.shape.parts;
     return {
       planned: this.planned,
       keys,
       keyTimes: motion.keyTimes,
       options: { ...this.shape.options, ...motion.options },
       range: this.range,
-      freshWorker,
+      filesWorker,
+      glbSize,
       frame: (t) => this.batch(() => (weights ? this.blendFrame(weights, motion) : this.frame(t, motion))),
-      glbSize: (faces, vertices, frames, scene) =>
-        this.shape.scheduler.run(urgency.shown, () => this.shape.ask('glbSize', { faces, vertices, frames, scene })),
     };
   }
 }

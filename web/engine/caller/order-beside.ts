@@ -2,7 +2,7 @@
 import { disposed } from '../api/errors.ts';
 import type { RequestOf } from '../wire/protocol.ts';
 import { giveUpOrder, type SharedOrder, sharedOrder } from '../wire/shared-order.ts';
-import type { WorkerClient } from './worker-client.ts';
+import type { CoreWorker } from './worker-client.ts';
 
 export interface OrderBeside {
   order: SharedOrder;
@@ -11,7 +11,7 @@ export interface OrderBeside {
 }
 
 /** A failure is said by the shape, which fails as well, or finds the order itself. */
-export function orderBeside(client: WorkerClient, request: RequestOf<'encode'>): OrderBeside {
+export function orderBeside(client: CoreWorker, request: RequestOf<'encode'>): OrderBeside {
   const order = sharedOrder(request.positions[0]!.length / 3);
   const end = (): void => {
     giveUpOrder(order);

@@ -16,7 +16,7 @@ export interface PrincipalTargets {
   error: number;
 }
 
-/** What is left of frames by leading components: `WasmCore.principalOffsets`. */
+/** What is left of frames by leading components: `WasmFiles.principalOffsets`. */
 export interface Offsets {
   count: number;
   /** count x 3 x vertices. */

@@ -5,20 +5,24 @@ import { METHOD } from '../api/methods.ts';
 import { checkCall, checkUpdate } from '../api/options.ts';
 import { MOTION_DEFAULTS } from '../api/types.ts';
 import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../api/types.ts';
-import type { CallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
+import type { CoreCallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
 import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
+import type { ExportSource } from './export-source.ts';
 import { MotionClient } from './motion.ts';
 import { orderBeside } from './order-beside.ts';
 import { Scheduler, urgency } from './scheduler.ts';
-import type { WorkerCall, WorkerClient } from './worker-client.ts';
+import type { CoreWorker, WorkerCall } from './worker-client.ts';
 
 export interface ShapeParts {
   keys: KeyData;
   encoding: EncodingOptions;
   /** Starts a worker that no other shape uses, with one thread. */
-  freshWorker(): WorkerClient;
+  freshWorker(): CoreWorker;
   /** One that finds the order of elimination meanwhile, where the shape is large enough for that; or null. */
-  workerBeside: (() => WorkerClient) | null;
+  workerBeside: (() => CoreWorker) | null;
+  /** For exports. */
+  filesWorker: ExportSource['filesWorker'];
+  glbSize: ExportSource['glbSize'];
   onDispose(shape: ShapeClient): void;
 }
 
@@ -30,11 +34,11 @@ export class ShapeClient implements Shape {
 
   private constructor(
     readonly parts: ShapeParts,
-    private client: WorkerClient,
+    private client: CoreWorker,
   ) {}
 
   /** Encodes it in `client`, which is the shape's own from here on. */
-  static async encode(parts: ShapeParts, client: WorkerClient, call: WorkerCall): Promise<ShapeClient> {
+  static async encode(parts: ShapeParts, client: CoreWorker, call: WorkerCall): Promise<ShapeClient> {
     await client.call('encode', encodeRequest(parts), call);
     return new ShapeClient(parts, client);
   }
@@ -105,7 +109,7 @@ export class ShapeClient implements Shape {
    * One request; a worker that died before is replaced first, and the shape encoded again from the same keys. If the
    * second thread was the reason, it would be again: the new worker has one thread.
    */
-  async ask<K extends CallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
+  async ask<K extends CoreCallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
     this.checkAlive();
     if (!this.client.alive) {
       this.client = this.parts.freshWorker();

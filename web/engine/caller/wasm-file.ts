@@ -1,26 +1,31 @@
 /** WebAssembly from an address that may answer with anything. */
-import { engineError, messageOf, type EngineError } from '../api/errors.ts';
+import type { FileUrls } from '../api/configure.ts';
+import { engineError, messageOf, notLoaded, type EngineError } from '../api/errors.ts';
 
 const MAGIC = [0x00, 0x61, 0x73, 0x6d];
 /** Of an answer that is no WebAssembly, in bytes. */
 const SHOWN = 24;
 
-/** Compiles while it loads where the server names the type. Error: not-loaded, with what came instead. */
+/**
+ * Compiles while it loads where the server names the type. Error: not-loaded, with what came instead; `option` names
+ * the address.
+ */
 export async function compileFrom(
   url: URL,
+  option: keyof FileUrls,
   load: (url: URL) => Promise<Response> = fetch,
 ): Promise<WebAssembly.Module> {
   const response = await load(url).catch((error: unknown) => {
     throw notLoaded(url.href, messageOf(error));
   });
-  if (!response.ok) throw otherwise(url, `${response.status} ${response.statusText}`.trim());
+  if (!response.ok) throw otherwise(url, option, `${response.status} ${response.statusText}`.trim());
   const type = response.headers.get('Content-Type') ?? 'of no type';
   try {
     if (!type.startsWith('application/wasm'))
-      return await WebAssembly.compile(checked(url, type, await response.arrayBuffer()));
+      return await WebAssembly.compile(checked(url, option, type, await response.arrayBuffer()));
     const copy = response.clone();
     return await WebAssembly.compileStreaming(response).catch(async (error: unknown) => {
-      checked(url, type, await copy.arrayBuffer());
+      checked(url, option, type, await copy.arrayBuffer());
       throw error;
     });
   } catch (error) {
@@ -30,21 +35,21 @@ export async function compileFrom(
 }
 
 /** A host that knows no such file may answer with a web page, as if all were well. */
-function checked(url: URL, type: string, bytes: ArrayBuffer): ArrayBuffer {
+function checked(url: URL, option: string, type: string, bytes: ArrayBuffer): ArrayBuffer {
   const begin = new Uint8Array(bytes, 0, Math.min(SHOWN, bytes.byteLength));
   if (MAGIC.every((byte, index) => begin[index] === byte)) return bytes;
   const text = new TextDecoder()
     .decode(begin)
     .replace(/[^\x20-\x7e]+/g, ' ')
     .trim();
-  throw otherwise(url, begin.length === 0 ? 'nothing' : `“${text}…” (${type})`);
+  throw otherwise(url, option, begin.length === 0 ? 'nothing' : `“${text}…” (${type})`);
 }
 
-function otherwise(url: URL, what: string): EngineError {
+function otherwise(url: URL, option: string, what: string): EngineError {
   return engineError(
     'not-loaded',
     `The computation could not be loaded: ${url.href} answered with ${what} instead of WebAssembly. ` +
-      'Put the .wasm file at that address, or name the address where it is: configure({ wasmUrl }).',
+      `Put the .wasm file at that address, or name the address where it is: configure({ ${option} }).`,
   );
 }
 
@@ -52,12 +57,5 @@ function forbidden(): EngineError {
   return engineError(
     'not-loaded',
     "The page's policy forbids WebAssembly. Add 'wasm-unsafe-eval' to the script-src of its Content-Security-Policy.",
-  );
-}
-
-export function notLoaded(what: string, reason: string): EngineError {
-  return engineError(
-    'not-loaded',
-    `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`,
   );
 }

@@ -1,6 +1,15 @@
 /** One worker seen from outside: calls become promises; its end, however it comes, rejects those that are open. */
 import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory } from '../api/errors.ts';
-import type { CallName, FromWorker, Program, RequestOf, ResultOf, ToWorker } from '../wire/protocol.ts';
+import type {
+  CallName,
+  CoreCallName,
+  FileCallName,
+  FromWorker,
+  Program,
+  RequestOf,
+  ResultOf,
+  ToWorker,
+} from '../wire/protocol.ts';
 import type { Progress } from '../api/types.ts';
 
 /** What a worker of the browser and one of Node have in common. */
@@ -30,7 +39,10 @@ interface Open {
   fraction: number;
 }
 
-export class WorkerClient {
+export type CoreWorker = WorkerClient<CoreCallName>;
+export type FilesWorker = WorkerClient<FileCallName>;
+
+export class WorkerClient<Name extends CallName> {
   private readonly open = new Map<number, Open>();
   private readonly port: WorkerPort;
   private readonly started: Promise<void>;
@@ -52,7 +64,7 @@ export class WorkerClient {
     return this.ended === null;
   }
 
-  call<K extends CallName>(
+  call<K extends Name>(
     type: K,
     request: RequestOf<K>,
     { transfer, onProgress }: WorkerCall = {},

@@ -11,6 +11,7 @@ import { trustedAddress } from './trusted-address.ts';
 
 const beside = {
   wasm: () => whereItIs(new URL('./shapespline.wasm', import.meta.url)),
+  files: () => whereItIs(new URL('./shapespline_files.wasm', import.meta.url)),
   threads: () => whereItIs(new URL('./shapespline_threads.wasm', import.meta.url)),
   draco: () => whereItIs(new URL('./draco_decoder_gltf.wasm', import.meta.url)),
   worker: () => whereItIs(new URL('./worker.js', import.meta.url)),
@@ -33,6 +34,7 @@ function known(address: () => URL): string | undefined {
 
 export const files: BrowserFiles = {
   wasm: () => required(beside.wasm, 'wasmUrl'),
+  filesWasm: async () => required(beside.files, 'filesUrl'),
   threads: async () => beside.threads(),
   forWorker: ({ draco = known(beside.draco), worker }) => ({
     draco,

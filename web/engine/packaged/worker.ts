@@ -3,6 +3,7 @@
  * a relative address: it works wherever it was copied to, and from a `blob:` address.
  */
 import createWasm from '../../../build/wasm/shapespline.mjs';
+import createFiles from '../../../build/wasm/shapespline_files.mjs';
 import createThreaded from '../../../build/wasm/shapespline_threads.mjs';
 import type { Locked, Ready, ToWorker, WorkerFiles } from '../wire/protocol.ts';
 import { holdLock } from '../wire/worker-lock.ts';
@@ -19,6 +20,7 @@ function serve(): void {
     post: (message, transfer) => self.postMessage(message, { transfer }),
     create: createWasm,
     createThreaded: async () => createThreaded,
+    createFiles: async () => createFiles,
     startSecondThread: (start, onReady) => {
       const secondThread = new Worker(trustedAddress(self.location.href), { type: 'module' });
       secondThread.onmessage = ({ data }: MessageEvent<null | Ready>) => {

@@ -11,6 +11,7 @@ import type {
   ImportOptions,
   InputFile,
   KeysInfo,
+  MeshReport,
   MotionOptions,
   Point,
   Scene,
@@ -63,16 +64,17 @@ type Questions = {
   };
 };
 
-/** Request and result of every call. */
-export interface Calls extends Omit<Questions, 'stats'> {
-  import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
-  /** Makes the shape that the worker holds from then on. */
-  encode: {
-    request: Pick<KeysInfo, 'names' | 'faces' | 'times'> & Omit<KeyData, 'info'> & { encoding: EncodingOptions };
-    result: null;
+/** Request and result of the calls that a worker with the core answers. */
+export interface CoreCalls extends Omit<Questions, 'stats'> {
+  /** Checks keys that were in no file. */
+  report: {
+    request: Pick<KeysInfo, 'names' | 'faces' | 'times'> & Omit<KeyData, 'info'>;
+    result: { report: MeshReport };
   };
+  /** Makes the shape that the worker holds from then on. */
+  encode: { request: CoreCalls['report']['request'] & { encoding: EncodingOptions }; result: null };
   /** Finds the order of elimination of LRI space in another worker. */
-  order: { request: Calls['encode']['request'] & { order: SharedOrder }; result: null };
+  order: { request: CoreCalls['encode']['request'] & { order: SharedOrder }; result: null };
   /** `order`: where another worker leaves the order of elimination (shared-order), if LRI space is made; or null. */
   motion: { request: { motion: MotionSpec; order: SharedOrder | null }; result: MotionState };
   /** The motion is not needed any more. */
@@ -81,6 +83,11 @@ export interface Calls extends Omit<Questions, 'stats'> {
   /** The shape at an affine combination of the keys. */
   blend: { request: { motion: MotionSpec; weights: number[]; buffers: FrameBuffers | null }; result: FrameData };
   stats: { request: object; result: SequenceStats };
+}
+
+/** The same of a worker with the module for files. */
+export interface FileCalls {
+  import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
   /** Bytes of an animated GLB, to a few percent, without the images' own; and the vertices of its primitives. */
   glbSize: {
     request: { faces: Uint32Array; vertices: number; frames: number; scene: Scene };
@@ -126,6 +133,9 @@ export interface Calls extends Omit<Questions, 'stats'> {
   };
 }
 
+export interface Calls extends CoreCalls, FileCalls {}
+export type CoreCallName = keyof CoreCalls;
+export type FileCallName = keyof FileCalls;
 export type CallName = keyof Calls;
 export type RequestOf<K extends CallName> = Calls[K]['request'];
 export type ResultOf<K extends CallName> = Calls[K]['result'];
@@ -146,8 +156,10 @@ export interface WorkerFiles {
 }
 
 export interface Program {
+  /** Which calls the worker answers. */
+  kind: 'core' | 'files';
   module: WebAssembly.Module;
-  /** The same for a shared memory, where a second thread may help; `module` runs if it cannot be had. */
+  /** The core for a shared memory, where a second thread may help; `module` runs if it cannot be had. */
   threaded: WebAssembly.Module | null;
   files: WorkerFiles;
 }

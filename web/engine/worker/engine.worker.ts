@@ -17,6 +17,7 @@ const handler = new RequestHandler({
   post: (message, transfer) => self.postMessage(message, { transfer }),
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
+  createFiles: async () => (await import('../../../build/wasm/shapespline_files.mjs')).default,
   startSecondThread: (start, onReady) => {
     const secondThread = new Worker(new URL('./second-thread.worker.ts', import.meta.url), { type: 'module' });
     secondThread.onmessage = onReady;

@@ -1,11 +1,16 @@
 /** The glue that Emscripten writes; it need not be there for types to be checked. */
 declare module '*/build/wasm/shapespline.mjs' {
-  const create: import('./wasm-module.ts').CreateWasmModule;
+  const create: import('./wasm-module.ts').CreateWasmModule<import('./wasm-module.ts').CoreModule>;
   export default create;
 }
 
 declare module '*/build/wasm/shapespline_threads.mjs' {
-  const create: import('./wasm-module.ts').CreateWasmModule;
+  const create: import('./wasm-module.ts').CreateWasmModule<import('./wasm-module.ts').CoreModule>;
+  export default create;
+}
+
+declare module '*/build/wasm/shapespline_files.mjs' {
+  const create: import('./wasm-module.ts').CreateWasmModule<import('./wasm-module.ts').FilesModule>;
   export default create;
 }
 

@@ -60,14 +60,6 @@ export function readFloats(module: WasmModule, { address, length }: Range, targe
   return copy;
 }
 
-/**
- * Where threads can share memory, an array that goes to further workers without a copy. Nobody writes into it again.
- */
-export function sharedFloats(length: number): Float32Array {
-  const shared = typeof SharedArrayBuffer === 'function' && globalThis.crossOriginIsolated !== false;
-  return new Float32Array(shared ? new SharedArrayBuffer(4 * length) : new ArrayBuffer(4 * length));
-}
-
 /** Text up to its NUL. */
 export function readText(module: WasmModule, address: Address): string {
   const start = address >>> 0;

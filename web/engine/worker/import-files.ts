@@ -1,5 +1,6 @@
 /** Files -> keys, inside a worker: compressed meshes are decoded first, a project brings its options along. */
-import type { ImportedInfo, OnProgress, WasmCore } from './wasm-core.ts';
+import type { OnProgress } from './wasm-calls.ts';
+import type { ImportedInfo, WasmFiles } from './wasm-files.ts';
 import { jsonOf } from './gltf-text.ts';
 import { drawnImages } from './image-size.ts';
 import { readMesh, readOptions, readPlayed, readSpeed } from '../wire/project.ts';
@@ -35,7 +36,7 @@ const DECODING = 0.3;
 const READING = 0.95;
 
 export async function importFiles(
-  core: WasmCore,
+  wasm: WasmFiles,
   decode: Decode,
   { files, options, report }: ImportJob,
 ): Promise<KeyData> {
@@ -45,7 +46,7 @@ export async function importFiles(
     start = DECODING * fraction;
     report('decoding compressed meshes', start);
   });
-  const { info, ...poses } = core.importKeys(decoded, options, (stage, fraction) =>
+  const { info, ...poses } = wasm.importKeys(decoded, options, (stage, fraction) =>
     report(stage, start + (READING - start) * fraction),
   );
   report('reading the poses', READING);

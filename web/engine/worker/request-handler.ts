@@ -1,41 +1,41 @@
-/** A worker's inside: one core, at most one shape, requests answered in the order in which they came. */
-import { WasmCore, type OnProgress } from './wasm-core.ts';
+/** A worker's inside: one wasm module, requests answered in the order in which they came. */
 import {
   crashed,
   EngineError,
   engineError,
   isOutOfMemory,
   messageOf,
+  notLoaded,
   outOfMemory,
   type ErrorData,
 } from '../api/errors.ts';
-import type { SecondThreadStart } from './second-thread.ts';
-import type { Codecs } from './codecs.ts';
-import { compress } from './compress.ts';
-import { Motions } from './motions.ts';
-import { importFiles, type Decode } from './import-files.ts';
 import type {
   CallName,
-  FrameBuffers,
-  FrameData,
+  CoreCallName,
   FromWorker,
-  MotionSpec,
+  Program,
   Request,
   RequestOf,
   ResultOf,
-  Start,
   ToWorker,
 } from '../wire/protocol.ts';
-import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
-import { provideOrder } from '../wire/shared-order.ts';
-import { ThreadChoice } from './thread-choice.ts';
-import type { CreateWasmModule } from './wasm-module.ts';
+import type { Codecs } from './codecs.ts';
+import { CoreAnswers } from './core-answers.ts';
+import { fileAnswers } from './file-answers.ts';
+import type { Decode } from './import-files.ts';
+import type { SecondThreadStart } from './second-thread.ts';
+import type { OnProgress } from './wasm-calls.ts';
+import { WasmCore } from './wasm-core.ts';
+import { WasmFiles } from './wasm-files.ts';
+import type { CoreModule, CreateWasmModule, FilesModule } from './wasm-module.ts';
 
 export interface HandlerHost {
   post(message: FromWorker, transfer: ArrayBuffer[]): void;
-  create: CreateWasmModule;
+  create: CreateWasmModule<CoreModule>;
   /** The glue of the threaded module. */
-  createThreaded(): Promise<CreateWasmModule>;
+  createThreaded(): Promise<CreateWasmModule<CoreModule>>;
+  /** The glue of the module for files. */
+  createFiles(): Promise<CreateWasmModule<FilesModule>>;
   /** Starts a second thread; one that never gets ready is never waited for. */
   startSecondThread(start: SecondThreadStart, onReady: () => void): void;
   /** Undoes mesh compression that the core does not know, before it sees the files. */
@@ -44,153 +44,66 @@ export interface HandlerHost {
   codecs: Codecs;
 }
 
-/** Questions that the core answers by itself. */
-type Asked = Exclude<QuestionName, 'stats'>;
-
-type Handlers = {
-  [K in Exclude<CallName, Asked>]: (
-    core: WasmCore,
-    request: RequestOf<K>,
-    report: OnProgress,
-  ) => ResultOf<K> | Promise<ResultOf<K>>;
+/** What a worker says to the calls with these names. */
+export type Answers<Names extends CallName> = {
+  [K in Names]: (request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
 };
 
 export class RequestHandler {
-  private readonly host: HandlerHost;
-  private readonly handlers: Handlers;
-  private core: Promise<WasmCore> | null = null;
-  /** Once there is a second thread. */
-  private choice: ThreadChoice | null = null;
+  private answers: Promise<Partial<Answers<CallName>>> | null = null;
   private tail: Promise<void> = Promise.resolve();
-  private shape = 0;
-  private motions = new Motions();
-  private readonly frames: FrameBuffers[] = [];
 
-  constructor(host: HandlerHost) {
-    this.host = host;
-    this.handlers = this.makeHandlers();
-  }
+  constructor(private readonly host: HandlerHost) {}
 
   receive(message: ToWorker): void {
     if (message.type === 'start') {
-      this.core = this.start(message).catch((reason: unknown) => {
+      this.answers = this.start(message).catch((reason: unknown) => {
         throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
       });
-      this.core.catch(() => undefined); // said by the first request
+      this.answers.catch(() => undefined); // said by the first request
       return;
     }
     this.tail = this.tail.then(() => this.serve(message));
   }
 
-  private async start({ module, threaded }: Start): Promise<WasmCore> {
+  private async start({ kind, module, threaded }: Program): Promise<Partial<Answers<CallName>>> {
+    const { create, decode, codecs } = this.host;
+    if (kind === 'files') return fileAnswers(await this.startFiles(module), decode, codecs);
     const core = threaded && (await this.startThreaded(threaded).catch(() => null));
-    return core ?? WasmCore.start(this.host.create, module);
+    return core ?? new CoreAnswers(await WasmCore.start(create, module)).table();
   }
 
-  private async startThreaded(compiled: WebAssembly.Module): Promise<WasmCore> {
+  private async startFiles(module: WebAssembly.Module): Promise<WasmFiles> {
+    const create = await this.host.createFiles().catch((reason: unknown) => {
+      throw notLoaded("the worker's script for files", messageOf(reason));
+    });
+    return WasmFiles.start(create, module);
+  }
+
+  private async startThreaded(compiled: WebAssembly.Module): Promise<Answers<CoreCallName>> {
     const core = await WasmCore.start(await this.host.createThreaded(), compiled);
+    const answers = new CoreAnswers(core);
     const start = core.secondThreadStart(compiled);
-    if (start)
-      this.host.startSecondThread(start, () => {
-        this.choice = new ThreadChoice();
-      });
-    return core;
+    if (start) this.host.startSecondThread(start, answers.useSecondThread);
+    return answers.table();
   }
 
   private async serve(request: Request): Promise<void> {
-    const { id } = request;
+    const { type, id } = request;
     const report: OnProgress = (stage, fraction) => this.host.post({ type: 'progress', id, stage, fraction }, []);
     try {
-      const core = await this.core;
-      if (!core) throw crashed('the worker was not started');
-      const value = await this.answer(core, request, report);
+      const answers = await this.answers;
+      if (!answers) throw crashed('the worker was not started');
+      // Request and answer belong to the same name, which the compiler cannot follow through the table.
+      const value = await (answers[type] as (request: Request, report: OnProgress) => ResultOf<CallName>)(
+        request,
+        report,
+      );
       this.host.post({ type: 'result', id, value }, buffersOf(value));
     } catch (reason) {
       const { error, fatal } = describe(reason);
       this.host.post({ type: 'error', id, error, fatal }, []);
     }
-  }
-
-  private answer(
-    core: WasmCore,
-    request: Request,
-    report: OnProgress,
-  ): ResultOf<CallName> | Promise<ResultOf<CallName>> {
-    // Request and handler belong to the same name, which the compiler cannot follow through the table.
-    const handler = (this.handlers as Record<string, unknown>)[request.type] as
-      | ((core: WasmCore, request: Request, report: OnProgress) => ResultOf<CallName>)
-      | undefined;
-    return handler ? handler(core, request, report) : (this.ask(core, request as never) as ResultOf<CallName>);
-  }
-
-  private makeHandlers(): Handlers {
-    return {
-      import: (core, { files, options }, report) => importFiles(core, this.host.decode, { files, options, report }),
-      encode: (core, request, report) => {
-        report('welding', 0); // large keys take a moment to be copied and checked
-        this.shape = core.encode(request, report);
-        this.motions = new Motions();
-        return null;
-      },
-      order: (core, request) => {
-        provideOrder(request.order, () => core.eliminationOrder(request));
-        return null;
-      },
-      motion: (core, { motion, order }, report) => this.motions.make(core, this.shape, motion, { order, report }),
-      drop: (core, { motion }) => {
-        this.motions.drop(core, motion);
-        return null;
-      },
-      evaluate: (core, { motion, t, buffers }) =>
-        this.timed(core, motion, (handle) => core.evaluate(handle, t, buffers)),
-      blend: (core, { motion, weights, buffers }) =>
-        this.timed(core, motion, (handle) => core.blend(handle, weights, buffers)),
-      stats: (core) => ({
-        ...core.ask('stats', this.shape, {}),
-        heapBytes: core.heapBytes,
-        threads: this.choice?.chosen ?? 1,
-      }),
-      glbSize: (core, request) => core.animationSize(request),
-      addFrame: (_, { positions, normals }) => {
-        this.frames.push({ positions, normals });
-        return null;
-      },
-      principalOffsets: (core, request) => core.principalOffsets(request),
-      writeAnimation: async (core, request) => {
-        const bytes = core.writeAnimation(this.frames.splice(0), request);
-        const { compression } = request;
-        return compression === 'none' ? bytes : compress(this.host.codecs, bytes, compression);
-      },
-      writePose: (core, request) => core.writePose(request),
-    };
-  }
-
-  /** A frame of the motion that is meant, made by as many threads as are best. */
-  private timed(
-    core: WasmCore,
-    motion: MotionSpec,
-    make: (motion: number) => Omit<FrameData, 'ms' | 'threads'>,
-  ): FrameData {
-    const begun = performance.now();
-    const handle = this.motions.of(core, this.shape, motion);
-    const { choice } = this;
-    if (choice) core.setThreads(this.shape, choice.threads);
-    const start = performance.now();
-    try {
-      const frame = make(handle);
-      choice?.took(performance.now() - start);
-      return { ...frame, threads: choice?.chosen ?? 1, ms: performance.now() - begun };
-    } catch (reason) {
-      // It takes this worker with it: nobody could say what it still writes.
-      throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;
-    }
-  }
-
-  private ask(core: WasmCore, request: Request & { type: QuestionName }): unknown {
-    const { type, id: _, ...asked } = request;
-    if (QUESTIONS[type].of === 'shape') return core.ask(type, this.shape, asked as never);
-    const { motion, ...rest } = asked as { motion: MotionSpec };
-    return core.ask(type, this.motions.of(core, this.shape, motion), rest as never);
   }
 }
 

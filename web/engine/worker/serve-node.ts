@@ -15,6 +15,7 @@ export function serveInNode(codecsOf: (files: () => WorkerFiles) => Codecs): voi
     post: (message, transfer) => parentPort?.postMessage(message, transfer),
     create: createWasm,
     createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
+    createFiles: async () => (await import('../../../build/wasm/shapespline_files.mjs')).default,
     startSecondThread: (start, onReady) => {
       const secondThread = new Worker(new URL('./second-thread-node.mjs', import.meta.url), { workerData: start });
       secondThread.on('message', onReady);

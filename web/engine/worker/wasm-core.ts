@@ -1,39 +1,13 @@
-/** The core as TypeScript sees it: typed calls into the bindings, arrays copied in and out. Runs inside a worker. */
-import { IMPORT } from '../api/option-table.ts';
-import { EngineError, outOfMemory } from '../api/errors.ts';
-import { noteOf } from '../api/export-note.ts';
+/** The core as TypeScript sees it. */
+import { outOfMemory } from '../api/errors.ts';
+import type { MeshReport } from '../api/types.ts';
 import type { SecondThreadStart } from './second-thread.ts';
-import { HeapScope, readFloats, readJson, readText, sharedFloats, writeFloats, type Range } from './heap.ts';
+import { readFloats, type Range } from './heap.ts';
 import { QUESTIONS, type AnswerOf, type AskedOf, type QuestionName } from '../wire/calls.ts';
-import type {
-  FrameBuffers,
-  FrameData,
-  KeyData,
-  MotionSpec,
-  MotionState,
-  RequestOf,
-  ResultOf,
-} from '../wire/protocol.ts';
+import type { FrameBuffers, FrameData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
 import { awaitedOrder, type SharedOrder } from '../wire/shared-order.ts';
-import type { ImportOptions, InputFile, KeysInfo, Scene, TextureImage } from '../api/types.ts';
-import type { Address, CreateWasmModule, QuestionFunctions, WasmModule } from './wasm-module.ts';
-
-type CallResult<T> = ({ ok: true } & T) | Failure;
-
-interface Failure {
-  ok: false;
-  code: string;
-  message: string;
-  key: number;
-  vertex: number;
-  face: number;
-}
-
-/** The core's JSON of an import: of KeysInfo the project is still a text, and nobody has looked into the images. */
-export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene' | 'played'> & {
-  project: string;
-  scene: Omit<Scene, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
-};
+import { WasmCalls, type OnProgress } from './wasm-calls.ts';
+import type { Address, CoreModule, QuestionFunctions } from './wasm-module.ts';
 
 interface FrameResult {
   positions: Range;
@@ -42,36 +16,16 @@ interface FrameResult {
   indefiniteFace?: number;
 }
 
-export type OnProgress = (stage: string, fraction: number) => void;
-
 /** For a motion that may be the first of its space. */
 export interface NewSpace {
   order?: SharedOrder | null;
   report?: OnProgress;
 }
 
-function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
-  const entries = Object.entries({ key, vertex, face }).filter(([, index]) => index >= 0);
-  return Object.fromEntries(entries);
-}
-
 /** Bytes: many times what a frame's kernels need. */
 const SECOND_STACK = 1 << 18;
-/** Between reports of one stage. */
-const REPORT_MS = 15;
 
-export class WasmCore {
-  private readonly module: WasmModule;
-
-  private constructor(module: WasmModule) {
-    this.module = module;
-  }
-
-  /** Instantiates the compiled module with its Emscripten glue. */
-  static async start(create: CreateWasmModule, compiled: WebAssembly.Module): Promise<WasmCore> {
-    return new WasmCore(await instantiate(create, compiled));
-  }
-
+export class WasmCore extends WasmCalls<CoreModule> {
   /** What a second thread needs to work in this core's memory; null where that is not shared. */
   secondThreadStart(compiled: WebAssembly.Module): SecondThreadStart | null {
     const { wasmMemory: memory } = this.module;
@@ -91,62 +45,22 @@ export class WasmCore {
     return this.module._shapespline_is_help_lost() !== 0;
   }
 
-  get heapBytes(): number {
-    return this.module.HEAPU8.length;
-  }
-
-  /** Objects of the bindings that are alive. */
-  get objects(): number {
-    return this.result<{ count: number }>(this.module._shapespline_objects()).count;
-  }
-
-  importKeys(
-    files: InputFile[],
-    options: ImportOptions,
-    onProgress: OnProgress = () => undefined,
-  ): Omit<KeyData, 'info'> & { info: ImportedInfo } {
-    this.hear(onProgress);
-    const { animation, sample, everyFrame, keyTimes, up, unit, objects, like, likePose, likeObjects, offset } = options;
-    const request = {
-      files,
-      options: {
-        animation: animation ?? null,
-        sampleTimes: Array.isArray(sample) ? sample : [],
-        everyFrame: everyFrame === true,
-        sampleCount: typeof sample === 'number' ? sample : null,
-        frameTimes: noteOf(files)?.times ?? [],
-        keyTimes: keyTimes ?? [],
-        zUp: (up ?? IMPORT.up.default) === 'z',
-        unit: unit ?? IMPORT.unit.default,
-        objects: objects ?? [],
-        like: like ?? null,
-        likePose: likePose ?? null,
-        offset: offset ?? null,
-        likeObjects: likeObjects ?? [],
-      },
-    };
-    return this.lend((scope) => {
-      const { handle, normals, ...info } = this.result<ImportedInfo & { handle: number; normals: Float32Array | null }>(
-        this.module._shapespline_import(scope.putJson(request)),
-      );
-      try {
-        return { info, normals, positions: info.names.map((_, key) => this.importedPositions(handle, key)) };
-      } finally {
-        this.release(handle);
-      }
-    });
-  }
-
   /** Returns the handle of a shape. */
   encode(request: RequestOf<'encode'>, onProgress: OnProgress = () => undefined): number {
     this.hear(onProgress);
-    return this.send<{ handle: number }>(keysOf(request), (address) => this.module._shapespline_encode(address)).handle;
+    return this.send<{ handle: number }>(encodedOf(request), (address) => this.module._shapespline_encode(address))
+      .handle;
   }
 
   /** In which the unknowns of this shape are eliminated. */
   eliminationOrder(request: RequestOf<'order'>): Int32Array {
-    return this.send<{ order: Int32Array }>(keysOf(request), (address) => this.module._shapespline_order(address))
+    return this.send<{ order: Int32Array }>(encodedOf(request), (address) => this.module._shapespline_order(address))
       .order;
+  }
+
+  /** On the mesh of keys that were in no file. */
+  report(request: RequestOf<'report'>): MeshReport {
+    return this.send<ResultOf<'report'>>(keysOf(request), (address) => this.module._shapespline_report(address)).report;
   }
 
   /** `before`: another motion of the shape, which what is costly is taken from; or null. */
@@ -185,40 +99,6 @@ export class WasmCore {
     );
   }
 
-  /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */
-  writeAnimation(frames: FrameBuffers[], { compression: _, ...request }: RequestOf<'writeAnimation'>): Uint8Array {
-    this.module.takeFrame = (index, positions, normals) => {
-      const frame = frames[index];
-      if (!frame) return false;
-      writeFloats(this.module, positions, frame.positions);
-      writeFloats(this.module, normals, frame.normals);
-      delete frames[index]; // asked for once; the file grows by as much
-      return true;
-    };
-    const vertices = (frames[0]?.positions.length ?? 0) / 3;
-    return this.written({ ...request, vertices }, (address) => this.module._shapespline_write_animation(address));
-  }
-
-  animationSize(request: RequestOf<'glbSize'>): ResultOf<'glbSize'> {
-    return this.send(request, (address) => this.module._shapespline_animation_size(address));
-  }
-
-  principalOffsets(request: RequestOf<'principalOffsets'>): ResultOf<'principalOffsets'> {
-    const { handle, ...result } = this.send<ResultOf<'principalOffsets'> & { handle: number }>(request, (address) =>
-      this.module._shapespline_principal_offsets(address),
-    );
-    this.release(handle);
-    return result;
-  }
-
-  writePose({ pose, ...request }: RequestOf<'writePose'>): Uint8Array {
-    return this.written({ ...request, ...pose }, (address) => this.module._shapespline_write_pose(address));
-  }
-
-  release(handle: number): void {
-    this.module._shapespline_release(handle);
-  }
-
   private frame(result: Address, buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {
     const frame = this.rawResult<FrameResult>(result);
     return {
@@ -228,73 +108,10 @@ export class WasmCore {
       indefiniteFace: frame.indefiniteFace,
     };
   }
-
-  /** The core reports more often than anybody looks, and each message takes its time. */
-  private hear(onProgress: OnProgress): void {
-    let last: Address = -1;
-    let heard = -Infinity;
-    this.module.onProgress = (stage, fraction) => {
-      const now = performance.now();
-      if (stage === last && fraction < 1 && now < heard + REPORT_MS) return;
-      last = stage;
-      heard = now;
-      onProgress(readText(this.module, stage), fraction);
-    };
-  }
-
-  private importedPositions(handle: number, key: number): Float32Array {
-    const { positions } = this.rawResult<{ positions: Range }>(this.module._shapespline_import_positions(handle, key));
-    return readFloats(this.module, positions, sharedFloats(positions.length));
-  }
-
-  /** The bytes of a file that the core keeps until they are copied. */
-  private written(request: object, call: (address: Address) => Address): Uint8Array {
-    const { handle, bytes } = this.send<{ handle: number; bytes: Uint8Array }>(request, call);
-    this.release(handle);
-    return bytes;
-  }
-
-  private lend<T>(work: (scope: HeapScope) => T): T {
-    const scope = new HeapScope(this.module);
-    try {
-      return work(scope);
-    } finally {
-      scope.free();
-    }
-  }
-
-  private send<T>(request: object, call: (address: Address) => Address): T {
-    return this.lend((scope) => this.result<T>(call(scope.putJson(request))));
-  }
-
-  private result<T>(address: Address): T {
-    return checked(readJson(this.module, readText(this.module, address)) as CallResult<T>);
-  }
-
-  /** With ranges where others have copies of the arrays. */
-  private rawResult<T>(address: Address): T {
-    return checked(JSON.parse(readText(this.module, address)) as CallResult<T>);
-  }
 }
 
-function keysOf({ names, times, faces, positions, normals, encoding }: RequestOf<'encode'>): object {
-  const keys = positions.map((of, key) => ({ name: names[key], time: times[key], positions: of }));
-  return { faces, normals, keys, encoding };
+function keysOf({ names, times, faces, positions, normals }: RequestOf<'report'>): object {
+  return { faces, normals, keys: positions.map((of, key) => ({ name: names[key], time: times[key], positions: of })) };
 }
 
-function checked<T>(result: CallResult<T>): T {
-  if (!result.ok) throw new EngineError(result.code, result.message, placeOf(result));
-  const { ok, ...value } = result;
-  return value as T;
-}
-
-function instantiate(create: CreateWasmModule, compiled: WebAssembly.Module): Promise<WasmModule> {
-  return new Promise((resolve, reject) => {
-    const instantiateWasm: Parameters<CreateWasmModule>[0]['instantiateWasm'] = (imports, receive) => {
-      // The glue does not hear of a failure here (too little memory, say): its own promise would stay open.
-      WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled), reject);
-      return {};
-    };
-    create({ instantiateWasm }).then(resolve, reject);
-  });
-}
+const encodedOf = (request: RequestOf<'encode'>): object => ({ ...keysOf(request), encoding: request.encoding });

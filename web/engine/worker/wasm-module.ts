@@ -1,4 +1,4 @@
-/** The generated wasm module as this folder sees it: what wasm/bindings exports, and the three calls that it makes. */
+/** The generated wasm modules as this folder sees them: what wasm/bindings exports, and the three calls out of it. */
 
 /** An address in the heap; above 2 GB it arrives negative, hence `>>> 0` wherever one is used. */
 export type Address = number;
@@ -13,32 +13,40 @@ export interface JsImports {
 /** The functions of the questions (wire/calls.ts), by their symbols. Each takes a handle and JSON. */
 export type QuestionFunctions = Readonly<Record<string, (handle: number, request: Address) => Address>>;
 
+/** What both have. */
 export interface WasmModule extends JsImports {
   /** Made anew whenever the memory grows: never kept. */
   readonly HEAPU8: Uint8Array;
-  /** Only where it is shared. */
-  readonly wasmMemory?: WebAssembly.Memory;
   _malloc(bytes: number): Address;
   _free(address: Address): void;
-  _shapespline_import(request: Address): Address;
-  _shapespline_import_positions(handle: number, key: number): Address;
+  _shapespline_objects(): Address;
+  _shapespline_release(handle: number): void;
+}
+
+export interface CoreModule extends WasmModule {
+  /** Only where it is shared. */
+  readonly wasmMemory?: WebAssembly.Memory;
   _shapespline_encode(request: Address): Address;
   _shapespline_order(request: Address): Address;
+  _shapespline_report(request: Address): Address;
   _shapespline_motion(shape: number, request: Address): Address;
   _shapespline_evaluate(motion: number, t: number): Address;
   _shapespline_blend(motion: number, request: Address): Address;
-  _shapespline_write_animation(request: Address): Address;
-  _shapespline_animation_size(request: Address): Address;
-  _shapespline_write_pose(request: Address): Address;
-  _shapespline_principal_offsets(request: Address): Address;
-  _shapespline_objects(): Address;
-  _shapespline_release(handle: number): void;
   _shapespline_set_threads(shape: number, threads: number): void;
   _shapespline_helped(): number;
   _shapespline_is_help_lost(): number;
   /** For the second thread's own instance alone (second-thread.ts). */
   _shapespline_help(): void;
   _shapespline_help_lost(): void;
+}
+
+export interface FilesModule extends WasmModule {
+  _shapespline_import(request: Address): Address;
+  _shapespline_import_positions(handle: number, key: number): Address;
+  _shapespline_write_animation(request: Address): Address;
+  _shapespline_animation_size(request: Address): Address;
+  _shapespline_write_pose(request: Address): Address;
+  _shapespline_principal_offsets(request: Address): Address;
 }
 
 export interface WasmSettings {
@@ -50,4 +58,4 @@ export interface WasmSettings {
   printErr?: (text: string) => void;
 }
 
-export type CreateWasmModule = (settings: WasmSettings) => Promise<WasmModule>;
+export type CreateWasmModule<M extends WasmModule> = (settings: WasmSettings) => Promise<M>;

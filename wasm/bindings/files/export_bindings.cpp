@@ -1,13 +1,15 @@
 // Shapes -> bytes of files. The bytes are an object of their own, to be copied and released.
 #include "bindings/export.h"
+#include "bindings/files/file_marshal.h"
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
-#include "bindings/marshal.h"
 #include "core/mesh/principal_offsets.h"
 #include "io/export.h"
 
 namespace shapespline::bindings {
 namespace {
+
+using Bytes = std::vector<std::uint8_t>;
 
 Json keepBytes(Bytes bytes) {
   const int handle = handleTable().add(std::move(bytes));

@@ -1,13 +1,20 @@
 // Files -> an import object, and its parts -> JSON and heap ranges.
 #include "bindings/export.h"
+#include "bindings/files/file_marshal.h"
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
-#include "bindings/marshal.h"
 #include "core/sequence/mesh_report.h"
 #include "io/import.h"
 
 namespace shapespline::bindings {
 namespace {
+
+/// An import with the key that was last asked for, in single precision, and its normals.
+struct ImportObject {
+  Import import;
+  std::vector<float> positions;
+  std::vector<float> normals;
+};
 
 constexpr double kImporting = 0.5;  // share of the progress; the rest is the report on the mesh
 

@@ -5,10 +5,12 @@
 #include "bindings/export.h"
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
-#include "bindings/marshal.h"
+#include "bindings/shape/shape_marshal.h"
+#include "bindings/shape/shape_objects.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/measures.h"
 #include "core/sequence/elimination_order.h"
+#include "core/sequence/mesh_report.h"
 #include "core/space/lri_space.h"
 
 namespace shapespline::bindings {
@@ -77,6 +79,15 @@ EXPORT const char* shapespline_order(const char* request) {
     if (!found) return found.error();
     order = std::move(*found);
     return Json{{"order", range(order.data(), order.size())}};
+  });
+}
+
+/// {faces, normals, keys} -> {report} on the mesh, where its keys were in no file.
+EXPORT const char* shapespline_report(const char* request) {
+  return answer(request, [](const Json& json) -> Result<Json> {
+    const Keyframes keyframes = keyframesFrom(json);
+    if (const Status valid = validate(keyframes); !valid) return valid.error();
+    return Json{{"report", toJson(reportOf(keyframes))}};
   });
 }
 

@@ -1,8 +1,9 @@
 // The second thread, in a module whose memory is shared: it is an instance of its own, with its own stack, that only
 // helps.
 #include "bindings/export.h"
-#include "bindings/fork_join.h"
 #include "bindings/handle_table.h"
+#include "bindings/shape/fork_join.h"
+#include "bindings/shape/shape_objects.h"
 
 namespace shapespline::bindings {
 

@@ -1,0 +1,19 @@
+// JSON and heap ranges <-> what files hold.
+#pragma once
+
+#include <vector>
+
+#include "bindings/marshal.h"
+#include "io/base/scene.h"
+#include "io/import.h"
+
+namespace shapespline::bindings {
+
+ImportOptions importOptionsFrom(const Json& json);
+Scene sceneFrom(const Json& json);
+
+Json toJson(const std::vector<AnimationInfo>& animations);
+Json toJson(const std::vector<MatchedObject>& matches);
+Json toJson(const Scene& scene);  ///< ranges into the scene itself
+
+}  // namespace shapespline::bindings

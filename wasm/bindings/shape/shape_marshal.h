@@ -1,0 +1,17 @@
+// JSON and heap ranges <-> what shapes and motions are made of.
+#pragma once
+
+#include "bindings/marshal.h"
+#include "core/sequence/keyframes.h"
+#include "core/sequence/options.h"
+#include "core/sequence/sequence.h"
+
+namespace shapespline::bindings {
+
+Keyframes keyframesFrom(const Json& json);
+MotionOptions motionFrom(const Json& json);
+EncodingOptions encodingFrom(const Json& json);
+
+Json toJson(const SequenceStats& stats);
+
+}  // namespace shapespline::bindings

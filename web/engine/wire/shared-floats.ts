@@ -1,0 +1,9 @@
+/** Poses that several workers need. */
+
+/**
+ * Where threads can share memory, an array that goes to further workers without a copy. Nobody writes into it again.
+ */
+export function sharedFloats(length: number): Float32Array {
+  const shared = typeof SharedArrayBuffer === 'function' && globalThis.crossOriginIsolated !== false;
+  return new Float32Array(shared ? new SharedArrayBuffer(4 * length) : new ArrayBuffer(4 * length));
+}

@@ -1,0 +1,87 @@
+/** The answers of a worker with the core: at most one shape, and its motions. */
+import { crashed } from '../api/errors.ts';
+import type { CoreCallName, FrameData, MotionSpec, RequestOf } from '../wire/protocol.ts';
+import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
+import { provideOrder } from '../wire/shared-order.ts';
+import { Motions } from './motions.ts';
+import type { Answers } from './request-handler.ts';
+import { ThreadChoice } from './thread-choice.ts';
+import type { WasmCore } from './wasm-core.ts';
+
+/** Questions that the core answers by itself. */
+type Asked = Exclude<QuestionName, 'stats'>;
+
+export class CoreAnswers {
+  /** Once there is a second thread. */
+  private choice: ThreadChoice | null = null;
+  private shape = 0;
+  private motions = new Motions();
+
+  constructor(private readonly core: WasmCore) {}
+
+  /** There is a second thread from now on. */
+  readonly useSecondThread = (): void => {
+    this.choice = new ThreadChoice();
+  };
+
+  table(): Answers<CoreCallName> {
+    const { core } = this;
+    return {
+      ...this.questions(),
+      report: (request) => ({ report: core.report(request) }),
+      encode: (request, report) => {
+        report('welding', 0); // large keys take a moment to be copied and checked
+        this.shape = core.encode(request, report);
+        this.motions = new Motions();
+        return null;
+      },
+      order: (request) => {
+        provideOrder(request.order, () => core.eliminationOrder(request));
+        return null;
+      },
+      motion: ({ motion, order }, report) => this.motions.make(core, this.shape, motion, { order, report }),
+      drop: ({ motion }) => {
+        this.motions.drop(core, motion);
+        return null;
+      },
+      evaluate: ({ motion, t, buffers }) => this.timed(motion, (handle) => core.evaluate(handle, t, buffers)),
+      blend: ({ motion, weights, buffers }) => this.timed(motion, (handle) => core.blend(handle, weights, buffers)),
+      stats: () => ({
+        ...core.ask('stats', this.shape, {}),
+        heapBytes: core.heapBytes,
+        threads: this.choice?.chosen ?? 1,
+      }),
+    };
+  }
+
+  /** A frame of the motion that is meant, made by as many threads as are best. */
+  private timed(motion: MotionSpec, make: (motion: number) => Omit<FrameData, 'ms' | 'threads'>): FrameData {
+    const begun = performance.now();
+    const { core, choice } = this;
+    const handle = this.motions.of(core, this.shape, motion);
+    if (choice) core.setThreads(this.shape, choice.threads);
+    const start = performance.now();
+    try {
+      const frame = make(handle);
+      choice?.took(performance.now() - start);
+      return { ...frame, threads: choice?.chosen ?? 1, ms: performance.now() - begun };
+    } catch (reason) {
+      // It takes this worker with it: nobody could say what it still writes.
+      throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;
+    }
+  }
+
+  private questions(): Answers<Asked> {
+    const names = Object.keys(QUESTIONS) as QuestionName[];
+    // Question and answer belong to the same name, which the compiler cannot follow through the table.
+    return Object.fromEntries(
+      names.map((name) => [name, (request: RequestOf<QuestionName>) => this.ask(name, request)]),
+    ) as unknown as Answers<Asked>;
+  }
+
+  private ask<N extends QuestionName>(name: N, request: RequestOf<N>): unknown {
+    if (QUESTIONS[name].of === 'shape') return this.core.ask(name, this.shape, {} as never);
+    const { motion, ...asked } = request as { motion: MotionSpec };
+    return this.core.ask(name, this.motions.of(this.core, this.shape, motion), asked as never);
+  }
+}
