@@ -1,5 +1,9 @@
 /** The first visit: what stands in the way of the first picture. */
+import { poseFiles } from '../engine/support/glb.ts';
+import { bar, bent } from '../engine/support/shapes.ts';
+import { stated } from './exporting.ts';
 import { expect, test } from './support.ts';
+import type { App } from './support.ts';
 
 // Functions of the browser are changed before the page is loaded.
 test.use({ fresh: true });
@@ -73,4 +77,37 @@ test('the first picture waits for its own shape alone: not for the floor, a seco
   );
   expect(panels.length).toBeGreaterThan(0);
   expect(Math.min(...panels)).toBeGreaterThan(seen!);
+});
+
+const wasmOf = ({ requests }: App, module: string): string[] =>
+  requests.filter((url) => new RegExp(`/${module}(-[^/]*)?\\.wasm$`).test(url));
+
+test('the module for files is fetched with the first file, and again after it could not be', async ({ app }) => {
+  const mesh = bar();
+  const poses = [0, 60].map((degrees) => bent(mesh, degrees));
+  const upload = poseFiles(mesh, poses).map(({ name, bytes }) => ({
+    name,
+    mimeType: 'model/gltf-binary',
+    buffer: Buffer.from(bytes),
+  }));
+  await app.open({ first: true });
+  await app.settled();
+  expect(wasmOf(app, 'shapespline').length).toBeGreaterThan(0);
+  expect(wasmOf(app, 'shapespline_files')).toEqual([]);
+  await app.page.route(/shapespline_files[^/]*\.wasm$/, (route) => route.abort());
+  await app.by('file-input').setInputFiles(upload);
+  await expect(app.by('error')).toContainText('The computation could not be loaded');
+  expect((await app.state()).source).toEqual({ kind: 'sample', id: 'column' });
+  await app.page.unrouteAll();
+  await app.by('file-input').setInputFiles(upload);
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
+  await app.settled();
+  expect(wasmOf(app, 'shapespline_files')).toHaveLength(2);
+});
+
+test('the module for files is fetched with the first export', async ({ app }) => {
+  await app.open({ first: true });
+  expect(wasmOf(app, 'shapespline_files')).toEqual([]);
+  expect(await stated(app, async () => undefined)).toContain('morph targets');
+  expect(wasmOf(app, 'shapespline_files')).toHaveLength(1);
 });

@@ -1,15 +1,15 @@
 /** The engine's files as the app's bundler finds them; in the npm package `packaged/browser-files` takes its place. */
 import wasmUrl from '../../build/wasm/shapespline.wasm?url';
+import filesUrl from '../../build/wasm/shapespline_files.wasm?url';
+import threadsUrl from '../../build/wasm/shapespline_threads.wasm?url';
 import { notLoaded } from './api/errors.ts';
 import type { BrowserFiles } from './caller/browser-files.ts';
 import { PatientWorker } from './caller/patient-worker.ts';
 
 export const files: BrowserFiles = {
   wasm: () => new URL(wasmUrl, import.meta.url),
-  filesWasm: async () =>
-    new URL((await import('../../build/wasm/shapespline_files.wasm?url')).default, import.meta.url),
-  threads: async () =>
-    new URL((await import('../../build/wasm/shapespline_threads.wasm?url')).default, import.meta.url),
+  filesWasm: () => new URL(filesUrl, import.meta.url),
+  threads: () => new URL(threadsUrl, import.meta.url),
   // It knows its own.
   forWorker: () => ({}),
   startWorker: (name, loaded) =>

@@ -20,7 +20,7 @@ export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const engine = new EngineClient({
     spawn: spawnFrom(module, worker, onLost),
     module,
-    filesModule: onlyOnce(async () => compile(filesWasm ?? (await files.filesWasm()), 'filesUrl')),
+    filesModule: onlyOnce(async () => compile(filesWasm ?? files.filesWasm(), 'filesUrl')),
     threaded: possible ? () => Promise.race([compiled(), late()]) : null,
     files: files.forWorker({ draco: ofPage(dracoUrl)?.href, worker }),
   });
@@ -46,7 +46,7 @@ function late(): Promise<null> {
 // same.
 async function compileThreaded(given: string | URL | null | undefined): Promise<WebAssembly.Module | null> {
   try {
-    return await compile(ofPage(given) ?? (await files.threads()), 'threadsUrl');
+    return await compile(ofPage(given) ?? files.threads(), 'threadsUrl');
   } catch {
     return null;
   }

@@ -11,8 +11,8 @@ export interface StartedWorker
 
 export interface BrowserFiles {
   wasm(): URL;
-  filesWasm(): Promise<URL>;
-  threads(): Promise<URL>;
+  filesWasm(): URL;
+  threads(): URL;
   /** What a worker fetches by itself when it needs it, of files that were configured and those that were not. */
   forWorker(given: { draco?: string | undefined; worker?: URL | undefined }): WorkerFiles;
   /** From `given`, else from the engine's own script. `loaded` settles when the engine's other files have loaded. */

@@ -34,8 +34,8 @@ function known(address: () => URL): string | undefined {
 
 export const files: BrowserFiles = {
   wasm: () => required(beside.wasm, 'wasmUrl'),
-  filesWasm: async () => required(beside.files, 'filesUrl'),
-  threads: async () => beside.threads(),
+  filesWasm: () => required(beside.files, 'filesUrl'),
+  threads: beside.threads,
   forWorker: ({ draco = known(beside.draco), worker }) => ({
     draco,
     // Where the script knows no address, it lies beside the worker's that was named.
