@@ -64,7 +64,7 @@ it('webpack 5 builds it', async () => {
 });
 
 /** It leaves addresses as they are: the files are copied, as the package's README says. */
-const copied = ['worker.js', 'codecs.js', 'shapespline.wasm', 'draco_decoder_gltf.wasm'];
+const copied = ['worker.js', 'codecs.js', 'shapespline.wasm', 'shapespline_files.wasm', 'draco_decoder_gltf.wasm'];
 
 it('esbuild builds it, with the files beside', async () => {
   const folder = await newProject();
@@ -81,7 +81,7 @@ it('esbuild builds it, with the files beside', async () => {
   await expectRunsAt(await host([output, folder, path.join(folder, 'public')]));
 });
 
-it('esbuild builds it for a classic script, with the files named', async () => {
+it('esbuild builds it for a classic script, with the files named, but for the one beside the wasm', async () => {
   const first =
     "configure({ wasmUrl: 'lib/shapespline.wasm', workerUrl: 'lib/worker.js', dracoUrl: 'lib/draco_decoder_gltf.wasm' });";
   const folder = await newProject({

@@ -49,7 +49,7 @@ it.each([
 
 it('a web page instead of WebAssembly, until it is put right', async () => {
   const copy = (name: string): void => write(name, readFileSync(`${packageIn(inject('installed'))}/${name}`));
-  for (const name of ['cdn.js', 'codecs.js', 'draco_decoder_gltf.wasm']) copy(name);
+  for (const name of ['cdn.js', 'codecs.js', 'shapespline_files.wasm', 'draco_decoder_gltf.wasm']) copy(name);
   write('shapespline.wasm', '<!doctype html><title>Home</title>');
   const page = await openElements(`${shown(KEYS)}<script type="module" src="cdn.js"></script>`, { script: 'none' });
   const detail = await when(page, 'error');

@@ -55,6 +55,7 @@ it('the tarball holds these files and no others', () => {
       'notices.txt',
       'package.json',
       'shapespline.wasm',
+      'shapespline_files.wasm',
       'shapespline_threads.wasm',
       'worker.js',
       ...(hasElement ? ofElement : []),
@@ -128,7 +129,7 @@ it('configure refuses what it does not know, and comes before the first engine',
      tried({ wasmUrl: '/elsewhere.wasm' });`,
   );
   expect(said.trim().split('\n')).toEqual([
-    'invalid-option configure knows no wasm. It takes wasmUrl, workerUrl, threadsUrl, dracoUrl.',
+    'invalid-option configure knows no wasm. It takes wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl.',
     'invalid-option wasmUrl must be an address: a string or a URL.',
     expect.stringMatching(/^invalid-option configure comes too late: call it before the first engine is made/),
   ]);
@@ -147,7 +148,7 @@ it('the types are those of the engine, for bundlers and for Node', async () => {
   const folder = await newProject({
     'use.ts': `
       import { configure, createEngine, EngineError, type Frame } from 'shapespline';
-      configure({ wasmUrl: new URL('file:///x.wasm'), threadsUrl: null });
+      configure({ wasmUrl: new URL('file:///x.wasm'), filesUrl: './y.wasm', threadsUrl: null });
       const engine = createEngine({ onLost: () => undefined });
       const keys = await engine.importKeyframes([{ name: 'a.glb', bytes: new Uint8Array() }]);
       const sequence = await engine.createSequence(keys, { boundary: 'hermite', startSpeed: 0 });

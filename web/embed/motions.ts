@@ -20,7 +20,10 @@ let engine: Engine | null = null;
 
 /** Starts with the first element that is seen. */
 function pageEngine(): Engine {
-  engine ??= createEngine();
+  if (!engine) {
+    engine = createEngine();
+    engine.warmFiles();
+  }
   return engine;
 }
 

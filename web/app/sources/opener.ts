@@ -88,6 +88,7 @@ export class Opener {
     return this.guarded(async () => {
       const sample = this.parts.samples().find((one) => one.id === id);
       if (!sample) throw new Error(`There is no sample named “${id}”. Choose one from the list.`);
+      if (!sample.made) this.parts.engine.warmFiles();
       const input = await this.fetched((signal) => files ?? fetchSample(sample, signal));
       if (!input) return false;
       const request = sampleRequest(sample, input, link, step);

@@ -39,6 +39,8 @@ export interface AheadOptions {
 export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
+  /** Starts what reads files ahead of the first ones, which then need not wait for it. */
+  warmFiles(): void;
   /** Keys of poses that are arrays already. It loads nothing that reads files. */
   createKeys(mesh: KeyMesh, call?: CallOptions): Promise<Keys>;
   /** Takes the keys into a worker of its own, which ends where the call is cancelled. */

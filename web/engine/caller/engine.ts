@@ -56,6 +56,11 @@ export class EngineClient implements Engine {
     this.idle.core ??= this.coreWorker();
   }
 
+  warmFiles(): void {
+    this.checkAlive();
+    if (!this.idle.files?.alive) this.idle.files = this.filesWorker();
+  }
+
   async importKeyframes(given: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys> {
     this.checkAlive();
     checkCall(call);
@@ -159,8 +164,17 @@ export class EngineClient implements Engine {
     return this.started(this.coreProgram(large));
   }
 
+  /** Where the core is not to be had, that is said first: what is read would be of no use. */
   private filesWorker(): FilesWorker {
-    return this.started(this.program('files', this.platform.filesModule()));
+    const { module, filesModule } = this.platform;
+    const files = filesModule();
+    files.catch(() => undefined); // said by the first call
+    return this.started(
+      this.program(
+        'files',
+        module.then(() => files),
+      ),
+    );
   }
 
   private started<Name extends CallName>(program: Promise<Program>): WorkerClient<Name> {
