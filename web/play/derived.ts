@@ -4,9 +4,9 @@ import { totalBending, valueAt } from './splines/curve.ts';
 import type { Curve, Derivative } from './splines/curve.ts';
 import { fitCurve, weightCurves } from './splines/fit.ts';
 import type { CurveKind, FitOptions } from './splines/fit.ts';
-import { MOST_SAMPLES, leastBending, leastSamples } from './splines/least-bending.ts';
-import type { SampledCurve } from './splines/least-bending.ts';
+import { MOST_SAMPLES, curveThrough, leastBending, leastSamples } from './splines/least-bending.ts';
 import { slopeSystem } from './splines/slopes.ts';
+import type { Data } from './splines/slopes.ts';
 import type { System } from './splines/solve.ts';
 import { solveDense } from './splines/solve.ts';
 import { LAYERS } from './state.ts';
@@ -22,7 +22,9 @@ export interface Derived {
   /** Of all layers but the samples, shown or not. */
   curves: Record<CurveKind, Curves>;
   /** The brute force, one per coordinate; none where it would take more than MOST_SAMPLES. */
-  samples: SampledCurve[];
+  samples: Data[];
+  /** The smoothest curve through these samples and the keys, one per coordinate. */
+  sampled: Curves;
   /** K as it is taken, or would have to be. */
   sampleCount: number;
   /** Total bending of each layer between the first and the last key; NaN where the layer is left out. */
@@ -56,22 +58,20 @@ export function derive(state: PlayState): Derived {
   const sampleCount = Math.max(state.samples, leastSamples(times));
   const solved = sampleCount <= MOST_SAMPLES ? coordinates : [];
   const samples = solved.map((values) => leastBending({ times, values }, sampleCount));
+  const sampled = samples.map((one, i) => curveThrough(one, { times, values: coordinates[i]! }));
   const sum = (numbers: number[]): number => numbers.reduce((total, number) => total + number, 0);
   const intervals = times.length - 1;
-  const bendingOf = (layer: Layer): number =>
-    sum(
-      layer === 'samples'
-        ? samples.length > 0
-          ? samples.map(({ bending }) => bending)
-          : [NaN]
-        : curves[layer].map((curve) => totalBending(curve, intervals)),
-    );
+  const bendingOf = (layer: Layer): number => {
+    if (layer === 'samples') return sampled.length > 0 ? sum(sampled.map((curve) => totalBending(curve))) : NaN;
+    return sum(curves[layer].map((curve) => totalBending(curve, intervals)));
+  };
   const system = slopeSystem({ times, values: coordinates[0]! }, state.ends, state.speeds);
   return {
     times,
     range: [times[0]!, times.at(-1)!],
     curves,
     samples,
+    sampled,
     sampleCount,
     bending: Object.fromEntries(LAYERS.map((layer) => [layer, bendingOf(layer)])) as Record<Layer, number>,
     system,

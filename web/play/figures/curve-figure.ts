@@ -1,13 +1,12 @@
 /** The keys with the curves through them: over time, or in two dimensions in their plane. */
 import { clamp } from '../../model/time-scale.ts';
 import type { End } from '../../plots/end-handle.ts';
-import { make, namedCurve, text } from '../../plots/svg-parts.ts';
+import { make, text } from '../../plots/svg-parts.ts';
 import { extent, padded, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Derived, Shown } from '../derived.ts';
 import { valueAt } from '../splines/curve.ts';
 import { shownTimes } from '../state.ts';
 import type { Layer, PlayState } from '../state.ts';
-import { clipped } from './clip.ts';
 import { createEndHandles } from './end-handles.ts';
 import type { Part } from './figure.ts';
 import { createKeyHandles } from './key-handles.ts';
@@ -109,7 +108,7 @@ function layerParts(layer: Layer, derived: Derived, { x, y }: Axes, plane: boole
   if (!value) return [];
   const points = value.times.map((t, i): Point => [x(plane ? across!.values[i]! : t), y(value.values[i]!)]);
   return [
-    namedCurve(LAYER_WORDS.samples.name, 'samples', clipped(points)),
+    ...curveLines('samples', derived.sampled, 0, derived.range, place),
     ...points.map(([cx, cy]) => make('circle', { class: 'sample', cx, cy, r: points.length > 30 ? 2 : 3 })),
   ];
 }

@@ -5,7 +5,10 @@ import type { Layer } from '../state.ts';
 export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
   linear: { name: 'Straight lines', what: 'Linear: the shortest way, with a corner at every key' },
   natural: { name: 'Natural cubic', what: 'Free ends; in Blender the smoothing “Continuous Acceleration”' },
-  samples: { name: 'Brute force', what: 'Least bending of K samples, with the keys held' },
+  samples: {
+    name: 'Brute force',
+    what: 'K samples that bend least, with the keys held, and the smoothest curve through all of them',
+  },
   'catmull-rom': {
     name: 'Catmull-Rom',
     what: 'Each key asks its two neighbours only, as with Blender’s smoothing “None”',

@@ -2,15 +2,10 @@
  * Least bending by brute force: K samples that minimise the sum of their squared second differences with the keys held
  * (paper Eq. 1-2, Fig. 2a). What a cubic spline finds from J equations, from K + J.
  */
+import type { Curve } from './curve.ts';
 import { solveDense } from './solve.ts';
+import { fitCurve } from './fit.ts';
 import type { Data } from './slopes.ts';
-
-export interface SampledCurve {
-  times: number[];
-  values: number[];
-  /** Sum of the squared second differences over the cubed step: an integral of the squared second derivative. */
-  bending: number;
-}
 
 /** More samples are not solved for: the work grows with their third power. */
 export const MOST_SAMPLES = 200;
@@ -23,7 +18,7 @@ export function leastSamples(times: readonly number[]): number {
 }
 
 /** K evenly spaced samples, at least leastSamples; a key between two of them is held by the line through both. */
-export function leastBending({ times, values }: Data, samples: number): SampledCurve {
+export function leastBending({ times, values }: Data, samples: number): Data {
   const [start, keys] = [times[0]!, times.length];
   const step = (times.at(-1)! - start) / (samples - 1);
   const size = samples + keys;
@@ -47,10 +42,21 @@ export function leastBending({ times, values }: Data, samples: number): SampledC
   // The gradient of the sum is a combination of what holds the keys (Lagrange).
   const rhs = [...new Array<number>(samples).fill(0), ...values];
   const path = solveDense({ matrix, rhs }).slice(0, samples);
-  const bends = path.slice(2).map((value, i) => value - 2 * path[i + 1]! + path[i]!);
-  return {
-    times: path.map((_, i) => start + i * step),
-    values: path,
-    bending: bends.reduce((sum, bend) => sum + bend * bend, 0) / step ** 3,
-  };
+  return { times: path.map((_, i) => start + i * step), values: path };
+}
+
+/** A sample so near to a key, as a share of the step, is the key. */
+const SAME = 1e-6;
+
+/**
+ * The smoothest curve through samples and keys. Its bending is an integral as that of every other curve, and never less
+ * than that of the natural spline, which passes through the keys alone; a sum over the samples may be less.
+ */
+export function curveThrough(samples: Data, keys: Data): Curve {
+  const near = SAME * (samples.times[1]! - samples.times[0]!);
+  const pairs = (data: Data): [number, number][] => data.times.map((t, i) => [t, data.values[i]!]);
+  const apart = pairs(samples).filter(([t]) => keys.times.every((key) => Math.abs(key - t) > near));
+  const points = [...pairs(keys), ...apart].sort(([a], [b]) => a - b);
+  const data = { times: points.map(([t]) => t), values: points.map(([, value]) => value) };
+  return fitCurve('natural', data, { speeds: [1, 1], ends: 'natural', shaping: [] });
 }
