@@ -1,4 +1,5 @@
 /** The figures of the paper as states of the app: what each shows there, what is seen here, and where that differs. */
+import { MotionError } from '../../study/motion-error.ts';
 import type { GuidePage } from './guide-page.ts';
 
 interface Figure extends Omit<GuidePage, 'link' | 'title'> {
@@ -10,6 +11,16 @@ interface Figure extends Omit<GuidePage, 'link' | 'title'> {
 const NINE_POINTS = `keys=${[0.3, 0.55, 0.35, 0.8, 0.6, 0.9, 0.45, 0.5, 0.2]
   .map((value, i) => `${i / 8},${value},0`)
   .join('+')}&show=linear+natural+samples&samples=60&key=5`;
+
+/** The pose of the cactus that is no key of Fig. 3. */
+const MIDDLE = 1;
+const middleOf: GuidePage['ask'] = async (sequence, { keyTimes }, poses) => {
+  const error = new MotionError(poses.info.report.diagonal);
+  const [frame] = await sequence.evaluateMany([(keyTimes[0]! + keyTimes.at(-1)!) / 2]);
+  error.add(poses.positions(MIDDLE), frame!.positions);
+  frame!.release();
+  return `Halfway, vertices are on average ${error.mean.toFixed(1)} % of the diagonal from the middle pose.`;
+};
 
 const LIST: readonly Figure[] = [
   {
@@ -51,12 +62,13 @@ const LIST: readonly Figure[] = [
     number: '3',
     name: 'Natural and Hermite ends',
     state:
-      'sample=cactus&keys=0@0,2@1&boundary=hermite&startTangentPose=1&endTangentPose=1&between=-0.2,1.2&t=0&loop=bounce&play=1',
+      'sample=cactus&keys=0@0,2@1&boundary=hermite&startTangentPose=1&endTangentPose=1&startSpeed=3&endSpeed=3&between=-0.2,1.2&t=0&loop=bounce&play=1',
     panel: 'motion',
-    text: 'The paper completes two poses under natural ends, and under Hermite ends whose tangents come from a further shape.',
-    task: 'Choose Free and Ease in turn, and watch the way between the two keys.',
+    text: 'The paper interpolates two poses with natural ends, and with Hermite ends whose tangents are taken from the sequence of Fig. 1.',
+    task: 'Switch between Free and Ease, and watch the path between the two keys.',
+    ask: middleOf,
     sentence:
-      'With two keys the natural spline is the geodesic; a tangent towards the third pose bends it, as in the paper.',
+      'With two keys, the natural spline is the geodesic. Tangents towards the middle pose bend it; at speed 3 it nearly reproduces Fig. 1.',
   },
   {
     number: '4',

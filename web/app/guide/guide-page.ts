@@ -1,5 +1,5 @@
 /** One page of the guide: a state of the app, and what is said of it. */
-import type { Motion } from '../../engine/api/api.ts';
+import type { Keys, Motion } from '../../engine/api/api.ts';
 import type { SequenceStats, Stretch } from '../../engine/api/types.ts';
 import type { Plot } from '../../model/state.ts';
 import type { Formula } from '../../ui/guide-panel.ts';
@@ -44,8 +44,8 @@ export interface GuidePage {
   sentence: string;
   /** Numbers from the engine, in words. */
   live?(facts: Facts): string;
-  /** Numbers that the engine is asked for, in words. */
-  ask?(sequence: Motion, facts: Facts): Promise<string>;
+  /** Numbers that the engine is asked for, in words; `poses` are those of the file, keys or not. */
+  ask?(sequence: Motion, facts: Facts, poses: Keys): Promise<string>;
   formula?: Formula;
   more?: string;
   /** A page of its own that it speaks of; where there is room it stands in the place of the options, under a title. */

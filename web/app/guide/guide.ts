@@ -153,10 +153,11 @@ function createAnswers(workspace: Workspace, onAnswer: (answer: string) => void)
     async ask(page: GuidePage, facts: Facts): Promise<void> {
       const { stats } = facts;
       const sequence = workspace.sequences[0]?.sequence;
-      if (!sequence || !page.ask || asked?.of === stats) return;
+      const poses = workspace.pool?.keys;
+      if (!sequence || !poses || !page.ask || asked?.of === stats) return;
       const question = { of: stats, answer: '' };
       asked = question;
-      const answer = await page.ask(sequence, facts).catch(() => ''); // another motion came between
+      const answer = await page.ask(sequence, facts, poses).catch(() => ''); // another motion came between
       if (asked !== question) return;
       question.answer = answer;
       onAnswer(answer);
