@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { FIGURES } from '../../web/app/guide/figures.ts';
 import { TOUR } from '../../web/app/guide/tour.ts';
+import { bendingUnit } from '../../web/app/panels/measure-charts.ts';
 import { guideLink } from '../../web/app/sources/page-link.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 
@@ -49,5 +50,13 @@ describe('the figures of the paper', () => {
     const numbers = FIGURES.map(({ link }) => link.replace('figure=', ''));
     expect(numbers).toEqual(['1', '2a', '2b', '3', '4', '5', '6', '7', '8', '9', '10']);
     expect(FIGURES.map(({ link }) => guideLink(link))).toEqual(FIGURES.map(({ link }) => link));
+  });
+
+  it('count systems as the tour does, and say where heights of curves mean nothing', () => {
+    const sentenceOf = (link: string): string => FIGURES.find((one) => one.link === link)!.sentence;
+    for (const told of [TOUR[9]!.title, sentenceOf('figure=10')]) expect(told).toMatch(/\btwo systems\b/i);
+    expect(sentenceOf('figure=9')).toMatch(/own coordinates/);
+    expect(bendingUnit(['lri', 'geodesic'], null)).not.toMatch(/own coordinates/);
+    expect(bendingUnit(['lri', 'geodesic', 'cubic-vertex'], 0.1)).toMatch(/own coordinates; logarithmic/);
   });
 });

@@ -129,9 +129,9 @@ const LIST: readonly Figure[] = [
     part: 'plot-bending',
     plot: 'bending',
     wide: true,
-    task: 'Enlarge the bending under Analysis, and look at the geodesic at the keys.',
+    task: 'Enlarge the Bending energy plot in Analysis, and look at the geodesic at the keys.',
     sentence:
-      'The peaks stand at the keys, there as here; the third curve is a spline of vertices instead of one in shell space.',
+      'As in the paper, the geodesic peaks at the keys. The third curve is a vertex spline instead of a spline in shell space. Each method’s energy is measured in its own coordinates, so the vertex spline lies below: compare shapes of curves, not heights.',
   },
   {
     number: '10',
@@ -140,7 +140,7 @@ const LIST: readonly Figure[] = [
     text: 'The paper completes an armadillo of 332,000 faces and one of 1.3 million.',
     task: 'Drag the time, and read at the bottom right how long a frame takes.',
     sentence:
-      'One triangular solve a frame: the serpent here has about as many faces as the paper’s smaller armadillo.',
+      'Each frame solves two systems that are factored once: rotations, then positions. The serpent has about as many faces as the paper’s smaller armadillo.',
     live: ({ faces, ms }) =>
       `${faces.toLocaleString('en')} faces${ms === null ? '' : `, a frame in ${ms.toFixed(0)} ms`}.`,
   },

@@ -4,6 +4,8 @@ import { lineStyle, motionWords } from '../../model/method-words.ts';
 import type { Series } from '../../plots/line-chart.ts';
 import { logFloor, tickLabel } from '../../plots/scale.ts';
 import type { MotionMeasures } from '../../study/motion-measures.ts';
+import { METHOD } from '../../engine/api/methods.ts';
+import type { Method } from '../../engine/api/types.ts';
 import { h, setHidden, setText } from '../../ui/dom.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
 import type { Analysis } from '../analysis/analysis.ts';
@@ -19,8 +21,8 @@ export interface MeasureCharts {
 }
 
 const RELATIVE = '% of the first key';
-const BENDING = 'curvature of the motion, relative';
-const BENDING_UNIT = 'Relative to the mean deformation energy between keys, per time⁴';
+const BENDING = 'squared acceleration, relative, 1/s⁴';
+const BENDING_UNIT = 'Relative to the mean deformation energy between keys';
 const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
 /** Below it there is nothing but rounding to be seen. */
 const LEAST_SLIDING = 0.01;
@@ -57,7 +59,10 @@ export function createMeasureCharts(events: ChartEvents): MeasureCharts {
       bending.draw({
         ...dataOf((motion) => motion.bending),
         ...{ include: 0, leastSpan: LEAST_BENDING, floor },
-        unit: floor ? `${BENDING}; logarithmic` : BENDING,
+        unit: bendingUnit(
+          motions.map(({ method }) => method),
+          floor,
+        ),
       });
       // Where nothing rests in any interval there is nothing to plot.
       setHidden(
@@ -72,6 +77,14 @@ export function createMeasureCharts(events: ChartEvents): MeasureCharts {
       for (const one of charts) one.setCursor(t);
     },
   };
+}
+
+/** Heights of curves compare within one space only: a blend of vertices lies below, whatever it looks like. */
+export function bendingUnit(methods: readonly Method[], floor: number | null): string {
+  const spaces = new Set(methods.map((method) => METHOD[method].space));
+  return [BENDING, ...(spaces.size > 1 ? ['each in its own coordinates'] : []), ...(floor ? ['logarithmic'] : [])].join(
+    '; ',
+  );
 }
 
 /** Its value at the cursor stands beside the title. */
