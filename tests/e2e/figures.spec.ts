@@ -82,6 +82,37 @@ test('values are read and saved as SVG, PNG and CSV: of the motion, a face and a
   await app.expectNoProblems();
 });
 
+test('no plot of the shape before is seen beside the one that has taken its place', async ({ app }) => {
+  await app.open({ hash: '#sample=cactus' });
+  await app.by('plot-bending').scrollIntoViewIfNeeded();
+  await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(1);
+  await choosePart(app, 'face', '3');
+  const plots = ['plane', 'bending', 'face-rotation'];
+  for (const plot of plots) await expect(app.by(`plot-${plot}`).locator('.curve').first()).toBeVisible();
+  /** Those that are seen as they were before the other shape was there, at any time until all are drawn again. */
+  const late = await app.page.evaluate(async (names) => {
+    const figureOf = (name: string): Element => document.querySelector(`[data-testid="plot-${name}"]`)!;
+    const drawnIn = (name: string): string =>
+      [...figureOf(name).querySelectorAll('.curve, .tick-y')]
+        .map((one) => one.getAttribute('d') ?? one.textContent)
+        .join();
+    const before = new Map(names.map((name) => [name, drawnIn(name)]));
+    const seen = new Set<string>();
+    location.hash = '#sample=column';
+    for (let left = names; left.length > 0; await new Promise(requestAnimationFrame)) {
+      left = left.filter((name) => drawnIn(name) === before.get(name));
+      const { source } = window.__shapespline!.state;
+      if (source.kind !== 'sample' || source.id !== 'column') continue;
+      for (const name of left)
+        if (figureOf(name).querySelector('svg.plot')!.checkVisibility({ visibilityProperty: true })) seen.add(name);
+    }
+    return [...seen];
+  }, plots);
+  expect(late).toEqual([]);
+  for (const plot of plots) await expect(app.by(`plot-${plot}`).locator('.curve').first()).toBeVisible();
+  await app.expectNoProblems();
+});
+
 test('an image that is saved names its curves, on the background of the theme', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=geodesic,linear' });
   await app.by('plot-bending').scrollIntoViewIfNeeded();

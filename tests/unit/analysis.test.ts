@@ -31,17 +31,25 @@ function setUp(...methods: Method[]) {
   const asked: string[] = [];
   const heard: string[] = [];
   const errors: unknown[] = [];
+  let shape = {};
   const sequences = methods.map((method) => running(method, asked));
   const cache = new AnalysisCache(
     () => analysisInput(sequences, doc, [0, 1], 1),
     (error) => errors.push(error),
+    () => shape,
   );
   cache.observe({
-    onChange: () => heard.push('change'),
+    onChange: (isOther) => heard.push(isOther ? 'other shape' : 'change'),
     onStale: () => heard.push('stale'),
     onFresh: () => heard.push('fresh'),
   });
-  return { cache, asked, heard, errors, sequences };
+  const openOther = (): void => {
+    shape = {};
+    cache.invalidate();
+  };
+  cache.invalidate();
+  heard.length = 0;
+  return { cache, asked, heard, errors, sequences, openOther };
 }
 
 describe('the analysis', () => {
@@ -50,6 +58,14 @@ describe('the analysis', () => {
     const { motions, times } = (await cache.get())!;
     expect(motions.map(({ bending }) => bending.length)).toEqual([times.length, times.length]);
     expect(motions.map(({ plane }) => plane !== null)).toEqual([true, false]);
+  });
+
+  it('tells motions of another shape from a change of the same one', () => {
+    const { cache, heard, openOther } = setUp('lri');
+    cache.invalidate();
+    openOther();
+    cache.invalidate();
+    expect(heard.filter((one) => one !== 'stale')).toEqual(['change', 'other shape', 'change']);
   });
 
   it('is computed once for all who want it, and anew when the motions have changed', async () => {

@@ -4,8 +4,8 @@ import type { Session } from '../session/session.ts';
 import { analyse, analysisInput } from './analysis.ts';
 
 export interface AnalysisObserver {
-  /** The motions have changed. */
-  onChange(): void;
+  /** The motions have changed; `isOther`: they are of another shape than before. */
+  onChange(isOther: boolean): void;
   /** What is known is out of date, and nothing is under way that would change that. */
   onStale(): void;
   /** A new analysis of the motions as they still are. */
@@ -17,11 +17,13 @@ export class AnalysisCache {
   private outOfDate = true;
   private running: Promise<Analysis | null> | null = null;
   private observer: AnalysisObserver | null = null;
+  private of: unknown = null;
 
-  /** `input` gives what to analyse now, null where nothing is open. */
+  /** `input` gives what to analyse now, null where nothing is open; `shape` what it is of. */
   constructor(
     readonly input: () => AnalysisInput | null,
     readonly onError: (error: unknown) => void,
+    private readonly shape: () => unknown,
   ) {}
 
   get stale(): boolean {
@@ -35,7 +37,9 @@ export class AnalysisCache {
   /** The motions have changed. */
   invalidate(): void {
     this.outOfDate = true;
-    this.observer?.onChange();
+    const isOther = this.of !== this.shape();
+    this.of = this.shape();
+    this.observer?.onChange(isOther);
     if (!this.running) this.observer?.onStale();
   }
 
@@ -79,6 +83,7 @@ export function createAnalysisCache(
   const cache: AnalysisCache = new AnalysisCache(
     () => analysisInput(workspace.sequences, store.get().doc, range(), ms()),
     (error) => (restart.takesUp(error) ? cache.invalidate() : onError(error)),
+    () => workspace.info,
   );
   return cache;
 }

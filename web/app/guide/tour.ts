@@ -17,7 +17,7 @@ const twistOf: GuidePage['ask'] = async (sequence, { keyTimes }) => {
   const [half, whole] = turn.total.map((angle) => angle.toFixed(0));
   return (
     `From the first to the last of ${turn.patches} patches: ${whole} degrees at the last key, ${half} halfway, ` +
-    `at most ${turn.largest.toFixed(0)} from one to the next.`
+    `at most ${turn.largest.toFixed(0)} degrees between neighbours.`
   );
 };
 
@@ -54,7 +54,8 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     part: 'plot-volume',
     plot: 'volume',
     task: 'Drag the time to the middle between the first two keys, and compare the two volumes.',
-    sentence: 'Blending positions moves every point on a straight line, so a bend loses volume.',
+    sentence:
+      'Blending positions moves every point along a straight line, so a shape that bends or twists loses volume.',
     live: ({ volumes: [ours, blended] }) =>
       ours && blended ? `Volume now: ${blended} blended, ${ours} in shape space.` : '',
     formula: {
@@ -82,12 +83,12 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   },
   {
     title: 'Adding up along the body',
-    state: 'sample=twisted-bar&keys=0@0,2@1&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Two keys: a straight bar, and one twisted by almost a whole turn. Seen by its ends alone it could have turned a little the other way. From patch to patch it is a few degrees only, and these add up. Whether the whole bar turned once more meanwhile, no key can say.',
+    state: 'sample=column&keys=0@0,2@1&between=0,1&t=0&loop=bounce&play=1',
+    text: 'Two keys: a straight column, and one twisted by almost a full turn. Judged by its ends alone, it might have turned slightly the other way. But neighbouring patches differ by only a few degrees, and these add up. Whether the whole column also spun around once, no key can tell.',
     panel: 'motion',
     ask: twistOf,
-    task: 'Open the second key under the timeline, and add a whole turn to the bar.',
-    sentence: 'Small turns add up along the body; but two keys cannot say how often.',
+    task: 'Open key 2 above the timeline and add a full turn. Then look halfway: the stripes have changed places.',
+    sentence: 'Small rotations add up along the body, but two keys cannot tell how many full turns lie between them.',
     formula: {
       math: '<mrow><msub><mi>R</mi><mrow><mn>1</mn><mi>n</mi></mrow></msub><mo>=</mo><msub><mi>R</mi><mn>12</mn></msub><msub><mi>R</mi><mn>23</mn></msub><mo>⋯</mo><msub><mi>R</mi><mrow><mi>n</mi><mo>−</mo><mn>1</mn><mo>,</mo><mi>n</mi></mrow></msub></mrow>',
       words: 'From the first patch to the last: the rotations between neighbours, one after the other.',

@@ -1,6 +1,7 @@
 /** The Analysis panel: shape plane and measures of the shown motions over time, computed when idle. */
 import type { End } from '../../model/speeds.ts';
 import type { Colouring } from '../../model/state.ts';
+import { setAttribute } from '../../ui/dom.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { FacesFigure, FacesFigureEvents, FacesFigureProps } from './faces-figure.ts';
@@ -69,7 +70,8 @@ export function createAnalysisPanel(
   };
 
   cache.observe({
-    onChange: () => {
+    onChange: (isOther) => {
+      if (isOther) for (const figure of element.querySelectorAll('.figure')) setAttribute(figure, 'data-gone', true);
       element.dataset['stale'] = '';
       updateFaces({ version: facesProps.version + 1 });
       if (visible) plane.refresh();

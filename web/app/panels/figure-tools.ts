@@ -14,7 +14,7 @@ export type FigureToolsOptions = FigureFilesOptions & FigureEvents;
 
 /**
  * Gives a figure its button to enlarge it, and its values and files, which are loaded when they are opened. Returns
- * what is called when its numbers are others.
+ * what is called when it is drawn again.
  */
 export function addFigureTools(figure: HTMLElement, options: FigureToolsOptions): () => void {
   const { plot, title, onEnlarge, onError } = options;
@@ -53,6 +53,7 @@ export function addFigureTools(figure: HTMLElement, options: FigureToolsOptions)
     });
   });
   return () => {
+    setAttribute(figure, 'data-gone', false);
     if (details.open) fill?.();
   };
 }

@@ -84,7 +84,8 @@ export function createPage(parts: PageParts): Page {
     const { placing, seen } = shown.viewState;
     setAttribute(layout.viewport, 'data-placing', placing);
     setAttribute(layout.viewport, 'data-dimmed', seen === 'dimmed' && !shown.disabled);
-    setAttribute(layout.viewport, 'data-first-key', seen === 'first key');
+    // Nothing is known yet of the motion of the shape on the screen.
+    setAttribute(layout.viewport.closest('.app')!, 'data-gone', seen === 'first key');
     update(shown);
     parts.onDrawn();
   });
