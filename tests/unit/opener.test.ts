@@ -48,7 +48,13 @@ function openerOf({ warnings = [] as Warning[], refuse = (_: Doc): void => undef
   const events = { say: vi.fn(), onStart: vi.fn(), onOpened: vi.fn(), onRead: vi.fn() };
   const onError = vi.fn();
   const opener = new Opener({
-    ...{ engine: {} as Engine, store, workspace: workspace as unknown as Workspace, ...events, onError },
+    ...{
+      engine: { warmFiles: () => undefined } as Engine,
+      store,
+      workspace: workspace as unknown as Workspace,
+      ...events,
+      onError,
+    },
     ...{ onWorking: () => undefined, reducedMotion: () => true, samples: () => ['a', 'b'].map(sampleOf) },
   });
   const sample = (id: string): Promise<boolean> => opener.sample(id, null, Promise.resolve(filesOf(`${id}.obj`)));

@@ -6,8 +6,8 @@ import { gzipSync } from 'node:zlib';
 import { Explained } from './log.mjs';
 
 /**
- * Bytes after gzip: the page, its style, scripts and wasm that it starts with; and modules by the names that the bundler
- * lengthens.
+ * Bytes after gzip: the page, its style, scripts and wasm that it starts with; and modules by the names that the
+ * bundler lengthens.
  */
 export const LIMITS = { firstPicture: 660_000, shapespline_threads: 380_000, shapespline_files: 300_000 };
 
