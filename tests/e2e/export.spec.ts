@@ -33,7 +33,7 @@ test('an animation comes as OBJ, PC2 and MDD in a zip, or as keys and in-between
 test('as few morph targets as the tolerance needs are exported, and the dialog says how many', async ({ app }) => {
   await app.open();
   const targetsIn = (text: string): number => Number(/(\d+) morph targets/.exec(text)![1]);
-  const { download, bytes, stated: said } = await exported(app, async () => {});
+  const { download, bytes, stated: said } = await exported(app, () => app.by('export-bounce').check());
   expect(said).toMatch(
     /^8 s there and back, \d+ morph targets, off by at most 0\.0\d+ % of the diagonal between them, about /,
   );
@@ -111,7 +111,7 @@ test('poses without times get a second each, which the timeline says, and play i
   await expect(app.by('time-unit')).toHaveText('s');
   await expect(app.by('timeline')).toHaveAttribute('aria-valuetext', /^0\.000 s, At key 1/);
   const text = await stated(app, () => app.by('export-animation-video').check());
-  expect(text).toMatch(/^120 frames, 4 s, /);
+  expect(text).toMatch(/^60 frames, 2 s, /);
   await expect(app.by('export-duration')).toHaveValue('2');
   await expect(app.by('export-pace')).toHaveText('as it plays here');
 });
