@@ -6,7 +6,7 @@ import type { Plot, Presented } from '../../model/state.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
 import { jumpKey } from './time.ts';
-import { changeView } from './view.ts';
+import { changeView } from './context.ts';
 
 /** From the best known method to the closest to ours. */
 const COMPARED: readonly Method[] = ['linear', 'cubic-vertex', 'geodesic', 'lri'];

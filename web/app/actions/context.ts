@@ -15,6 +15,7 @@ import type { Opener } from '../sources/opener.ts';
 import type { PageLink } from '../sources/page-link.ts';
 import type { TakeFiles } from '../sources/take-files.ts';
 import type { Undo } from '../sources/undo.ts';
+import type { View } from '../../model/state.ts';
 import type { Feedback } from '../view/feedback.ts';
 import type { ViewStateHolder } from '../view/view-state.ts';
 
@@ -69,4 +70,9 @@ export interface Overlays {
   openLink(link: string | null): void;
   toggleLook(): void;
   toggleClock(): void;
+}
+
+/** What most commands on the view do. */
+export function changeView({ session: { store } }: Context, change: Partial<View>): void {
+  store.set({ view: { ...store.get().view, ...change } });
 }

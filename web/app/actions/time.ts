@@ -8,7 +8,7 @@ import type { Range } from '../../model/time-scale.ts';
 import { including, windowOf, zoomed } from '../../model/time-window.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
-import { changeView } from './view.ts';
+import { changeView } from './context.ts';
 
 const LOOPS: readonly LoopMode[] = ['bounce', 'loop', 'once'];
 

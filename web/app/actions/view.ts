@@ -4,6 +4,7 @@ import type { View } from '../../model/state.ts';
 import { reducedMotion } from '../view/window-events.ts';
 import type { Blend } from '../view/view-state.ts';
 import type { Action, Actions } from './action.ts';
+import { changeView } from './context.ts';
 import type { Context } from './context.ts';
 import { play } from './time.ts';
 
@@ -66,10 +67,6 @@ export const VIEW = {
 
 function viewOf({ session: { store } }: Context): View {
   return store.get().view;
-}
-
-export function changeView({ session: { store } }: Context, change: Partial<View>): void {
-  store.set({ view: { ...store.get().view, ...change } });
 }
 
 function fitView({ display: { scene } }: Context, view: ViewName | null): void {

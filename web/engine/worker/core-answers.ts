@@ -4,7 +4,7 @@ import type { CoreCallName, FrameData, MotionSpec, RequestOf } from '../wire/pro
 import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
 import { provideOrder } from '../wire/shared-order.ts';
 import { Motions } from './motions.ts';
-import type { Answers } from './request-handler.ts';
+import type { Answers } from './answers.ts';
 import { ThreadChoice } from './thread-choice.ts';
 import type { WasmCore } from './wasm-core.ts';
 

@@ -3,7 +3,7 @@ import type { FileCallName, FrameBuffers } from '../wire/protocol.ts';
 import type { Codecs } from './codecs.ts';
 import { compress } from './compress.ts';
 import { importFiles, type Decode } from './import-files.ts';
-import type { Answers } from './request-handler.ts';
+import type { Answers } from './answers.ts';
 import type { WasmFiles } from './wasm-files.ts';
 
 export function fileAnswers(wasm: WasmFiles, decode: Decode, codecs: Codecs): Answers<FileCallName> {

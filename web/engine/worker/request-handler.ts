@@ -9,17 +9,9 @@ import {
   outOfMemory,
   type ErrorData,
 } from '../api/errors.ts';
-import type {
-  CallName,
-  CoreCallName,
-  FromWorker,
-  Program,
-  Request,
-  RequestOf,
-  ResultOf,
-  ToWorker,
-} from '../wire/protocol.ts';
+import type { CallName, CoreCallName, FromWorker, Program, Request, ResultOf, ToWorker } from '../wire/protocol.ts';
 import type { Codecs } from './codecs.ts';
+import type { Answers } from './answers.ts';
 import { CoreAnswers } from './core-answers.ts';
 import { fileAnswers } from './file-answers.ts';
 import type { Decode } from './import-files.ts';
@@ -43,11 +35,6 @@ export interface HandlerHost {
   /** For exports that are compressed. */
   codecs: Codecs;
 }
-
-/** What a worker says to the calls with these names. */
-export type Answers<Names extends CallName> = {
-  [K in Names]: (request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
-};
 
 export class RequestHandler {
   private answers: Promise<Partial<Answers<CallName>>> | null = null;
