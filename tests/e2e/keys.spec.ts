@@ -106,6 +106,12 @@ test('the editor of a key has the keyboard wherever the focus is, and gives way 
   await app.page.locator('.side-nav button').nth(1).click();
   await expect(app.by('key-editor')).toBeHidden();
   await app.expectNoProblems();
+  // It is of this shape's key, not of the next one's.
+  await app.by('key-1-edit').click();
+  await expect(app.by('key-editor')).toBeVisible();
+  await app.page.evaluate(() => (location.hash = '#sample=twisted-bar'));
+  await expect.poll(async () => (await app.state()).source).toMatchObject({ id: 'twisted-bar' });
+  await expect(app.by('key-editor')).toBeHidden();
 });
 
 test('one slider tightens the motion at every key, and is undone as one', async ({ app }) => {

@@ -28,7 +28,12 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   const plain = await app.positionsAt(t);
   await app.setTime(t0);
 
+  await app.page.keyboard.press('Space');
+  await expect.poll(async () => (await app.state()).play.playing).toBe(true);
   await app.by('pin-place').click();
+  // What plays cannot be hit.
+  expect((await app.state()).play.playing).toBe(false);
+  await app.setTime(t0);
   await app.page.mouse.click(at.x, at.y - 4);
   await expect(app.by('pin-0')).toBeVisible();
   await expect(app.by('pin-handle-0')).toBeVisible();

@@ -12,6 +12,8 @@ export interface EditedKey extends KeyRef {
 
 export interface KeyEditorProps extends KeyFieldsProps {
   keys: readonly EditedKey[];
+  /** What they are of: the editor closes where that is another one. */
+  owner: string | null;
   canRemove: boolean;
 }
 
@@ -102,6 +104,7 @@ export function createKeyEditor(events: KeyEditorEvents): KeyEditor {
       return true;
     },
     update(next) {
+      if (props && next.owner !== props.owner) hide();
       props = next;
       if (next.keys[index]?.pose !== pose) index = next.keys.findIndex((key) => key.pose === pose);
       draw();

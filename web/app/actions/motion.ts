@@ -10,7 +10,7 @@ import type { Doc, Motion } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
-import { between } from './time.ts';
+import { between, play } from './time.ts';
 
 export const MOTION = {
   nextBoundary: {
@@ -51,7 +51,13 @@ export const MOTION = {
       changeMotion(context, { pins: pins.length > 0 ? pins : DEFAULT_MOTION.pins }, merge),
   },
   /** The next click on the shape pins it there. */
-  placing: { run: ({ viewState }, placing: boolean) => viewState.change({ placing }) },
+  placing: {
+    run(context, placing: boolean) {
+      // What plays cannot be hit.
+      if (placing && context.session.store.get().play.playing) play(context, { playing: false });
+      context.viewState.change({ placing });
+    },
+  },
   /** The same shape stays on the screen, and the same part plays. */
   reverse: {
     run(context) {

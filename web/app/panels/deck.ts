@@ -144,6 +144,7 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
   const times = doc.keys.map((key) => key.time);
   return {
     keys: keyItems(doc, viewState.thumbnails),
+    owner: state.source.kind === 'sample' ? state.source.id : state.project,
     time,
     range,
     disabled,
