@@ -84,10 +84,10 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Adding up along the body',
     state: 'sample=column&keys=0@0,2@1&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Two keys: a straight column, and one twisted by almost a full turn. Judged by its ends alone, it might have turned slightly the other way. But neighbouring patches differ by only a few degrees, and these add up. Whether the whole column also spun around once, no key can tell.',
+    text: 'Two keys: a straight column, and one twisted by almost a full turn. Judged by its ends alone, it might have turned slightly the other way. But neighbouring patches turn by much less than half a turn, and these rotations add up. Whether the whole column also spun around once, no key can tell.',
     panel: 'motion',
     ask: twistOf,
-    task: 'Open key 2 above the timeline and add a full turn. Then look halfway: the stripes have changed places.',
+    task: 'Open key 2 in the row of keys and add a full turn. Then look halfway: the stripes have changed places.',
     sentence: 'Small rotations add up along the body, but two keys cannot tell how many full turns lie between them.',
     formula: {
       math: '<mrow><msub><mi>R</mi><mrow><mn>1</mn><mi>n</mi></mrow></msub><mo>=</mo><msub><mi>R</mi><mn>12</mn></msub><msub><mi>R</mi><mn>23</mn></msub><mo>⋯</mo><msub><mi>R</mi><mrow><mi>n</mi><mo>−</mo><mn>1</mn><mo>,</mo><mi>n</mi></mrow></msub></mrow>',
