@@ -195,5 +195,5 @@ test('what plays is what an export holds', { tag: '@all' }, async ({ app }) => {
   await expect(app.by('export-to')).toHaveValue('0.75');
   await app.by('export-targets-every').check();
   await expect(app.by('export-frames')).toHaveValue('5');
-  await expect(app.by('export-size')).toHaveText(/^4\ss there and back, 5 frames/);
+  await expect(app.by('export-size')).toHaveText(/^2\ss, 5 frames/);
 });
