@@ -294,6 +294,35 @@ test('on a projector a step is large, with nothing to press, and a clicker turns
   await app.expectNoProblems();
 });
 
+test('on a projector the sixth step has its playground, in large type, and its link keeps the step', async ({
+  app,
+}) => {
+  await app.page.setViewportSize({ width: 1024, height: 768 });
+  await app.open({ hash: '#tour=6' });
+  await expectStep(app, 5);
+  await app.page.keyboard.press('x');
+  await expect(app.by('timeline')).toBeHidden();
+  const play = app.page.frameLocator('.framed');
+  await expect(play.getByTestId('figure-curve')).toBeVisible();
+  const { width } = (await app.page.locator('.framed').boundingBox())!;
+  expect(width).toBeGreaterThan(0.6 * 1024);
+  // Its pixels are larger ones.
+  const inside = await play.locator('body').evaluate(({ ownerDocument }) => ownerDocument.defaultView!.innerWidth);
+  const type = play.locator('.unit, text, label').first();
+  const size = await type.evaluate((one) => parseFloat(getComputedStyle(one).fontSize));
+  expect((size * width) / inside).toBeGreaterThan(15.5);
+  const words = app.page.locator('.guide-body > p:visible').first();
+  expect(await words.evaluate((one) => parseFloat(getComputedStyle(one).fontSize))).toBeGreaterThan(15.5);
+  await app.page.keyboard.press('q');
+  await expect(app.by('qr-link')).toHaveText(/#tour=6$/);
+  await app.by('qr-close').click();
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('timeline')).toBeVisible();
+  await app.page.keyboard.press('q');
+  await expect(app.by('qr-link')).toHaveText(/#tour=6$/);
+  await app.expectNoProblems();
+});
+
 /** It covers nothing of the shape, and the way on is in sight. */
 async function expectBesideShape(app: App): Promise<void> {
   const shape = (await app.by('viewport').boundingBox())!;

@@ -42,4 +42,6 @@ it('an address whose change is still to be heard is not overwritten', () => {
   link.pin('tour=5');
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=5');
+  // What is copied, or read as a QR code, names the page as well.
+  expect(link.address()).toBe('http://a.test/#tour=5');
 });

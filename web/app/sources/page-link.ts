@@ -69,7 +69,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   };
 
   const address = (): string | null => {
-    const link = text();
+    const link = pinned ?? text();
     return link && new URL(`#${link}`, location.href).href;
   };
 
