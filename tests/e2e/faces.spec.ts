@@ -331,6 +331,9 @@ test(
         at = { x: x + width / 2, y: y + height / 2 };
         await app.dragOver(files, at);
         await expect(app.by('drop-zone')).toHaveText(/is compared with the motion$/, { timeout: 500 });
+        // Plots above it have come to rest.
+        await app.settled();
+        expect(await app.by('truth-pick').boundingBox()).toEqual({ x, y, width, height });
       }).toPass();
       await app.drop(files, at);
     };
