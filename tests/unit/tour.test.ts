@@ -54,7 +54,7 @@ describe('the figures of the paper', () => {
 
   it('count systems as the tour does, and say where heights of curves mean nothing', () => {
     const sentenceOf = (link: string): string => FIGURES.find((one) => one.link === link)!.sentence;
-    for (const told of [TOUR[9]!.title, sentenceOf('figure=10')]) expect(told).toMatch(/\btwo systems\b/i);
+    for (const text of [TOUR[9]!.title, sentenceOf('figure=10')]) expect(text).toMatch(/\btwo systems\b/i);
     expect(sentenceOf('figure=9')).toMatch(/own coordinates/);
     expect(bendingUnit(['lri', 'geodesic'], null)).not.toMatch(/own coordinates/);
     expect(bendingUnit(['lri', 'geodesic', 'cubic-vertex'], 0.1)).toMatch(/own coordinates; logarithmic/);

@@ -240,12 +240,12 @@ interface NumberFieldOptions {
   onInput: (value: number) => void;
 }
 
-/** Bubbles up from a field that did not take what was typed; its detail is a sentence that says why. */
+/** An event of a field that refuses what was typed. It bubbles; its detail is a sentence that says why. */
 export const REFUSED = 'refused';
 
 /**
- * A field for one number. It shows what holds once it is left: what is not a number is put back, what is out of its
- * limits becomes the nearest that is not.
+ * A field for one number. When it is left, it shows the value that holds, as set by setField: text that is no number is
+ * replaced, and a number beyond a limit becomes that limit.
  */
 export function numberField(options: NumberFieldOptions): HTMLInputElement {
   const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, onInput } = options;
@@ -262,7 +262,7 @@ export function numberField(options: NumberFieldOptions): HTMLInputElement {
   };
   const commit = (): void => {
     take();
-    // Whatever came of it has been drawn by then.
+    // By then the page has drawn the result.
     requestAnimationFrame(() =>
       requestAnimationFrame(() => {
         if (document.activeElement !== field) field.value = field.defaultValue;

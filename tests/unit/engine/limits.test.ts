@@ -1,6 +1,6 @@
 /**
  * Limits that the engine checks before it calls the core, and the core once more, are the same numbers. They stand in
- * both languages because the engine says what is wrong before it starts a worker, and the core trusts nobody.
+ * both languages because the engine checks before it starts a worker, and the core does not rely on that.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';

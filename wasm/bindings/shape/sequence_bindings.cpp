@@ -230,7 +230,7 @@ EXPORT const char* shapespline_components(int handle, const char*) {
   });
 }
 
-/// {} -> {patchOf}: likewise the patch.
+/// {} -> {patchOf}: the patch of each face of the shape, int32, belonging to the handle; -1 without area.
 EXPORT const char* shapespline_patches(int handle, const char*) {
   return askLri(handle, [](const LriSpace& lri) { return Json{{"patchOf", described(lri.patchOfInputFace())}}; });
 }

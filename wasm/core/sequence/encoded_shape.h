@@ -28,7 +28,7 @@ class EncodedShape {
 
   /// Makes LRI space where it is not there. Arguments and errors as for LriSpace::create.
   Status makeLri(const StageProgress& progress = {}, OrderSource order = nullptr);
-  /// Likewise the space of vertex positions.
+  /// Makes the space of vertex positions where it is not there.
   void makeVertices();
 
   /// It must have been made.

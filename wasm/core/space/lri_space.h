@@ -44,7 +44,7 @@ struct LriStats {
   int factorisations = 0;
   int patches = 0;  ///< of the ghost, with one
   /// Wall time of each stage; the ghost's own systems count as encoding. Arranging lays the faces' numbers out in the
-  /// order in which the system is eliminated. Finishing: normals, and what is told of the input's faces.
+  /// order in which the system is eliminated. Finishing: normals, and the patch and ghost face of each input face.
   double encodeMs = 0, orderMs = 0, factorMs = 0, arrangeMs = 0, finishMs = 0;
   long long factorBytes = 0;  ///< of the stored factor, entries and row lists: what one sweep of a solve reads
   int ghostFaces = 0, ghostVertices = 0;  ///< 0 without a ghost

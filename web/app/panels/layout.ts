@@ -114,7 +114,7 @@ export function createLayout(): Layout {
       app = h(
         'div',
         { class: 'app' },
-        createSkips({ 'Go to the keys': '.key-list button', 'Go to the time': '.timeline' }),
+        createSkips({ 'Go to the keys': '.key-list button', 'Go to the timeline': '.timeline' }),
         parts.header,
         h(
           'main',
@@ -135,7 +135,7 @@ export function createLayout(): Layout {
   };
 }
 
-/** The first stops of Tab, seen only there: past the header and the panels to the first of these. */
+/** Buttons at the top of the page, visible only while one has the focus: they skip the header and the panels. */
 function createSkips(places: Record<string, string>): HTMLElement {
   const skipTo = (place: string) => (): void => {
     const target = document.querySelector<HTMLElement>(place);

@@ -4,7 +4,7 @@ import type { Motion } from '../../engine/api/api.ts';
 import { EngineError } from '../../engine/api/errors.ts';
 import type { PlaneOverlay } from '../../plots/shape-plane.ts';
 import { checkbox, numberField } from '../../ui/controls.ts';
-import { h, setHidden, setText } from '../../ui/dom.ts';
+import { h, setField, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../model/method-words.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import { blendCurves, minimisedCurve } from '../analysis/plane-overlays.ts';
@@ -86,6 +86,7 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
     step: 1,
     onInput(value) {
       samples = Math.round(value);
+      setField(count, String(samples));
       void refresh();
     },
   });

@@ -39,9 +39,9 @@ export interface AheadOptions {
 export interface Engine {
   /** Reads files into keys. Nothing of an earlier import or sequence changes, whatever happens. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
-  /** Starts what reads files ahead of the first ones, which then need not wait for it. */
+  /** Loads the module for files ahead of the first file. */
   warmFiles(): void;
-  /** Keys of poses that are arrays already. It loads nothing that reads files. */
+  /** Keys of poses that are arrays already. Does not load the module for files. */
   createKeys(mesh: KeyMesh, call?: CallOptions): Promise<Keys>;
   /** Takes the keys into a worker of its own, which ends where the call is cancelled. */
   encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape>;

@@ -187,7 +187,7 @@ export interface Scene {
   objects?: SceneObject[];
 }
 
-/** Poses of one mesh near the origin, y up. Arrays are copied, never kept. */
+/** Poses of one mesh near the origin, y up. Faces and positions are copied. */
 export interface KeyMesh {
   /** 3 x faces, of vertices. */
   faces: Uint32Array;

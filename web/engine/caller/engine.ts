@@ -118,7 +118,8 @@ export class EngineClient implements Engine {
   ): Promise<T> {
     this.checkAlive();
     checkCall(call);
-    if (!(keys instanceof KeysHandle)) throw invalidOption('The keys must come from importKeyframes of this engine.');
+    if (!(keys instanceof KeysHandle))
+      throw invalidOption('The keys must come from importKeyframes or createKeys of this engine.');
     const large = keys.info.report.vertices >= LARGE;
     const inTwo = large && Boolean(this.platform.threaded);
     const parts: ShapeParts = {

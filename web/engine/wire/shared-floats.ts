@@ -1,7 +1,7 @@
 /** Poses that several workers need. */
 
 /**
- * Where threads can share memory, an array that goes to further workers without a copy. Nobody writes into it again.
+ * Where threads can share memory, an array that workers share without copies. It is filled once and never changed.
  */
 export function sharedFloats(length: number): Float32Array {
   const shared = typeof SharedArrayBuffer === 'function' && globalThis.crossOriginIsolated !== false;

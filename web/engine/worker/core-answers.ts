@@ -66,7 +66,7 @@ export class CoreAnswers {
       choice?.took(performance.now() - start);
       return { ...frame, threads: choice?.chosen ?? 1, ms: performance.now() - begun };
     } catch (reason) {
-      // It takes this worker with it: nobody could say what it still writes.
+      // The worker has to end: its second thread may still write into the shared memory.
       throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;
     }
   }

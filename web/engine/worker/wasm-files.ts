@@ -8,7 +8,7 @@ import type { ImportOptions, InputFile, KeysInfo, Scene, TextureImage } from '..
 import { WasmCalls, type OnProgress } from './wasm-calls.ts';
 import type { Address, FilesModule } from './wasm-module.ts';
 
-/** The core's JSON of an import: of KeysInfo the project is still a text, and nobody has looked into the images. */
+/** The JSON of an import: KeysInfo with the project as text, and images whose sizes are not known yet. */
 export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene' | 'played'> & {
   project: string;
   scene: Omit<Scene, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
