@@ -25,7 +25,8 @@ async function opened(
   app: App,
   svg: string,
 ): Promise<{ width: number; height: number; colours: number; ground: number[] }> {
-  expect(svg).not.toMatch(/class=|var\(|color\(|rgba\(|NaN/);
+  expect(svg).not.toMatch(/class=|style=|var\(|color\(|rgba\(|system-ui|NaN/);
+  expect(wordsOf(svg).join(' '), 'one notation of numbers').not.toMatch(/\d[eE][+\d-]|-\d/);
   return app.page.evaluate(async (source) => {
     const parsed = new DOMParser().parseFromString(source, 'image/svg+xml');
     if (parsed.querySelector('parsererror')) throw new Error('not well formed');
@@ -43,6 +44,27 @@ async function opened(
   }, svg);
 }
 
+/** Everything that is written lies in the picture, and along both axes stands what they count. */
+async function expectWhole(app: App, svg: string, plot: string): Promise<void> {
+  const outside = await app.page.evaluate((source) => {
+    const holder = document.body.appendChild(document.createElement('div'));
+    holder.innerHTML = source;
+    const picture = holder.querySelector('svg')!;
+    const { left, right, top, bottom } = picture.getBoundingClientRect();
+    const out = [...picture.querySelectorAll('text')].filter((one) => {
+      const box = one.getBoundingClientRect();
+      return box.left < left - 1 || box.right > right + 1 || box.top < top - 1 || box.bottom > bottom + 1;
+    });
+    const words = out.map(({ textContent }) => textContent);
+    holder.remove();
+    return words;
+  }, svg);
+  expect(outside, `${plot}: cut off`).toEqual([]);
+  const words = wordsOf(svg).join('; ');
+  expect(words, plot).toMatch(/Time \(s\)|First component|Faces of the ghost mesh/);
+  expect(svg, plot).toMatch(/rotate\(-90\)"[^>]*>[A-Z]/);
+}
+
 /** Reads a chart, and saves it as SVG. */
 async function readAndSave(app: App, plot: string): Promise<void> {
   await expect(app.by(`plot-${plot}`)).toBeVisible();
@@ -52,7 +74,10 @@ async function readAndSave(app: App, plot: string): Promise<void> {
   const svg = await saved(app, `${plot}-svg`);
   expect(svg.name).toBe(`shapespline-${plot}.svg`);
   const { width, height, colours } = await opened(app, svg.bytes.toString());
-  expect([width, height > 80, colours > 8], plot).toEqual([272, true, true]);
+  // 85 mm of a browser's pixels.
+  expect([width, height > 80, colours > 8], plot).toEqual([321, true, true]);
+  expect(svg.bytes.toString(), plot).toMatch(/^<svg[^>]* width="85mm"/);
+  await expectWhole(app, svg.bytes.toString(), plot);
   expect(wordsOf(svg.bytes.toString()), plot).toContain(await app.by(`plot-${plot}`).locator('strong').innerText());
   expect(svg.bytes.toString().match(/<path[^>]+stroke="rgb\(/g)?.length, plot).toBeGreaterThan(0);
 }
@@ -73,7 +98,8 @@ test('values are read and saved as SVG, PNG and CSV: of the motion, a face and a
   }
   for (const last of ['distance', 'patch-rotation']) {
     const png = await saved(app, `${last}-png`);
-    expect(png.bytes.readUInt32BE(16)).toBe(3 * 272);
+    // 600 dots per inch.
+    expect(png.bytes.readUInt32BE(16)).toBe(2008);
     const [head, ...rows] = (await saved(app, `${last}-csv`)).bytes.toString().trim().split('\n');
     expect(head!.split(',')[0]).toBe('Time');
     expect(rows.length).toBeGreaterThan(12);
@@ -128,8 +154,13 @@ test('an image that is saved names its curves, on the background of the theme', 
         `${plot}: ${word}`,
       ).toHaveLength(1);
     // The peaks of the geodesic would leave the others flat.
-    if (plot === 'bending') expect(words.join(' ')).toContain('logarithmic');
+    if (plot === 'bending') expect(words.join(' ')).toMatch(/logarithmic.* 10[⁰¹²³⁴⁵⁶⁷⁸⁹]/);
     expect(Math.min(...(await opened(app, svg)).ground), plot).toBeGreaterThan(200);
+    // Nothing of it depends on the time on the screen.
+    const { time } = await app.state();
+    await app.setTime(0.3);
+    expect((await saved(app, `${plot}-svg`)).bytes.toString(), plot).toBe(svg);
+    await app.setTime(time);
     await app.page.emulateMedia({ colorScheme: 'dark' });
     const dark = (await saved(app, `${plot}-svg`)).bytes.toString();
     expect(Math.max(...(await opened(app, dark)).ground), plot).toBeLessThan(60);

@@ -210,7 +210,9 @@ test('saves pictures that stand alone and numbers that are the curve', async ({ 
   const svg = await saved('curve-svg');
   expect(svg.name).toBe('shapespline-curve.svg');
   const text = svg.bytes.toString();
-  expect(text).not.toMatch(/class=|var\(/);
+  expect(text).not.toMatch(/class=|style=|var\(|system-ui/);
+  expect(text).toMatch(/^<svg[^>]* width="170mm"/);
+  expect(text).toMatch(/>Time t<\/text>.*rotate\(-90\)"[^>]*>Value</);
   const shown = await page.evaluate(async (source) => {
     const image = new Image();
     image.src = URL.createObjectURL(new Blob([source], { type: 'image/svg+xml' }));

@@ -52,7 +52,8 @@ describe('ticks', () => {
   });
 
   it('are written shortly', () => {
-    expect([100, 0.05, 123456, 0].map(tickLabel)).toEqual(['100', '0.05', '1e+5', '0']);
+    expect([100, 0.05, 123456, 0].map(tickLabel)).toEqual(['100', '0.05', '10⁵', '0']);
+    expect([-0.5, -1e-10, 2.4e-4, -3e17].map(tickLabel)).toEqual(['−0.5', '−10⁻¹⁰', '2·10⁻⁴', '−3·10¹⁷']);
   });
 });
 

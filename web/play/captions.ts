@@ -1,4 +1,5 @@
 /** What is written beside each figure's title, and what is said of a change. */
+import type { Axes } from '../plots/plot-files.ts';
 import type { Shown } from './derived.ts';
 import { LAYER_WORDS, number } from './figures/words.ts';
 import type { PlayState } from './state.ts';
@@ -28,6 +29,15 @@ export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, str
     bend: plane ? 'length of the second derivative' : 'second derivative',
     bending: 'total bending: the integral of the squared bend',
   };
+}
+
+/** What is written at the axes of a figure's file. */
+export function axesOf({ plane, taken }: PlayState, id: FigureId): Axes {
+  const unit = taken?.unit ?? '';
+  const of = (name: string, power = ''): string => (taken ? `${name} (${unit}${power})` : name);
+  const y = { curve: of(taken?.name ?? 'Value'), slope: of('Slope', '/s'), bend: of('Bend', '/s²'), weights: 'Weight' };
+  const x = plane && id === 'curve' ? 'Across' : taken ? 'Time (s)' : 'Time t';
+  return { x, y: id in y ? y[id as keyof typeof y] : '' };
 }
 
 /** For who hears the page: what is so now. */

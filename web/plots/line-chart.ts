@@ -1,6 +1,6 @@
 /** Curves over time with the keys marked, the extrapolated ends shaded, and a cursor at the current moment. */
 import { createReadOut } from './read-out.ts';
-import { apart, decades, extent, linearScale, logScale, padded, tickLabel, ticks } from './scale.ts';
+import { apart, decades, extent, linearScale, logScale, padded, tickLabel, ticks, written } from './scale.ts';
 import type { Scale } from './scale.ts';
 import { make, namedCurve, text } from './svg-parts.ts';
 
@@ -145,8 +145,9 @@ function parts(data: LineChartData, x: Scale, { y, levels }: Axis, seen: (value?
       make('line', { class: 'key-line', x1: x(time), x2: x(time), y1: TOP, y2: HEIGHT - BOTTOM }),
     ),
     ...apart(data.keyTimes.map(x), KEY_NUMBERS).map((index) =>
-      text('tick-x', x(data.keyTimes[index]!), HEIGHT - 4, String(index + 1)),
+      text('tick-x on-page', x(data.keyTimes[index]!), HEIGHT - 4, String(index + 1)),
     ),
+    ...ticks(x.domain, 5).map((time) => text('tick-x in-file', x(time), HEIGHT - 4, tickLabel(time))),
     ...data.series.map((series) =>
       namedCurve(
         series.label,
@@ -169,7 +170,7 @@ function vertical(data: LineChartData): Axis {
   const span = followed(data);
   if (floor) {
     const y = logScale([floor, span[1] * (span[1] / floor) ** 0.08], HEIGHT - BOTTOM, TOP);
-    const label = (value: number): string => (value === floor ? `≤ ${tickLabel(value)}` : tickLabel(value));
+    const label = (value: number): string => `${value === floor ? '≤ ' : ''}${written(value.toExponential(0))}`;
     return { y, levels: decades(y.domain, 3).map((value) => ({ value, label: label(value) })) };
   }
   const around = padded(span, 0.08, Math.max(0, (leastSpan - (span[1] - span[0])) / 2));

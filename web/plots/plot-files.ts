@@ -6,24 +6,42 @@ const STYLED = [
   ...['opacity', 'paint-order', 'font-family', 'font-size', 'font-weight', 'text-anchor'],
 ] as const;
 
-/** What is written above a picture that stands alone. */
-export interface Heading {
+/** What is written along the axes, with its unit. */
+export interface Axes {
+  x: string;
+  y: string;
+}
+
+/** What is written around a picture that stands alone. */
+export interface Heading extends Partial<Axes> {
   title: string;
   unit?: string;
 }
 
+/** As wide as a column of a paper, or as its page: as large as its type is meant to be read. */
+const COLUMN_MM = 85;
+const PAGE_MM = 170;
+/** Pictures of more units fill the page. */
+const COLUMN_UNITS = 400;
+/** Of a PNG: what journals ask of drawings. */
+const DPI = 600;
+/** Families that other programs have. */
+const FONT = 'Arial, Helvetica, sans-serif';
+/** What shows where the page is: the time, what is pointed at, and what can be dragged. */
+const LIVE = '.cursor, .read-out, .now-mark, .plane-point, .end-handle, .drawn';
+
 /**
- * The picture as it is on the page, on the page's ground, each part with its own colours, under its title and the names
- * of its curves.
+ * The picture in the page's colours, under its title and the names of its curves, with titles along its axes; nothing of
+ * the page's present state. In millimetres.
  */
 export function svgOf(element: SVGSVGElement, heading: Heading): string {
   return new XMLSerializer().serializeToString(standing(element, heading));
 }
 
 /** Errors: where the browser cannot draw the picture. */
-export async function pngOf(element: SVGSVGElement, heading: Heading, scale = 3): Promise<Blob> {
+export async function pngOf(element: SVGSVGElement, heading: Heading): Promise<Blob> {
   const picture = standing(element, heading);
-  const size = (name: string): number => scale * Number(picture.getAttribute(name));
+  const size = (name: string): number => Math.round((DPI / 25.4) * parseFloat(picture.getAttribute(name)!));
   const [width, height] = [size('width'), size('height')];
   const source = new XMLSerializer().serializeToString(picture);
   const url = URL.createObjectURL(new Blob([source], { type: 'image/svg+xml' }));
@@ -46,35 +64,87 @@ export async function pngOf(element: SVGSVGElement, heading: Heading, scale = 3)
 }
 
 function standing(element: SVGSVGElement, heading: Heading): SVGSVGElement {
-  const copy = plain(element);
-  const { width, height } = element.viewBox.baseVal;
-  const { head, tall } = headed(element, heading, width);
-  head.setAttribute('transform', `translate(0 ${-tall})`);
-  const ground = part('rect', { y: -tall, width, height: height + tall, fill: groundOf(element) });
-  copy.prepend(ground, head);
-  const size = { viewBox: `0 ${-tall} ${width} ${height + tall}`, width, height: height + tall };
-  for (const [name, value] of Object.entries(size)) copy.setAttribute(name, String(value));
+  const { copy, box } = plain(element);
+  const { x, y, ...above } = heading;
+  const large = typeOf(element) / TYPE;
+  const axes = axisTitles({ x, y }, box, element);
+  const [left, right] = [box.left - (y ? LEADING * large : 0), box.right];
+  const bottom = box.bottom + (x ? LEADING * large : 0);
+  const { head, tall: lines } = headed(element, above, (right - left) / large);
+  const tall = lines * large;
+  head.setAttribute('transform', `translate(${left} ${-tall}) scale(${large})`);
+  const [width, height] = [right - left, bottom + tall].map((size) => Number(size.toFixed(2))) as [number, number];
+  const ground = part('rect', { x: left, y: -tall, width, height, fill: groundOf(element) });
+  copy.prepend(ground, head, axes);
+  const mm = width > COLUMN_UNITS ? PAGE_MM : COLUMN_MM;
+  const size = { width: `${mm}mm`, height: `${((mm * height) / width).toFixed(2)}mm` };
+  for (const [name, value] of Object.entries({ viewBox: `${left} ${-tall} ${width} ${height}`, ...size }))
+    copy.setAttribute(name, value);
   return copy;
 }
 
-/** A copy that needs no style sheet. */
-function plain(element: SVGSVGElement): SVGSVGElement {
+/** In the units of a picture. */
+interface Box {
+  left: number;
+  right: number;
+  bottom: number;
+}
+
+/** Beside what is written at the ticks, and below it. */
+function axisTitles({ x = '', y = '' }: Partial<Axes>, { left, bottom }: Box, element: SVGSVGElement): SVGElement {
+  const { width, height } = element.viewBox.baseVal;
+  const { color } = getComputedStyle(element);
+  const size = (SMALL * typeOf(element)) / TYPE;
+  const look = { 'font-family': FONT, 'font-size': `${size}px`, 'text-anchor': 'middle' };
+  const group = part('g', { ...look, fill: plainColour(color).colour });
+  const along = part('text', { x: width / 2, y: bottom + size });
+  along.textContent = x;
+  const up = part('text', { transform: `translate(${left - MARGIN / 2} ${height / 2}) rotate(-90)` });
+  up.textContent = y;
+  group.append(...(x ? [along] : []), ...(y ? [up] : []));
+  return group;
+}
+
+/** How large what is written at its ticks is. */
+function typeOf(element: SVGSVGElement): number {
+  const tick = element.querySelector('text');
+  return tick ? parseFloat(getComputedStyle(tick).fontSize) : TYPE;
+}
+
+/** A copy that needs no style sheet, and the room that it takes with all that is written at its ticks. */
+function plain(element: SVGSVGElement): { copy: SVGSVGElement; box: Box } {
   const copy = element.cloneNode(true) as SVGSVGElement;
-  const from = [element, ...element.querySelectorAll('*')];
-  const to = [copy, ...copy.querySelectorAll('*')];
-  const hidden: Element[] = [];
-  from.forEach((one, index) => {
-    const target = to[index]!;
-    if (getComputedStyle(one).display === 'none') hidden.push(target);
-    if (one.localName !== 'title') for (const [name, value] of styleOf(one, STYLED)) target.setAttribute(name, value);
-    for (const { name } of [...target.attributes])
-      if (/^(class|tabindex|role|data-.*|aria-.*)$/.test(name)) target.removeAttribute(name);
+  for (const live of copy.querySelectorAll(LIVE)) live.remove();
+  for (const name of ['lit', 'selected'])
+    for (const one of copy.querySelectorAll(`.${name}`)) one.classList.remove(name);
+  copy.classList.add('filed');
+  // Styles and sizes are those that it has on the page, for as long as nothing is painted.
+  element.after(copy);
+  const all = [copy, ...copy.querySelectorAll('*')];
+  const hidden = all.filter((one) => getComputedStyle(one).display === 'none');
+  const styles = all.map((one) => (one.localName === 'title' ? [] : styleOf(one, STYLED)));
+  all.forEach((one, index) => {
+    for (const [name, value] of styles[index]!) one.setAttribute(name, name === 'font-family' ? FONT : value);
   });
+  const ticks = [...copy.querySelectorAll<SVGTextElement>('.tick-x, .tick-y')].filter((one) => !hidden.includes(one));
+  const boxes = ticks.map((one) => one.getBBox());
+  const { width, height } = element.viewBox.baseVal;
+  const box = {
+    left: Math.floor(Math.min(0, ...boxes.map(({ x }) => x - 1))),
+    right: Math.ceil(Math.max(width, ...boxes.map((one) => one.x + one.width + 1))),
+    bottom: Math.ceil(Math.max(height, ...boxes.map((one) => one.y + one.height))),
+  };
+  copy.remove();
   for (const one of hidden) one.remove();
-  return copy;
+  for (const one of all)
+    for (const { name } of [...one.attributes])
+      if (/^(class|style|tabindex|role|data-.*|aria-.*)$/.test(name)) one.removeAttribute(name);
+  return { copy, box };
 }
 
 const LINE = ['stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity'] as const;
+/** The type of ticks that what is written around them fits. */
+const TYPE = 10;
 const LARGE = 12;
 const SMALL = 9;
 const MARGIN = 8;
@@ -86,8 +156,8 @@ const LETTER = 0.62;
 
 /** Title and names of the curves, from the upper edge down; how tall they are. */
 function headed(element: SVGSVGElement, { title, unit }: Heading, width: number): { head: SVGElement; tall: number } {
-  const { color, fontFamily } = getComputedStyle(element);
-  const head = part('g', { 'font-family': fontFamily, fill: plainColour(color).colour });
+  const { color } = getComputedStyle(element);
+  const head = part('g', { 'font-family': FONT, fill: plainColour(color).colour });
   const say = (x: number, y: number, size: number, content: string): void => {
     const text = part('text', { x, y, 'font-size': `${size}px` });
     text.textContent = content;
@@ -112,7 +182,7 @@ function headed(element: SVGSVGElement, { title, unit }: Heading, width: number)
 /** Each name once, with the look of its first curve. */
 function namedCurves(element: SVGSVGElement): { name: string; line: Record<string, string> }[] {
   const first = new Map<string, Element>();
-  for (const curve of element.querySelectorAll('.curve, .level')) {
+  for (const curve of element.querySelectorAll('.curve:not(.further, .extrapolated), .level')) {
     const name = curve.querySelector('title')?.textContent;
     if (name && !first.has(name)) first.set(name, curve);
   }

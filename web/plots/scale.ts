@@ -91,8 +91,16 @@ export function apart(places: readonly number[], least: number): number[] {
 }
 
 export function tickLabel(value: number): string {
-  if (value !== 0 && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return value.toExponential(0);
-  return String(Number(value.toPrecision(4)));
+  if (value !== 0 && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return written(value.toExponential(0));
+  return written(String(Number(value.toPrecision(4))));
+}
+
+/** A number of the language as people write it: with a minus sign, and powers of ten. */
+export function written(number: string): string {
+  const [digits, power] = number.replace(/^-/, '−').split(/e\+?/);
+  if (power === undefined) return digits!;
+  const raised = power.replace('-', '⁻').replace(/\d/g, (digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]!);
+  return `${digits === '1' ? '' : digits === '−1' ? '−' : `${digits}·`}10${raised}`;
 }
 
 /** Points of a polyline that leaves gaps where a value is not finite, as an SVG path. */

@@ -4,7 +4,7 @@ import type { End, EndHandleEvents } from './end-handle.ts';
 import { make, namedCurve, text } from './svg-parts.ts';
 import { createPlanePoint } from './plane-point.ts';
 import type { PlanePointEvents } from './plane-point.ts';
-import { extent, path } from './scale.ts';
+import { extent, path, tickLabel, ticks } from './scale.ts';
 
 export interface PlaneCurve {
   label: string;
@@ -118,7 +118,7 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
     draw(data) {
       const [place, back] = placing(data);
       current = { data, place, back };
-      content.replaceChildren(...parts(data, place));
+      content.replaceChildren(...parts(data, place), ...axisTicks(place, back));
       keys.replaceChildren(...tangentMarks(data, place), ...keyMarks(data, place));
       drawOver();
       placePoint();
@@ -180,6 +180,15 @@ function overlayMarks(overlay: PlaneOverlay, place: Place): SVGElement[] {
   return placesOf(overlay, place).map(([cx, cy]) =>
     make('circle', { class: `sample ${overlay.style}`, cx, cy, r: 1.8 }),
   );
+}
+
+/** Numbers outside of the picture, for a file. */
+function axisTicks(place: Place, back: Current['back']): SVGElement[] {
+  const [[left, bottom], [right, top]] = [back([PAD, HEIGHT - PAD]), back([WIDTH - PAD, PAD])];
+  return [
+    ...ticks([left, right], 5).map((x) => text('tick-x in-file', place(x, 0)[0], HEIGHT + 11, tickLabel(x))),
+    ...ticks([bottom, top], 4).map((y) => text('tick-y in-file', -4, place(0, y)[1] + 3.5, tickLabel(y))),
+  ];
 }
 
 /** One scale for both axes: distances in the plane mean the same in every direction. */

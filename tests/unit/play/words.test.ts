@@ -10,6 +10,6 @@ it('numbers have three digits, however large they are', () => {
     '123000',
     '−988000',
   ]);
-  expect([1e6, 150_000_000, -2.345e12].map(number)).toEqual(['1e6', '1.5e8', '−2.35e12']);
+  expect([1e6, 150_000_000, -2.345e12].map(number)).toEqual(['10⁶', '1.5·10⁸', '−2.35·10¹²']);
   expect([NaN, Infinity].map(number)).toEqual(['–', '∞']);
 });

@@ -1,9 +1,25 @@
 /** The values of a figure as a table, and the figure as SVG, PNG and CSV. */
 import type { Plot } from '../../model/state.ts';
 import { csvOf, pngOf, svgOf } from '../../plots/plot-files.ts';
-import type { Heading } from '../../plots/plot-files.ts';
+import type { Axes, Heading } from '../../plots/plot-files.ts';
+import { written } from '../../plots/scale.ts';
 import { h } from '../../ui/dom.ts';
 import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
+
+/** What is written at the axes of a file. */
+const AXES: Readonly<Record<Plot, Axes>> = {
+  plane: { x: 'First component, relative to the distance of keys', y: 'Second component' },
+  ...overTime({ volume: 'Volume (%)', area: 'Area (%)', bending: 'Bending (1/s⁴)', sliding: 'Sliding (%)' }),
+  ...overTime({ distance: 'Distance (%)', 'face-rotation': 'Rotation (°)', 'face-stretch': 'Stretch' }),
+  ...overTime({ 'patch-angles': 'Angle (°)', 'patch-rotation': 'Rotation (°)', 'patch-stretch': 'Stretch' }),
+  'ghost-error': { x: 'Faces of the ghost mesh', y: 'KG error (%)' },
+  'ghost-time': { x: 'Faces of the ghost mesh', y: 'Time (ms)' },
+};
+
+function overTime<Name extends Plot>(names: Record<Name, string>): Record<Name, Axes> {
+  const axes = Object.entries<string>(names).map(([name, y]) => [name, { x: 'Time (s)', y }]);
+  return Object.fromEntries(axes) as Record<Name, Axes>;
+}
 
 /** About so many rows are read. */
 const READ = 24;
@@ -36,7 +52,11 @@ export function createFigureFiles(
   const frame = valuesFrame(title);
   const picture = (): SVGSVGElement => figure.querySelector<SVGSVGElement>('svg.plot')!;
   const captioned = (part: string): string => figure.querySelector(`figcaption ${part}`)?.textContent ?? '';
-  const heading = (): Heading => ({ title: captioned('strong'), unit: captioned('.unit') });
+  const heading = (): Heading => ({
+    title: captioned('strong'),
+    unit: captioned('.unit'),
+    ...AXES[plot],
+  });
   const known = (): FigureNumbers => numbers() ?? { names: [], rows: [] };
   const files = saveButtons(
     plot,
@@ -66,7 +86,7 @@ export function briefly({ rows, keep = [] }: FigureNumbers): number[][] {
 
 function word(value: number): string {
   if (!Number.isFinite(value)) return '–';
-  return String(Number(value.toPrecision(4))).replace('-', '−');
+  return written(String(Number(value.toPrecision(4))));
 }
 
 /** A name with a separator in it is one cell. */

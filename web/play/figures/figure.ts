@@ -4,7 +4,7 @@ import type { Heading } from '../../plots/plot-files.ts';
 import { h, setText } from '../../ui/dom.ts';
 import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
 import type { NumbersTable } from '../../ui/values.ts';
-import { unitsOf } from '../captions.ts';
+import { axesOf, unitsOf } from '../captions.ts';
 import type { FigureId } from '../captions.ts';
 import type { Shown } from '../derived.ts';
 import type { Panel } from '../panels.ts';
@@ -34,7 +34,7 @@ export function createFigure({ id, title, body, tools, notice, numbers, onError 
   const known = (): NumbersTable => (shown ? numbers(shown) : { names: [], rows: [], brief: [] });
   const picture = body.element instanceof SVGSVGElement ? body.element : null;
   const unit = h('span', { class: 'unit' });
-  const heading = (): Heading => ({ title, unit: unit.textContent ?? '' });
+  const heading = (): Heading => ({ title, unit: unit.textContent ?? '', ...(shown && axesOf(shown.state, id)) });
   const noticed = h('p', { class: 'notice', 'data-testid': `${id}-notice` });
   const frame = valuesFrame(title);
   const fill = (): void => frame.replaceChildren(valuesTable(title, known(), number));

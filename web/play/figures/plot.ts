@@ -103,8 +103,9 @@ export function timeAxes(
         class: index === selected ? 'key-line lit' : 'key-line',
         ...{ x1: x(t), x2: x(t), y1: TOP, y2: height - BOTTOM },
       }),
-      text(index === selected ? 'tick-x lit' : 'tick-x', x(t), height - 6, String(index + 1)),
+      text(index === selected ? 'tick-x on-page lit' : 'tick-x on-page', x(t), height - 6, String(index + 1)),
     ]),
+    ...ticks(x.domain, 6).map((t) => text('tick-x in-file', x(t), height - 6, tickLabel(t))),
     ...(cursor === null
       ? []
       : [make('line', { class: 'cursor', x1: x(cursor), x2: x(cursor), y1: TOP, y2: height - BOTTOM })]),

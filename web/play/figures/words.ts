@@ -1,4 +1,5 @@
 /** The curves by name, and what each one is. */
+import { written } from '../../plots/scale.ts';
 import type { Ends } from '../splines/slopes.ts';
 import type { Layer } from '../state.ts';
 
@@ -25,6 +26,5 @@ export function number(value: number): string {
   if (Number.isNaN(value)) return '–';
   if (value === Infinity) return '∞';
   const rounded = Math.abs(value) < 5e-4 ? 0 : Number(value.toPrecision(3));
-  const text = Math.abs(rounded) < 1e6 ? String(rounded) : rounded.toExponential().replace('e+', 'e');
-  return text.replace('-', '−');
+  return written(Math.abs(rounded) < 1e6 ? String(rounded) : rounded.toExponential());
 }
