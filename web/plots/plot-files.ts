@@ -31,8 +31,8 @@ const FONT = 'Arial, Helvetica, sans-serif';
 const LIVE = '.cursor, .read-out, .now-mark, .plane-point, .end-handle, .drawn';
 
 /**
- * The picture in the page's colours, under its title and the names of its curves, with titles along its axes; nothing of
- * the page's present state. In millimetres.
+ * The picture in the page's colours, under its title and the names of its curves, with titles along its axes; nothing
+ * of the page's present state. In millimetres.
  */
 export function svgOf(element: SVGSVGElement, heading: Heading): string {
   return new XMLSerializer().serializeToString(standing(element, heading));

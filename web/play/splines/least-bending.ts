@@ -17,7 +17,7 @@ export function leastSamples(times: readonly number[]): number {
   return Math.max(4, Math.ceil((span / shortest) * (1 - 1e-9)) + 1);
 }
 
-/** K evenly spaced samples, at least leastSamples; a key between two of them is held by the line through both. */
+/** K evenly spaced samples, at least leastSamples; a key between them is held by the cubic through the nearest four. */
 export function leastBending({ times, values }: Data, samples: number): Data {
   const [start, keys] = [times[0]!, times.length];
   const step = (times.at(-1)! - start) / (samples - 1);
@@ -29,12 +29,11 @@ export function leastBending({ times, values }: Data, samples: number): Data {
       for (let b = 0; b < 3; b += 1) matrix[i - 1 + a]![i - 1 + b]! += difference[a]! * difference[b]!;
   times.forEach((t, j) => {
     const place = (t - start) / step;
-    const before = Math.min(Math.max(Math.floor(place), 0), samples - 2);
-    const share = place - before;
-    for (const [sample, factor] of [
-      [before, 1 - share],
-      [before + 1, share],
-    ] as const) {
+    const first = Math.min(Math.max(Math.floor(place) - 1, 0), samples - 4);
+    const around = [0, 1, 2, 3].map((i) => first + i);
+    for (const sample of around) {
+      const others = around.filter((other) => other !== sample);
+      const factor = others.reduce((product, other) => (product * (place - other)) / (sample - other), 1);
       matrix[samples + j]![sample] = factor;
       matrix[sample]![samples + j] = factor;
     }
