@@ -113,6 +113,7 @@ test('blends of vertices are drawn with how far they leave the plane, samples th
   await app.by('minimised-samples').fill('7');
   await app.by('minimised-samples').press('Enter');
   await expect(samples).toHaveCount(7);
+  await expect(app.by('minimised-samples')).toHaveValue('7');
   await expect(app.by('plane-notes')).toContainText(/at most [\d.]+\s%/);
   await app.by('minimised').uncheck();
   await expect(samples).toHaveCount(0);
