@@ -95,7 +95,7 @@ export function tickLabel(value: number): string {
   return written(String(Number(value.toPrecision(4))));
 }
 
-/** A number of the language as people write it: with a minus sign, and powers of ten. */
+/** A number as JavaScript prints it, with a minus sign and powers of ten. */
 export function written(number: string): string {
   const [digits, power] = number.replace(/^-/, '−').split(/e\+?/);
   if (power === undefined) return digits!;
