@@ -6,6 +6,7 @@ import { plural } from '../ui/status-line.ts';
 import type { Ways } from './actions/context.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
 import type { Display } from './drawing/display.ts';
+import { originalOf } from './drawing/original.ts';
 import type { Feedback } from './view/feedback.ts';
 import { importOffer } from './panels/import-offer.ts';
 import { openedView } from './view/view-state.ts';
@@ -45,7 +46,10 @@ export function createWays(parts: WaysParts): Ways {
     onStart,
     onError,
     samples: () => viewState.get().samples,
-    onOpened: (opened) => showOpened(parts, files, opened),
+    onOpened(opened) {
+      showOpened(parts, files, opened);
+      if (viewState.get().original) showOriginal(true).catch(onError);
+    },
     onRead: session.serve,
     onWorking,
   });
@@ -72,13 +76,23 @@ export function createWays(parts: WaysParts): Ways {
     const { ExportController } = await import('./export/export-controller.ts');
     return new ExportController({ ...parts, titleOf });
   });
+  const showOriginal = async (shown: boolean): Promise<void> => {
+    const { display, analysis } = parts;
+    viewState.change({ original: shown });
+    const reference = shown ? await (await animation.get()).reference() : null;
+    const { info } = workspace;
+    display.scene.setOriginal(reference && info && originalOf(reference, info.faces));
+    viewState.change({ original: reference !== null });
+    analysis.invalidate();
+    await display.playback.frameLoop.request(store.get().time);
+  };
   const undo = createUndo({ store, files, titleOf });
   const openOwn = async (project: string): Promise<void> => {
     const left = files.openings.all.find(({ state }) => state.project === project);
     if (left) await files.again(left);
     else await remembered.reopen(project, reopening(files)).catch(onError);
   };
-  return { files, remembered, undo, animation, openOwn, link, exporting, titleOf };
+  return { files, remembered, undo, animation, showOriginal, openOwn, link, exporting, titleOf };
 }
 
 function showOpened(

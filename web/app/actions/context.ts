@@ -41,6 +41,8 @@ export interface Ways {
   remembered: RememberedFiles;
   undo: Undo;
   animation: Lazy<Animation>;
+  /** Shows the animation that the keys are of, or that of other files, beside the motion. */
+  showOriginal(shown: boolean): Promise<void>;
   /** Opens a project of the user again. */
   openOwn(project: string): Promise<void>;
   link: PageLink;

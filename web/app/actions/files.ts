@@ -1,5 +1,4 @@
 /** Commands that open files or compare with an animation. */
-import { originalOf } from '../drawing/original.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
@@ -22,25 +21,20 @@ export const FILES = {
   asked: { run: asked },
   /** Takes the keys again, at these seconds of the animation. */
   takeKeys: {
-    run: (context, animation: number, times: number[]) =>
-      besideOriginal(context, () => context.files.resample(animation, times)),
+    run: ({ files }, animation: number, times: number[]) => files.resample(animation, times),
   },
   /** Takes the fewest keys that stay within an error in percent of the diagonal. */
-  takeFewest: {
-    run: (context, animation: number, percent: number) =>
-      besideOriginal(context, () => takeFewest(context, animation, percent)),
-  },
-  original: { run: showOriginal },
+  takeFewest: { run: takeFewest },
+  original: { run: ({ showOriginal }, shown: boolean) => showOriginal(shown) },
   pickTruth: { run: ({ overlays }) => overlays.pickTruth() },
   /** Compares with an animation of other files; null: with none. */
   compareWith: {
-    async run(context, picked: Picked | null) {
-      const { animation } = context;
+    async run({ animation, showOriginal }, picked: Picked | null) {
       if (!picked) {
         animation.now?.dropTruth();
-        return showOriginal(context, false);
+        return showOriginal(false);
       }
-      if (await (await animation.get()).takeTruth(picked)) await showOriginal(context, true);
+      if (await (await animation.get()).takeTruth(picked)) await showOriginal(true);
     },
   },
 } satisfies Actions;
@@ -54,23 +48,4 @@ async function takeFewest({ animation, viewState }: Context, of: number, percent
   viewState.change({ fewest: null });
   const fewest = await (await animation.get()).takeFewest(of, percent);
   if (fewest) viewState.change({ fewest });
-}
-
-/** Changes the keys and shows the animation again if it was shown. */
-async function besideOriginal(context: Context, work: () => Promise<unknown>): Promise<void> {
-  const { viewState } = context;
-  const { original } = viewState.get();
-  await work();
-  if (original && !viewState.get().original) await showOriginal(context, true);
-}
-
-async function showOriginal(context: Context, shown: boolean): Promise<void> {
-  const { session, display, viewState, analysis, animation } = context;
-  viewState.change({ original: shown });
-  const reference = shown ? await (await animation.get()).reference() : null;
-  const { info } = session.workspace;
-  display.scene.setOriginal(reference && info && originalOf(reference, info.faces));
-  viewState.change({ original: reference !== null });
-  analysis.invalidate();
-  await display.playback.frameLoop.request(session.store.get().time);
 }

@@ -139,9 +139,10 @@ export function createLayout(): Layout {
 function createSkips(places: Record<string, string>): HTMLElement {
   const skipTo = (place: string) => (): void => {
     const target = document.querySelector<HTMLElement>(place);
+    if (!target) return;
     // On a phone the keys are on a sheet, the first one.
-    if (!target?.checkVisibility()) document.querySelector<HTMLElement>('.tabs button')?.click();
-    target?.focus();
+    if (!target.checkVisibility()) document.querySelector<HTMLElement>('.tabs button')?.click();
+    target.focus();
   };
   return h(
     'nav',

@@ -44,21 +44,31 @@ interface Truth {
 
 interface Read {
   input: InputFile[];
-  animation: number;
+  /** How it was read, as text. */
+  how: string;
   motion: ReferenceMotion;
 }
 
 export class Animation {
   private read: Read | null = null;
   private other: Truth | null = null;
-  private working = new AbortController();
+  private stop = new AbortController();
+  private seeking = new AbortController();
+  /** The last that was asked for, and what has to end before. */
+  private last: Promise<unknown> = Promise.resolve();
+  private waiting = 0;
 
   constructor(private readonly parts: AnimationParts) {}
 
   /** Takes as few keys as keep the motion so near, in percent of the diagonal; null where they are not taken. */
   async takeFewest(animation: number, percent: number): Promise<Fewest | null> {
     const { engine, store, files, onWorking } = this.parts;
-    const found = await this.guarded(async (signal) => {
+    // Another error takes the place of the one before.
+    this.seeking.abort();
+    const { signal } = (this.seeking = new AbortController());
+    const found = await this.guarded(async (stopped) => {
+      stopped.addEventListener('abort', () => this.seeking.abort());
+      if (signal.aborted) return null;
       const reference = await this.referenceOf(animation, signal);
       const { boundary, method } = store.get().doc.motion;
       const { stretch } = store.get().doc.encoding;
@@ -108,7 +118,8 @@ export class Animation {
   }
 
   cancel(): void {
-    this.working.abort();
+    this.stop.abort();
+    this.stop = new AbortController();
   }
 
   /** Of what is open now. */
@@ -122,13 +133,14 @@ export class Animation {
     const { input, info, options } = workspace;
     const span = info?.animations[animation];
     if (!info || !span) return null;
-    if (this.read?.input === input && this.read.animation === animation) return this.read.motion;
+    const own = { ...options, offset: info.offset };
+    const how = JSON.stringify([animation, own.up, own.unit, own.objects, own.offset]);
+    if (this.read?.input === input && this.read.how === how) return this.read.motion;
     this.read?.motion.dispose();
     this.read = null;
     const { vertices } = info.report;
-    const own = { ...options, offset: info.offset };
     const motion = await readReference(engine, input, animation, span, vertices, own, { signal });
-    this.read = { input, animation, motion };
+    this.read = { input, how, motion };
     return motion;
   }
 
@@ -144,19 +156,27 @@ export class Animation {
     return readReference(engine, files, at, span, keys.info.report.vertices, options, { signal });
   }
 
-  private async guarded<T>(work: (signal: AbortSignal) => Promise<T | null>): Promise<T | null> {
+  /** One after the other: what is asked for while something works waits for it. */
+  private guarded<T>(work: (signal: AbortSignal) => Promise<T | null>): Promise<T | null> {
+    const { signal } = this.stop;
+    this.waiting += 1;
+    const task = this.last.then(() => this.run(work, signal));
+    this.last = task;
+    return task;
+  }
+
+  private async run<T>(work: (signal: AbortSignal) => Promise<T | null>, signal: AbortSignal): Promise<T | null> {
     const { onWorking, onError } = this.parts;
-    this.working.abort();
-    const own = new AbortController();
-    this.working = own;
-    onWorking({ stage: 'reading the animation', fraction: 0 });
     try {
-      return await work(own.signal);
+      signal.throwIfAborted();
+      onWorking({ stage: 'reading the animation', fraction: 0 });
+      return await work(signal);
     } catch (error) {
-      if (!isCancelled(error) && !own.signal.aborted) onError(error);
+      if (!isCancelled(error) && !signal.aborted) onError(error);
       return null;
     } finally {
-      if (this.working === own) onWorking(null);
+      this.waiting -= 1;
+      if (this.waiting === 0) onWorking(null);
     }
   }
 }

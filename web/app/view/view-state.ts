@@ -98,7 +98,7 @@ export function openedView(opened: Opened, before: ViewState): Partial<ViewState
     timePicture: null,
     placing: false,
     fewest: null,
-    original: false,
+    original: opened.stays === true && before.original,
     opening: opened.picked ? asksForKeys(info) : opened.stays === true && before.opening,
     blend: null,
     stats: null,
