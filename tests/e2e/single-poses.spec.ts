@@ -98,14 +98,12 @@ test(
   },
 );
 
-test('a pose of another mesh asks before it takes the place of own work, which comes back by undo', async ({ app }) => {
+test('a pose of another mesh waits for the next, and own work comes back by Undo in the message', async ({ app }) => {
   await app.open();
   await openTwo(app);
   await pick(app, 'other.obj', TRIANGLE(0));
-  await expect(app.by('pose-offer')).toContainText('“other.obj” is of another mesh');
+  await expect(app.by('pose-offer')).toContainText('other.obj has 3 vertices, but the keys have 4.');
   expect(await keys(app)).toHaveLength(2);
-  await app.by('pose-offer-accept').click();
-  await expect(app.by('pose-offer')).toContainText('“other.obj” is the first pose');
   // A pose that fits neither: what waits goes on waiting.
   await pick(app, 'wrong.obj', QUAD(0.1));
   await expect(app.by('error-message')).toContainText('wrong.obj');
@@ -113,29 +111,26 @@ test('a pose of another mesh asks before it takes the place of own work, which c
   await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['other', 'next']);
   await app.settled();
   await expect(app.by('error')).toBeHidden();
-  await app.by('undo').click();
+  await expect(app.by('pose-offer')).toBeHidden();
+  await app.by('toast-undo').click();
   await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'b']);
   await app.settled();
   await app.expectNoProblems();
 });
 
-test('several poses of another mesh ask, too, and are opened in its place where that is meant', {
-  tag: '@all',
-}, async ({ app }) => {
+test('a pose that is dropped on the timeline becomes a key at that time', async ({ app }, info) => {
   await app.open();
   await openTwo(app);
-  const others = [0, 0.5].map((x, index) => ({
-    name: `other-${index}.obj`,
-    mimeType: 'text/plain',
-    buffer: Buffer.from(TRIANGLE(x)),
-  }));
-  await app.by('file-input').setInputFiles(others);
-  await expect(app.by('pose-offer')).toContainText('“other-0.obj” and the others are of another mesh');
-  expect((await keys(app)).map(([name]) => name)).toEqual(['a', 'b']);
-  await app.by('pose-offer-accept').click();
-  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['other-0', 'other-1']);
+  const file = info.outputPath('there.obj');
+  writeFileSync(file, QUAD(0.9));
+  const [first, last] = [(await app.by('tick-0').boundingBox())!, (await app.by('tick-1').boundingBox())!];
+  const at = { x: first.x + first.width / 2 + 0.25 * (last.x - first.x), y: first.y + first.height / 2 };
+  await app.dragOver([file], at);
+  await expect(app.by('drop-zone')).toHaveText(/becomes a key at 0\.2\d* s$/);
+  await app.drop([file], at);
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'there', 'b']);
+  expect((await keys(app))[1]![1]).toBeCloseTo(0.25, 1);
   await app.settled();
-  await expect(app.by('pose-offer')).toBeHidden();
   await app.expectNoProblems();
 });
 

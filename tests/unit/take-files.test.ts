@@ -3,7 +3,8 @@ import { beforeEach, expect, it } from 'vitest';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Opener } from '../../web/app/sources/opener.ts';
 import { TakeFiles } from '../../web/app/sources/take-files.ts';
-import { EngineError } from '../../web/engine/api/errors.ts';
+import { EngineError, vertexCountMismatch } from '../../web/engine/api/errors.ts';
+import type { KeyPlace } from '../../web/model/edits.ts';
 import type { Source } from '../../web/model/state.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import type { Offer } from '../../web/ui/messages.ts';
@@ -30,9 +31,9 @@ function takeFilesOf(source: Source, fit: boolean): TakeFiles {
       if (given.length < 2) throw new EngineError('too-few-keys', 'One key.');
       return true;
     },
-    async addPoses(given: PickedFile[], place: number | null) {
-      log.push(`add ${names(given)} at ${place}`);
-      if (!fit) throw new EngineError('vertex-count-mismatch', 'Another mesh.');
+    async addPoses(given: PickedFile[], place: KeyPlace | null) {
+      log.push(`add ${names(given)} at ${JSON.stringify(place)}`);
+      if (!fit) throw vertexCountMismatch('a.obj', 3, 4);
       return given.length;
     },
   };
@@ -51,19 +52,31 @@ it('several files of which none is open become keys of the own files', async () 
   expect(log).toEqual(['add a.obj+b.obj at null', '2 keys were added.']);
 });
 
-it('files of another mesh take the place of own files only where that is meant', async () => {
-  await takeFilesOf(own, false).take(picked('a.obj', 'b.obj'), 1);
-  expect(offer?.message).toBe('“a.obj” and the others are of another mesh than what is open.');
-  offer?.onAccept?.();
-  await settled();
-  expect(log).toEqual(['add a.obj+b.obj at 1', 'open a.obj+b.obj']);
+it('files of another mesh are opened, and what differs from own files is said with counts', async () => {
+  await takeFilesOf(own, false).take(picked('a.obj', 'b.obj'), { before: 1 });
+  expect(log).toEqual([
+    'add a.obj+b.obj at {"before":1}',
+    'a.obj has 3 vertices, but the keys have 4. They are opened as another motion.',
+    'open a.obj+b.obj',
+  ]);
   expect(offer).toBeNull();
+});
+
+it('one pose of another mesh waits for the next, and replaces nothing', async () => {
+  const takeFiles = takeFilesOf(own, false);
+  await takeFiles.take(picked('a.obj'), { time: 0.5 });
+  expect(log).toEqual(['add a.obj at {"time":0.5}', 'open a.obj']);
+  expect(offer?.message).toBe(
+    'a.obj has 3 vertices, but the keys have 4. “a.obj” is the first pose of another motion. Drop the next one, or choose it.',
+  );
+  await takeFiles.take(picked('b.obj'));
+  expect(log.at(-1)).toBe('open a.obj+b.obj');
 });
 
 it('the first pose waits for the next', async () => {
   const takeFiles = takeFilesOf(sample, false);
   await takeFiles.take(picked('a.obj'));
-  expect(offer?.message).toContain('“a.obj” is the first pose.');
+  expect(offer?.message).toContain('“a.obj” is the first pose of a motion.');
   await takeFiles.take(picked('b.obj'));
   expect(log).toEqual(['open a.obj', 'add a.obj at null', 'open a.obj+b.obj']);
   expect(offer).toBeNull();

@@ -1,7 +1,7 @@
 /** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
 import { setMotion } from '../model/edits.ts';
 import { lazy } from '../ui/lazy.ts';
-import type { Offer } from '../ui/messages.ts';
+import type { Offer, ToastAction } from '../ui/messages.ts';
 import { plural } from '../ui/status-line.ts';
 import type { Ways } from './actions/context.ts';
 import type { AnalysisCache } from './analysis/analysis-cache.ts';
@@ -114,7 +114,19 @@ function showOpened(
   scene.setImport(info, pool, camera);
   if (viewState.get().opening) onOffer(offer);
   if (source.kind === 'files')
-    feedback.say(`${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`);
+    feedback.say(
+      `${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`,
+      opened.picked ? undoOpening(files) : undefined,
+    );
+}
+
+/** Brings back what was open before, unless something else was done about it meanwhile. */
+function undoOpening(files: Ways['files']): ToastAction | undefined {
+  const { before } = files.openings;
+  const run = (): void => {
+    if (files.openings.before === before) void files.back();
+  };
+  return before ? { label: 'Undo', testId: 'toast-undo', run } : undefined;
 }
 
 /** Gone from above the shape, it leaves its room to it. */

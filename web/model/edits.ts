@@ -6,7 +6,7 @@ import { DEFAULT_SHAPING, turnsOf, withTurns } from './shaping.ts';
 import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
 import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from './speeds.ts';
 import { referenceKey } from './state.ts';
-import { clamp } from './time-scale.ts';
+import { SAME_TIME, clamp } from './time-scale.ts';
 
 /** Puts a key elsewhere in the order; the times stay where they are and the shapes change places. */
 export function moveKey(doc: Doc, from: number, to: number): Doc {
@@ -50,11 +50,26 @@ export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
   return sorted({ ...doc, keys: [...doc.keys, { ...key, shaping: DEFAULT_SHAPING }] });
 }
 
+/** Where new keys go: before the key of this number, or at this time. */
+export type KeyPlace = { before: number } | { time: number };
+
 /**
- * Times for new keys before the key `place`: evenly in between, and beyond the ends as far apart as the keys are on
- * average.
+ * Times for new keys. One key goes to the time of its place, unless there is one already. Others go evenly between their
+ * neighbours; beyond the ends they lie as far apart as the keys do on average.
  */
-export function timesAt({ keys }: Doc, place: number, count: number): number[] {
+export function timesAt({ keys }: Doc, place: KeyPlace, count: number): number[] {
+  if ('time' in place && count === 1 && !isTaken(keys, place.time)) return [place.time];
+  const at = 'before' in place ? place.before : keys.filter(({ time }) => time <= place.time).length;
+  return timesBefore(keys, at, count);
+}
+
+/** Whether there is a key at this time, or too near for another one. */
+export function isTaken(keys: readonly Pick<KeyRef, 'time'>[], t: number): boolean {
+  const whole = (keys.at(-1)?.time ?? 0) - (keys[0]?.time ?? 0);
+  return keys.some(({ time }) => Math.abs(time - t) <= 1000 * SAME_TIME * whole);
+}
+
+function timesBefore(keys: Doc['keys'], place: number, count: number): number[] {
   const first = keys[0]?.time ?? 0;
   const last = keys.at(-1)?.time ?? 0;
   const step = (last - first) / Math.max(keys.length - 1, 1) || 1;

@@ -211,36 +211,61 @@ export function createWelcome(onPick: () => void): {
   };
 }
 
-/** Milliseconds that a message stays, and that one has been there before the next takes its place. */
-const [SHOWN_MS, READING_MS] = [4000, 2000];
+/** Milliseconds that a message stays, longer with a button, and that one is there before the next takes its place. */
+const [SHOWN_MS, OFFERED_MS, READING_MS] = [4000, 8000, 2000];
+
+/** What can be done about the news. */
+export interface ToastAction {
+  label: string;
+  testId: string;
+  run(): void;
+}
+
+export interface Toast {
+  element: HTMLElement;
+  say(text: string, action?: ToastAction): void;
+  clear(): void;
+}
 
 /** Short news that goes away by itself, read out by screen readers. */
-export function createToast(): { element: HTMLElement; say(text: string): void; clear(): void } {
-  const element = h('div', {
-    class: 'toast',
-    popover: 'manual',
-    role: 'status',
-    'aria-live': 'polite',
-    'data-testid': 'toast',
-  });
-  const waiting: string[] = [];
+export function createToast(): Toast {
+  const words = h('span', { role: 'status', 'aria-live': 'polite', 'data-testid': 'toast' });
+  const element = h('div', { class: 'toast', popover: 'manual' }, words);
+  const waiting: { text: string; action?: ToastAction | undefined }[] = [];
   let timer = 0;
   let readBy = 0;
+  const show = (text: string, action?: ToastAction): void => {
+    setAttribute(element, 'data-shown', text !== '');
+    // The words stay while it fades.
+    if (text !== '') words.textContent = text;
+    element.replaceChildren(words, ...(action ? [actionButton(action)] : []));
+  };
+  const actionButton = ({ label, testId, run }: ToastAction): HTMLElement =>
+    button({
+      label,
+      testId,
+      text: label,
+      onClick: () => {
+        window.clearTimeout(timer);
+        show('');
+        run();
+      },
+    });
   const next = (): void => {
-    const text = waiting.shift();
-    if (text === undefined) return setAttribute(element, 'data-shown', false);
+    const said = waiting.shift();
+    if (!said) return show('');
     // Above a dialog that opened meanwhile.
     element.hidePopover();
     element.showPopover();
-    element.textContent = text;
-    setAttribute(element, 'data-shown', true);
+    show(said.text, said.action);
     readBy = performance.now() + READING_MS;
-    timer = window.setTimeout(next, waiting.length > 0 ? READING_MS : SHOWN_MS);
+    const shownMs = said.action ? OFFERED_MS : SHOWN_MS;
+    timer = window.setTimeout(next, waiting.length > 0 ? READING_MS : shownMs);
   };
   return {
     element,
-    say(text) {
-      waiting.push(text);
+    say(text, action) {
+      waiting.push({ text, action });
       window.clearTimeout(timer);
       const left = readBy - performance.now();
       if (left > 0) timer = window.setTimeout(next, left);
@@ -250,8 +275,8 @@ export function createToast(): { element: HTMLElement; say(text: string): void; 
       window.clearTimeout(timer);
       waiting.length = 0;
       readBy = 0;
-      element.textContent = '';
-      setAttribute(element, 'data-shown', false);
+      words.textContent = '';
+      show('');
     },
   };
 }

@@ -50,6 +50,8 @@ export interface Timeline {
   /** The element with role=slider, which takes the keyboard. */
   slider: HTMLElement;
   update(props: TimelineProps): void;
+  /** The time at which something lies that is put down here, on a whole frame where there are such; null elsewhere. */
+  timeAt(point: { x: number; y: number }): number | null;
 }
 
 export function createTimeline(events: TimelineEvents): Timeline {
@@ -66,6 +68,11 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const timeAt = (x: number): number => {
     const box = track.getBoundingClientRect();
     return timeIn(clamp((x - box.left) / box.width, 0, 1), shown());
+  };
+  const droppedAt = ({ x, y }: { x: number; y: number }): number | null => {
+    const { left, right, top, bottom } = track.getBoundingClientRect();
+    if (!isOn() || x < left || x > right || y < top || y > bottom) return null;
+    return snappedTime(timeAt(x), [], 0, props!.fps);
   };
   const perPixel = (): number => length(shown()) / track.clientWidth;
   const snapped = (t: number, free: boolean): number => {
@@ -109,6 +116,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
   return {
     element,
     slider: slider.element,
+    timeAt: droppedAt,
     update(next) {
       const last = props;
       props = next;

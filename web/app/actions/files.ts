@@ -1,4 +1,5 @@
 /** Commands that open files or compare with an animation. */
+import type { KeyPlace } from '../../model/edits.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
@@ -13,8 +14,8 @@ export const FILES = {
     button: { in: 'start', testId: 'open', label: 'Open files', icon: 'open', text: 'Open' },
     run: ({ overlays }) => overlays.pickFiles(),
   },
-  /** `place`: the files were dropped before this key; null: not among the keys. */
-  take: { run: ({ takeFiles }, picked: Picked, place?: number | null) => takeFiles.take(picked, place) },
+  /** `place`: where among the keys the files were dropped; null: elsewhere. */
+  take: { run: ({ takeFiles }, picked: Picked, place?: KeyPlace | null) => takeFiles.take(picked, place) },
   sample: { run: ({ files }, id: string) => files.sample(id) },
   own: { run: ({ openOwn }, project: string) => openOwn(project) },
   /** Closes the sheet that asks which keys to take of an animation. */

@@ -3,6 +3,7 @@ import { MOST_TIME, PER_KEY } from '../../engine/api/option-table.ts';
 import type { KeyPace } from '../../engine/api/types.ts';
 import {
   addKey,
+  isTaken,
   moveKey,
   removeKey,
   renameKey,
@@ -15,7 +16,8 @@ import {
 import { SPACINGS } from '../../model/key-spacing.ts';
 import type { Spacing } from '../../model/key-spacing.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
-import { SAME_TIME, formatTime, length } from '../../model/time-scale.ts';
+import type { KeyRef } from '../../model/state.ts';
+import { formatTime } from '../../model/time-scale.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
@@ -106,8 +108,7 @@ async function addCurrent({ session, display }: Context): Promise<void> {
   const { store, workspace, range } = session;
   const { pool } = workspace;
   const { time: t, doc } = store.get();
-  const times = doc.keys.map((key) => key.time);
-  if (!pool || addReason(times, t, range()) !== null) return;
+  if (!pool || addReason(doc.keys, t) !== null) return;
   await display.playback.frameLoop.request(t);
   const positions = display.scene.viewer.positions(0);
   if (workspace.pool !== pool || positions.length === 0) return;
@@ -116,7 +117,6 @@ async function addCurrent({ session, display }: Context): Promise<void> {
 }
 
 /** Why no key can be added at t, or null. */
-export function addReason(keyTimes: readonly number[], t: number, range: readonly [number, number]): string | null {
-  const taken = keyTimes.some((time) => Math.abs(time - t) <= 1000 * SAME_TIME * length(range));
-  return taken ? 'There is a key at this time already. Move the slider first.' : null;
+export function addReason(keys: readonly KeyRef[], t: number): string | null {
+  return isTaken(keys, t) ? 'There is a key at this time already. Move the slider first.' : null;
 }

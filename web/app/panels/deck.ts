@@ -12,7 +12,7 @@ import { lazyComponent } from '../../ui/lazy.ts';
 import type { LazyComponent } from '../../ui/lazy.ts';
 import { createStatusLine } from '../../ui/status-line.ts';
 import { createTimeline } from '../../ui/timeline.ts';
-import type { TimelineProps } from '../../ui/timeline.ts';
+import type { Timeline, TimelineProps } from '../../ui/timeline.ts';
 import { createTransport } from '../../ui/transport.ts';
 import type { WarningsList, WarningsProps } from '../../ui/warnings.ts';
 import { addReason } from '../actions/keys.ts';
@@ -25,6 +25,7 @@ import type { Connect, Shown } from './connect.ts';
 
 export interface Deck {
   keyStrip: KeyStrip;
+  timeline: Timeline;
   transport: HTMLElement;
   warnings: HTMLElement;
   status: HTMLElement;
@@ -68,7 +69,7 @@ export function createDeck(commands: Commands, connect: Connect, onError: (error
   };
 }
 
-function createTime(commands: Commands, connect: Connect): Pick<Deck, 'transport' | 'toggleClock'> {
+function createTime(commands: Commands, connect: Connect): Pick<Deck, 'timeline' | 'transport' | 'toggleClock'> {
   const timeline = createTimeline({
     onSeek: commands.seek,
     onRetime: commands.retimeKey,
@@ -97,7 +98,7 @@ function createTime(commands: Commands, connect: Connect): Pick<Deck, 'transport
     periodic: doc.motion.boundary === 'periodic',
     disabled,
   }));
-  return { transport: element, toggleClock: clockMenu.toggle };
+  return { timeline, transport: element, toggleClock: clockMenu.toggle };
 }
 
 /** Where the time lies among the keys. */
@@ -141,7 +142,6 @@ function clockProps({ state: { doc, play, time, view }, range, disabled }: Shown
 
 function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripProps {
   const { doc, time } = state;
-  const times = doc.keys.map((key) => key.time);
   return {
     keys: keyItems(doc, viewState.thumbnails),
     owner: state.source.kind === 'sample' ? state.source.id : state.project,
@@ -150,7 +150,7 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
     disabled,
     canRemove: doc.keys.length > 2,
     components: viewState.stats?.components ?? 1,
-    addReason: addReason(times, time, range),
+    addReason: addReason(doc.keys, time),
   };
 }
 

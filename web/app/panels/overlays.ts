@@ -1,4 +1,5 @@
 /** What opens over the page: dialogs, loaded when first needed, and file choosers. */
+import type { KeyPlace } from '../../model/edits.ts';
 import { playRange } from '../../model/frames.ts';
 import type { End } from '../../model/speeds.ts';
 import type { EmbedDialog } from '../../ui/embed-dialog.ts';
@@ -6,13 +7,13 @@ import type { ExportDialog, ExportDialogProps } from '../../ui/export-dialog.ts'
 import { createDropZone, createPicker } from '../../ui/file-drop.ts';
 import type { DropPoint } from '../../ui/file-drop.ts';
 import type { Help } from '../../ui/help.ts';
-import type { KeyStrip } from '../../ui/key-strip.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { LinkDialog } from '../../ui/link-dialog.ts';
 import type { MotionPanel } from './side.ts';
 import type { Overlays } from '../actions/context.ts';
 import type { Commands } from '../actions/table.ts';
 import type { Connect, Shown } from './connect.ts';
+import type { Deck } from './deck.ts';
 import { SHORTCUTS } from './keyboard.ts';
 
 type Dialogs = Pick<Overlays, 'openExport' | 'openEmbed' | 'openHelp' | 'openLink'> & { elements: HTMLElement[] };
@@ -63,7 +64,16 @@ function exportProps({ state: { play }, viewState, range }: Shown): ExportDialog
   };
 }
 
-export function createChoosers(commands: Commands, keyStrip: KeyStrip, motionPanel: MotionPanel): Choosers {
+export function createChoosers(
+  commands: Commands,
+  { keyStrip, timeline }: Pick<Deck, 'keyStrip' | 'timeline'>,
+  motionPanel: MotionPanel,
+): Choosers {
+  const keyPlace = (at: DropPoint): KeyPlace | null => {
+    const [before, time] = [keyStrip.placeAt(at), timeline.timeAt(at)];
+    if (before !== null) return { before };
+    return time === null ? null : { time };
+  };
   const files = createPicker('file-input', (picked) => void commands.take(picked));
   const keys = createPicker('key-file-input', (picked) => void commands.addKeys(picked));
   let tangentOf: End = 'start';
@@ -73,12 +83,14 @@ export function createChoosers(commands: Commands, keyStrip: KeyStrip, motionPan
     (dropped, at) => {
       if (takesTruth(at)) return void commands.compareWith(dropped);
       const end = motionPanel.endAt(at);
-      void (end ? commands.takeTangent(dropped, end) : commands.take(dropped, keyStrip.placeAt(at)));
+      void (end ? commands.takeTangent(dropped, end) : commands.take(dropped, keyPlace(at)));
     },
     (at) => {
-      const place = at && keyStrip.placeAt(at);
-      keyStrip.showPlace(place);
-      if (place !== null) return `A pose of this mesh becomes key ${place + 1}`;
+      const place = at && keyPlace(at);
+      const before = place && 'before' in place ? place.before : null;
+      keyStrip.showPlace(before);
+      if (before !== null) return `A pose of this mesh becomes key ${before + 1}`;
+      if (place && 'time' in place) return `A pose of this mesh becomes a key at ${Number(place.time.toFixed(3))} s`;
       if (at && takesTruth(at)) return 'An animation of this mesh is compared with the motion';
       const end = at && motionPanel.endAt(at);
       return end && `The motion ${end === 'start' ? 'leaves towards' : 'arrives from'} a pose of this mesh`;

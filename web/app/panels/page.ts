@@ -57,7 +57,7 @@ export function createPage(parts: PageParts): Page {
   });
   connect(presentation, ({ state }) => state.view.present);
   const dialogs = createDialogs(commands, connect, feedback.onError);
-  const choosers = createChoosers(commands, deck.keyStrip, side.motionPanel);
+  const choosers = createChoosers(commands, deck, side.motionPanel);
   layout.mount(root, {
     header: header(context, commands, connect),
     transport: deck.transport,

@@ -3,6 +3,7 @@ import type { Engine } from '../../engine/api/api.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import { readPoses } from '../../engine/api/read-poses.ts';
 import { addKey, setEncoding, timesAt } from '../../model/edits.ts';
+import type { KeyPlace } from '../../model/edits.ts';
 import { undoName } from '../../model/page-options.ts';
 import { TANGENT_NAME } from '../../model/speeds.ts';
 import type { End } from '../../model/speeds.ts';
@@ -24,19 +25,19 @@ interface Pooled {
 }
 
 /**
- * Adds all that the files hold before the key `place`, by default after the last one. Resolves to how many there were;
- * null where other files were opened meanwhile, or none are. Fails on another mesh.
+ * Adds all that the files hold, by default after the last key. Resolves to how many there were; null where other files
+ * were opened meanwhile, or none are. Fails on another mesh.
  */
 export async function addPoses(
   parts: AddPosesParts,
   files: readonly PickedFile[],
-  place: number | null = null,
+  place: KeyPlace | null = null,
 ): Promise<number | null> {
   const added = await pooled(parts, files);
   if (!added) return null;
   nameSource(parts.store, files);
   parts.store.edit(added.length > 1 ? `add ${added.length} keys` : 'add a key', (doc) => {
-    const times = timesAt(doc, place ?? doc.keys.length, added.length);
+    const times = timesAt(doc, place ?? { before: doc.keys.length }, added.length);
     return added.reduce((next, key, index) => addKey(next, { ...key, time: times[index]! }), doc);
   });
   return added.length;

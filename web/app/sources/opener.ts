@@ -2,6 +2,7 @@
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { InputFile, Progress } from '../../engine/api/types.ts';
+import type { KeyPlace } from '../../model/edits.ts';
 import { orientationStep } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
@@ -120,8 +121,8 @@ export class Opener {
     return this.meet(pickedRequest(files));
   }
 
-  /** Adds their poses before the key `place`, by default after the last. To be run; fails on another mesh. */
-  addPoses(files: readonly PickedFile[], place?: number | null): Promise<number | null> {
+  /** Adds their poses at this place, by default after the last key. To be run; fails on another mesh. */
+  addPoses(files: readonly PickedFile[], place?: KeyPlace | null): Promise<number | null> {
     return this.reading(() => addPoses(this.parts, files, place));
   }
 

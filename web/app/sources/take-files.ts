@@ -1,11 +1,12 @@
 /**
- * What is meant by picked files: the keys of a motion, a further pose of the mesh that is open, or the first pose of a
- * motion, which waits for the next.
+ * What is meant by picked files. Further poses of the open mesh become keys, anything else is opened, and undo brings
+ * back what was open. One pose alone is no motion: it waits for the next.
  */
 import { EngineError } from '../../engine/api/errors.ts';
 import { sequenceText, sequencesIn } from '../../engine/api/numbered-names.ts';
 import { fileName, isModel, withoutLeftovers } from '../../engine/api/paths.ts';
-import { isMismatch } from '../../engine/api/read-poses.ts';
+import { differenceOf, isMismatch } from '../../engine/api/read-poses.ts';
+import type { KeyPlace } from '../../model/edits.ts';
 import type { Offer } from '../../ui/messages.ts';
 import type { Source } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
@@ -29,8 +30,8 @@ export class TakeFiles {
 
   constructor(private readonly parts: TakeFilesParts) {}
 
-  /** `place`: before which key they were put down, or null where they were not put among the keys. */
-  async take(picked: PickedFile[] | Promise<PickedFile[]>, place: number | null = null): Promise<void> {
+  /** `place`: where among the keys they were put down; null: elsewhere. */
+  async take(picked: PickedFile[] | Promise<PickedFile[]>, place: KeyPlace | null = null): Promise<void> {
     const { files, onOffer } = this.parts;
     await files.run(picked, async (all) => {
       const meant = withoutLeftovers(all);
@@ -51,23 +52,24 @@ export class TakeFiles {
     return this.parts.store.get().source.kind === 'files';
   }
 
-  private async takeAll(picked: readonly PickedFile[], place: number | null): Promise<boolean> {
-    const { files, store } = this.parts;
-    const areKeys = place !== null || areFurtherPoses(picked, store.get().source);
+  private async takeAll(picked: readonly PickedFile[], place: KeyPlace | null): Promise<boolean> {
+    const areKeys = place !== null || areFurtherPoses(picked, this.parts.store.get().source);
     if (this.waiting.length > 0 || !areKeys) return this.open(picked);
-    if (await this.add(picked, place)) return true;
-    if (place === null && !this.hasOwn) return this.open(picked);
-    return this.askInstead(picked, () => void files.run([...picked], (taken) => this.open(taken)));
+    const other = await this.add(picked, place);
+    if (!other) return true;
+    if (this.hasOwn && countOf(picked) > 1) this.parts.say(`${differenceOf(other)} They are opened as another motion.`);
+    return this.open(picked, other);
   }
 
-  private open(picked: readonly PickedFile[]): Promise<boolean> {
+  /** `other`: they were found to be of another mesh. */
+  private open(picked: readonly PickedFile[], other: EngineError | null = null): Promise<boolean> {
     return this.parts.files.open([...this.waiting, ...picked]).then(
       (opened) => this.done(opened),
-      (error: unknown) => this.orElse(picked, error),
+      (error: unknown) => this.orElse(picked, error, other),
     );
   }
 
-  private async orElse(picked: readonly PickedFile[], error: unknown): Promise<boolean> {
+  private async orElse(picked: readonly PickedFile[], error: unknown, known: EngineError | null): Promise<boolean> {
     if (this.waiting.length > 0) {
       // The new files may be a motion without the pose that waits.
       const opened = await this.parts.files.open(picked).catch(() => false);
@@ -75,23 +77,24 @@ export class TakeFiles {
       return true;
     }
     if (!isSinglePose(error)) throw error;
-    if (await this.add(picked, null)) return true;
-    if (this.hasOwn) return this.askInstead(picked, () => this.wait(picked));
-    this.wait(picked);
+    const other = known ?? (await this.add(picked, null));
+    if (!other) return true;
+    this.wait(picked, other);
     return false;
   }
 
-  /** The poses that the files hold, as keys of what is open; false where they are of another mesh. */
-  private async add(picked: readonly PickedFile[], place: number | null): Promise<boolean> {
+  /** The poses that the files hold, as keys of what is open. Resolves to what differs where they are of another mesh. */
+  private async add(picked: readonly PickedFile[], place: KeyPlace | null): Promise<EngineError | null> {
     const { files, say } = this.parts;
     try {
       const count = await files.addPoses(picked, place);
       if (count === 1) say(`${titleOf(picked)} was added as a key.`);
       else if (count !== null) say(`${count} keys were added.`);
-      return this.done(count !== null);
+      this.done(count !== null);
+      return null;
     } catch (error) {
       if (!isMismatch(error)) throw error;
-      return false;
+      return error;
     }
   }
 
@@ -100,26 +103,17 @@ export class TakeFiles {
     return opened;
   }
 
-  private wait(first: readonly PickedFile[]): void {
+  private wait(first: readonly PickedFile[], other: EngineError): void {
     const { onOffer, onPick } = this.parts;
+    const which = this.hasOwn ? 'another motion' : 'a motion';
+    const differs = this.hasOwn ? `${differenceOf(other)} ` : '';
     this.waiting = first;
     onOffer({
-      message: `${titleOf(first)} is the first pose. Drop the next one, or choose it.`,
+      message: `${differs}${titleOf(first)} is the first pose of ${which}. Drop the next one, or choose it.`,
       action: 'Choose files',
       onAccept: onPick,
       onDecline: () => (this.waiting = []),
     });
-  }
-
-  /** Work of the user's own is replaced only where that is meant. */
-  private askInstead(picked: readonly PickedFile[], onAccept: () => void): boolean {
-    const several = picked.filter(({ name }) => isModel(name)).length > 1;
-    this.parts.onOffer({
-      message: `${titleOf(picked)}${several ? ' and the others are' : ' is'} of another mesh than what is open.`,
-      action: 'Open it instead',
-      onAccept,
-    });
-    return false;
   }
 }
 
@@ -149,6 +143,8 @@ function areFurtherPoses(picked: readonly PickedFile[], source: Source): boolean
   const known = source.kind === 'files' ? source.names : models;
   return models.length > 1 && models.length <= MOST_POSES && !models.some((name) => known.includes(name));
 }
+
+const countOf = (picked: readonly PickedFile[]): number => picked.filter(({ name }) => isModel(name)).length;
 
 function titleOf(picked: readonly PickedFile[]): string {
   return `“${fileName(leadingName(picked.map(({ name }) => name)))}”`;

@@ -2,12 +2,13 @@
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import { createToast } from '../../ui/messages.ts';
+import type { ToastAction } from '../../ui/messages.ts';
 import { errorMessageOf } from './error-message.ts';
 import type { ViewStateHolder } from './view-state.ts';
 
 export interface Feedback {
   toast: HTMLElement;
-  say(text: string): void;
+  say(text: string, action?: ToastAction): void;
   /** Nothing was said. */
   clear(): void;
   /** Something else is asked for: what went wrong before is of no interest. */
