@@ -30,22 +30,25 @@ vi.mock('../../web/app/kept/project-shelf.ts', () => ({
 }));
 
 const settings = new Map<string, string>();
+const ofTab = new Map<string, string>();
+const storage = (words: Map<string, string>) => ({
+  getItem: (key: string) => words.get(key) ?? null,
+  setItem: (key: string, value: string) => words.set(key, value),
+  removeItem: (key: string) => words.delete(key),
+});
 const said: string[] = [];
 
 beforeEach(() => {
   vi.useFakeTimers();
   vi.stubGlobal('BroadcastChannel', undefined);
   vi.stubGlobal('window', Object.assign(new EventTarget(), { setTimeout, clearTimeout }));
-  vi.stubGlobal('localStorage', {
-    getItem: (key: string) => settings.get(key) ?? null,
-    setItem: (key: string, value: string) => settings.set(key, value),
-    removeItem: (key: string) => settings.delete(key),
-  });
+  vi.stubGlobal('localStorage', storage(settings));
+  vi.stubGlobal('sessionStorage', storage(ofTab));
 });
 afterEach(() => {
   vi.useRealTimers();
   vi.unstubAllGlobals();
-  for (const kept of [shelf, settings]) kept.clear();
+  for (const kept of [shelf, settings, ofTab]) kept.clear();
   said.length = 0;
 });
 
@@ -107,6 +110,17 @@ it('the next visit opens the state that was noted when the page was left', async
   expect(await visit().remembered.reopen('mine', open)).toBe(true);
   expect(open.mock.calls[0]![0].state.time).toBe(0.25);
   expect(shelf.get('mine')?.opening).toBe(false);
+});
+
+it('a tab that is loaded again opens its own files first, and a new tab those that were changed last', async () => {
+  shelf.set('of another tab', { remembered: {} as Remembered, version: 1, opening: false });
+  const { remembered } = visit();
+  remembered.follow();
+  await vi.advanceTimersByTimeAsync(500);
+  const first = async (): Promise<string | undefined> => (await visit().remembered.recall())[0]?.id;
+  expect(await first()).toBe('mine');
+  ofTab.clear();
+  expect(await first()).toBe('of another tab');
 });
 
 it('a project that does not open stays marked; one that is overtaken does not', async () => {

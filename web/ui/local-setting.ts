@@ -1,18 +1,23 @@
 /** A word that the browser keeps on this machine. Storage can be forbidden there; then nothing is kept. */
 
-export function readSetting(key: string): string | null {
+/** For all visits, or for this tab until it is closed. */
+const STORAGE = { browser: () => localStorage, tab: () => sessionStorage };
+type Keeper = keyof typeof STORAGE;
+
+export function readSetting(key: string, keeper: Keeper = 'browser'): string | null {
   try {
-    return localStorage.getItem(key);
+    return STORAGE[keeper]().getItem(key);
   } catch {
     return null;
   }
 }
 
 /** Written before the call returns, also while the page is left; null removes it. */
-export function writeSetting(key: string, value: string | null): void {
+export function writeSetting(key: string, value: string | null, keeper: Keeper = 'browser'): void {
   try {
-    if (value === null) localStorage.removeItem(key);
-    else localStorage.setItem(key, value);
+    const storage = STORAGE[keeper]();
+    if (value === null) storage.removeItem(key);
+    else storage.setItem(key, value);
   } catch {
     // Nothing to keep it with.
   }

@@ -40,6 +40,8 @@ interface Kept {
 
 /** A page that is left while it opens files has not been ended by them. */
 const LEFT = 'shapespline.left-while-opening';
+/** The project that this tab had last: another tab may have written since. */
+const OF_TAB = 'shapespline.project-of-tab';
 /** Kept where the user wants no files to be kept. */
 const UNWANTED = 'shapespline.keep-no-files';
 /** After the first change that is not kept: further ones do not put it off. */
@@ -117,12 +119,14 @@ export class RememberedFiles {
     this.keep(id);
   }
 
-  /** What earlier visits left, the last changed first. Nothing that goes wrong here keeps the page from starting. */
+  /** What earlier visits left: first that of this tab, then the last changed. Nothing that goes wrong here keeps the page from starting. */
   async recall(): Promise<readonly ProjectOnShelf[]> {
     const setAside = await within(RECALL_MS, this.readList()).catch(() => 0);
     if (setAside)
       this.parts.say('The files remembered by an earlier visit can no longer be read. They were set aside.');
-    return this.shelf.map((project) => ({ ...project, opening: project.opening && readSetting(LEFT) !== project.id }));
+    const [ofTab, left] = [readSetting(OF_TAB, 'tab'), readSetting(LEFT)];
+    const [own, others] = [this.shelf.filter(({ id }) => id === ofTab), this.shelf.filter(({ id }) => id !== ofTab)];
+    return [...own, ...others].map((project) => ({ ...project, opening: project.opening && left !== project.id }));
   }
 
   /**
@@ -149,7 +153,7 @@ export class RememberedFiles {
     const opened = await open({ ...remembered, state: { ...(last ?? state), project: id } });
     if (opened) {
       this.kept.set(id, { ...kept, state: last ? null : JSON.stringify(this.parts.store.get()) });
-      this.newest = id;
+      this.setNewest(id);
     }
     if (opened !== false) await markOpening(id, false).catch(() => undefined);
     window.removeEventListener('pagehide', leave);
@@ -168,7 +172,7 @@ export class RememberedFiles {
     this.dropped.clear();
     this.shelf = [];
     this.told = false;
-    this.newest = null;
+    this.setNewest(null);
     this.lastState.forget();
     for (const key of [LEFT, UNWANTED]) writeSetting(key, null);
     this.tellChange();
@@ -183,6 +187,11 @@ export class RememberedFiles {
     if (source.kind === 'files') return this.isKept ? this.added > this.kept.get(this.own!)!.poses : edited;
     // A link holds all of a sample but the poses that were added.
     return pool !== null && doc.keys.some(({ pose }) => pose >= pool.imported);
+  }
+
+  private setNewest(id: string | null): void {
+    this.newest = id;
+    writeSetting(OF_TAB, id, 'tab');
   }
 
   private get own(): string | null {
@@ -280,7 +289,7 @@ export class RememberedFiles {
     const before = this.kept.get(id);
     const wrote = (version: number): void => {
       this.kept.set(id, { version, poses: work.poses.length, files, state: text });
-      this.newest = id;
+      this.setNewest(id);
     };
     if (before?.files !== files) {
       const version = await keepProject(id, { files, ...changing });
