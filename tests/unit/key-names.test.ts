@@ -5,6 +5,7 @@ it('leaves out what all names begin with, up to a word', () => {
   expect(shortNames(['cat_run_01', 'cat_run_02', 'cat_run_13'])).toEqual(['01', '02', '13']);
   expect(shortNames(['wolf-1', 'wolf-4', 'wolf-12'])).toEqual(['1', '4', '12']);
   expect(shortNames(['cat_000001', 'cat_000013'])).toEqual(['000001', '000013']);
+  expect(shortNames(['victoria0', 'victoria12', 'victoria15'])).toEqual(['0', '12', '15']);
   expect(shortNames(['wild horse.a', 'wild horse.b', 'wild horse.c'])).toEqual(['a', 'b', 'c']);
 });
 

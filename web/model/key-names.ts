@@ -13,7 +13,9 @@ export function shortNames(names: readonly string[]): string[] {
   const [first = '', ...rest] = names;
   let common = rest.length > 0 ? first.length : 0;
   for (const name of rest) while (!name.startsWith(first.slice(0, common))) common -= 1;
-  // Not in the middle of a word or a number.
-  while (common > 0 && !/[\s_.-]/.test(first[common - 1]!)) common -= 1;
+  // Not in the middle of a word or a number; a number may follow a word at once.
+  const isEnd = (at: number): boolean =>
+    /[\s_.-]/.test(first[at - 1]!) || (/\D/.test(first[at - 1]!) && names.every((name) => /\d/.test(name[at] ?? '')));
+  while (common > 0 && !isEnd(common)) common -= 1;
   return names.some((name) => name.length === common) ? [...names] : names.map((name) => name.slice(common));
 }

@@ -7,6 +7,12 @@ import type { Shape } from './shape.ts';
 import type { Studio } from './studio.ts';
 
 const SAMPLES = 4;
+/** A shape smaller than this share of where the motion goes would be a speck: it fills the picture instead. */
+const TRAVELS = 0.5;
+
+/** What a picture shows of a shape among `whole`, where the motion goes. */
+export const pictureExtent = (own: Extent, whole: Extent): Extent =>
+  own.radius < TRAVELS * whole.radius ? own : whole;
 
 export class Thumbnails {
   private readonly scene = new Scene();
@@ -18,22 +24,23 @@ export class Thumbnails {
     private readonly studio: Studio,
   ) {}
 
-  /** All pictures are taken from where a new import is seen. */
+  /** Of a new import: all pictures are taken from where it is seen, but for shapes that travel. */
   setExtent(extent: Extent): void {
     this.extent = extent;
   }
 
-  /** A data URL; width and height in CSS pixels. */
-  draw(shape: Shape, width: number, height: number): string {
-    return this.canvas(shape, width, height)?.toDataURL('image/png') ?? '';
+  /** A data URL; `own`: the shape's; width and height in CSS pixels. */
+  draw(shape: Shape, own: Extent, width: number, height: number): string {
+    return this.canvas(shape, own, width, height)?.toDataURL('image/png') ?? '';
   }
 
   /** The same as a canvas, or null where the browser gives none. */
-  canvas(shape: Shape, width: number, height: number): HTMLCanvasElement | null {
+  private canvas(shape: Shape, own: Extent, width: number, height: number): HTMLCanvasElement | null {
     if (!this.extent) return null;
+    const extent = pictureExtent(own, this.extent);
     const ratio = this.renderer.getPixelRatio();
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-    this.placeCamera(this.extent, w / h);
+    this.placeCamera(extent, w / h);
     this.scene.add(shape.object);
     const target = new WebGLRenderTarget(w, h, { colorSpace: SRGBColorSpace, samples: SAMPLES });
     const pixels = new Uint8ClampedArray(4 * w * h);

@@ -9,6 +9,7 @@ import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
 import { listenToSize } from './host-size.ts';
 import { Stage } from './stage.ts';
+import { extentOf } from './bounds.ts';
 import type { Extent } from './bounds.ts';
 import type { Bounds } from './stage.ts';
 import { Studio } from './studio.ts';
@@ -501,7 +502,8 @@ export class Viewer {
   thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
     const shape = this.contents.shapeOf(positions, normals, colour);
     if (!shape) return '';
-    const picture = this.thumbnails.draw(shape, width, height);
+    const { bounds, points } = extentOf([positions]);
+    const picture = this.thumbnails.draw(shape, { points, radius: radiusOf(bounds) }, width, height);
     shape.dispose();
     return picture;
   }
