@@ -417,6 +417,7 @@ test('a picture is cropped to the shape, or has the floor and the ground of the 
   const cropped = await exported(app, async () => {
     await app.by('export-kind-picture').check();
     await app.by('export-pixels').selectOption('1080p');
+    await app.by('export-crop').check();
   });
   expect(cropped.stated).toBe('A picture, cropped from 1920 × 1080 pixels');
   const picture = decode(cropped.bytes);

@@ -57,8 +57,14 @@ describe('what an export is', () => {
       sizeOf({ ...DEFAULT_REQUEST, ...request }, video);
     expect(size(VIDEO, 'mp4')).toBeNull();
     expect(size(VIDEO, 'gif')).toEqual(SIZES.small);
-    expect(size({ ...VIDEO, size: 'window' }, 'gif')).toBeNull();
+    expect(size({ ...VIDEO, videoSize: 'window' }, 'gif')).toBeNull();
     expect(size({ kind: 'picture', size: '4k' })).toEqual({ width: 3840, height: 2160 });
-    expect(size({ size: 'own', own: { width: 7, height: 9 } })).toEqual({ width: 7, height: 9 });
+    expect(size({ kind: 'picture', size: 'own', own: { width: 7, height: 9 } })).toEqual({ width: 7, height: 9 });
+  });
+
+  it('of a video says nothing about pictures, and theirs nothing about videos', () => {
+    const both = { ...DEFAULT_REQUEST, size: '4k', videoSize: 'square' } as const;
+    expect(sizeOf({ ...both, kind: 'picture' }, null)).toEqual(SIZES['4k']);
+    expect(sizeOf({ ...both, ...VIDEO }, 'mp4')).toEqual(SIZES.square);
   });
 });

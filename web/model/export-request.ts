@@ -62,8 +62,10 @@ export interface ExportRequest {
   /** There and back again. */
   bounce: boolean;
   inPlace: boolean;
-  /** null = the window's, of a GIF small. */
+  /** Of a picture; null = as on the screen. */
   size: SizeName | null;
+  /** Of a video; null = as on the screen, of a GIF small. */
+  videoSize: SizeName | null;
   own: PictureSize;
   /** Of a PNG. */
   transparent: boolean;
@@ -88,9 +90,10 @@ export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
   bounce: false,
   inPlace: false,
   size: null,
+  videoSize: null,
   own: SIZES['1080p'],
   transparent: true,
-  crop: true,
+  crop: false,
 };
 
 export const MAX_FRAMES = 2000;
@@ -195,12 +198,13 @@ export function shareOf(frame: number, frames: number, bounce: boolean): number 
 }
 
 /** null: the size that the view has on the screen. */
-export function sizeOf({ size, own, ...request }: ExportRequest, video: VideoFormat | null): PictureSize | null {
-  const name = sizeName({ size, own, ...request }, video);
+export function sizeOf(request: ExportRequest, video: VideoFormat | null): PictureSize | null {
+  const name = sizeName(request, video);
   if (name === 'window') return null;
-  return name === 'own' ? own : SIZES[name];
+  return name === 'own' ? request.own : SIZES[name];
 }
 
 export function sizeName(request: ExportRequest, video: VideoFormat | null): SizeName {
-  return request.size ?? (isVideoRequest(request) && video === 'gif' ? 'small' : 'window');
+  if (!isVideoRequest(request)) return request.size ?? 'window';
+  return request.videoSize ?? (video === 'gif' ? 'small' : 'window');
 }

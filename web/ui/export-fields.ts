@@ -130,7 +130,7 @@ export function createPictureFields(change: Change): Fields<FieldsProps> {
     'Size',
     'export-pixels',
     (Object.keys(SIZE_WORDS) as SizeName[]).map((value) => ({ value, label: sizeLabel(value) })),
-    (value) => change({ size: value }),
+    (value) => change(request && isVideoRequest(request) ? { videoSize: value } : { size: value }),
   );
   const side = (name: 'width' | 'height'): HTMLInputElement =>
     numberField({

@@ -65,7 +65,8 @@ export class Animation {
     const { engine, store, files, onWorking } = this.parts;
     // Another error takes the place of the one before.
     this.seeking.abort();
-    const { signal } = (this.seeking = new AbortController());
+    this.seeking = new AbortController();
+    const { signal } = this.seeking;
     const found = await this.guarded(async (stopped) => {
       stopped.addEventListener('abort', () => this.seeking.abort());
       if (signal.aborted) return null;
