@@ -21,6 +21,7 @@ export const ACCEPTED = [
   ...[...MODELS, ...CACHES, ...COMPANIONS].map((extension) => `.${extension}`),
   'model/gltf-binary',
   'model/gltf+json',
+  '.zip',
 ].join();
 
 /** A whole disk dropped by mistake is not walked to its end. */

@@ -2,6 +2,7 @@
 import { inNaturalOrder } from '../engine/api/numbered-names.ts';
 import { ACCEPTED, droppedFiles } from './dropped-files.ts';
 import type { PickedFile } from './dropped-files.ts';
+import { unzipped } from './zipped-files.ts';
 import { h, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
 
@@ -68,15 +69,19 @@ export function createDropZone(
     if (!holdsFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
     leave();
-    onFiles(droppedFiles(event.dataTransfer).then(inNaturalOrder), { x: event.clientX, y: event.clientY });
+    onFiles(ordered(droppedFiles(event.dataTransfer)), { x: event.clientX, y: event.clientY });
   });
   return { element };
 }
 
+/** In natural order of name, with what zips hold in their place. */
+const ordered = async (picked: PickedFile[] | Promise<PickedFile[]>): Promise<PickedFile[]> =>
+  inNaturalOrder(await unzipped(await picked));
+
 /** Opens the system's picker. */
 export function createPicker(
   testId: string,
-  onFiles: (files: PickedFile[]) => void,
+  onFiles: (files: Promise<PickedFile[]>) => void,
 ): { element: HTMLInputElement; open(): void } {
   const element = h('input', {
     type: 'file',
@@ -89,7 +94,7 @@ export function createPicker(
     onchange: () => {
       const files = [...(element.files ?? [])].map((file) => ({ name: file.name, file }));
       element.value = '';
-      if (files.length > 0) onFiles(inNaturalOrder(files));
+      if (files.length > 0) onFiles(ordered(files));
     },
   });
   return { element, open: () => element.click() };

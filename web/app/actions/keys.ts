@@ -32,7 +32,7 @@ export const KEYS = {
     run: addCurrent,
   },
   pickKeys: { run: ({ overlays }) => overlays.pickKeys() },
-  addKeys: { run: ({ files }, picked: PickedFile[]) => files.addKeys(picked) },
+  addKeys: { run: ({ files }, picked: Promise<PickedFile[]>) => files.addKeys(picked) },
   moveKey: {
     run: ({ session: { store } }, from: number, to: number) =>
       store.edit('order of keys', (doc) => moveKey(doc, from, to)),

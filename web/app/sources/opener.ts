@@ -167,8 +167,8 @@ export class Opener {
   }
 
   /** Adds the files' poses after the last key. */
-  async addKeys(files: PickedFile[]): Promise<void> {
-    await this.guarded(async () => (await this.addPoses(files)) !== null);
+  async addKeys(files: Promise<PickedFile[]>): Promise<void> {
+    await this.guarded(async () => (await this.addPoses(await files)) !== null);
   }
 
   /** The shape of a file gives the tangent at an end of the motion. */

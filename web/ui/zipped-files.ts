@@ -1,0 +1,55 @@
+/** Zips among picked files -> the models in them and what these need, as from a folder. Zips are hostile input. */
+import type { Entry } from '@zip.js/zip.js';
+import { extensionOf, isMeantInFolder } from '../engine/api/paths.ts';
+import type { PickedFile } from './dropped-files.ts';
+
+const MOST_FILES = 20_000;
+/** Of all files of one zip, as they are in it and unpacked. */
+const MOST_BYTES = 1e9;
+
+/** The files, with what zips hold in their place. The library is loaded with the first zip. */
+export async function unzipped(picked: PickedFile[]): Promise<PickedFile[]> {
+  const lists = picked.map((one) => (extensionOf(one.name) === 'zip' ? filesIn(one) : [one]));
+  return (await Promise.all(lists)).flat();
+}
+
+async function filesIn({ name, file }: PickedFile): Promise<PickedFile[]> {
+  const { BlobReader, ZipReader } = await import('@zip.js/zip.js/index-native.js');
+  const reader = new ZipReader(new BlobReader(file), { useWebWorkers: false });
+  const entries = await reader.getEntries().catch(() => {
+    throw new Error(`${name} is no zip that can be read. Unpack it and drop the files.`);
+  });
+  const meant = entries.filter((entry) => !entry.directory && isMeantInFolder(entry.filename));
+  if (meant.length === 0) throw new Error(`There is no model in ${name}. A zip can hold glTF, OBJ, PLY or OFF files.`);
+  if (meant.length > MOST_FILES)
+    throw new Error(`${name} holds more than ${MOST_FILES.toLocaleString('en')} files. Unpack it and drop the poses.`);
+  let left = MOST_BYTES;
+  const files: PickedFile[] = [];
+  for (const entry of meant) {
+    const unpacked = await unpack(name, entry, left);
+    left -= unpacked.size;
+    files.push({ name: `${name}/${entry.filename}`, file: unpacked });
+  }
+  return files;
+}
+
+/** What the zip states of a size may be a lie: bytes are counted. */
+async function unpack(zip: string, entry: Entry, most: number): Promise<File> {
+  const parts: BlobPart[] = [];
+  let bytes = 0;
+  const tooLarge = new Error(`${zip} holds more than ${MOST_BYTES / 1e9} GB. Unpack it and drop the poses.`);
+  const target = new WritableStream<Uint8Array<ArrayBuffer>>({
+    write(part) {
+      bytes += part.length;
+      if (bytes > most) throw tooLarge;
+      parts.push(part);
+    },
+  });
+  if (entry.directory) return new File([], entry.filename);
+  await entry.getData(target, { checkSignature: true }).catch((error: unknown) => {
+    if (bytes > most) throw tooLarge;
+    const why = entry.encrypted ? 'is encrypted' : 'cannot be unpacked';
+    throw new Error(`${entry.filename} in ${zip} ${why}. Unpack the zip and drop the files.`, { cause: error });
+  });
+  return new File(parts, entry.filename);
+}
