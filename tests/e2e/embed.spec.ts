@@ -1,7 +1,10 @@
 /** <shape-spline> on the page of examples, as it is built, and the way there from the app. */
 import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
 import type { Page } from '@playwright/test';
 import { difference, diagonal, expect, test } from './support.ts';
+import { unzip } from '../unzip.ts';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
 
 // Another page than the app.
@@ -102,8 +105,11 @@ test('methods beside each other, time that follows the page, keys that the reade
   expect(problems).toEqual([]);
 });
 
-test('what is open in the app is shown by the lines and the file that it gives for a page', async ({ app }, info) => {
-  test.skip(info.project.name === 'dev', 'the examples are built');
+test('what is open in the app is shown by the zip that it gives, and opens again when that is dropped', async ({
+  app,
+  browser,
+}, info) => {
+  test.skip(info.project.name === 'dev', 'the package is built');
   const { page } = app;
   await app.open();
   await app.by('boundary-hermite').check();
@@ -114,8 +120,7 @@ test('what is open in the app is shown by the lines and the file that it gives f
   const { doc } = await app.state();
   await app.by('export').click();
   await app.by('export-embed').click();
-  const snippet = await app.by('embed-snippet').textContent();
-  expect(snippet).toBe(
+  await expect(app.by('embed-snippet')).toHaveText(
     '<script type="module" src="shapespline/cdn.js"></script>\n' +
       '<shape-spline src="cactus.glb" controls autoplay loop="bounce" alt="Cactus"></shape-spline>',
   );
@@ -123,20 +128,45 @@ test('what is open in the app is shown by the lines and the file that it gives f
   const coming = page.waitForEvent('download');
   await app.by('embed-save').click();
   const download = await coming;
-  expect(download.suggestedFilename()).toBe('cactus.glb');
-  const glb = readFileSync(await download.path());
+  expect(download.suggestedFilename()).toBe('cactus-page.zip');
+  const zip = readFileSync(await download.path());
   await app.expectNoProblems();
 
-  await page.goto('./embed/examples/index.html');
-  await page.route('**/cactus.glb', (route) => route.fulfill({ body: glb, contentType: 'model/gltf-binary' }));
-  const shown = await page.evaluate(async (markup) => {
-    document.querySelector('main')!.innerHTML = markup;
-    const shape = document.querySelector('shape-spline')!;
+  // A server that knows nothing of types, on another port, and nothing else to be had.
+  const files = new Map((await unzip(new Blob([zip]))).map(({ name, bytes }) => [`/${name}`, bytes]));
+  const server = createServer((request, response) => {
+    const bytes = files.get(request.url === '/' ? '/index.html' : request.url!);
+    const type =
+      request.url === '/' ? 'text/html' : request.url!.endsWith('.js') ? 'text/javascript' : 'application/x-any';
+    response.writeHead(bytes ? 200 : 404, { 'content-type': type }).end(bytes);
+  });
+  await new Promise<void>((ready) => server.listen(0, '127.0.0.1', ready));
+  const home = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
+  const visitor = await browser.newPage();
+  const strange: string[] = [];
+  visitor.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(home)) strange.push(request.url());
+  });
+  visitor.on('console', (message) => message.type() === 'error' && strange.push(message.text()));
+  await visitor.goto(home);
+  const shown = await visitor.evaluate(async () => {
+    await customElements.whenDefined('shape-spline');
+    const shape = document.querySelector<ShapeSplineElement>('shape-spline')!;
     const frame = await shape.evaluate(0.3);
-    return { positions: [...frame.positions], range: shape.duration };
-  }, snippet!.split('\n')[1]!);
+    return { positions: [...frame.positions], range: shape.duration, height: shape.offsetHeight };
+  });
   expect(difference(shown.positions, middle)).toBeLessThan(1e-3 * diagonal(middle));
   expect(shown.range).toBe(doc.keys.at(-1)!.time - doc.keys[0]!.time);
+  expect(shown.height).toBe(visitor.viewportSize()!.height);
+  expect(strange.filter((one) => !one.includes('favicon'))).toEqual([]);
+  await visitor.close();
+  server.close();
+
+  await app.by('file-input').setInputFiles({ name: 'cactus-page.zip', mimeType: 'application/zip', buffer: zip });
+  await expect.poll(async () => (await app.state()).source).toMatchObject({ kind: 'files' });
+  await app.settled();
+  expect((await app.state()).doc.motion).toEqual(doc.motion);
+  await app.expectNoProblems();
 });
 
 test(

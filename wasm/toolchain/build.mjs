@@ -116,7 +116,7 @@ const noticeInputs = ['wasm/toolchain/notices.mjs', 'LICENSE'];
 
 export const page = guarded(
   'page',
-  () => digest(['web', 'public', 'build/wasm', 'package-lock.json', ...noticeInputs]),
+  () => digest(['web', 'public', 'build/wasm', 'build/package', 'package-lock.json', ...noticeInputs]),
   ['dist/index.html'],
   async () => {
     step('building the page');

@@ -16,20 +16,20 @@ import { checkPackageSizes, checkSizes } from './sizes.mjs';
 import { test } from './test.mjs';
 
 async function build() {
-  await prepare(forWasm, [wasmModule, page, nodeBundle, npmPackage]);
+  await prepare(forWasm, [wasmModule, npmPackage, page, nodeBundle]);
   step('checking the sizes');
   checkSizes(inRoot('dist'));
   checkPackageSizes(packageDir);
 }
 
 async function start() {
-  await prepare(forWasm, [wasmModule, page]);
+  await prepare(forWasm, [wasmModule, npmPackage, page]);
   const { url } = await serve(inRoot('dist'), { port: Number(process.env.PORT) || 4173, isolated: true });
   console.log(`shapespline is at ${url} (stop it with Ctrl+C)`);
 }
 
 async function dev(args) {
-  await prepare(forWasm, [wasmModule]);
+  await prepare(forWasm, [wasmModule, npmPackage]);
   await run(process.execPath, [inRoot('node_modules/vite/bin/vite.js'), '--config', 'web/vite.config.ts', ...args], {
     inherit: true,
   });

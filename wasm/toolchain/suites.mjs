@@ -195,7 +195,7 @@ export const suites = {
     run: endToEnd,
     files: ['tests/e2e', '.spec.ts'],
     requirements: [...forWasm, ...forBrowser],
-    steps: [wasmModule, page],
+    steps: [wasmModule, npmPackage, page],
     words: [NOT_SLOW],
   },
   tidy: { run: tidy, files: ['wasm', '.cpp'], requirements: forTidying, steps: [], onlyInAll: true },

@@ -62,6 +62,8 @@ export interface ExportRequest {
   /** There and back again. */
   bounce: boolean;
   inPlace: boolean;
+  /** A GLB comes in a zip, with a page that shows it. */
+  page: boolean;
   /** Of a picture; null = as on the screen. */
   size: SizeName | null;
   /** Of a video; null = as on the screen, of a GIF small. */
@@ -89,6 +91,7 @@ export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
   turn: 6,
   bounce: false,
   inPlace: false,
+  page: false,
   size: null,
   videoSize: null,
   own: SIZES['1080p'],

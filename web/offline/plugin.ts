@@ -9,7 +9,7 @@ const SOURCE = fileURLToPath(new URL('./service-worker.js', import.meta.url));
 /** Not needed to work offline. */
 const LEFT_OUT = /(\.map$|\.md$|^sw\.js$|^notices\.txt$|^\.)/;
 /** Kept once it was used: what only some visitors need. */
-const LATER = /shapespline_threads-[^/]*\.wasm$/;
+const LATER = /\/(shapespline_threads|cdn|codecs)-[^/]*\.(wasm|js)$/;
 
 const sha256 = (content: Uint8Array | string): string => createHash('sha256').update(content).digest('hex');
 

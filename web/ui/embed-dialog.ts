@@ -1,4 +1,4 @@
-/** What is open, on somebody's own page: the lines to copy there, and the file to put beside them. */
+/** What is open, on somebody's own page: a zip with all that this takes, and the lines for a page of one's own. */
 import { button, dialog } from './controls.ts';
 import { h, setText } from './dom.ts';
 
@@ -8,7 +8,7 @@ export interface EmbedDialog {
 }
 
 export interface EmbedDialogEvents {
-  /** The project's GLB is wanted. */
+  /** The zip is wanted. */
   onSave(): void;
   onError(error: unknown): void;
 }
@@ -27,15 +27,15 @@ export function createEmbedDialog({ onSave, onError }: EmbedDialogEvents): Embed
     label: 'Copy the lines',
     testId: 'embed-copy',
     icon: 'link',
-    text: 'Copy',
-    kind: 'primary',
+    text: 'Copy the lines',
     onClick: () => void navigator.clipboard.writeText(code.textContent).then(() => setText(said, 'Copied.'), onError),
   });
   const save = button({
-    label: 'Download the project',
+    label: 'Download a zip with the page, the GLB and the package',
     testId: 'embed-save',
     icon: 'download',
-    text: 'Download the GLB',
+    text: 'Download the zip',
+    kind: 'primary',
     onClick: () => {
       element.close();
       onSave();
@@ -53,12 +53,19 @@ export function createEmbedDialog({ onSave, onError }: EmbedDialogEvents): Embed
     h(
       'p',
       {},
-      'Put the GLB beside your page, and the npm package beside both as the folder ',
+      'The zip holds a page, this motion as a GLB, and the package that shows it. Unpack it on any web server: ' +
+        'it needs nothing else. Dropped here, it opens again.',
+    ),
+    h('div', { class: 'button-row' }, save),
+    h(
+      'p',
+      {},
+      'For a page of your own, put the GLB and the folder ',
       h('code', {}, 'shapespline'),
-      '. The GLB holds keys, times and options; these lines show it:',
+      ' beside it, and copy these lines into it:',
     ),
     snippet,
-    h('div', { class: 'button-row' }, copy, save),
+    h('div', { class: 'button-row' }, copy),
     said,
     h('footer', {}, examples),
   );

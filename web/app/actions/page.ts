@@ -94,7 +94,7 @@ export const PAGE = {
   closeError: { run: closeError },
   singleKeys: { run: ({ viewState }, singleKeys: boolean) => viewState.change({ singleKeys }) },
   planExport: { run: planExport },
-  saveFile: { run: (context) => runExport(context, { ...DEFAULT_REQUEST }) },
+  savePage: { run: (context) => runExport(context, { ...DEFAULT_REQUEST, page: true }) },
   export: { run: runExport },
   openEmbed: {
     run: async ({ exporting, overlays }) => overlays.openEmbed((await exporting.get()).snippet()),

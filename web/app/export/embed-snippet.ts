@@ -24,5 +24,23 @@ export function embedSnippet({ play, view, doc }: AppState, file: string, alt: s
   ].join('\n');
 }
 
+/** A page that shows nothing else, as large as its window. */
+export const embedPage = (title: string, snippet: string): string => `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>${quoted(title)}</title>
+<style>
+html, body { height: 100%; margin: 0; }
+shape-spline { display: block; width: 100%; height: 100%; }
+</style>
+</head>
+<body>
+${snippet}
+</body>
+</html>
+`;
+
 const quoted = (text: string): string =>
   text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');

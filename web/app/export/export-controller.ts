@@ -13,7 +13,7 @@ import type { Display } from '../drawing/display.ts';
 import type { Session } from '../session/session.ts';
 import type { Feedback } from '../view/feedback.ts';
 import type { ViewStateHolder } from '../view/view-state.ts';
-import { embedSnippet } from './embed-snippet.ts';
+import { embedPage, embedSnippet } from './embed-snippet.ts';
 import type { ExportPlan } from './export-job.ts';
 import { videoFormats } from './write-video.ts';
 
@@ -121,6 +121,7 @@ export class ExportController {
       doc,
       time,
       name: fileStem(source),
+      page: embedPage(this.parts.titleOf(source), this.snippet()),
       playing: this.playing,
       scene: display.scene,
       show: (t) => this.show(t),
@@ -154,8 +155,14 @@ function turned(viewer: Viewer): (share: number) => Promise<void> {
   };
 }
 
+/** An export of own files is not called as they are. */
+const MOTION = '-motion';
+
 function fileStem(source: AppState['source']): string {
   if (source.kind === 'sample') return source.id;
-  const first = source.kind === 'files' ? leadingName(source.names) : '';
-  return modelName(first) || 'shapespline';
+  const stem = safeName(modelName(source.kind === 'files' ? leadingName(source.names) : '')) || 'shapespline';
+  return stem.endsWith(MOTION) ? stem : stem + MOTION;
 }
+
+/** Without what file systems refuse. */
+const safeName = (name: string): string => name.replace(/[/\\\p{C}]/gu, '').slice(0, 100);

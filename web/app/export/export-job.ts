@@ -33,6 +33,8 @@ export interface ExportJob {
   doc: Doc;
   /** Stem of the file's name. */
   name: string;
+  /** That shows the GLB of this name. */
+  page: string;
   time: number;
   playing: Playing;
   scene: SceneController;
@@ -167,19 +169,18 @@ export async function runExport(request: ExportRequest, job: ExportJob): Promise
     return download(await takePicture(job.scene, { ...request, size: sizeOf(request, null) }), `${name}.png`);
   if (isVideoRequest(request)) return video(request, job);
   if (request.kind === 'numbers') return table(request, job);
-  const options = { ...engineOptions(request, job.time, job.playing)!, name: safeName(name) };
+  const options = { ...engineOptions(request, job.time, job.playing)!, name };
   const call = { signal: job.signal, onProgress: job.onProgress };
   const files = job.sequence.exportFiles(options, call);
   if (request.kind === 'animation' && request.animation !== 'glb') {
     const { rate } = exportNumbers(request, job.playing, null);
     return download(await zip(withReadme(request.animation, files, Number(rate.toFixed(3)))), `${name}.zip`);
   }
+  if (request.page) {
+    const { withPackage } = await import('./embed-zip.ts');
+    return download(await zip(withPackage(job.page, files, job.signal)), `${name}-page.zip`);
+  }
   return downloadAll(await all(files), name);
-}
-
-/** Without what file systems refuse. */
-function safeName(name: string): string {
-  return name.replace(/[/\\\p{C}]/gu, '').slice(0, 100) || 'shapespline';
 }
 
 async function all(files: AsyncIterable<ExportedFile>): Promise<ExportedFile[]> {

@@ -38,7 +38,7 @@ export function createDialogs(commands: Commands, connect: Connect, onError: (er
   }, onError);
   const embed = lazyComponent<void, EmbedDialog>(async () => {
     const { createEmbedDialog } = await import('../../ui/embed-dialog.ts');
-    return createEmbedDialog({ onSave: () => void commands.saveFile(), onError });
+    return createEmbedDialog({ onSave: () => void commands.savePage(), onError });
   }, onError);
   return {
     elements: [

@@ -77,16 +77,19 @@ export function isMismatch(error: unknown): error is EngineError {
   return error instanceof EngineError && MISMATCHES.includes(error.code);
 }
 
-const ADVICE = 'Use a pose of the same mesh.';
-
-/** What differs, with counts, and without what to do about it. */
-export const differenceOf = ({ message }: EngineError): string => message.replace(` ${ADVICE}`, '');
+/** What differs, with counts: the first sentence, without what to do about it. */
+export const differenceOf = ({ message }: EngineError): string =>
+  /^.*? has .*?\.(?= |$)/s.exec(message)?.[0] ?? message;
 
 function checkSameMesh(file: string, { report, faces }: KeysInfo, keys: KeysInfo): void {
   const wanted = keys.report;
   if (report.vertices !== wanted.vertices) throw vertexCountMismatch(file, report.vertices, wanted.vertices, { file });
   const refused = (code: string, what: string, face?: number): EngineError =>
-    new EngineError(code, `${file} has ${what}. ${ADVICE}`, face === undefined ? { file } : { file, face });
+    new EngineError(
+      code,
+      `${file} has ${what}. Use a pose of the same mesh.`,
+      face === undefined ? { file } : { file, face },
+    );
   if (faces.length !== keys.faces.length)
     throw refused('face-count-mismatch', `${faces.length / 3} faces, but the keys have ${keys.faces.length / 3}`);
   const face = firstOtherFace(faces, keys.faces);
