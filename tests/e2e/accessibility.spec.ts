@@ -34,6 +34,15 @@ test('works with the keyboard alone, and the focus can always be seen', async ({
   await expect(page.getByRole('button', { name: 'Go to the keys' })).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(app.by('key-0-go')).toBeFocused();
+  // The keys are one stop, and arrow keys go along them.
+  await page.keyboard.press('ArrowRight');
+  await expect(app.by('key-0-edit')).toBeFocused();
+  await page.keyboard.press('End');
+  await expect(app.by('key-2-edit')).toBeFocused();
+  await page.keyboard.press('ArrowRight');
+  await expect(app.by('key-0-go')).toBeFocused();
+  await page.keyboard.press('Tab');
+  await expect(app.by('add-current')).toBeFocused();
   await reach('timeline');
   await page.keyboard.press('End');
   await page.keyboard.press('End');
@@ -48,7 +57,9 @@ test('works with the keyboard alone, and the focus can always be seen', async ({
   await reach('start-speed');
   await page.keyboard.press('ArrowRight');
   expect((await app.state()).doc.motion.startSpeed).toBeCloseTo(0.05, 9);
-  await reach('key-1-edit');
+  await reach('key-0-go');
+  for (let step = 0; step < 3; step += 1) await page.keyboard.press('ArrowRight');
+  await expect(app.by('key-1-edit')).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(app.by('key-editor')).toBeVisible();
   await page.keyboard.press('Escape');

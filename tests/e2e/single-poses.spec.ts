@@ -102,7 +102,9 @@ test('a pose of another mesh waits for the next, and own work comes back by Undo
   await app.open();
   await openTwo(app);
   await pick(app, 'other.obj', TRIANGLE(0));
-  await expect(app.by('pose-offer')).toContainText('other.obj has 3 vertices, but key 1 has 4. “other.obj” is the first pose');
+  await expect(app.by('pose-offer')).toContainText(
+    'other.obj has 3 vertices, but key 1 has 4. “other.obj” is the first pose',
+  );
   expect(await keys(app)).toHaveLength(2);
   // A pose that fits neither: what waits goes on waiting.
   await pick(app, 'wrong.obj', QUAD(0.1));

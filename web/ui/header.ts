@@ -4,6 +4,7 @@ import { h, memo } from './dom.ts';
 import { createGallery } from './gallery.ts';
 import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
 import { createThemeButton } from './theme-button.ts';
+import { oneStop } from './one-stop.ts';
 import type { Theme } from './theme.ts';
 
 export interface HeaderProps {
@@ -42,6 +43,8 @@ export function createHeader({ start, history, end }: HeaderButtons, events: Hea
     ...end,
     theme.element,
   );
+  // What the gallery opens has stops of its own.
+  oneStop(element, 'button:not(.gallery *)');
   const draw = memo(({ samples, sample, own, project, theme: shown }: HeaderProps) => {
     gallery.update({ samples, sample, own, project });
     theme.update(shown);

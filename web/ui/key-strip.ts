@@ -6,6 +6,7 @@ import { h, memo, say, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import type { EditedKey, KeyEditor, KeyEditorEvents, KeyEditorProps } from './key-editor.ts';
 import { lazyComponent } from './lazy.ts';
+import { oneStop } from './one-stop.ts';
 import { keyLabel, lowerFirst, shortNames } from '../model/key-names.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
@@ -72,6 +73,7 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
     h('div', { class: 'key-actions' }, addCurrent, addFile),
     editor.element,
   );
+  oneStop(list);
   const cards: Card[] = [];
   // What is dragged is told to the page only when it is dropped.
   const drag = { from: -1 };

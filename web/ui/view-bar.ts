@@ -5,6 +5,7 @@ import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
 import { createLook } from './look.ts';
 import type { LookEvents } from './look.ts';
+import { oneStop } from './one-stop.ts';
 import { popover } from './popover.ts';
 
 export interface ViewBarProps {
@@ -44,6 +45,7 @@ export function createViewBar(
     onClick: () => events.onUp(shownUp === 'z' ? 'y' : 'z'),
   });
   const bar = h('div', { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' }, ...views, stand, toggle);
+  oneStop(bar);
   const element = h('div', { class: 'view-bar' }, look.element, bar);
   const toggleLook = popover(element, toggle, look.element);
   const draw = memo(({ view, up, disabled }: ViewBarProps) => {

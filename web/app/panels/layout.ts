@@ -5,6 +5,7 @@ import { createFilmLabels } from '../../ui/film-labels.ts';
 import type { FilmLabel } from '../../ui/film-labels.ts';
 import { icon } from '../../ui/icons.ts';
 import type { IconName } from '../../ui/icons.ts';
+import { oneStop } from '../../ui/one-stop.ts';
 
 export interface LayoutParts {
   header: HTMLElement;
@@ -198,6 +199,7 @@ function createSide(panels: HTMLElement[]): HTMLElement {
     ),
   );
   const row = h('nav', { class: 'side-nav', 'aria-label': 'Parts of the options' }, ...buttons);
+  oneStop(row);
   const side = h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, row, ...panels);
   const mark = (): void => {
     const atEnd = side.scrollTop > 0 && side.scrollTop + side.clientHeight >= side.scrollHeight - 1;

@@ -1,0 +1,42 @@
+/** One stop of the Tab key for a row of buttons; arrow keys, Home and End go along it (WAI-ARIA: roving tabindex). */
+
+const MOVES: Readonly<Record<string, (at: number, last: number) => number>> = {
+  ArrowLeft: (at, last) => (at > 0 ? at - 1 : last),
+  ArrowRight: (at, last) => (at < last ? at + 1 : 0),
+  Home: () => 0,
+  End: (_, last) => last,
+};
+
+/** `chosen`: which of its buttons take part, as a selector. */
+export function oneStop(row: HTMLElement, chosen = 'button'): void {
+  let stop: HTMLElement | null = null;
+  const buttons = (): HTMLButtonElement[] =>
+    [...row.querySelectorAll<HTMLButtonElement>(chosen)].filter((one) => !one.disabled && one.checkVisibility());
+  const set = (wanted: HTMLElement | null): void => {
+    const all = buttons();
+    stop = wanted && all.includes(wanted as HTMLButtonElement) ? wanted : (all[0] ?? null);
+    for (const one of row.querySelectorAll<HTMLButtonElement>(chosen)) one.tabIndex = one === stop ? 0 : -1;
+  };
+  row.addEventListener('focusin', ({ target }) => {
+    if ((target as Element).matches(chosen)) set(target as HTMLElement);
+  });
+  row.addEventListener('keydown', (event) => {
+    const { target, key, ctrlKey, metaKey, altKey, shiftKey } = event;
+    const all = buttons();
+    const at = all.indexOf(target as HTMLButtonElement);
+    // After a press of the mouse, arrow keys move through time as everywhere.
+    if (at < 0 || ctrlKey || metaKey || altKey || shiftKey || !(target as Element).matches(':focus-visible')) return;
+    const next = MOVES[key]?.(at, all.length - 1);
+    if (next === undefined) return;
+    event.preventDefault();
+    all[next]!.focus();
+  });
+  // Buttons come, go, and are switched off; on a small page some are not seen. The first time is when the row is shown.
+  const follow = (): void => set(stop);
+  new MutationObserver(follow).observe(row, {
+    childList: true,
+    subtree: true,
+    attributeFilter: ['disabled', 'hidden'],
+  });
+  new ResizeObserver(follow).observe(row);
+}
