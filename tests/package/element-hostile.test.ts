@@ -105,7 +105,7 @@ it.each(LACKING)('a page %s says so', async (_, before, policy, code, words) => 
   expect(await page.locator('#a .poster').isVisible()).toBe(true);
 });
 
-it('without keys it is quiet, and says so to who asks', async () => {
+it('without keys it says so, to who asks at once, and shows what comes later', async () => {
   const page = await openElements('<shape-spline id="a" controls autoplay></shape-spline>');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const refusal = await on(
@@ -113,7 +113,11 @@ it('without keys it is quiet, and says so to who asks', async () => {
     (shape): Promise<unknown> => shape.evaluate(0).catch((error: { code: string }) => error.code),
   );
   expect(refusal).toBe('no-source');
+  // Scripts may give keys a moment later.
   expect(await told(page, 'error')).toEqual([]);
+  expect(await when(page, 'error')).toMatchObject({ code: 'no-source', key: -1 });
+  const message = page.locator('#a [part=message]');
+  await expect.poll(() => message.textContent()).toContain('There is nothing to show: give it src');
   const away = await page.evaluate(
     (): Promise<unknown> =>
       document
@@ -122,6 +126,9 @@ it('without keys it is quiet, and says so to who asks', async () => {
         .catch((error) => error.code),
   );
   expect(away).toBe('not-connected');
+  await on(page, (shape) => (shape.src = 'pose-0.glb pose-1.glb'));
+  await when(page, 'load');
+  expect(await message.isVisible()).toBe(false);
 });
 
 it('what was set before the element is known counts; children say when their keys are', async () => {

@@ -157,3 +157,24 @@ it('the time stays where it is, within the keys as they are now', async () => {
   await seek(page, 8);
   expect(await time({})).toEqual([8, 1]);
 });
+
+it('shapes that seem to lie are stood up, unless the page says which axis is up', async () => {
+  const page = await openElements('<shape-spline id="a"></shape-spline>');
+  await page.waitForFunction(() => customElements.get('shape-spline'));
+  const heights = await on(page, async (shape) => {
+    // Pyramids that stand along z, beside the plane y = 0.
+    const pyramid = (apex: number): string =>
+      `OFF\n5 6 0\n-1 3 0\n1 3 0\n1 5 0\n-1 5 0\n${apex} 4 3\n` +
+      '3 0 2 1\n3 0 3 2\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n';
+    shape.keys = [0, 0.5].map((apex) => new File([pyramid(apex)], `${apex}.off`));
+    const height = async (): Promise<number> => {
+      const { positions } = await shape.evaluate(0);
+      const ys = [...positions].filter((_, i) => i % 3 === 1);
+      return Math.max(...ys) - Math.min(...ys);
+    };
+    const stood = await height();
+    shape.up = 'y';
+    return [stood, await height()];
+  });
+  expect(heights).toEqual([expect.closeTo(3, 4), expect.closeTo(2, 4)]);
+});

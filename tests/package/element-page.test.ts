@@ -301,6 +301,7 @@ it('camera, colours, motion and range are what the attributes say, and what the 
     (shape: ShapeSplineElement) => (shape.cameraTarget = '1m 0m 0m'),
     (shape: ShapeSplineElement) => (shape.colour = 'phase'),
     (shape: ShapeSplineElement) => (shape.colour = 'patches'),
+    (shape: ShapeSplineElement) => (shape.color = 'phase'),
     (shape: ShapeSplineElement) => (shape.method = 'linear'),
     (shape: ShapeSplineElement) => (shape.compare = ['linear']),
     (shape: ShapeSplineElement) => shape.setAttribute('start-speed', '3') ?? shape.setAttribute('boundary', 'hermite'),
@@ -308,7 +309,16 @@ it('camera, colours, motion and range are what the attributes say, and what the 
     const changed = await look(change as never);
     expect(changed, String(change)).not.toBe(plain);
     const back = await look((shape) => {
-      for (const name of ['camera-orbit', 'camera-target', 'colour', 'method', 'compare', 'start-speed', 'boundary'])
+      for (const name of [
+        'camera-orbit',
+        'camera-target',
+        'colour',
+        'color',
+        'method',
+        'compare',
+        'start-speed',
+        'boundary',
+      ])
         shape.removeAttribute(name);
     });
     expect(back, String(change)).toBe(plain);

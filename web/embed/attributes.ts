@@ -157,6 +157,13 @@ const OWN = {
     concern: 'look',
     doc: "The file's own materials (clay where it has none), the colour of the moment, or the patches of the method.",
   },
+  color: {
+    kind: 'choice',
+    choices: ['texture', 'phase', 'patches'],
+    default: 'texture',
+    concern: 'look',
+    doc: 'The same as `colour`, which comes before it.',
+  },
   compare: {
     kind: 'words',
     choices: MOTION.method.choices,

@@ -76,7 +76,13 @@ export function takeKeys(
         report: partOf(making.report, 0, 0.5),
       });
       const onProgress = partOf(making.report, 0.5, 1);
-      return withEngine((one) => one.importKeyframes(files, all, { signal: making.signal, onProgress }));
+      const read = (how: ImportOptions): Promise<Keys> =>
+        withEngine((one) => one.importKeyframes(files, how, { signal: making.signal, onProgress }));
+      const keys = await read(all);
+      // As in the app, shapes that seem to lie are stood up where nobody says which axis is up.
+      if (all.up !== undefined || !keys.info.warnings.some(({ code }) => code === 'z-up')) return keys;
+      keys.dispose();
+      return read({ ...all, up: 'z' });
     },
     onProgress,
   );

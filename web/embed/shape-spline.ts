@@ -33,6 +33,8 @@ export type { KeySource } from './sources.ts';
 
 /** What leaves the document for a moment, because it is moved, stays as it is. */
 const GRACE_MS = 500;
+/** In view without a source for this long, it says that it has none. */
+const SOURCE_MS = 1000;
 /** Share of the whole work that the keys take. */
 const KEYS_SHARE = 0.5;
 /** Pixels at the bottom that the controls lie over, and the names of what is compared. */
@@ -121,6 +123,8 @@ export class ShapeSplineElement extends Base {
   #changed = new Set<Concern>();
   #warned = new Set<string>();
   #leaving: ReturnType<typeof setTimeout> | undefined;
+  /** Until it is said that there is no source. */
+  #missing: ReturnType<typeof setTimeout> | undefined;
   #watch: (() => void) | null = null;
   #fraction = 0;
   #contextLost = false;
@@ -170,6 +174,7 @@ export class ShapeSplineElement extends Base {
   }
 
   disconnectedCallback(): void {
+    clearTimeout(this.#missing);
     this.#watch?.();
     this.#watch = null;
     this.#view?.setSeen(false);
@@ -275,8 +280,7 @@ export class ShapeSplineElement extends Base {
     await null;
     for (let loading: Promise<void> | null = null; loading === null || loading !== this.#loading; ) {
       if (!this.isConnected) throw new EngineError('not-connected', 'The element is not in the document.');
-      if (this.#sources().list.length === 0)
-        throw new EngineError('no-source', 'There is nothing to show: give it src, children <source src> or keys.');
+      if (this.#sources().list.length === 0) throw noSource();
       loading = this.#load();
       await loading;
     }
@@ -375,7 +379,13 @@ export class ShapeSplineElement extends Base {
   }
 
   #load(): Promise<void> {
-    if (!this.isConnected || this.#sources().list.length === 0) return Promise.resolve();
+    if (!this.isConnected) return Promise.resolve();
+    clearTimeout(this.#missing);
+    if (this.#sources().list.length === 0) {
+      // Scripts give keys a moment later.
+      this.#missing = setTimeout(() => this.#fail(noSource()), SOURCE_MS);
+      return Promise.resolve();
+    }
     this.#loading ??= this.#open();
     return this.#loading;
   }
@@ -521,7 +531,8 @@ export class ShapeSplineElement extends Base {
   }
 
   #colour(view: CanvasViewer): void {
-    view.setLook({ colouring: this.colour, dark: isDark(getComputedStyle(this)) });
+    const colouring = this.hasAttribute('colour') ? this.colour : this.color;
+    view.setLook({ colouring, dark: isDark(getComputedStyle(this)) });
   }
 
   /** Of a phase, as the page's style has it when a shape is shown. */
@@ -618,6 +629,10 @@ export class ShapeSplineElement extends Base {
     this.#frame!.setProgress(null);
     this.#page();
   }
+}
+
+function noSource(): EngineError {
+  return new EngineError('no-source', 'There is nothing to show: give it src, children <source src> or keys.');
 }
 
 for (const property of PROPERTIES)
