@@ -34,9 +34,9 @@ const WATCH = `
 const SHOWN = { vertices: expect.any(Number), time: 0.5 };
 
 /** With what a bundled page with the element needs beside the package. */
-async function withPeers(files: Record<string, string>): Promise<string> {
+async function withPeers(files: Record<string, string>, three = 'three'): Promise<string> {
   const folder = await newProject(files);
-  symlinkSync(path.resolve('node_modules/three'), path.join(folder, 'node_modules', 'three'));
+  symlinkSync(path.resolve('node_modules', three), path.join(folder, 'node_modules', 'three'));
   symlinkSync(path.resolve('node_modules/@types'), path.join(folder, 'node_modules', '@types'));
   symlinkSync(path.resolve('node_modules/csstype'), path.join(folder, 'node_modules', 'csstype'));
   return folder;
@@ -128,8 +128,9 @@ describe.skipIf(!there)('the element', () => {
     expect(await outcomeOf(await host([output, folder, path.join(folder, 'public')]))).toEqual(SHOWN);
   });
 
-  it('is bundled by esbuild, with the files beside', async () => {
-    const folder = await withPeers({ 'main.js': `import 'shapespline/element';\n${WATCH}`, 'index.html': BUNDLED });
+  it.each(['three', 'three-lowest'])('is bundled by esbuild with %s, with the files beside', async (three) => {
+    const files = { 'main.js': `import 'shapespline/element';\n${WATCH}`, 'index.html': BUNDLED };
+    const folder = await withPeers(files, three);
     const output = path.join(folder, 'dist');
     await esbuild.build({
       absWorkingDir: folder,

@@ -57,8 +57,8 @@ export function npmManifest({ element }) {
     ...(element
       ? {
           customElements: 'custom-elements.json',
-          // Has no versions that promise anything: the one that the tests run with, and newer ones.
-          peerDependencies: { three: `>=${devDependencies.three.replace('^', '')}` },
+          // From the lowest version that the tests run with on: other packages ask for versions of their own.
+          peerDependencies: { three: `>=${devDependencies['three-lowest'].replace('npm:three@', '')}` },
           peerDependenciesMeta: { three: { optional: true } },
         }
       : {}),
