@@ -29,10 +29,13 @@ export interface PinHandles {
   element: HTMLElement;
   /** null: the place is not in the picture. */
   update(places: readonly (Place | null)[]): void;
+  /** Marks where a pin would be placed; null: nowhere. */
+  mark(place: Place | null): void;
 }
 
 export function createPinHandles(events: PinHandleEvents): PinHandles {
-  const element = h('div', { class: 'pin-handles', 'data-testid': 'pin-handles' });
+  const mark = h('div', { class: 'pin-mark', hidden: true, 'data-testid': 'pin-mark' });
+  const element = h('div', { class: 'pin-handles', 'data-testid': 'pin-handles' }, mark);
   const handles: HTMLButtonElement[] = [];
   let shown: readonly (Place | null)[] = [];
 
@@ -86,10 +89,14 @@ export function createPinHandles(events: PinHandleEvents): PinHandles {
         element.append(handles.at(-1)!);
       }
       places.forEach((place, index) => {
-        const handle = handles[index]!;
-        setHidden(handle, place === null);
-        if (place) setStyle(handle, 'transform', `translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`);
+        put(handles[index]!, place);
       });
     },
+    mark: (place) => put(mark, place),
   };
+}
+
+function put(element: HTMLElement, place: Place | null): void {
+  setHidden(element, place === null);
+  if (place) setStyle(element, 'transform', `translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`);
 }

@@ -146,11 +146,18 @@ function createRow(
       setField(size.field, String(pinSize(pin)));
       const count = pin.path?.length ?? 0;
       setHidden(pathRow, count === 0);
-      setText(path, `Dragged at ${count} ${count === 1 ? 'time' : 'times'}`);
-      setAttribute(path, 'title', (pin.path ?? []).map(({ time }) => `${Number(time.toPrecision(4))} s`).join(', '));
+      setText(path, `Dragged at ${timesText((pin.path ?? []).map(({ time }) => time))}`);
       say(note, noteFor(pin, props));
     },
   };
+}
+
+/** More times than these are counted. */
+const MOST_TIMES = 4;
+
+function timesText(times: readonly number[]): string {
+  if (times.length > MOST_TIMES) return `${times.length} times`;
+  return `${times.map((time) => Number(time.toPrecision(3))).join(', ')} s`;
 }
 
 interface DropDown {

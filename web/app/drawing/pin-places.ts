@@ -1,6 +1,5 @@
 /** Where pins are on the screen, which vertex a click means, and what a drag asks of a pin's path. */
-import type { PathKey } from '../../engine/api/types.ts';
-import type { Pins } from '../../model/pins.ts';
+import type { PathKey, Pin } from '../../engine/api/types.ts';
 import { moveAt, withPathKey } from '../../model/pins.ts';
 import type { AppState } from '../../model/state.ts';
 import { length } from '../../model/time-scale.ts';
@@ -15,7 +14,7 @@ export interface PinDrag {
   time: number;
 }
 
-export function pinPlaces(viewer: Viewer, pins: Pins): (Place | null)[] {
+export function pinPlaces(viewer: Viewer, pins: readonly Pick<Pin, 'vertex'>[]): (Place | null)[] {
   const [seen] = viewer.seen();
   const isSeen = (x: number, y: number): boolean =>
     seen !== undefined && x >= seen.x && x <= seen.x + seen.width && y >= seen.y && y <= seen.y + seen.height;

@@ -7,7 +7,7 @@ import type { Context, Overlays } from '../actions/context.ts';
 import type { Commands } from '../actions/table.ts';
 import { ownFiles } from '../sources/own-files.ts';
 import type { Offers } from '../view/offers.ts';
-import { listenToClicks } from '../view/window-events.ts';
+import { listenToClicks, listenToHover } from '../view/window-events.ts';
 import { actionButtons } from './action-buttons.ts';
 import { createConnections, shownOf } from './connect.ts';
 import type { Connect } from './connect.ts';
@@ -137,6 +137,9 @@ function listen({ layout: { viewport }, context, commands }: PageParts, { analys
   listenToKeys(context, commands);
   listenToArrows(context, viewport, commands);
   listenToCamera(display.scene.viewer, viewport);
+  listenToHover(viewport, (x, y) => {
+    if (viewState.get().placing) pins.mark({ x, y });
+  });
   listenToClicks(viewport, (x, y) => {
     if (viewState.get().placing) return pins.place({ x, y });
     void analysis.need().then((panel) => panel?.clicked(() => display.scene.pick(x, y)));

@@ -12,6 +12,8 @@ export interface PinsInView {
   element: HTMLElement;
   /** Pins what is at a place of the picture. */
   place(at: Place): void;
+  /** Marks what would be pinned there. */
+  mark(at: Place): void;
 }
 
 export function createPinsInView(context: Context, commands: Commands): PinsInView {
@@ -38,14 +40,22 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
   };
   const update = (): void => handles.update(shown() ? pinPlaces(scene.viewer, pins()) : []);
   scene.viewer.follow(update);
+  const picked = (at: Place): number | null => {
+    const face = scene.pick(at.x, at.y);
+    const faces = viewState.get().info?.faces;
+    return face < 0 || !faces ? null : vertexAt(scene.viewer, faces, face, at);
+  };
   return {
     element: handles.element,
     place(at) {
-      const face = scene.pick(at.x, at.y);
-      const faces = viewState.get().info?.faces;
-      if (face < 0 || !faces) return feedback.say('There is nothing of the shape to pin. Click the shape itself.');
-      commands.pins(withPin(pins(), vertexAt(scene.viewer, faces, face, at)));
+      const vertex = picked(at);
+      if (vertex === null) return feedback.say('There is nothing of the shape to pin. Click the shape itself.');
+      commands.pins(withPin(pins(), vertex));
       viewState.change({ placing: false });
+    },
+    mark(at) {
+      const vertex = picked(at);
+      handles.mark(vertex === null ? null : (pinPlaces(scene.viewer, [{ vertex }])[0] ?? null));
     },
   };
 }

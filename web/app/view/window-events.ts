@@ -43,3 +43,17 @@ export function listenToClicks(element: HTMLElement, onClick: (x: number, y: num
     onClick(clientX - box.left, clientY - box.top);
   });
 }
+
+/** Where the pointer is, in CSS pixels from the element's corner, at most once a frame. */
+export function listenToHover(element: HTMLElement, onHover: (x: number, y: number) => void): void {
+  let at: PointerEvent | null = null;
+  element.addEventListener('pointermove', (event) => {
+    if (!at) requestAnimationFrame(tell);
+    at = event;
+  });
+  const tell = (): void => {
+    const box = element.getBoundingClientRect();
+    if (at) onHover(at.clientX - box.left, at.clientY - box.top);
+    at = null;
+  };
+}
