@@ -1,4 +1,5 @@
-// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here.
+// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here, and our lint of
+// words.
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { nothing, sum } from './counts.mjs';
@@ -8,6 +9,7 @@ import { inParallel } from './parallel.mjs';
 import { inRoot } from './paths.mjs';
 import { prepareSystem } from './prepare.mjs';
 import { forFormatting } from './requirements.mjs';
+import { lintWords } from './words.mjs';
 
 const sources = (folder) =>
   readdirSync(inRoot(folder), { recursive: true })
@@ -27,11 +29,17 @@ async function each(tools) {
   return sum(await inParallel(tasks));
 }
 
-/** Whether everything is formatted and no rule is broken; what is not is named. */
+function words() {
+  const found = lintWords();
+  for (const one of found) process.stderr.write(`${one}\n`);
+  return found.length === 0 ? { ...nothing, passed: 1 } : { ...nothing, failed: 1, names: ['words'] };
+}
+
+/** Checks format, lint rules and words, and prints what to change. */
 export async function lint() {
   await prepareSystem(forFormatting);
-  step('format and lint rules (npm run format mends the format)');
-  return each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]);
+  step('format, lint rules and words (npm run format fixes the format)');
+  return sum([await each([cpp('--dry-run', '-Werror'), biome('check', '--error-on-warnings')]), words()]);
 }
 
 export async function format() {

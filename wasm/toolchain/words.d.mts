@@ -1,0 +1,9 @@
+export interface Banned {
+  line: number;
+  words: string;
+  instead: string;
+}
+export const EXCEPTIONS: { file: string; words: RegExp; why: string }[];
+export function bannedIn(file: string, source: string): Banned[];
+export function readableFiles(): string[];
+export function lintWords(files?: string[]): string[];

@@ -1,0 +1,118 @@
+// The lint of words: patterns that keep a reader from understanding a sentence at once. CONTRIBUTING.md has the rules.
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { root } from './paths.mjs';
+
+/** Each pattern with the advice that the lint prints. A space in a pattern also matches a line break. */
+const BANNED = [
+  ['somebody|nobody|whoever|whomever', 'name the actor: user, page, caller, reader'],
+  ['(tell|tells|telling|told) of', 'report, describe'],
+  ['(is|are|be|been|was|were|being) told', 'is notified, receives; “told apart” is “distinguished”'],
+  ['hear|hears|heard', 'receives, is notified'],
+  ['besides', 'also, in addition to'],
+  ['likewise', 'name what is meant, or “the same for”'],
+  ['so (many|much)', 'give the number or the name of the parameter'],
+  ['anew', 'again'],
+  ['no more(?! than| [a-z]+s )', 'no longer, stop'],
+  ['any more', 'no longer'],
+  ['another one', 'another and the noun, a different one'],
+  ['(?<=,\\s+)so that', 'start a sentence, or “so”'],
+  ['factoris(e|es|ed|ing)', 'factor'],
+  ['foretold', 'predicted'],
+  ['blanks', 'spaces'],
+  ['there and back', 'forwards and backwards; “round trip” for files'],
+  ['turned round', 'with opposite sign'],
+  ['that is to be', 'use the verb'],
+  ['(for|of) who', 'name the actor'],
+  ['of it (is|are|was|were|may|can|has|stays|goes)', 'name the subject'],
+].map(([words, instead]) => ({
+  pattern: new RegExp(`(?<![\\w-])(?:${words.replaceAll(' ', '\\s+')})(?![\\w-])`, 'gi'),
+  instead,
+}));
+
+/** At most 20 uses of banned words, each with its reason. */
+export const EXCEPTIONS = [
+  { file: 'wasm/toolchain/words.mjs', words: /./, why: 'names the banned words' },
+  { file: 'tests/unit/words.test.ts', words: /./, why: 'tests the banned words' },
+];
+
+/** Files and folders that the lint covers. */
+const COVERED = ['wasm/toolchain/words.mjs', 'tests/unit/words.test.ts'];
+
+const RECORDS = /bench\/results\/|fuzz\/corpus\/|^public\/samples\/|^LICENSE$/;
+const CODE = /\.(ts|tsx|mts|mjs|js|h|cpp|css)$/;
+const SCRIPT = /\.(py|ya?ml|cmake)$|CMakeLists\.txt$|^\.ci\//;
+const DOCUMENT = /\.(md|html|cff)$/;
+
+const TOKEN = new RegExp(
+  [
+    String.raw`(?://[^\n]*\n[ \t]*)*//[^\n]*`,
+    String.raw`/\*[^]*?\*/`,
+    String.raw`"(?:[^"\\\n]|\\.)*"`,
+    String.raw`'(?:[^'\\\n]|\\.)*'`,
+    String.raw`\`(?:[^\`\\]|\\[^])*\``,
+  ].join('|'),
+  'g',
+);
+
+/** Code becomes a character that is neither a letter nor a space, so no phrase spans it and offsets stay the same. */
+const hide = (code) => code.replace(/[^\n]/g, '¦');
+
+function keepOnly(source, tokens, kept = (token) => token) {
+  let result = '';
+  let end = 0;
+  for (const { 0: token, index } of source.matchAll(tokens)) {
+    result += hide(source.slice(end, index)) + kept(token);
+    end = index + token.length;
+  }
+  return result + hide(source.slice(end));
+}
+
+/** Comments without the marks at the start of their lines, and strings of several words. */
+function textOfToken(token) {
+  if (token.startsWith('/')) return token.replace(/\n[ \t]*(\/\/|\*(?!\/))/g, (mark) => mark.replace(/[/*]/g, ' '));
+  return token.includes(' ') ? token.replace(/\$\{[^}]*\}/g, hide) : hide(token);
+}
+
+/** The text of a file that people read, with everything else hidden; null for other files. */
+export function textOf(file, source) {
+  if (CODE.test(file)) return keepOnly(source, TOKEN, textOfToken);
+  if (SCRIPT.test(file)) return keepOnly(source, /(?<=^|\s)#.*/g);
+  if (!DOCUMENT.test(file)) return null;
+  return source
+    .replace(/`[^`\n]+`|\]\([^)\s]*\)|<\/?\w+/g, hide)
+    .replace(/\b(class|id|for|href|src|data-\w+)="[^"]*"/g, hide);
+}
+
+/** The banned words in a file's text, as { line, words, instead }. */
+export function bannedIn(file, source) {
+  const text = textOf(file, source);
+  if (text === null) return [];
+  return BANNED.flatMap(({ pattern, instead }) =>
+    Array.from(text.matchAll(pattern), ({ 0: words, index }) => ({
+      line: text.slice(0, index).split('\n').length,
+      words: words.replace(/\s+/g, ' '),
+      instead,
+    })),
+  );
+}
+
+const isException = (file, words) => EXCEPTIONS.some((one) => one.file === file && one.words.test(words));
+const covers = (file) => COVERED.some((one) => file === one || file.startsWith(`${one}/`));
+
+/** Files with text that people read, as Git lists them. */
+export const readableFiles = () =>
+  execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: root, encoding: 'utf8' })
+    .split('\n')
+    .filter((file) => [CODE, SCRIPT, DOCUMENT].some((kind) => kind.test(file)) && !RECORDS.test(file))
+    .filter((file) => existsSync(path.join(root, file)));
+
+/** All banned words in the covered files, one sentence each. */
+export function lintWords(files = readableFiles().filter(covers)) {
+  return files.flatMap((file) =>
+    bannedIn(file, readFileSync(path.join(root, file), 'utf8'))
+      .filter(({ words }) => !isException(file, words))
+      .map(({ line, words, instead }) => `${file}:${line}: “${words}”; instead: ${instead}`),
+  );
+}
