@@ -71,7 +71,7 @@ test('a file that is missing is told in a sentence', async ({ page }, info) => {
       }),
   );
   expect(detail).toMatchObject({ code: 'not-found', key: 0 });
-  expect(detail.message).toMatch(/gone\.glb could not be fetched \(404 Not Found\)\. Check the address\./);
+  expect(detail.message).toMatch(/^Could not fetch .*gone\.glb \(404 Not Found\)\. Check the URL\./);
 });
 
 test('methods beside each other, time that follows the page, keys that the reader gives, and every table', async ({

@@ -140,7 +140,7 @@ describe('the terminal', () => {
       });
       expect([status, stderr]).toEqual([
         1,
-        expect.stringMatching(/^shapespline: The output cannot be written.*ENOSPC.*\n$/),
+        expect.stringMatching(/^shapespline: Cannot write the output.*ENOSPC.*\n$/),
       ]);
     } finally {
       closeSync(full);
@@ -171,7 +171,9 @@ describe('complete', () => {
       '0',
     );
     expect([code, stderr]).toEqual([0, '']);
-    expect(stdout).toMatch(/^out\.glb: \d+ shapes, off by at most [\d.]+ % of the diagonal between them, \d+ bytes\n$/);
+    expect(stdout).toMatch(
+      /^out\.glb: \d+ shapes, at most [\d.]+ % of the model's size off between frames, \d+ bytes\n$/,
+    );
     const player = await threePlayer(await readFile(path.join(folder, 'out.glb')));
     expect(player.duration).toBeCloseTo(2, 6);
     const seconds = (t: number): number => player.times.find((s) => Math.abs(s - ((t + 0.3) / 1.6) * 2) < 1e-6) ?? NaN;
@@ -299,7 +301,7 @@ describe('complete', () => {
       '--frames',
       '1300',
     );
-    expect([code, stderr]).toEqual([0, expect.stringMatching(/^large\.glb will take about \d{3} MB\n/)]);
+    expect([code, stderr]).toEqual([0, expect.stringMatching(/^writing large\.glb takes about \d{3} MB\n/)]);
     const written = (await readFile(path.join(where, 'large.glb'))).length;
     expect(Math.abs(Number(/about (\d+)/.exec(stderr)![1]) * 1e6 - written)).toBeLessThan(0.1 * written);
   });
@@ -479,8 +481,8 @@ describe('many numbered files', () => {
     };
     const usual = await run();
     expect(usual.keys).toBe(8);
-    expect(usual.stderr).toContain('warning: 40 numbered files are taken as frames of an animation');
-    expect(usual.stderr).toContain('8 evenly spaced ones of them are the keys');
+    expect(usual.stderr).toContain('warning: 40 numbered files are used as frames of an animation');
+    expect(usual.stderr).toContain('8 evenly spaced frames are the keys');
     expect(usual.stderr).toContain('--sample');
     const asked = await run('--sample', '12');
     expect(asked.keys).toBe(12);

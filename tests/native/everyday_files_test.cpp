@@ -151,7 +151,7 @@ TEST_CASE("PLY: strips of triangles, restarted at -1, every other triangle turne
     }
   Bytes bad = binaryStrips("int", 4, false);
   bad[bad.size() - 4] = 99;
-  checkRefused("a.ply", bad, "names vertex 99");
+  checkRefused("a.ply", bad, "refers to vertex 99");
   bad.resize(bad.size() - 3);
   checkRefused("a.ply", bad, "cut off");
 }

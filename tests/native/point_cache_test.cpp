@@ -122,7 +122,7 @@ TEST_CASE("caches that are no good are refused before memory is taken") {
   Bytes cut = pc2();
   cut.resize(30);
   refused(moved("a.pc2", cut), ErrorCode::TruncatedFile, "header");
-  refused(Files().add("a.pc2", pc2()).import(), ErrorCode::TooFewKeys, "Give the OBJ");
+  refused(Files().add("a.pc2", pc2()).import(), ErrorCode::TooFewKeys, "Give its OBJ");
   refused(Files().add("a.pc2", pc2()).add("b.mdd", mdd()).import(), ErrorCode::InvalidOption, "one OBJ");
   Bytes nan = mdd();
   for (std::size_t i = nan.size() - 48; i < nan.size(); ++i) nan[i] = 0xff;

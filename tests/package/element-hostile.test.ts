@@ -26,10 +26,10 @@ const ONE = `<shape-spline id="a" src="${KEYS}" poster="poster.png"></shape-spli
 const shown = (words: string, rest = ''): string => `<shape-spline id="a" src="${words}" ${rest}></shape-spline>`;
 
 it.each([
-  ['a missing file', 'pose-0.glb gone.glb', 'not-found', 1, /gone\.glb could not be fetched \(404 Not Found\)\. Check/],
-  ['a web page', 'pose-0.glb page.glb', 'not-a-model', 1, /page\.glb answered with a web page instead of a model/],
+  ['a missing file', 'pose-0.glb gone.glb', 'not-found', 1, /Could not fetch .*gone\.glb \(404 Not Found\)\. Check/],
+  ['a web page', 'pose-0.glb page.glb', 'not-a-model', 1, /page\.glb returned a web page instead of a model/],
   ['a GLB of nothing', 'pose-0.glb bad.glb', expect.any(String), 1, /bad\.glb/],
-  ['another host', 'http://127.0.0.1:9/a.glb pose-0.glb', 'not-found', 0, /CORS|could not be fetched/],
+  ['another host', 'http://127.0.0.1:9/a.glb pose-0.glb', 'not-found', 0, /CORS|Could not fetch/],
 ])('%s is told in a sentence, and what comes next is shown', async (_, src, code, key, words) => {
   write('page.glb', '<!DOCTYPE html><title>Not found</title>');
   write('bad.glb', new Uint8Array([...new TextEncoder().encode('glTF'), 2, 0, 0, 0, 99, 0, 0, 0, 1, 2]));
@@ -72,7 +72,7 @@ const LACKING: [what: string, before: () => void, policy: string, code: string, 
     },
     POLICY,
     'no-webgl',
-    /^This browser cannot draw the shape: it has no WebGL 2\.$/,
+    /^This browser cannot draw the shape: it does not support WebGL 2\.$/,
   ],
   [
     'without WebAssembly',
@@ -117,7 +117,7 @@ it('without keys it says so, to who asks at once, and shows what comes later', a
   expect(await told(page, 'error')).toEqual([]);
   expect(await when(page, 'error')).toMatchObject({ code: 'no-source', key: -1 });
   const message = page.locator('#a [part=message]');
-  await expect.poll(() => message.textContent()).toContain('There is nothing to show: give it src');
+  await expect.poll(() => message.textContent()).toContain('Nothing to show: set src');
   const away = await page.evaluate(
     (): Promise<unknown> =>
       document
@@ -337,7 +337,7 @@ it('a second copy of the script changes nothing and says so', async () => {
   await page.addScriptTag({ url: `${other}cdn.js`, type: 'module' });
   await expect
     .poll(() => said, { timeout: 30_000 })
-    .toEqual(['<shape-spline> is registered already, by another copy of shapespline; this one is not used.']);
+    .toEqual(['<shape-spline> is already registered by another copy of shapespline; this copy is not used.']);
   await seek(page, 0.5);
 });
 

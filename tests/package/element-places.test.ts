@@ -74,7 +74,7 @@ it('works in a frame that is sandboxed without an origin of its own', async () =
 
 it('says that such a frame needs the CORS headers of the models, too', async () => {
   const { type, text } = await inFrame({});
-  expect([type, text]).toEqual(['error', expect.stringMatching(/pose-0\.glb could not be fetched.*CORS headers/)]);
+  expect([type, text]).toEqual(['error', expect.stringMatching(/Could not fetch .*pose-0\.glb.*CORS headers/)]);
 });
 
 it('works where the page has no observers and knows no preferences', async () => {

@@ -89,7 +89,7 @@ it('what is no address and no file is told with its key', async () => {
   expect(await when(page, 'error')).toEqual({
     code: 'not-a-model',
     key: 0,
-    message: 'Key 1 is none of what keys can be: an address, a File or Blob, an ArrayBuffer or a Uint8Array.',
+    message: 'Key 1 has an unsupported type. Use a URL, a File or Blob, an ArrayBuffer or a Uint8Array.',
   });
   await on(page, (shape) => {
     shape.keys = null;
@@ -98,7 +98,7 @@ it('what is no address and no file is told with its key', async () => {
   expect(await when(page, 'error', 'a', 2)).toEqual({
     code: 'not-found',
     key: 1,
-    message: '“http://[bad” is no address. Check the address of key 2.',
+    message: '“http://[bad” is not a valid URL. Check the URL of key 2.',
   });
 });
 

@@ -129,9 +129,9 @@ it('configure refuses what it does not know, and comes before the first engine',
      tried({ wasmUrl: '/elsewhere.wasm' });`,
   );
   expect(said.trim().split('\n')).toEqual([
-    'invalid-option configure knows no wasm. It takes wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl.',
-    'invalid-option wasmUrl must be an address: a string or a URL.',
-    expect.stringMatching(/^invalid-option configure comes too late: call it before the first engine is made/),
+    'invalid-option configure has no option wasm. The options are wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl.',
+    'invalid-option wasmUrl must be a URL: a string or a URL object.',
+    expect.stringMatching(/^invalid-option configure was called too late: call it before the first engine is made/),
   ]);
 });
 

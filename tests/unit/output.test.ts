@@ -108,7 +108,7 @@ describe('results', () => {
     writeFileSync(at('file'), '');
     symlinkSync('round', at('round'));
     const before = listed();
-    await expect(writeOutputs(outputs())).rejects.toThrow(new RegExp(`^The result cannot be written \\(.*(${why})`));
+    await expect(writeOutputs(outputs())).rejects.toThrow(new RegExp(`^Cannot write the result \\(.*(${why})`));
     expect(listed()).toEqual(before);
   });
 

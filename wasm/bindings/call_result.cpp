@@ -37,8 +37,8 @@ const char* keepOutOfMemory() {
 
 const char* keepInternal(const char* what) {
   try {
-    return keep(failure({ErrorCode::Internal, std::string("Something unforeseen happened in the computation: ") + what +
-                                                  ". Please report it with the files that led to it."}));
+    return keep(failure(
+        {ErrorCode::Internal, std::string("Internal error: ") + what + ". Please report it together with the files."}));
   } catch (...) {
     return keepOutOfMemory();
   }

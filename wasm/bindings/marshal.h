@@ -43,7 +43,7 @@ T named(const Json& json, const std::pair<const char*, T> (&names)[count]) {
   for (const auto& [name, value] : names) {
     if (text == name) return value;
   }
-  throw std::invalid_argument("no such choice: " + text);
+  throw std::invalid_argument("unknown choice: " + text);
 }
 
 Positions positionsFrom(std::span<const float> numbers);

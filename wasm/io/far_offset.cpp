@@ -49,8 +49,8 @@ Error tooLarge(const Key& key, int index, int vertex) {
   return {ErrorCode::TooLarge,
           key.name + " (key " + std::to_string(index + 1) + "): vertex " + grouped(vertex) + " lies at (" +
               shortNumber(key.positions[vertex].x()) + ", " + shortNumber(key.positions[vertex].y()) + ", " +
-              shortNumber(key.positions[vertex].z()) + "), farther away than can be computed with (" +
-              shortNumber(kMostCoordinate) + "). Scale the mesh down, or give another unit where the format has none.",
+              shortNumber(key.positions[vertex].z()) + "), too far away to compute with (" +
+              shortNumber(kMostCoordinate) + "). Scale the mesh down, or give another unit if the format has none.",
           index, vertex};
 }
 
@@ -116,7 +116,7 @@ void warnOfRounding(Import& import) {
     if (rounding > kVisibleRounding * diagonal) {
       import.warnings.push_back({"distant-keys",
                                  keys[j].name + " (key " + std::to_string(key + 1) +
-                                     ") lies so far from other keys that single precision " +
+                                     ") is so far from other keys that single precision " +
                                      roundedBy(rounding, diagonal) + ". Bring the keys closer together.",
                                  1, key});
       return;

@@ -43,7 +43,7 @@ constexpr OtherFormat kOtherFormats[] = {
     {"blend", "a Blender file", kAsGltf},
     {"abc", "an Alembic file", kAsFrames},
     {"usd", "a USD file", "Export it as glTF, or its frames as numbered OBJ files."},
-    {"stl", "an STL file", "It does not say which triangles share a vertex: export the shape as glTF, OBJ or PLY."},
+    {"stl", "an STL file", "It does not state which triangles share a vertex: export the shape as glTF, OBJ or PLY."},
     {"dae", "a COLLADA file", kAsGltf},
     {"x3d", "an X3D file", kAsGltf},
     {"wrl", "a VRML file", kAsGltf},
@@ -158,7 +158,7 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (extension == "off" && text.starts_with('#')) return FileKind::Off;
   if (isMeshName(file.name))
     return Error{ErrorCode::NotRecognised,
-                 where + " is named ." + extension + " but is not such a file. Export it again."};
+                 where + " is named ." + extension + " but has different content. Export it again."};
   return Error{ErrorCode::NotRecognised,
                where + " is not a supported 3D file. Give glTF (.glb, .gltf), OBJ, PLY or OFF files."};
 }

@@ -70,13 +70,13 @@ Error onePoseOnly(const MeshFile& mesh, const GivenFiles& files, const ImportOpt
 Result<Import> readCaches(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
                           const StageProgress& progress) {
   if (meshes.size() == 1)
-    return Error{ErrorCode::TooFewKeys, placeName(*meshes[0].file, 0, 1) +
-                                            " holds a motion without its mesh. Give the OBJ that it belongs to, too."};
+    return Error{ErrorCode::TooFewKeys,
+                 placeName(*meshes[0].file, 0, 1) + " has a motion without its mesh. Give its OBJ as well."};
   if (meshes.size() == 2 && isCache(meshes[0].kind) != isCache(meshes[1].kind)) {
     const int cache = isCache(meshes[0].kind) ? 0 : 1;
     return importCache(meshes[1 - cache], meshes[cache], files, options, progress);
   }
-  return Error{ErrorCode::InvalidOption, "A PC2 or MDD file moves one mesh. Give it with one OBJ, and nothing else."};
+  return Error{ErrorCode::InvalidOption, "A PC2 or MDD file moves one mesh. Give it with one OBJ and no other file."};
 }
 
 // All files show the same pose, and hold animations that are one pose each.
@@ -108,7 +108,7 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
     if (const std::string sequences = sequencesAmong(meshes); import && !sequences.empty())
       import->warnings.push_back({"several-sequences",
                                   "The files belong to several numbered sequences, which became keys of one motion: " +
-                                      sequences + ". Give the files of one of them if that is not meant.",
+                                      sequences + ". If that is not intended, give the files of one of them.",
                                   static_cast<int>(meshes.size())});
     return import;
   }
@@ -117,8 +117,8 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
                "Keys are sampled from an animation, from numbered OBJ or PLY files or from a mesh with its PC2 or MDD, "
                "but " +
                    grouped(std::int64_t(meshes.size())) +
-                   " files of other kinds or names were given, each of which is a key. Leave the animation and the "
-                   "samples out."};
+                   " other files were given, and each of them is a key. Leave out the animation and the "
+                   "samples."};
 }
 
 // Further poses of a mesh come in its vertices.
@@ -145,18 +145,16 @@ Status checkLike(const ImportOptions& options) {
   for (const Triangle& f : options.like)
     for (int v : f)
       if (n > 0 && (v < 0 || v >= n))
-        return Error{ErrorCode::InvalidOption, "A face of the mesh that the files are poses of names no vertex of it."};
-  if (n > 0 && options.like.empty())
-    return Error{ErrorCode::InvalidOption, "The mesh that the files are poses of has no faces."};
+        return Error{ErrorCode::InvalidOption, "A face of the reference mesh names a vertex that does not exist."};
+  if (n > 0 && options.like.empty()) return Error{ErrorCode::InvalidOption, "The reference mesh has no faces."};
   return {};
 }
 
 Result<Import> readKeys(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
                         const StageProgress& progress) {
   if (meshes.empty())
-    return Error{ErrorCode::TooFewKeys, files.empty()
-                                            ? "No files were given. Give at least two poses of one mesh."
-                                            : "None of the files holds a mesh. Give glTF, OBJ, PLY or OFF files."};
+    return Error{ErrorCode::TooFewKeys, files.empty() ? "No files were given. Give at least two poses of one mesh."
+                                                      : "No mesh in these files. Use glTF, OBJ, PLY or OFF."};
   if (std::any_of(meshes.begin(), meshes.end(), [](const MeshFile& mesh) { return isCache(mesh.kind); }))
     return readCaches(meshes, files, options, progress);
   if (meshes.size() > 1) return readSeveral(meshes, files, options, progress);
@@ -179,8 +177,8 @@ void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& 
   const auto count = std::count_if(meshes.begin(), meshes.end(), isGltf);
   if (count == 0 || (!options.zUp && options.unit == 1)) return;
   warnings.push_back({"orientation-ignored",
-                      "The up axis and the unit are for OBJ, PLY and OFF files; glTF states its own, so "
-                      "they do not change it.",
+                      "The up axis and the unit apply to OBJ, PLY and OFF files only; glTF states its own, so "
+                      "they have no effect.",
                       static_cast<int>(count)});
 }
 

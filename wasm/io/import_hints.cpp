@@ -32,15 +32,15 @@ std::string keyList(int first, int last) {
 }
 
 std::string whatToDo(const FileFacts& facts) {
-  if (!facts.gltf) return " Export each pose as it is shown.";
+  if (!facts.gltf) return " Export each pose as it appears.";
   std::string text =
       " Blender writes the rest pose of a rig or modifier that is not applied. Apply the modifiers before each export, "
       "or export one GLB with the animation.";
   if (facts.animated == facts.files)
     text +=
-        " Each file holds an animation of its own: the keys can be taken from it (on the command line, with "
+        " Each file has an animation of its own: take the keys from it (on the command line, with "
         "--sample).";
-  else if (facts.skinned > 0) text += " The files hold bones, but no animation: the bones are at rest.";
+  else if (facts.skinned > 0) text += " The files have bones but no animation, so the bones are at rest.";
   return text;
 }
 
@@ -129,7 +129,7 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
     if (last == first) continue;
     const bool all = last - first + 1 == count;
     import.warnings.push_back({"same-poses",
-                               "Keys " + keyList(first, last) + " are the same pose, so that nothing moves" +
+                               "Keys " + keyList(first, last) + " are the same pose, so nothing moves" +
                                    (all ? "." : " between them.") + whatToDo(facts),
                                last - first + 1, last});
   }
@@ -159,7 +159,7 @@ Standing standingOf(const Keyframes& keyframes, bool flat) {
 Warning zUpWarning(const std::string& where, bool clearly) {
   const std::string seem = clearly ? "seem to" : "may";
   return {clearly ? "z-up" : "z-up-unclear",
-          where + " does not say which axis is up, and its shapes " + seem +
+          where + " does not state its up axis, and its shapes " + seem +
               " stand along Z. If the shape lies on its back, choose Z as the up axis (on the command line, --up z).",
           1};
 }
@@ -167,7 +167,7 @@ Warning zUpWarning(const std::string& where, bool clearly) {
 Warning blenderWarning(const std::string& where, bool clearly) {
   return {clearly ? "z-up" : "z-up-unclear",
           where +
-              " was written by Blender, whose files of this kind have Z up. If the shape lies on its back, choose Z as "
+              " was written by Blender, whose files of this kind use Z up. If the shape lies on its back, choose Z as "
               "the up axis (on the command line, --up z).",
           1};
 }

@@ -93,10 +93,10 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const Given
     setTimesInSeconds(out->keyframes);
   }
   if (repeated > 0)
-    out->warnings.push_back(
-        {"repeated-animation",
-         "Some files hold the same animation as " + std::string(baseName(meshes[0].file->name)) + ": it is taken once.",
-         repeated});
+    out->warnings.push_back({"repeated-animation",
+                             "Several files have the same animation as " + std::string(baseName(meshes[0].file->name)) +
+                                 ": it is used once.",
+                             repeated});
   return std::move(*out);
 }
 
@@ -135,9 +135,9 @@ Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedF
   if (!options.animationAsked())
     out.warnings.push_back({"numbered-files",
                             grouped(static_cast<std::int64_t>(meshes.size())) +
-                                " numbered files are taken as frames of an animation" +
-                                (stated ? "" : ", 24 a second") + ": " + grouped(out.keyframes.keyCount()) +
-                                " evenly spaced ones of them are the keys. Choose others on its timeline (on the "
+                                " numbered files are used as frames of an animation" + (stated ? "" : ", 24 a second") +
+                                ": " + grouped(out.keyframes.keyCount()) +
+                                " evenly spaced frames are the keys. Choose others on the timeline (on the "
                                 "command line, with --sample).",
                             static_cast<int>(meshes.size())});
   return out;

@@ -18,7 +18,7 @@ Status hintAtObjects(Status added, const std::vector<std::string>& objects, cons
   if (added || objects == first || objects.size() + first.size() < 3) return added;
   Error error = added.error();
   error.message += " Its objects are " + objectList(objects) + "; those of key 1 are " + objectList(first) +
-                   ". Leave out what is not in every file (on the command line, --object NAME takes one).";
+                   ". Leave out objects that are not in every file (on the command line, --object NAME selects one).";
   return error;
 }
 
@@ -60,10 +60,11 @@ Status addHidden(PoseFile&& pose, const NamedBytes& file, Import& out, const std
   if (Status added = addPose(std::move(pose), keyName(file), out, where); !added) return added;
   const auto isExtra = [](const Warning& warning) { return warning.code == "left-out-objects"; };
   out.warnings.erase(std::remove_if(out.warnings.begin() + said, out.warnings.end(), isExtra), out.warnings.end());
-  out.warnings.push_back({"visibility-changes",
-                          where + ": other meshes are visible here than in key 1 (KHR_node_visibility). Shown is what "
-                                  "key 1 shows.",
-                          1});
+  out.warnings.push_back(
+      {"visibility-changes",
+       where + ": other meshes are visible here than in key 1 (KHR_node_visibility). The meshes of key 1 are "
+               "shown.",
+       1});
   return {};
 }
 

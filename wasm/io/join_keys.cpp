@@ -88,11 +88,11 @@ void splitVertices(Split& split, Import& import) {
 }
 
 Warning splitWarning(const std::string& where, int count, int key) {
-  const std::string vertices = count == 1 ? "one vertex of key 1 stands" : grouped(count) + " vertices of key 1 stand";
+  const std::string vertices = count == 1 ? "one vertex of key 1 is" : grouped(count) + " vertices of key 1 are";
   return {"split-vertices",
           where + ": " + vertices +
-              " at more than one place here, so that the surface opens there. Where that is not "
-              "meant, weld the mesh before it is posed.",
+              " in more than one position here, so the surface opens. If that is not "
+              "intended, weld the mesh before posing it.",
           count, key};
 }
 
@@ -164,14 +164,15 @@ std::optional<PoseMatch> findArranged(const ObjectMesh& firstMesh, const ObjectM
 // As many vertices and the same faces, but not where the names of the objects say.
 Error otherObjects(const std::string& where, int key) {
   return {ErrorCode::FaceMismatch,
-          where + ": objects of its names have other faces than those of key 1. Use poses of one mesh.", key};
+          where + ": objects with these names have different faces from those of key 1. Use poses of one mesh.", key};
 }
 
 }  // namespace
 
 Warning leftOutWarning(const std::vector<std::string>& taken, int count) {
   return {"left-out-objects",
-          "Not every file has the same objects. Taken is what all of them have: " + objectList(taken) + ".", count};
+          "Not every file has the same objects. Using the objects that all files share: " + objectList(taken) + ".",
+          count};
 }
 
 Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added, const std::string& where,

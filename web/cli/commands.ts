@@ -83,7 +83,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
       engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }),
     );
     const plan = await timings.time('plan', sequence.planExport(options.export));
-    if (plan.bytes > LARGE) say(`${output} will take about ${Math.round(plan.bytes / 1e6)} MB`);
+    if (plan.bytes > LARGE) say(`writing ${output} takes about ${Math.round(plan.bytes / 1e6)} MB`);
     const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
     let [files, bytes] = [0, 0];
     const beside: string[] = [];
@@ -126,8 +126,8 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     if (report) outputs.push({ path: report, files: reported() });
     await writeOutputs(outputs);
     const count = options.export.blend ? 1 : plan.times.length;
-    const off = plan.error === null ? '' : `, off by at most ${errorText(plan.error)} between them`;
-    const others = beside.length === 0 ? '' : `; beside it ${beside.join(', ')}`;
+    const off = plan.error === null ? '' : `, at most ${errorText(plan.error)} off between frames`;
+    const others = beside.length === 0 ? '' : `; with it: ${beside.join(', ')}`;
     return {
       text: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes${others}\n`,
       warnings: warnings.map(({ message }) => message),

@@ -28,7 +28,7 @@ export function doubtsOfTime({ keys, animation, frames, compared }: Spans): stri
         `${compared === frames ? 'all' : `${compared} of its ${frames}`} frames are compared at their own times. ` +
         'If both are the same motion, give its times with --key-times',
     );
-  if (compared < FEW_FRAMES) doubts.push(`only ${compared} frames are compared, which says little of the motion`);
+  if (compared < FEW_FRAMES) doubts.push(`only ${compared} frames are compared, too few to judge the motion`);
   return doubts;
 }
 
@@ -48,7 +48,7 @@ export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): stri
   const ratio = sizeOf(pairs, 'animation') / sizeOf(pairs, 'motion');
   if (ratio > OTHER_SIZE || ratio < 1 / OTHER_SIZE)
     return [
-      `the animation is ${text(ratio)} times as large as the keys: if they have other units, give ` +
+      `the animation is ${text(ratio)} times as large as the keys: if its unit differs, give ` +
         `--against-unit ${text(unit / ratio)}`,
     ];
   const own = offBy(pairs, (x, y, z) => [x, y, z]);
@@ -58,7 +58,7 @@ export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): stri
     const animation = up === null ? null : stoodUp < laidBack ? (up === 'y' ? 'z' : null) : up === 'z' ? 'y' : null;
     const keys = stoodUp < laidBack ? 'y' : 'z';
     return [
-      `the animation fits the keys far better with another axis up: give ` +
+      `the animation fits the keys far better with a different up axis: give ` +
         (animation ? `--against-up ${animation}` : `--up ${keys}`),
     ];
   }
@@ -68,7 +68,7 @@ export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): stri
     away > SAME_PLACE && offBy(pairs, (x, y, z) => [x - way[0]!, y - way[1]!, z - way[2]!]) < BETTER * own;
   return away > 1 || explains
     ? [
-        `the animation lies ${text(100 * away)} % of the shape's size away from the keys, which is most of the error: ` +
+        `the animation is ${text(100 * away)} % of the shape's size away from the keys, which causes most of the error: ` +
           'move one of them to compare their motions',
       ]
     : [];

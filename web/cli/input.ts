@@ -55,8 +55,8 @@ function checkOneSequence(folder: string, inside: string[]): void {
   const more = sequences.length > shown.length ? [`${sequences.length - shown.length} more`] : [];
   throw new EngineError(
     'several-sequences',
-    `${folder} holds ${sequences.length} numbered sequences: ${[...shown, ...more].join(', ')}. ` +
-      `Give the files of one by their names, such as ${path.join(folder, `${first.start}*.${first.extension}`)}.`,
+    `${folder} has ${sequences.length} numbered sequences: ${[...shown, ...more].join(', ')}. ` +
+      `Name the files of one, such as ${path.join(folder, `${first.start}*.${first.extension}`)}.`,
     { file: folder },
   );
 }

@@ -17,7 +17,7 @@ import type { Truth } from './truth.ts';
 /** Frames that are held at once. */
 const AT_ONCE = 16;
 
-const ERROR_UNITS = '# distance: of the vertices from the animation, % of the diagonal of the keys';
+const ERROR_UNITS = "# distance: of the vertices from the animation, % of the model's size (diagonal of the keys)";
 
 export interface Measured {
   /** The table, or where it was written. */
@@ -31,7 +31,7 @@ export async function measure(args: Arguments): Promise<Measured> {
   const against = args.values.get('against')?.split(BETWEEN_VALUES) ?? [];
   const own = againstOptions(args);
   if (against.length === 0 && Object.keys(own).length > 0)
-    throw new UsageError('--against-up and --against-unit are for --against');
+    throw new UsageError('--against-up and --against-unit require --against');
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);

@@ -43,7 +43,7 @@ export async function writeOutputs(outputs: Output[]): Promise<void> {
   } catch (error) {
     remove(made);
     if (error instanceof EngineError) throw error;
-    throw new EngineError('not-written', `The result cannot be written (${messageOf(error)}).`);
+    throw new EngineError('not-written', `Cannot write the result (${messageOf(error)}).`);
   } finally {
     for (const signal of signals) process.off(signal, leave);
     remove(partial);

@@ -130,26 +130,27 @@ const helpOn = (flags: Flag[]): string => flags.map(helpOf).join('\n');
 
 export const HELP = `shapespline: smooth motion of a shape through key poses
 
-  inspect FILE...                        what the files hold, as JSON on stdout
-  complete FILE... --output OUT          the completed motion
-  measure FILE... [--output T.csv]       volume, area, bending energy and shape plane over time, as a table
+  inspect FILE...                        print the contents of the files as JSON
+  complete FILE... --output OUT          compute and write the motion
+  measure FILE... [--output T.csv]       table of volume, area, bending energy and shape plane over time
 
-FILE is a .glb, .gltf, .obj, .ply or .off file: several are the keys in the order given, one holds
-morph targets or an animation. A .pc2 or .mdd file given with its .obj is an animation, too, and so are
-numbered .obj or .ply files of which --sample takes keys: 8 of more than 32, unless it says otherwise. A
-folder stands for the models in it, in the order of their names. What a .gltf or .obj names (buffers,
-materials, textures) is read from its own folder.
-OUT ending in .glb is one file with an animation, in .obj or .ply one shape (with one --at time), in
-.pc2 or .mdd a point cache with the OBJ that it moves beside it, and a folder (ending in /) gets 0000.obj,
-0001.obj, ... one for each requested time. Materials and textures of an OBJ lie beside it.
+FILE is a .glb, .gltf, .obj, .ply or .off file. Several FILEs are the keys, in the order given. A single
+FILE must contain morph targets or an animation. A .pc2 or .mdd file with its .obj is an animation. So are
+numbered .obj or .ply files; with more than 32 frames, --sample picks 8 of them as keys by default. A
+folder stands for the models in it, in the order of their names. Buffers, materials and textures of a
+.gltf or .obj file are read from its folder.
 
-Keys are counted from 1, animations from 0, and everything in a report from 0. Times are in any unit you like.
+OUT ending in .glb is one file with an animation. In .obj or .ply: one shape (give one --at time). In .pc2
+or .mdd: a point cache, with its OBJ next to it. A folder (ending in /) gets 0000.obj, 0001.obj, ... one
+per time. Materials and textures of an OBJ are written next to it.
 
-${line('  --methods M,M,...', 'measure: each of these methods; default: lri')}
-${line('  --against FILE', 'measure: how far each method is off this animation of the same mesh, at its own frames unless --at, --frames, --fps or --range say otherwise; several times for a file with its companions. Files without times are spread from the first key to the last')}
-${line('  --against-up y|z', 'measure: axis that points up in that animation; default: as the file says, else as --up')}
-${line('  --against-unit METRES', 'measure: metres per unit of that animation; default: as the file says, else as --unit')}
-${line('  --report R.json', 'options, timings, counts, warnings, volume and area')}
+Keys are counted from 1, animations from 0; reports count everything from 0. Times are in seconds.
+
+${line('  --methods M,M,...', 'measure: methods to compare; default: lri')}
+${line('  --against FILE', "measure: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Files without times are spread from the first key to the last")}
+${line('  --against-up y|z', 'measure: up axis of that animation; default: as its file states, otherwise --up')}
+${line('  --against-unit METRES', 'measure: metres per unit of that animation; default: as its file states, otherwise --unit')}
+${line('  --report R.json', 'write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}
 
 ${helpOn(motionFlags)}
@@ -183,9 +184,11 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const options: Partial<SequenceOptions> = given(args, flags);
   const { method = OWN_METHOD, boundary, hold = 'off', pins = [] } = options;
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
-    throw new UsageError(`--boundary hermite sets speeds at the ends: --method ${method} is straight from key to key`);
+    throw new UsageError(
+      `--boundary hermite sets end speeds, but --method ${method} has none: it is straight from key to key`,
+    );
   if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
-    throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} is of --method lri: ${method} holds nothing`);
+    throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} requires --method lri`);
   return options;
 }
 
@@ -197,12 +200,13 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   };
   const { format, times, frames, fps, range } = options;
   if (options.blend) return oneBlend(args, output, options);
-  if (times && (frames || fps || range)) throw new UsageError('give either --at or --frames or --fps, and --range');
-  if (frames && fps) throw new UsageError('give either --frames or --fps');
+  if (times && (frames || fps || range))
+    throw new UsageError('give --at, or --range with --frames or --fps, but not both');
+  if (frames && fps) throw new UsageError('give --frames or --fps, not both');
   if (options.tolerance !== undefined && (times || frames) && options.targets !== 'principal')
-    throw new UsageError('give either --tolerance or the shapes to be written (--at, --frames)');
+    throw new UsageError('give --tolerance or the times (--at, --frames), not both');
   const alone = options.format !== 'glb' && GLB_ONLY.find((name) => options[name] !== undefined);
-  if (alone) throw new UsageError(`--${alone} is for an output that ends in .glb`);
+  if (alone) throw new UsageError(`--${alone} requires an output that ends in .glb`);
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
   throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
 }
@@ -212,7 +216,7 @@ function oneBlend(args: Arguments, output: string, options: Partial<ExportOption
   const other = exportFlags.find(
     ({ name, flag }) => OF_A_MOTION.includes(name) && (args.values.has(flag) || args.flags.has(flag)),
   );
-  if (other) throw new UsageError(`--blend gives one shape, so that --${other.flag} has no meaning`);
+  if (other) throw new UsageError(`--blend gives one shape, so --${other.flag} has no effect`);
   if (!['glb', 'obj', 'ply'].includes(options.format!))
     throw new UsageError(`--blend gives one shape: ${output} must end in .glb, .obj or .ply, or in / for a folder`);
   return options;

@@ -36,7 +36,7 @@ export function writeTo(stream: NodeJS.WriteStream, text: string): Promise<void>
   return new Promise((resolve, reject) => {
     const failed = (error: NodeJS.ErrnoException): void => {
       if (error.code === 'EPIPE') resolve();
-      else reject(new Error(`The output cannot be written to its place (${messageOf(error)}).`));
+      else reject(new Error(`Cannot write the output (${messageOf(error)}).`));
     };
     stream.once('error', failed);
     stream.write(shownIn(stream, text), (error) => {

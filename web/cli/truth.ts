@@ -50,9 +50,9 @@ export async function readTruth(
   const read = (change: ImportOptions, call?: CallOptions): Promise<Keys> =>
     engine.importKeyframes(input, { ...options, ...change }, call).catch((error: unknown) => {
       if (isMismatch(error))
-        throw new EngineError(error.code, `--against: ${name} is of another mesh than the keys.`, error.place);
+        throw new EngineError(error.code, `--against: ${name} is a different mesh from the keys.`, error.place);
       if (error instanceof EngineError && error.code === 'too-few-keys')
-        throw new EngineError(error.code, `--against: ${name} holds no animation. ${error.message}`, error.place);
+        throw new EngineError(error.code, `--against: ${name} has no animation. ${error.message}`, error.place);
       throw error;
     });
   const played = await playOf(engine, input, options);
@@ -101,12 +101,12 @@ function placeFrames(
   isNoted: boolean,
   played: { speed: number; span: [number, number] } | null,
 ): { times: number[]; placed: string } {
-  if (isNoted) return { times: [...times], placed: 'at the times that its files state' };
+  if (isNoted) return { times: [...times], placed: 'at the times stated in its files' };
   const [start, end] = [times[0]!, times.at(-1)!];
   if (played) {
     const { speed, span } = played;
     const there = times.filter((t) => span[0] + t * speed <= span[1] + SAME * (span[1] - span[0]));
-    return { times: there.map((t) => span[0] + t * speed), placed: 'at the times of its project' };
+    return { times: there.map((t) => span[0] + t * speed), placed: 'at the times stated in its project' };
   }
   const [first, last] = [keys.times[0]!, keys.times.at(-1)!];
   const ofKeys = keys.animations[keys.animation];
@@ -117,7 +117,7 @@ function placeFrames(
   const scale = (last - first) / (end - start);
   return {
     times: times.map((t, i) => (i === times.length - 1 ? last : first + (t - start) * scale)),
-    placed: 'spread from the first key to the last, because its files do not say when its frames are',
+    placed: 'spread from the first key to the last, because its files do not state frame times',
   };
 }
 
@@ -132,6 +132,6 @@ function interpolated(t: number, places: readonly number[], values: readonly num
 
 export const noFrames = (file: string, [first, last]: readonly [number, number]): UsageError =>
   new UsageError(
-    `--against: give at least two times from ${first} to ${last}, where ${file} has frames, or give the keys its times ` +
+    `--against: give at least two times from ${first} to ${last}, the range of ${file}, or give the keys its times ` +
       'with --key-times',
   );

@@ -62,15 +62,15 @@ const OWN = {
     default: '',
     concern: 'source',
     doc:
-      'Addresses of the keys, separated by blanks: several files with one pose each, or one with morph targets, an ' +
-      'animation or a project exported by shapespline. Children `<source src time>` say the same; the property `keys` ' +
-      '(addresses, Blobs, ArrayBuffers) comes before both.',
+      'URLs of the keys, separated by spaces: several files with one pose each, or one file with morph targets, an ' +
+      'animation or a project exported by shapespline. Children `<source src time>` do the same; the property `keys` ' +
+      '(URLs, Blobs, ArrayBuffers) overrides both.',
   },
   autoplay: {
     kind: 'flag',
     default: false,
     concern: 'play',
-    doc: 'Plays when the shape is there and seen, unless the reader has asked for less motion.',
+    doc: 'Starts playing once loaded and visible, unless the user prefers reduced motion.',
   },
   loop: {
     kind: 'choice',
@@ -78,13 +78,13 @@ const OWN = {
     default: '',
     empty: 'loop',
     concern: 'play',
-    doc: 'Begins again at the end, or goes back and forth.',
+    doc: 'Repeats at the end, or plays back and forth.',
   },
   controls: {
     kind: 'flag',
     default: false,
     concern: 'page',
-    doc: 'Shows a play button and the timeline with its keys.',
+    doc: 'Shows a play button and a timeline with the keys.',
   },
   playbackRate: {
     kind: 'number',
@@ -92,7 +92,7 @@ const OWN = {
     above: 0,
     most: 100,
     concern: 'play',
-    doc: 'How many times faster than the times of the keys say.',
+    doc: 'Playback speed relative to the key times.',
   },
   currentTime: {
     kind: 'number',
@@ -101,38 +101,38 @@ const OWN = {
     most: 1e9,
     concern: 'play',
     doc:
-      'The time that is shown, in the unit of the keys: seconds. It may lie beyond the keys. The attribute says where ' +
-      'it begins, the property where it is; set to what is no finite number it throws a TypeError, to null or ' +
-      'undefined it takes the attribute away.',
+      'Time shown, in the unit of the key times: seconds. It may lie beyond the keys. The attribute sets the initial ' +
+      'time; the property is the current one. Setting the property to a non-finite number throws a TypeError; null or ' +
+      'undefined removes the attribute.',
   },
   range: {
     kind: 'numbers',
     default: null,
     count: 2,
     concern: 'play',
-    doc: 'First and last time that play, which may lie beyond the keys; without it, the first and the last key.',
+    doc: 'First and last time to play, which may lie beyond the keys. Default: the first and the last key.',
   },
   loading: {
     kind: 'choice',
     choices: ['lazy', 'eager'],
     default: 'lazy',
     concern: 'page',
-    doc: 'Fetches nothing before the element comes near the view, or at once.',
+    doc: 'Fetches nothing until the element comes near the view, or fetches at once.',
   },
   reveal: {
     kind: 'choice',
     choices: ['auto', 'manual'],
     default: 'auto',
     concern: 'page',
-    doc: 'Takes the poster away when the shape is there, or only when `dismissPoster()` is called.',
+    doc: 'Removes the poster when the shape is ready, or only when `dismissPoster()` is called.',
   },
-  poster: { kind: 'text', default: '', concern: 'page', doc: 'Address of a picture that is shown before the shape.' },
-  alt: { kind: 'text', default: '', concern: 'page', doc: 'What there is to see, for those who do not see it.' },
+  poster: { kind: 'text', default: '', concern: 'page', doc: 'URL of an image to show before the shape.' },
+  alt: { kind: 'text', default: '', concern: 'page', doc: 'Text alternative for screen readers.' },
   cameraControls: {
     kind: 'flag',
     default: false,
     concern: 'page',
-    doc: 'Lets readers turn the shape with pointer, finger and keyboard. On with `controls`, unless it is "false".',
+    doc: 'Lets users rotate the shape with pointer, finger and keyboard. On with `controls`, unless it is "false".',
   },
   cameraOrbit: {
     kind: 'text',
@@ -140,7 +140,7 @@ const OWN = {
     reads: orbitOf,
     sample: '30deg 75deg 105%',
     concern: 'camera',
-    doc: 'From where it is looked at, as `30deg 75deg 105%`: around, down from above, and how far; each may be `auto`.',
+    doc: 'Camera position as azimuth, polar angle and distance, such as `30deg 75deg 105%`. Each can be `auto`.',
   },
   cameraTarget: {
     kind: 'text',
@@ -148,14 +148,14 @@ const OWN = {
     reads: targetOf,
     sample: '0m 1m 0m',
     concern: 'camera',
-    doc: 'The point that is looked at, as `0m 1m 0m`; `auto` is the middle of the shape.',
+    doc: 'Point that the camera looks at, such as `0m 1m 0m`; `auto` is the centre of the shape.',
   },
   colour: {
     kind: 'choice',
     choices: ['texture', 'phase', 'patches'],
     default: 'texture',
     concern: 'look',
-    doc: "The file's own materials (clay where it has none), the colour of the moment, or the patches of the method.",
+    doc: "The file's own materials (clay if it has none), the phase colour, or the patches of the method.",
   },
   color: {
     kind: 'choice',
@@ -169,13 +169,13 @@ const OWN = {
     choices: MOTION.method.choices,
     default: [],
     concern: 'motion',
-    doc: 'Methods that are shown beside `method`, separated by blanks.',
+    doc: 'Methods to show next to `method`, separated by spaces.',
   },
   ghost: {
     kind: 'flag',
     default: false,
     concern: 'motion',
-    doc: `Lets a ghost mesh lead the motion: of ${GHOST_FACES} faces, unless \`ghost-faces\` says otherwise.`,
+    doc: `Lets a ghost mesh lead the motion, with ${GHOST_FACES} faces unless \`ghost-faces\` is given.`,
   },
 } as const satisfies Readonly<Record<string, Row>>;
 

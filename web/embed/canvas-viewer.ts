@@ -273,7 +273,9 @@ function surfaceOfPage(): Surface {
   try {
     return sharedSurface();
   } catch (cause) {
-    const reason = document.createElement('canvas').getContext('webgl2') ? messageOf(cause) : 'it has no WebGL 2';
+    const reason = document.createElement('canvas').getContext('webgl2')
+      ? messageOf(cause)
+      : 'it does not support WebGL 2';
     throw new EngineError('no-webgl', `This browser cannot draw the shape: ${reason}.`, {}, cause);
   }
 }

@@ -46,14 +46,17 @@ export type ShapeSplineEventMap = { [N in keyof EventDetails]: CustomEvent<Event
 export const EVENTS: Readonly<Record<keyof EventDetails, { detail: string; doc: string }>> = {
   load: {
     detail: '{ vertices, faces, keyTimes }',
-    doc: 'The shape is drawn: at first, and again when its keys or its motion have changed.',
+    doc: 'The shape is drawn: the first time, and again after its keys or its motion change.',
   },
-  error: { detail: '{ code, message, key }', doc: 'It cannot be shown; the message says why and what to do.' },
-  progress: { detail: '{ stage, fraction }', doc: 'Of fetching and computing.' },
-  play: { detail: 'null', doc: 'It begins to play.' },
-  pause: { detail: 'null', doc: 'It plays no more.' },
-  timeupdate: { detail: '{ currentTime }', doc: 'Another moment is drawn.' },
-  seeked: { detail: '{ currentTime }', doc: 'The moment that was asked for is drawn.' },
-  loopend: { detail: '{ currentTime }', doc: 'It has played to an end of its range.' },
-  keychange: { detail: '{ index }', doc: 'It has reached another key.' },
+  error: {
+    detail: '{ code, message, key }',
+    doc: 'The motion cannot be shown. The message states the reason and what to do.',
+  },
+  progress: { detail: '{ stage, fraction }', doc: 'Progress of fetching and computing.' },
+  play: { detail: 'null', doc: 'Playback started.' },
+  pause: { detail: 'null', doc: 'Playback paused.' },
+  timeupdate: { detail: '{ currentTime }', doc: 'A new time is shown.' },
+  seeked: { detail: '{ currentTime }', doc: 'The requested time is shown.' },
+  loopend: { detail: '{ currentTime }', doc: 'Playback reached an end of its range.' },
+  keychange: { detail: '{ index }', doc: 'Playback reached a different key.' },
 };

@@ -24,30 +24,30 @@ export function typeOf(row: Row): string {
 
 /** What has no attribute. */
 export const FIELDS = {
-  keys: ['KeySource[] | null', 'Comes before `src`: addresses, Blobs or ArrayBuffers of one key each, or of all.'],
-  duration: ['number', 'Length of what plays, in the unit of the keys; NaN before it is loaded.'],
-  paused: ['boolean', 'Whether it does not play.'],
-  stats: ['ShapeSplineStats', 'Frames that were computed and drawn, and what the last one took.'],
-  report: ['MeshReport | null', 'What was found in the files.'],
+  keys: ['KeySource[] | null', 'Overrides `src`: URLs, Blobs or ArrayBuffers, one per key or one with all keys.'],
+  duration: ['number', 'Length of the range that plays, in the unit of the key times; NaN before loading.'],
+  paused: ['boolean', 'Whether playback is paused.'],
+  stats: ['ShapeSplineStats', 'Number of frames drawn, and the times of the last one.'],
+  report: ['MeshReport | null', 'Report on the mesh in the files.'],
 } as const;
 type Parameter = [name: string, type: string, doc: string];
 /** A question mark after the name: may be left out. */
 export const METHODS: Readonly<Record<string, { returns: string; doc: string; parameters?: readonly Parameter[] }>> = {
-  play: { returns: 'void', doc: 'Plays, as soon as it is seen.' },
-  pause: { returns: 'void', doc: 'Plays no more, and does not begin by itself.' },
+  play: { returns: 'void', doc: 'Starts playback as soon as the element is visible.' },
+  pause: { returns: 'void', doc: 'Pauses, and does not start by itself again.' },
   seek: {
     returns: 'Promise<void>',
-    doc: 'Resolves when the shape at that time is drawn; rejects with a RangeError where that is no finite number.',
-    parameters: [['t', 'number', 'The time, in the unit of the keys; it may lie beyond them.']],
+    doc: 'Resolves when the shape at that time is drawn; rejects with a RangeError if the time is not finite.',
+    parameters: [['t', 'number', 'Time in the unit of the key times; it may lie beyond the keys.']],
   },
   evaluate: {
     returns: 'Promise<Frame>',
-    doc: 'The shape at a time, drawn or not; its `release()` gives the arrays back.',
-    parameters: [['t', 'number', 'The time, in the unit of the keys; it may lie beyond them.']],
+    doc: 'The shape at a time, drawn or not; `release()` returns its arrays.',
+    parameters: [['t', 'number', 'Time in the unit of the key times; it may lie beyond the keys.']],
   },
   toBlob: {
     returns: 'Promise<Blob>',
-    doc: 'A picture of what is shown.',
+    doc: 'An image of the current view.',
     parameters: [
       ['options?', '{ type?: string; quality?: number }', 'MIME type, PNG by default, and quality in [0, 1].'],
     ],
@@ -56,28 +56,28 @@ export const METHODS: Readonly<Record<string, { returns: string; doc: string; pa
     returns: 'Promise<Blob>',
     doc: 'A GLB with the motion as a morph-target animation.',
     parameters: [
-      ['options?', "Partial<Omit<ExportOptions, 'format'>>", 'Frames, tolerance and compression, as of the engine.'],
+      ['options?', "Partial<Omit<ExportOptions, 'format'>>", 'Frames, tolerance and compression, as in the engine.'],
     ],
   },
-  dismissPoster: { returns: 'void', doc: 'Takes the poster away.' },
+  dismissPoster: { returns: 'void', doc: 'Removes the poster.' },
 };
 const SLOTS = {
-  '': 'A caption, over the upper left corner.',
-  poster: 'What is shown before the shape, instead of the picture of `poster`.',
-  controls: 'Instead of the play button and the timeline, where there are controls.',
-  progress: 'Instead of the bar, while it is fetched and computed.',
+  '': 'A caption over the upper left corner.',
+  poster: 'Shown before the shape, instead of the image of `poster`.',
+  controls: 'Replaces the play button and the timeline, if there are controls.',
+  progress: 'Replaces the progress bar.',
 };
 const PARTS = {
-  viewport: 'The box in which the shape is drawn; it has the focus for the keyboard.',
+  viewport: 'The box in which the shape is drawn; it takes keyboard focus.',
   controls: 'The row with play button and timeline.',
   play: 'The button that plays and pauses.',
-  timeline: 'The slider of the time.',
-  key: 'The mark of a key on the timeline, one for each.',
-  thumb: 'The mark of the time on the timeline.',
-  name: 'The name of a method under its view, where several are compared.',
-  progress: 'The bar at the top while it is fetched and computed.',
-  message: 'What is wrong, in words.',
-  retry: 'The button in the message that loads again, where that may help.',
+  timeline: 'The time slider.',
+  key: 'The mark of a key on the timeline, one per key.',
+  thumb: 'The playhead on the timeline.',
+  name: 'The name of a method under its view, if several are compared.',
+  progress: 'The progress bar at the top.',
+  message: 'The error message.',
+  retry: 'The button in the message that retries, if that may help.',
 };
 const STYLES = {
   key: 'Colour of a key, on the timeline and, with `colour="phase"`, of the shape.',
@@ -85,7 +85,7 @@ const STYLES = {
   beyond: 'Colour of the shape beyond the first or last key, with `colour="phase"`.',
   foreground: 'Colour of text and controls.',
   background: 'Colour behind the shape.',
-  progress: 'Colour of the bar while it is fetched and computed; that of a key by default.',
+  progress: 'Colour of the progress bar; default: the colour of a key.',
 };
 
 const listed = (words: Readonly<Record<string, string>>, before = ''): object[] =>
@@ -166,7 +166,7 @@ export function customElementsManifest(): object {
       {
         kind,
         path: 'canvas-viewer.js',
-        declarations: [{ kind: 'class', name: 'CanvasViewer', description: 'A motion in a box of a page.' }],
+        declarations: [{ kind: 'class', name: 'CanvasViewer', description: 'A motion in an element of a page.' }],
         exports: [exportOf('CanvasViewer')],
       },
     ],

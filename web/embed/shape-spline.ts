@@ -632,7 +632,7 @@ export class ShapeSplineElement extends Base {
 }
 
 function noSource(): EngineError {
-  return new EngineError('no-source', 'There is nothing to show: give it src, children <source src> or keys.');
+  return new EngineError('no-source', 'Nothing to show: set src, add <source src> children or set keys.');
 }
 
 for (const property of PROPERTIES)

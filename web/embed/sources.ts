@@ -39,7 +39,7 @@ const numbers = new WeakMap<object, number>();
 /** Throws where a page says what no address is. */
 function addressOf(source: string | URL, key: number, base: string): URL {
   if (URL.canParse(source, base)) return new URL(source, base);
-  throw new EngineError('not-found', `“${source}” is no address. Check the address of key ${key + 1}.`, { key });
+  throw new EngineError('not-found', `“${source}” is not a valid URL. Check the URL of key ${key + 1}.`, { key });
 }
 
 /** The same for the same sources: an address, or that very object. Throws where a page gives something else. */
@@ -48,7 +48,7 @@ export function keyOf(source: KeySource, key: number, base: string): string {
   if (![Blob, ArrayBuffer, Uint8Array].some((kind) => source instanceof kind))
     throw new EngineError(
       'not-a-model',
-      `Key ${key + 1} is none of what keys can be: an address, a File or Blob, an ArrayBuffer or a Uint8Array.`,
+      `Key ${key + 1} has an unsupported type. Use a URL, a File or Blob, an ArrayBuffer or a Uint8Array.`,
       { key },
     );
   if (!numbers.has(source)) numbers.set(source, ++numbered);
@@ -96,14 +96,14 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
     const reason =
       url.origin === globalThis.location?.origin
         ? messageOf(error)
-        : 'that site may not allow it: it must send the CORS headers';
-    throw refused('not-found', `${url.href} could not be fetched (${reason}).`, url, key);
+        : 'that site may not allow it; it must send CORS headers';
+    throw refused('not-found', `Could not fetch ${url.href} (${reason}).`, url, key);
   });
   const { status, statusText } = response;
   if (!response.ok)
     throw refused(
       'not-found',
-      `${url.href} could not be fetched (${`${status} ${statusText}`.trim()}). Check the address.`,
+      `Could not fetch ${url.href} (${`${status} ${statusText}`.trim()}). Check the URL.`,
       url,
       key,
     );
@@ -112,7 +112,7 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
   if (/^\s*<(!doctype|html|head|body)\b/i.test(new TextDecoder().decode(bytes.subarray(0, 64))))
     throw refused(
       'not-a-model',
-      `${url.href} answered with a web page instead of a model. Check the address, and that the file is there.`,
+      `${url.href} returned a web page instead of a model. Check the URL, and that the file exists.`,
       url,
       key,
     );

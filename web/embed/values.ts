@@ -18,7 +18,7 @@ export function readAttribute(row: Row, text: string | null): Read {
     case 'text':
       return word === '' || row.reads === undefined || row.reads(word) !== null
         ? good(word)
-        : bad(row, `must be as \`${row.sample}\``);
+        : bad(row, `must look like \`${row.sample}\``);
     case 'flag':
       return word.toLowerCase() === 'false'
         ? { value: false, problem: 'is "false", which counts as false; leave the attribute out instead' }
@@ -38,7 +38,7 @@ export function readAttribute(row: Row, text: string | null): Read {
       const words = word.split(/[\s,]+/).filter(Boolean);
       return words.every((one) => row.choices.includes(one))
         ? good(words)
-        : bad(row, `must be some of ${row.choices.join(', ')}`);
+        : bad(row, `must be a list of ${row.choices.join(', ')}`);
     }
   }
 }
@@ -56,7 +56,7 @@ function numberOf(row: Extract<Row, { kind: 'number' }>, word: string): Read {
 function numbersOf(row: Extract<Row, { kind: 'numbers' }>, word: string): Read {
   if (word === '') return good(row.default);
   const numbers = word.split(/[\s,:]+/).map(Number);
-  if (numbers.some((number) => !Number.isFinite(number))) return bad(row, 'must be numbers, separated by blanks');
+  if (numbers.some((number) => !Number.isFinite(number))) return bad(row, 'must be numbers, separated by spaces');
   if (row.count !== undefined && numbers.length !== row.count) return bad(row, `must be ${row.count} numbers`);
   if (row.count === 2 && numbers[0]! >= numbers[1]!) return bad(row, 'must be two numbers, the smaller one first');
   return good(numbers);

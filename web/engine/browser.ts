@@ -67,10 +67,10 @@ function spawnFrom(loaded: Promise<unknown>, workerUrl: URL | undefined, onLost:
     };
     worker.onmessage = ({ data }: MessageEvent<FromWorker | Locked>) => {
       replied = true;
-      if (data.type === 'locked') void lockReleased(name).then(() => lost('the browser has ended it'));
+      if (data.type === 'locked') void lockReleased(name).then(() => lost('the browser ended it'));
       else events.message(data);
     };
-    worker.onmessageerror = () => events.failure(endedWorker('a message could not be received'));
+    worker.onmessageerror = () => events.failure(endedWorker('a message could not be read'));
     worker.onerror = (event) => {
       event.preventDefault();
       if (replied || event.message) lost(event.message);

@@ -73,7 +73,7 @@ async function compile(url: URL, option: keyof FileUrls): Promise<WebAssembly.Mo
     throw engineError(
       'not-loaded',
       `The computation could not be loaded from ${url.pathname} (${messageOf(error)}). ` +
-        `Put the .wasm file there, or name the file: configure({ ${option} }).`,
+        `Put the .wasm file there, or set its path: configure({ ${option} }).`,
       error,
     );
   }

@@ -13,7 +13,7 @@ export interface OfflineEvents {
   onRepaired(sentence: string): void;
 }
 
-const REPAIRED = 'A file that this browser had stored for the page was damaged. It was fetched again.';
+const REPAIRED = 'A file stored by this browser was damaged. It was fetched again.';
 
 /** It fetches and compiles the whole build, which waits until the page has settled `after` what a visitor waits for. */
 export function registerServiceWorker(

@@ -199,7 +199,7 @@ export class FrameLoop {
 
   private async ahead(t: number, { signal }: AheadOptions): Promise<FrameSet> {
     const frames = await gather(this.demand.sequences(), t, null, (sequence) => sequence.evaluateAhead(t, { signal }));
-    if (!frames) throw new Error('A frame that was fetched ahead was overtaken.');
+    if (!frames) throw new Error('A frame that was fetched ahead is no longer needed.');
     this.cost.note(frames);
     return frames;
   }

@@ -1,4 +1,4 @@
-/** The list of options, web/engine/OPTIONS.md, says what the table of options says. */
+/** web/engine/OPTIONS.md lists the options of the table, with their help. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../../../web/engine/api/option-table.ts';
@@ -16,9 +16,9 @@ function entry([name, option]: [string, Option]): string {
 const listOf = (title: string, table: OptionTable): string => [`${title}:`, ...optionsIn(table).map(entry)].join('\n');
 
 const EXPECTED = [
-  listOf('`createSequence`, of the motion, which `update` changes', MOTION),
-  listOf('The same, for each key', PER_KEY),
-  listOf('`createSequence`, of the encoding', ENCODING),
+  listOf('Motion options of `createSequence`, which `update` changes', MOTION),
+  listOf('Options for each key', PER_KEY),
+  listOf('Encoding options of `createSequence`', ENCODING),
   listOf('`importKeyframes`', IMPORT),
   listOf('`export`', EXPORT),
 ].join('\n');

@@ -18,17 +18,15 @@ it.each(['text/html', 'application/wasm'])('says that a web page came instead, s
   const failure = compileFrom(url, 'wasmUrl', answer('<!doctype html><title>Home</title>', type));
   await expect(failure).rejects.toMatchObject({ code: 'not-loaded' });
   await expect(failure).rejects.toThrow(
-    `${url.href} answered with “<!doctype html><title>Ho…” (${type}) instead of WebAssembly. ` +
-      'Put the .wasm file at that address, or name the address where it is: configure({ wasmUrl }).',
+    `${url.href} returned “<!doctype html><title>Ho…” (${type}) instead of WebAssembly. ` +
+      'Put the .wasm file there, or set its URL: configure({ wasmUrl }).',
   );
 });
 
 it('says what else is wrong: nothing, a status, no connection, a damaged file', async () => {
-  await expect(compileFrom(url, 'wasmUrl', answer(null, 'text/plain'))).rejects.toThrow(
-    'answered with nothing instead',
-  );
+  await expect(compileFrom(url, 'wasmUrl', answer(null, 'text/plain'))).rejects.toThrow('returned nothing instead');
   await expect(compileFrom(url, 'wasmUrl', answer('', undefined, 404))).rejects.toThrow(
-    `${url.href} answered with 404 instead`,
+    `${url.href} returned 404 instead`,
   );
   const offline = compileFrom(url, 'wasmUrl', () => Promise.reject(new TypeError('Failed to fetch')));
   await expect(offline).rejects.toThrow('Failed to fetch). Check the connection and reload the page.');

@@ -33,7 +33,7 @@ Result<std::vector<double>> sampleTimes(const ImportOptions& options, double sta
     if (options.sampleTimes.front() < start || options.sampleTimes.back() > end)
       warnings.push_back({"sample-outside-animation",
                           "Some sample times lie outside the animation, which runs from " + shortNumber(start) +
-                              " to " + shortNumber(end) + " s: it stands still there.",
+                              " to " + shortNumber(end) + " s: outside it, the shape stays still.",
                           0});
     return options.sampleTimes;
   }

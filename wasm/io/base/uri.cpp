@@ -111,10 +111,9 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, const G
   if (uri.starts_with("data:")) return dataResource(uri, where);
   const std::string head = headOf(uri);
   if (head.starts_with("//") || (hasScheme(head) && head.find(':') > 1))
-    return Error{
-        ErrorCode::ExternalResource,
-        where + " refers to " + inQuotes(uri) +
-            ". Nothing outside the given files is ever fetched: save that file beside it and give both together."};
+    return Error{ErrorCode::ExternalResource,
+                 where + " refers to " + inQuotes(uri) +
+                     ". Only the given files are read: save that file in the same folder and give both together."};
   const std::string path = percentDecoded(uri);
   const std::string start = headOf(path);
   const bool absolute = start.starts_with('/') || start.starts_with('\\') || hasScheme(start);

@@ -235,7 +235,7 @@ struct AnimationReader {
       warnings.push_back({"pointer-ignored",
                           doc.where + ": animations of " + inQuotes(firstIgnored) +
                               (ignoredPointers > 1 ? " and others" : "") +
-                              " (KHR_animation_pointer) are not applied. Where the motion looks wrong, export it as "
+                              " (KHR_animation_pointer) are not applied. If the motion looks wrong, export it as "
                               "node animations.",
                           ignoredPointers});
   }

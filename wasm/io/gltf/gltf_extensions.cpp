@@ -174,7 +174,7 @@ std::vector<Warning> extensionWarnings(const json& doc, const std::string& where
   return {{"extension-ignored",
            where + ": the glTF " + (one ? "extension " : "extensions ") + objectList({ignored.begin(), ignored.end()}) +
                (one ? " is not applied, and may" : " are not applied, and may") +
-               " change the shape or its motion. Where the shape looks wrong, export it without.",
+               " change the shape or its motion. If the shape looks wrong, export it without.",
            static_cast<int>(ignored.size())}};
 }
 

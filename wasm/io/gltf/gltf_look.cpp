@@ -209,8 +209,9 @@ struct LookReader {
       readCoordinates(part);
       readColors(part);
     }
-    warn("missing-texture", brokenTextures, "a texture whose image is missing is left out.");
-    warn("other-coordinates", otherCoordinates, "textures on other coordinates than the base colour's are left out.");
+    warn("missing-texture", brokenTextures, "textures without an image are left out.");
+    warn("other-coordinates", otherCoordinates,
+         "textures that use other coordinates than the base colour are left out.");
     return std::move(scene);
   }
 };

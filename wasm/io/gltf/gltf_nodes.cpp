@@ -45,7 +45,7 @@ Status linkParents(const GltfDocument& doc, NodeGraph& graph) {
       if (graph.parent[child] >= 0 || child == i)
         return malformed(doc.where, "node " + std::to_string(child) +
                                         (child == i ? " is its own child" : " has two parents") +
-                                        ", so that the nodes are not a tree");
+                                        ", so the nodes are not a tree");
       graph.parent[child] = i;
     }
   return {};

@@ -201,7 +201,7 @@ struct KeyReader {
       if (animations[i].moves && ++count <= 20)
         list.append(count > 1 ? ", " : " ").append(std::to_string(i)).append(" ").append(inQuotes(animations[i].name));
     if (count > 0) return " Choose one that moves:" + list + (count > 20 ? ", and more." : ".");
-    if (animations.size() > 1) return " Leave animation and samples out: each of its animations becomes a key.";
+    if (animations.size() > 1) return " Give no animation and no samples: each of its animations becomes a key.";
     return " Add a file for every other key.";
   }
 
@@ -314,7 +314,7 @@ struct KeyReader {
     if (changes > 0)
       out.warnings.push_back({"visibility-changes",
                               doc.where + ": other meshes are visible in some keys than in the first "
-                                          "(KHR_node_visibility). Shown is what the first key shows.",
+                                          "(KHR_node_visibility). The meshes of the first key are shown.",
                               changes});
     return {};
   }

@@ -154,7 +154,7 @@ Result<std::vector<Eigen::Affine3d>> readInstances(const GltfDocument& doc, int 
     if (accessor < 0) return {};
     const std::string what = std::string("instance ") + name + " of node " + std::to_string(node);
     if (accessorCount(doc, accessor) != count)
-      return malformed(doc.where, what + " has another number of elements than its other attributes");
+      return malformed(doc.where, what + " has a different number of elements from its other attributes");
     const auto numbers = readNumbers(doc, accessor, width, what);
     if (!numbers) return numbers.error();
     for (std::size_t i = 0; i < count; ++i) set(parts[i], &(*numbers)[width * i]);

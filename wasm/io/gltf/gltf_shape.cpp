@@ -135,7 +135,7 @@ struct ShapeReader {
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
                                             grouped(std::int64_t(accessorCount(doc, position))) +
-                                            " vertices, but there are no bytes for so many. " +
+                                            " vertices, but the file has too few bytes for them. " +
                                             "Export the file again."};
     const std::size_t count = accessorCount(doc, position);
     auto positions = readNumbers(doc, position, 3, "POSITION of " + name, count, partOf(report, 0, 0.3));
@@ -174,7 +174,7 @@ struct ShapeReader {
     for (std::size_t i = 0; i < indices->size(); ++i)
       if ((*indices)[i] >= n)
         return Error{ErrorCode::IndexOutOfRange,
-                     doc.where + ": face " + grouped(std::int64_t(i / 3)) + " of " + name + " names vertex " +
+                     doc.where + ": face " + grouped(std::int64_t(i / 3)) + " of " + name + " refers to vertex " +
                          grouped((*indices)[i]) + ", but there are " + grouped(std::int64_t(n)) +
                          ". Export the mesh again.",
                      -1, static_cast<int>(std::min<std::uint32_t>((*indices)[i], 0x7fffffff)),
@@ -287,8 +287,8 @@ struct ShapeReader {
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
     warn("skipped-primitives", skippedPrimitives, "lines and points are left out.");
-    warn("leftover-corners", leftoverCorners, "corners that fill no triangle are left out.");
-    warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is taken as it is.");
+    warn("leftover-corners", leftoverCorners, "faces with fewer than three different corners are left out.");
+    warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used unskinned.");
     if (!shape.faces.empty()) return {};
     return Error{ErrorCode::NoTriangles, doc.where +
                                              (doc.model.meshes.empty() ? " has no mesh" : " shows no triangles") +

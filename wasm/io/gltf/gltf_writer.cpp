@@ -78,7 +78,7 @@ struct AnimationWriter {
       increasing = increasing && static_cast<float>(t[k]) > static_cast<float>(t[k - 1]);
     const std::size_t weights = source.seconds.size() * static_cast<std::size_t>(frameCount() - 1);
     if (!source.weights.empty() && source.weights.size() != weights)
-      return Error{ErrorCode::Internal, "The weights are not one for each target at every time."};
+      return Error{ErrorCode::Internal, "There must be one weight for each target at every time."};
     if (increasing) return {};
     return Error{ErrorCode::InvalidOption,
                  "The exported times must start at 0 and increase. Use a longer duration or fewer frames."};

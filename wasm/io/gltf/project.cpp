@@ -43,7 +43,7 @@ Result<Project> parseProject(const std::string& text, int morphTargets, bool ani
     return v.is_number_unsigned() && v.get<std::uint64_t>() <= static_cast<std::uint64_t>(morphTargets);
   });
   if (!times) return ignored("a key has no time");
-  if (!frames && !seconds) return ignored("it does not say which frames are its keys");
+  if (!frames && !seconds) return ignored("it does not state which frames are its keys");
 
   Project project;
   if (const json* offset = list(document, "offset", 3, isNumber))

@@ -177,7 +177,7 @@ struct ObjReader {
     const std::int64_t place = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
     if (place < 0 || place > 0x7ffffffe)
       return Error{ErrorCode::IndexOutOfRange,
-                   where + ", line " + grouped(line) + ": a face names corner " + grouped(number) +
+                   where + ", line " + grouped(line) + ": a face refers to corner " + grouped(number) +
                        ", which does not exist. Export the file again.",
                    -1, -1, mesh.polygonCount()};
     index = static_cast<int>(place);
@@ -418,8 +418,8 @@ struct ObjReader {
     }
     if (broken > 0)
       mesh.warnings.push_back({"texture-coordinates",
-                               where + ": some corners name texture coordinates that are not there or not "
-                                       "finite; they are left out.",
+                               where + ": some corners refer to texture coordinates that are missing or not "
+                                       "finite; these are left out.",
                                broken});
     if (given > broken) placeCoordinates(mesh, coordinates, cornerCoordinate);
   }
@@ -463,7 +463,7 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
     for (int c = mesh.firstCorner(p); c < mesh.ends[p]; ++c)
       if (mesh.corners[c] < 0 || mesh.corners[c] >= n)
         return Error{ErrorCode::IndexOutOfRange,
-                     where + ": face " + grouped(p) + " names vertex " + grouped(mesh.corners[c]) +
+                     where + ": face " + grouped(p) + " refers to vertex " + grouped(mesh.corners[c]) +
                          " (counted from 0), but there are " + grouped(n) + " vertices. Export the mesh again.",
                      -1, mesh.corners[c], p};
   return {};

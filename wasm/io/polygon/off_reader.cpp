@@ -95,7 +95,7 @@ struct OffReader {
       if (!usable)
         return Error{ErrorCode::IndexOutOfRange,
                      where + ", line " + grouped(lines.lineNumber()) + ": face " + grouped(mesh.polygonCount()) +
-                         " names vertex " + shortNumber(number) + ", but there are " +
+                         " refers to vertex " + shortNumber(number) + ", but there are " +
                          grouped(static_cast<std::int64_t>(mesh.positions.size())) +
                          " (counted from 0). Export the mesh again.",
                      -1, -1, mesh.polygonCount()};

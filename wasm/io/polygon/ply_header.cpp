@@ -99,7 +99,7 @@ struct HeaderReader {
       else if (word == "element") status = readElement(line);
       else if (word == "property") status = readProperty(line);
       else if (word == "comment") header.byBlender |= line.find("Blender") != std::string_view::npos;
-      else if (word != "obj_info" && !word.empty()) status = malformed("the header holds " + inQuotes(word));
+      else if (word != "obj_info" && !word.empty()) status = malformed("the header has " + inQuotes(word));
       if (!status) return status.error();
     }
     return Error{ErrorCode::TruncatedFile, where + " is cut off in its header. Copy or export it again."};

@@ -42,11 +42,14 @@ let inUse = false;
  */
 export function configure(urls: FileUrls): void {
   const unknown = Object.keys(urls).find((name) => !NAMES.some((known) => known === name));
-  if (unknown !== undefined) throw invalidOption(`configure knows no ${unknown}. It takes ${NAMES.join(', ')}.`);
+  if (unknown !== undefined)
+    throw invalidOption(`configure has no option ${unknown}. The options are ${NAMES.join(', ')}.`);
   for (const name of NAMES) checkUrl(name, urls[name]);
   const differs = NAMES.some((name) => name in urls && String(urls[name]) !== String(configured[name]));
   if (inUse && differs) {
-    throw invalidOption('configure comes too late: call it before the first engine is made or <shape-spline> starts.');
+    throw invalidOption(
+      'configure was called too late: call it before the first engine is made or <shape-spline> starts.',
+    );
   }
   configured = { ...configured, ...urls };
 }
@@ -54,7 +57,7 @@ export function configure(urls: FileUrls): void {
 function checkUrl(name: string, url: unknown): void {
   const good = url === undefined || (typeof url === 'string' && url !== '') || url instanceof URL;
   if (!good && !(url === null && name === 'threadsUrl')) {
-    throw invalidOption(`${name} must be an address: a string or a URL.`);
+    throw invalidOption(`${name} must be a URL: a string or a URL object.`);
   }
 }
 

@@ -1,4 +1,4 @@
-/** A share of the diagonal as people read it. */
+/** Formats a share of the diagonal for users. */
 export function errorText(share: number): string {
-  return `${Number((100 * share).toPrecision(2))} % of the diagonal`;
+  return `${Number((100 * share).toPrecision(2))} % of the model's size`;
 }

@@ -52,7 +52,7 @@ export function crashed(reason: string): EngineError {
   return engineError(
     'crashed',
     `The computation stopped unexpectedly (${reason}). It restarts with the next step; ` +
-      'if it happens again, try fewer or smaller keys.',
+      'if it happens again, use fewer or smaller keys.',
   );
 }
 

@@ -10,7 +10,7 @@ export function checkImportSize(bytes: number): void {
   if (bytes <= MOST_BYTES) return;
   throw new EngineError(
     'too-large',
-    `The files have ${gigabytes(bytes)} together, more than the ${gigabytes(MOST_BYTES)} that can be read at once. ` +
+    `The files have ${gigabytes(bytes)} together, more than the ${gigabytes(MOST_BYTES)} that can be read together. ` +
       'Simplify the mesh or take fewer keys.',
   );
 }

@@ -160,7 +160,7 @@ export const MOTION = {
     choices: ['lri', 'geodesic', 'linear', 'cubic-vertex'],
     default: 'lri',
     flag: 'method',
-    help: "the paper's method (lri), or one of those that it is compared with",
+    help: "the paper's method (lri), or a method to compare with it",
     page: 'method',
     undo: 'method',
   },
@@ -170,7 +170,7 @@ export const MOTION = {
     formerly: { contact: 'on', anchored: 'on' },
     default: 'off',
     flag: 'hold',
-    help: "what rests between two keys stays where it is (on), or moves as the paper's method has it (off)",
+    help: 'on: vertices that do not move between two keys stay in place; off (default): as published',
     page: 'hold',
     undo: 'hold',
   },
@@ -182,8 +182,8 @@ export const MOTION = {
     flag: 'pin',
     value: 'VERTEX[:RADIUS][:stay=KEY][:path=T/X/Y/Z,...]',
     help:
-      "holds the vertices around one of the file's, counted from 0: RADIUS of the shape's size, or patch; they follow " +
-      'their own splines, or stay where they are in a key, moved by X, Y, Z at times T; several times for several pins',
+      "pin the vertices around VERTEX (0-based index in the file), within RADIUS (fraction of the shape's size) or its " +
+      'patch; they follow their own splines, or stay as in KEY, offset by X, Y, Z at time T; repeatable',
     page: 'pins',
     undo: 'pins',
   },
@@ -204,7 +204,7 @@ export const MOTION = {
     default: 1,
     flag: 'start-speed',
     value: 'S',
-    help: 'hermite: speed at the first key, relative to that between the first two keys; 0 eases in',
+    help: 'hermite: speed at the first key, relative to the speed between the first two keys; 0 eases in',
     page: 'startSpeed',
     undo: 'start speed',
   },
@@ -216,7 +216,7 @@ export const MOTION = {
     default: 1,
     flag: 'end-speed',
     value: 'S',
-    help: 'hermite: the same at the last key; 0 eases out',
+    help: 'hermite: speed at the last key, relative to the speed between the last two keys; 0 eases out',
     page: 'endSpeed',
     undo: 'end speed',
   },
@@ -233,7 +233,7 @@ export const MOTION = {
     undo: 'period',
   },
   /** Take out the translation that accumulates along the sequence. */
-  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the overall translation' },
+  inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
 } as const satisfies OptionTable;
 
 /**
@@ -249,10 +249,10 @@ export const PER_KEY = {
     default: 0,
     flag: 'tension',
     value: 'X,X,...',
-    help: 'per key: 0 leaves the slope as it is, 1 stops there',
+    help: 'one per key: 0 keeps the smooth slope, 1 stops at the key',
     undo: 'tension',
     label: 'Tension',
-    hint: 'Slope at this key = (1 - tension) times the smooth one: 1 stops there, which removes overshoot',
+    hint: 'Scales the slope at this key. 0: smooth; 1: stops at the key, which removes overshoot',
     slider: [0, 1],
   },
   /** Above 0 the slope goes over to the difference from the key before, below 0 to that to the key after. */
@@ -264,13 +264,13 @@ export const PER_KEY = {
     flag: 'bias',
     value: 'X,X,...',
     help:
-      'per key, from -1 to 1: below 0 the slope leans towards the next key, above 0 it carries on the motion from the ' +
-      'key before',
+      'one per key, -1 to 1: negative biases the slope toward the step to the next key, positive toward the step from ' +
+      'the previous key',
     undo: 'bias',
-    label: 'Lean earlier / later',
+    label: 'Bias (earlier / later)',
     hint:
-      'Bias of the slope at this key: to the left it leans towards the next key, to the right it carries on the motion from the ' +
-      'key before',
+      'Bias of the slope at this key: negative toward the step to the next key, positive toward the step from the ' +
+      'previous key',
     slider: [-1, 1],
   },
   /** Whole turns added on the way to the key. */
@@ -279,13 +279,13 @@ export const PER_KEY = {
     flag: 'turns',
     value: 'KEY:N[@COMPONENT],...',
     help:
-      'whole turns added on the way to a key: of the whole shape, or of one of its components, counted from 1 as ' +
-      'their faces come in the file',
+      'add N full turns between the previous key and KEY, to the whole shape or to COMPONENT (1-based, in the order of ' +
+      'their faces in the file)',
     undo: 'turns',
-    label: 'Extra turns from the key before',
+    label: 'Extra turns since the previous key',
     hint:
-      'Whole turns added on the way there: the keys do not say how often the shape turned between them; ' +
-      'negative ones go the other way',
+      'Full turns to add since the previous key. The keys cannot show how many there were; ' +
+      'negative turns go the other way',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
@@ -297,7 +297,7 @@ export const ENCODING = {
     default: 0,
     flag: 'reference',
     value: 'KEY',
-    help: 'key that deformations are measured from',
+    help: 'key from which deformations are measured',
     page: 'referencePose',
     undo: 'reference pose',
   },
@@ -319,7 +319,7 @@ export const ENCODING = {
     choices: ['linear', 'log'],
     default: 'linear',
     flag: 'stretch',
-    help: 'how stretch is interpolated; with log, no face turns inside out',
+    help: 'how stretch is interpolated; with log, faces cannot turn inside out',
     page: 'stretch',
     undo: 'stretch',
   },
@@ -343,7 +343,7 @@ export const ENCODING = {
     choices: ['exact', 'paper'],
     default: 'exact',
     flag: 'transfer',
-    help: 'with a ghost mesh: through every key (default), or as in the paper',
+    help: 'with a ghost mesh: pass exactly through every key (default), or transfer as in the paper',
     page: 'transfer',
     undo: 'transfer',
   },
@@ -352,7 +352,7 @@ export const ENCODING = {
     choices: ['vertices', 'optimal'],
     default: 'vertices',
     flag: 'placement',
-    help: "of the ghost mesh's vertices; default: on vertices of the shape",
+    help: "placement of the ghost mesh's vertices; default: on vertices of the shape",
     page: 'placement',
     undo: 'placement',
   },
@@ -362,7 +362,7 @@ export const ENCODING = {
     formerly: { double: 'exact' },
     default: 'single',
     flag: 'precision',
-    help: 'exact: coordinates in double precision, and a solution refined to it',
+    help: 'exact: double-precision coordinates, and a solution refined to that precision',
   },
   /** Hermite: a shape that takes the neighbour key's place in the difference at that end. */
   startTangent: {
@@ -370,7 +370,7 @@ export const ENCODING = {
     default: null,
     flag: 'start-tangent',
     value: 'FILE',
-    help: 'hermite: a pose that the motion leaves the first key towards; default: the second key',
+    help: 'hermite: pose toward which the motion leaves the first key; default: the second key',
     page: 'startTangentPose',
     undo: 'start tangent pose',
   },
@@ -379,7 +379,7 @@ export const ENCODING = {
     default: null,
     flag: 'end-tangent',
     value: 'FILE',
-    help: 'hermite: a pose that the motion arrives at the last key from; default: the key before it',
+    help: 'hermite: pose from which the motion arrives at the last key; default: the key before it',
     page: 'endTangentPose',
     undo: 'end tangent pose',
   },
@@ -398,14 +398,14 @@ export const IMPORT = {
     most: MOST_KEYS,
     flag: 'key-times',
     value: 'T,T,...',
-    help: "times of the keys in seconds; default: the animation's own, or one a second",
+    help: "times of the keys in seconds; default: the animation's own, or one second apart",
   },
   /** Name or index of the animation to sample keys from; default: the first. */
   animation: {
     kind: 'animation',
     flag: 'animation',
     value: 'NAME|INDEX',
-    help: 'take the keys from this animation of the file; default: the first that moves',
+    help: 'take the keys from this animation of the file; default: the first one that moves',
   },
   /** Times on the animation's own timeline, in seconds, or how many evenly spaced ones; default 8. */
   sample: {
@@ -414,18 +414,18 @@ export const IMPORT = {
     flag: 'sample',
     value: 'T,T,...|N',
     help:
-      `at these times of it, in seconds, or at N evenly spaced ones (default: ${SAMPLED_KEYS}); also of a PC2 or MDD ` +
-      'given with its OBJ, and of numbered .obj or .ply files (24 a second), of which up to 32 frames are all keys',
+      `take the keys at these times in seconds, or at N evenly spaced times (default: ${SAMPLED_KEYS}); also for a PC2 or ` +
+      'MDD file with its OBJ, and for numbered .obj or .ply files (24 per second; up to 32 frames are all keys)',
   },
   /** Every frame of the animation, instead of samples of it. */
-  everyFrame: { kind: 'flag', flag: 'every-frame', help: 'or at every frame that it has' },
+  everyFrame: { kind: 'flag', flag: 'every-frame', help: 'take every frame of the animation as a key' },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
     kind: 'choice',
     choices: ['y', 'z'],
     default: 'y',
     flag: 'up',
-    help: 'axis that points up in .obj, .ply and .off files',
+    help: 'up axis of .obj, .ply and .off files',
   },
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
   unit: {
@@ -443,22 +443,22 @@ export const IMPORT = {
     some: true,
     flag: 'object',
     value: 'NAME',
-    help: 'take this object of the files alone; several times for several; default: all of them',
+    help: 'use only this object of the files; repeatable; default: all objects',
   },
   /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
   like: {
     kind: 'faces',
-    help: 'faces of a mesh that the files are further poses of; their polygons are cut into its triangles',
+    help: 'faces of the mesh that the files must match; their polygons are cut into its triangles',
   },
   /** 3 x vertices of that mesh in some pose: the keys come in its vertices, however the files split them. */
   likePose: {
     kind: 'shape',
-    help: 'positions of that mesh; the keys come in its vertices then, however the files split theirs',
+    help: 'positions of that mesh; the keys then use its vertices, however the files split theirs',
   },
   /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a far shape. */
   offset: {
     kind: 'point',
-    help: 'what is subtracted from positions in double: of further poses, the offset of the keys; default: as needed',
+    help: 'offset subtracted from positions in double precision; for added poses, the offset of the keys; default: as needed',
   },
   /** `scene.objects` of that mesh: objects of the files are matched with these. */
   likeObjects: {
@@ -475,7 +475,7 @@ export const EXPORT = {
     kind: 'choice',
     choices: ['glb', 'obj', 'ply', 'pc2', 'mdd'],
     default: 'glb',
-    help: 'one file with an animation, a file for each shape, or a point cache beside one OBJ',
+    help: 'one file with an animation, one file per shape, or a point cache with one OBJ',
   },
   /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
   times: {
@@ -485,7 +485,7 @@ export const EXPORT = {
     default: null,
     flag: 'at',
     value: 'T,T,...',
-    help: 'at these times, which may lie beyond the keys: --at=-0.3,1.3',
+    help: 'times to export, which may lie beyond the keys: --at=-0.3,1.3',
   },
   /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
   frames: {
@@ -496,7 +496,7 @@ export const EXPORT = {
     default: null,
     flag: 'frames',
     value: 'K',
-    help: `or at K evenly spaced times; default: as few as the tolerance allows in a GLB, else ${USUAL_FRAMES}`,
+    help: `number of evenly spaced times; default: GLB: as few as --tolerance allows; otherwise ${USUAL_FRAMES}`,
   },
   /**
    * Whole frames of the motion's own time, or from the start of the exported one where that has a duration; a GLB
@@ -509,7 +509,7 @@ export const EXPORT = {
     default: null,
     flag: 'fps',
     value: 'F',
-    help: 'or at whole frames, F a second, so that they fall on those of an animation program',
+    help: 'frames per second; the times are whole frames, to match those of an animation program',
   },
   /**
    * How far a vertex may be off when a GLB is played, in percent of the bounding box's diagonal: without it every frame
@@ -523,7 +523,7 @@ export const EXPORT = {
     default: 0.1,
     flag: 'tolerance',
     value: 'PERCENT|off',
-    help: 'GLB: how far linear playback may be off, in percent of the diagonal; off: every frame; default: 0.1',
+    help: "GLB: largest error of linear playback, in % of the model's size; off: every frame; default: 0.1",
   },
   /** 'principal': the keys and a few corrections that the animation mixes, instead of a target for each moment. */
   targets: {
@@ -531,14 +531,14 @@ export const EXPORT = {
     choices: ['frames', 'principal'],
     default: 'frames',
     flag: 'targets',
-    help: 'GLB: a morph target for each exported time, or the keys and a few in-betweens that are mixed',
+    help: 'GLB: one morph target per exported time, or the keys with a few in-betweens that are mixed',
   },
   compression: {
     kind: 'choice',
     choices: ['none', 'quantized', 'meshopt'],
     default: 'none',
     flag: 'compression',
-    help: 'GLB: 16 bits a coordinate (KHR_mesh_quantization), and EXT_meshopt_compression of these',
+    help: 'GLB: 16 bits per coordinate (KHR_mesh_quantization), or that with EXT_meshopt_compression',
   },
   /** First and last time; default: first and last key. */
   range: {
@@ -546,7 +546,7 @@ export const EXPORT = {
     default: null,
     flag: 'range',
     value: 'A:B',
-    help: 'from A to B, which may lie beyond the keys; default: first to last key: --range=-0.3:1.3',
+    help: 'time range to export; may extend beyond the keys; default: first to last key: --range=-0.3:1.3',
   },
   /** Seconds that the exported animation plays; default: the length of the range. GLB and MDD. */
   duration: {
@@ -556,14 +556,14 @@ export const EXPORT = {
     default: null,
     flag: 'duration',
     value: 'SECONDS',
-    help: 'length of the exported animation; its times start at 0 and include the keys in range',
+    help: 'length of the exported animation; its times start at 0 and include the keys in the range',
   },
   /** GLB: back the way that it came, so that it takes twice the time. */
   bounce: {
     kind: 'flag',
     default: false,
     flag: 'bounce',
-    help: 'GLB: there and back again, in twice the time, so that it plays in a loop without a jump',
+    help: 'GLB: play forwards, then backwards (twice as long), so that it loops seamlessly',
   },
   /** One pose only: the shape that the keys blend to, which need not lie on the curve. */
   blend: {
@@ -571,10 +571,10 @@ export const EXPORT = {
     default: null,
     flag: 'blend',
     value: 'W,W,...',
-    help: 'instead of the motion, the one shape that the keys blend to in shape space: a weight per key, sum 1',
+    help: 'instead of the motion, one mixture of the keys in shape space: a weight per key, sum 1',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
-  pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'one pose only, at this time' },
+  pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'a single pose at this time' },
   inPlace: { kind: 'flag', default: MOTION.inPlace.default, help: MOTION.inPlace.help },
   /** Of the files, of the mesh in a GLB and its node; null: 'shapespline'. */
   name: {
@@ -582,7 +582,7 @@ export const EXPORT = {
     default: null,
     flag: 'name',
     value: 'NAME',
-    help: "what the mesh is called in a GLB, and files that belong together; default: as the output's file",
+    help: "name of the mesh in a GLB, and of files that belong together; default: the output's name",
   },
 } as const satisfies OptionTable;
 

@@ -67,7 +67,7 @@ const MOST_MOVE = 1e12;
 
 /** Of a pin's path. */
 const path: Check = (v) => {
-  if (!Array.isArray(v)) return 'whose path is no array';
+  if (!Array.isArray(v)) return 'whose path is not an array';
   if (v.length > MOST_PATH_KEYS) return `with more than ${MOST_PATH_KEYS} keys in its path`;
   const goodMove = (move: unknown): boolean =>
     Array.isArray(move) && move.length === 3 && move.every((x) => isNumber(x) && Math.abs(x) <= MOST_MOVE);
@@ -80,13 +80,13 @@ const path: Check = (v) => {
 
 /** What is wrong with a pin, after 'must not have a pin'. */
 function wrongWithPin(pin: unknown): string | null {
-  if (!isRecord(pin)) return 'that is no object';
+  if (!isRecord(pin)) return 'that is not an object';
   const { vertex, radius, stay = 0, path: keys = [], ...rest } = pin;
-  if (wholeFrom(0)(vertex)) return 'whose vertex is no whole number of at least 0';
-  if (!isNumber(radius) || radius < 0 || radius > 1) return 'whose radius is no number from 0 to 1';
-  if (wholeFrom(0)(stay)) return 'whose key to stay in is no whole number of at least 0';
+  if (wholeFrom(0)(vertex)) return 'whose vertex is not a whole number of at least 0';
+  if (!isNumber(radius) || radius < 0 || radius > 1) return 'whose radius is not a number from 0 to 1';
+  if (wholeFrom(0)(stay)) return 'whose stay is not a whole number of at least 0';
   const [other] = Object.keys(rest);
-  return other === undefined ? path(keys) : `with '${other}': it has vertex, radius, stay and path`;
+  return other === undefined ? path(keys) : `with an unknown field '${other}': a pin has vertex, radius, stay and path`;
 }
 
 const pins: Check = (v) => {
@@ -223,7 +223,7 @@ function checked<T extends object>(what: string, checks: Checks, defaults: Reado
   const result: Record<string, unknown> = { ...defaults };
   for (const [name, value] of Object.entries(given ?? {})) {
     if (!Object.hasOwn(checks, name)) {
-      throw invalidOption(`There is no ${what} option '${name}'; the names are ${Object.keys(checks).join(', ')}.`);
+      throw invalidOption(`There is no ${what} option '${name}'; the options are ${Object.keys(checks).join(', ')}.`);
     }
     if (value === undefined) continue;
     const wrong = checks[name]!(value);
@@ -284,7 +284,7 @@ function picked<T extends object>(options: T, like: Readonly<T>): T {
 export function checkCall(call: object | undefined): void {
   const names = ['signal', 'onProgress'];
   const name = Object.keys(call ?? {}).find((key) => !names.includes(key));
-  if (name) throw invalidOption(`There is no call option '${name}'; the names are ${names.join(', ')}.`);
+  if (name) throw invalidOption(`There is no call option '${name}'; the options are ${names.join(', ')}.`);
 }
 
 export function checkTime(t: unknown): number {

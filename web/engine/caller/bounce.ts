@@ -16,7 +16,7 @@ export function thereAndBack({ seconds, weights }: Weighted, targets: number): W
   if (rows * targets > MOST_WEIGHTS)
     throw new EngineError(
       'too-large',
-      `There and back, an animation of ${targets.toLocaleString('en')} morph targets could not be opened again. ` +
+      `Played back and forth, an animation of ${targets.toLocaleString('en')} morph targets could not be opened again. ` +
         'Export it one way, or with a larger tolerance.',
     );
   const both = new Float32Array(rows * targets);

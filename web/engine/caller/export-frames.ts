@@ -99,8 +99,8 @@ async function principalOf(
   if (2 * 4 * size * times.length > MOST_HELD)
     throw new EngineError(
       'too-large',
-      `Principal targets of so large a shape need ${times.length} frames at once, more than memory holds. ` +
-        'Use targets of frames, or a larger tolerance.',
+      `Principal targets of a shape of this size need ${times.length} frames in memory, more than fit. ` +
+        'Use frames as targets, or a larger tolerance.',
     );
   const frame = async (t: number) => {
     if (signal?.aborted) throw cancelled();

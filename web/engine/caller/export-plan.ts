@@ -169,8 +169,8 @@ export function frameWarnings(
       ...NO_PLACE,
       code: 'keys-off-frames',
       message:
-        `At ${fps} frames a second ${off.length === 1 ? `key ${named} lies` : `keys ${named} lie`} between whole frames` +
-        `${ends ? ', and the animation ends before the last one' : ''}. Move them onto frames, or leave the rate out.`,
+        `At ${fps} frames per second, ${off.length === 1 ? `key ${named} lies` : `keys ${named} lie`} between whole frames` +
+        `${ends ? ', and the animation ends before the last one' : ''}. Move them onto frames, or omit the frame rate.`,
       key: off[0]!.key,
       count: off.length,
     },
@@ -185,7 +185,7 @@ export function localWarnings(options: ExportOptions, offset: Point): Warning[] 
   if (!isPointCache(options) || offset.every((value) => value === 0)) return [];
   const message =
     `The ${options.format.toUpperCase()} and its OBJ have positions relative to ${offset.join(', ')} (y up). ` +
-    'Move the object there in the other program; opened here, both are put back.';
+    'Move the object there in the other program. When the files are opened here, the offset is applied.';
   return [{ ...NO_PLACE, code: 'local-positions', message, count: 0 }];
 }
 
@@ -201,8 +201,8 @@ export function exportWarnings(options: ExportOptions, targets: number, vertices
       code: 'heavy-animation',
       message:
         `Playing this takes ${bytesText(texture)} of graphics memory in three.js and Babylon.js (${grouped(targets)} ` +
-        `morph targets of ${grouped(vertices)} vertices, 32 bytes each) and ${bytes(PLAYED_BYTES.memory)} besides; ` +
-        `${bytes(PLAYED_BYTES.blender)} in Blender. A larger tolerance or fewer frames make it lighter.`,
+        `morph targets of ${grouped(vertices)} vertices, 32 bytes each) and ${bytes(PLAYED_BYTES.memory)} of memory; ` +
+        `${bytes(PLAYED_BYTES.blender)} in Blender. A larger tolerance or fewer frames reduce this.`,
       count: targets,
     });
   if (targets > MOST_LAYERS)

@@ -48,8 +48,8 @@ function checked(url: URL, option: string, type: string, bytes: ArrayBuffer): Ar
 function otherwise(url: URL, option: string, what: string): EngineError {
   return engineError(
     'not-loaded',
-    `The computation could not be loaded: ${url.href} answered with ${what} instead of WebAssembly. ` +
-      `Put the .wasm file at that address, or name the address where it is: configure({ ${option} }).`,
+    `The computation could not be loaded: ${url.href} returned ${what} instead of WebAssembly. ` +
+      `Put the .wasm file there, or set its URL: configure({ ${option} }).`,
   );
 }
 

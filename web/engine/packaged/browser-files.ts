@@ -89,7 +89,7 @@ function required(address: () => URL, name: string): URL {
   } catch {
     throw engineError(
       'not-loaded',
-      `This script does not know its own address, so that its other files must be named: configure({ ${name} }).`,
+      `This script does not know its own URL, so the URLs of its other files must be set: configure({ ${name} }).`,
     );
   }
 }
@@ -109,12 +109,12 @@ function notStarted(silent: boolean, from: string): EngineError {
   if (silent)
     return engineError(
       'not-loaded',
-      `The worker from ${from} does not answer. Put the worker.js of this version there, and load the page again.`,
+      `The worker from ${from} does not respond. Put the worker.js of this version there, and reload the page.`,
     );
-  return engineError('not-loaded', `The worker did not start from ${from}, nor by a blob: or data: address. ${why()}`);
+  return engineError('not-loaded', `The worker did not start from ${from}, nor from a blob: or data: URL. ${why()}`);
 }
 
-const OWN = "Put worker.js at an address of the page's own origin and name it, configure({ workerUrl })";
+const OWN = "Put worker.js on the page's own origin and set its URL: configure({ workerUrl })";
 
 function why(): string {
   if (refusals.has('trusted-types'))

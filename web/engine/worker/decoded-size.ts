@@ -38,7 +38,7 @@ export function checkDecodedSize(json: unknown, bytes: number, name: string): vo
   const megabytes = Math.round(room / 1e6).toLocaleString('en');
   throw new EngineError(
     'too-large',
-    `${name} declares more than the ${megabytes} MB that may come out of its bytes. Export the file again, or without compression.`,
+    `${name} declares more than the ${megabytes} MB that its bytes may expand to. Export the file again, or without compression.`,
     { file: name },
   );
 }
@@ -50,7 +50,7 @@ function meshoptSize(view: Json, index: number): number {
   const { count, byteStride, byteLength, mode = 'ATTRIBUTES' } = extension;
   const ratio = MESHOPT_RATIO[String(mode)];
   if (!isSize(count) || !isSize(byteStride) || !isSize(byteLength) || byteStride > 256 || ratio === undefined)
-    throw new Error(`bufferView ${index} has no size that meshopt could have`);
+    throw new Error(`bufferView ${index} has a size that meshopt cannot have`);
   if (count * byteStride > ratio * byteLength)
     throw new Error(`bufferView ${index} declares more than its ${byteLength} bytes can hold`);
   return count * byteStride;
@@ -97,9 +97,9 @@ export function checkForest(json: unknown): void {
   for (const [index, { children }] of nodes.entries()) {
     for (const child of (Array.isArray(children) ? children : []) as unknown[]) {
       if (!isSize(child) || child >= nodes.length)
-        throw new Error(`node ${index} has child ${JSON.stringify(child)}, which is not there`);
-      if (child === index) throw new Error(`node ${index} is its own child, so that the nodes form no tree`);
-      if (parent[child] !== -1) throw new Error(`node ${child} has two parents, so that the nodes form no tree`);
+        throw new Error(`node ${index} has child ${JSON.stringify(child)}, which does not exist`);
+      if (child === index) throw new Error(`node ${index} is its own child, so the nodes are not a tree`);
+      if (parent[child] !== -1) throw new Error(`node ${child} has two parents, so the nodes are not a tree`);
       parent[child] = index;
     }
   }

@@ -106,7 +106,7 @@ function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
 function mismatch(reason: Error): EngineError {
   return engineError(
     'not-loaded',
-    'The loaded parts of the program are of different versions. Reload the page without its ' +
+    'The loaded parts of the program have different versions. Reload the page without its ' +
       `cache, or rebuild it (${reason.message}).`,
   );
 }
