@@ -2,6 +2,7 @@ import { rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
+import { manual } from './manual/plugin.ts';
 import { offline } from './offline/plugin.ts';
 import { NOTICES, notices, packageOf } from '../wasm/toolchain/notices.mjs';
 import { withoutPixels } from '../wasm/toolchain/pixels.mjs';
@@ -49,7 +50,7 @@ export default defineConfig({
   base: './',
   // The example in React imports the element as a page does that has the package.
   resolve: { alias: { ...withoutPixels, 'shapespline/element': `${here}embed/register.ts` } },
-  plugins: [preload(), unusedShaders(), collectsPackages(), carriesNotices, forReaders, offline()],
+  plugins: [preload(), unusedShaders(), collectsPackages(), carriesNotices, manual(), forReaders, offline()],
   build: {
     outDir: `${repository}dist`,
     emptyOutDir: true,

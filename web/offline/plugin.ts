@@ -7,7 +7,7 @@ import type { Plugin } from 'vite';
 
 const SOURCE = fileURLToPath(new URL('./service-worker.js', import.meta.url));
 /** Not needed to work offline. */
-const LEFT_OUT = /(\.map$|\.md$|^sw\.js$|^notices\.txt$|^\.)/;
+const LEFT_OUT = /(\.map$|\.md$|^sw\.js$|^notices\.txt$|^manual\.html$|^\.)/;
 /** Kept once it was used: what only some visitors need. */
 const LATER = /\/(shapespline_threads|cdn|codecs)-[^/]*\.(wasm|js)$/;
 
