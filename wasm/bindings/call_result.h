@@ -14,12 +14,12 @@ namespace shapespline::bindings {
 
 using Json = nlohmann::json;
 
-/// Text that stays where it is until the next result.
+/// Keeps a text until the next result.
 const char* keepResult(Result<Json> result);
 const char* keepOutOfMemory();
 const char* keepInternal(const char* what);
 
-/// Runs `work`, which returns Result<Json>, and turns whatever comes of it into a result.
+/// Runs `work`, which returns Result<Json>, and turns its value, error or exception into a result.
 template <class Work>
 const char* callResult(Work&& work) {
   try {
@@ -35,7 +35,7 @@ const char* callResult(Work&& work) {
   }
 }
 
-/// The same for a request, which is JSON text.
+/// The same with a request, which is JSON text.
 template <class Work>
 const char* answer(const char* request, Work&& work) {
   return callResult([&] { return work(Json::parse(request)); });

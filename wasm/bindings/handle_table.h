@@ -1,4 +1,4 @@
-// What JavaScript holds by a handle: a whole number that is never used twice. Whoever creates, releases.
+// Objects that JavaScript refers to by handles, whole numbers that are never reused. The creator releases.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace shapespline::bindings {
 
-/// Objects of any kind: each module has kinds of its own.
+/// Objects of any kind; each module has its own kinds.
 class HandleTable {
  public:
   template <class T>
@@ -29,7 +29,7 @@ class HandleTable {
   int count() const { return static_cast<int>(objects_.size()); }
 
  private:
-  /// Its address tells kinds apart: the wasm module knows no types at run time.
+  /// Its address identifies the type: the wasm module has no run-time type information.
   template <class T>
   static constexpr char kindOf = 0;
 

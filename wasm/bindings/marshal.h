@@ -1,5 +1,5 @@
-// JSON and heap ranges <-> the core's plain data, as far as both modules need it. Bulk numbers travel as {"address",
-// "length"}: a range of the heap that its owner keeps until the call, or the handle that it belongs to, is done with.
+// JSON and heap ranges <-> the core's plain data, shared by both modules. Bulk numbers travel as {"address", "length"}:
+// a range of the heap that its owner keeps until the call or its handle ends.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ Json rangeOrNull(const std::vector<T>& numbers) {
   return numbers.empty() ? Json() : range(numbers.data(), numbers.size());
 }
 
-/// The range that JSON names, as elements of type T; empty for null.
+/// The range that the JSON refers to, as elements of type T; empty for null.
 template <class T>
 std::span<const T> elements(const Json& json) {
   if (json.is_null()) return {};

@@ -1,5 +1,5 @@
-// Nothing here asks a system for anything, so that no error of one needs words: the C library's table of them, which
-// the C++ library's exceptions bring, stays out of the module.
+// The C++ library's exceptions bring in the C library's table of system error messages. Nothing here makes system
+// calls, so this stub keeps the table out of the module.
 #include <cstring>
 
 extern "C" char* strerror(int) {

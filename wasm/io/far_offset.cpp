@@ -12,9 +12,9 @@ namespace {
 
 // Up to here single precision rounds to a millionth of the diagonal.
 constexpr double kNear = 16;
-// The squares and products of what is larger overflow single precision.
+// Squares and products of larger numbers overflow single precision.
 constexpr double kMostCoordinate = 1e18;
-// Of a key's diagonal: less is not seen.
+// Share of a key's diagonal; smaller roundings are invisible.
 constexpr double kVisibleRounding = 1e-4;
 
 struct Box {

@@ -1,4 +1,4 @@
-// Shapes far from the origin: one offset is subtracted from all keys in double, so that single precision holds them.
+// Shapes far from the origin: one offset is subtracted from all keys in double precision, so they fit single precision.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace shapespline {
 
-/// Zero unless the box around all poses lies more than 16 of its diagonals from the origin. Then the middle of the box,
-/// rounded to a power of two of about the diagonal, so that subtracting it is exact.
+/// Zero unless the box around all poses lies more than 16 diagonals from the origin. Otherwise the centre of the box,
+/// rounded to a power of two near the diagonal, so the subtraction is exact.
 Vec3 chooseOffset(std::span<const Key> keys);
 
 /// Subtracts the offset that was asked for, that of a saved project where its keys still lie there, or else the chosen

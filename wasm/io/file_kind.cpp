@@ -26,7 +26,7 @@ bool startsWithWord(std::string_view text, std::string_view lowerCase) {
                     [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
 }
 
-// Files that people have and that are not read: what they are, and what to do.
+// Common file formats that are not supported, with advice.
 struct OtherFormat {
   std::string_view extension, what, advice;
 };
@@ -86,7 +86,7 @@ std::string_view mainExtension(std::string_view extension) {
   return extension;
 }
 
-// The ending that the content belongs to; empty where that is not known.
+// The extension that matches the content; empty if unknown.
 std::string_view extensionByContent(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> kStarts[] = {
       {"kaydara fbx", "fbx"}, {"; fbx ", "fbx"},     {"blender", "blend"},      {"ogawa", "abc"},
@@ -105,7 +105,7 @@ const OtherFormat* otherFormat(std::string_view extension) {
   return nullptr;
 }
 
-// A file that is something else: what it is and what to do. Archives and XML are what their ending says, if it does.
+// Describes an unsupported file, with advice. For archives and XML, the extension decides if it is known.
 std::string somethingElse(std::string_view text, std::string_view extension) {
   if (startsWithWord(text, "<!doctype html") || startsWithWord(text, "<html") || startsWithWord(text, "<head"))
     return " is a web page (HTML), not a 3D file. Download the file itself: on GitHub, its raw version.";

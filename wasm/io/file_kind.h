@@ -1,4 +1,4 @@
-// What a file is: told by its first bytes, and by its name only where they do not tell.
+// The kind of a file, from its first bytes, or from its name if these do not decide.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ bool isCompanion(std::string_view name);
 /// Whether the name promises a mesh or its motion.
 bool isMeshName(std::string_view name);
 
-/// Errors: EmptyFile, NotRecognised with what the file seems to be (a web page, an archive, another 3D format).
+/// Errors: EmptyFile; NotRecognised with a guess (a web page, an archive, another 3D format).
 Result<FileKind> fileKind(const NamedBytes& file, const std::string& where);
 
 }  // namespace shapespline

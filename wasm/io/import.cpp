@@ -59,7 +59,7 @@ void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnin
                         static_cast<int>(others.size() - most)});
 }
 
-// A lone OBJ, PLY or OFF cannot be enough, but what is wrong in it comes first.
+// A single OBJ, PLY or OFF is not enough, but errors in it take precedence.
 Error onePoseOnly(const MeshFile& mesh, const GivenFiles& files, const ImportOptions& options) {
   const std::string where = placeName(*mesh.file, 0, 1);
   const auto pose = PoseReader{files, options}.read(mesh, where);
@@ -86,7 +86,7 @@ bool showsActions(const Import& import) {
          allSame(import.keyframes);
 }
 
-// The poses of the animations, each of which is a key, where these differ. Further poses of a mesh come one at a time.
+// Uses the poses of the animations, one key each, if they differ. Added poses of a mesh come one at a time.
 Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes, const GivenFiles& files,
                            const ImportOptions& options, const StageProgress& progress) {
   auto actions = importAnimations(meshes, files, options, progress);
@@ -121,7 +121,7 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
                    "samples."};
 }
 
-// Further poses of a mesh come in its vertices.
+// Expresses added poses in the vertices of the mesh.
 Result<Import> likeTheMesh(Import&& import, const ImportOptions& options) {
   if (options.likePose.empty()) return std::move(import);
   Import mesh;
@@ -170,7 +170,7 @@ Status setTimes(Keyframes& keyframes, const std::vector<double>& times) {
   return {};
 }
 
-// glTF is y up and in metres: what else was asked for does not fit.
+// glTF is Y up and in metres, so other axes and units do not apply.
 void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& options,
                       std::vector<Warning>& warnings) {
   const auto isGltf = [](const MeshFile& mesh) { return mesh.kind == FileKind::Gltf; };
@@ -182,7 +182,7 @@ void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& 
                       static_cast<int>(count)});
 }
 
-// What is wrong with the keys names them; their file belongs to it.
+// Errors of keys name the keys; this adds their file.
 Error withFile(Error error, const std::vector<MeshFile>& meshes, const Keyframes& keyframes) {
   if (meshes.size() == 1) {
     error.message = placeName(*meshes[0].file, 0, 1) + ": " + error.message;
@@ -202,7 +202,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   if (Status like = checkLike(options); !like) return like.error();
   const std::vector<MeshFile>& meshes = found->meshes;
   auto read = readKeys(meshes, GivenFiles(files), options, progress);
-  // The keys that are missing may be in what was left out.
+  // The missing keys may be in the files left out.
   if (!read && read.error().code == ErrorCode::TooFewKeys && !found->others.empty()) return found->others[0];
   if (!read) return read;
   if (Status local = subtractOffset(*read, options); !local) return withFile(local.error(), meshes, read->keyframes);
@@ -220,7 +220,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
 
 Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options,
                                const StageProgress& progress) {
-  // The libraries below throw on what they do not expect; no exception leaves this folder.
+  // The libraries below throw on unexpected input; no exception leaves this folder.
   try {
     return importChecked(files, options, progress);
   } catch (const std::bad_alloc&) {

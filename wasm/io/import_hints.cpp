@@ -80,7 +80,8 @@ Vec3 centreOfArea(const Positions& positions, const std::vector<Triangle>& faces
   return all > 0 ? Vec3(sum / all) : positions[0];
 }
 
-// In widths, with `axis` up: how far the centre lies inside of what touches the floor. Below 0 the shape tips over.
+// With `axis` up: how far the centre lies inside the outline that touches the floor, in widths. Below 0 the shape tips
+// over.
 double footing(const Positions& positions, const Vec3& centre, int axis) {
   constexpr int kDirections = 32;
   constexpr double kFeet = 0.05;  // of the height

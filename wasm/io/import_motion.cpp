@@ -161,13 +161,13 @@ Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, const Gi
   const Vec3 offset = pose->offset;
   if (Status added = addPose(std::move(*pose), "mesh", out, where); !added) return added.error();
   hintAtUpAxis(mesh.kind, writtenZUp, options, where, out);
-  out.rounding = 0;  // of the mesh itself, of which only the faces are taken
+  out.rounding = 0;  // the mesh file, of which only the faces are used
   const Axes axes = axesOf(*cache, movedBy(-offset, out.keyframes.keys[0].positions));
   const bool own = axes == Axes::Identity();
   const auto frame = [&](std::size_t index) -> Result<Positions> {
     Positions positions = cache->frame(index);
     out.noteRounding(options.unit * storedRounding(positions), place);
-    // In axes of its own it is seen as the mesh lies now, else it goes with the mesh.
+    // A cache with its own axes is oriented as the mesh was; otherwise it follows the mesh.
     if (own) orient(positions, options.zUp, options.unit);
     else
       for (Vec3& p : positions) p = axes * p;

@@ -34,7 +34,7 @@ std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std:
     const ObjectMesh other{pose->scene.objects, pose->faces, pose->positions};
     if (!other.isWhole()) return {};
     const ObjectMatch same = matchObjects(first, other);
-    // Of objects that have other names there, only their shapes would say that they are the same.
+    // Objects with different names could be matched by shape only.
     const auto has = [&](std::size_t i) {
       const bool unnamed = first.objects[i].nodeName.empty() && first.objects[i].meshName.empty();
       return same.otherOf[i] >= 0 && (same.rule[i] == MatchRule::Name || unnamed);
@@ -54,7 +54,7 @@ void nameByActions(const std::vector<std::string>& actions, std::vector<Key>& ke
   for (std::size_t k = 0; k < keys.size(); ++k) keys[k].name = actions[k];
 }
 
-// The key of a file that hides some of what key 1 shows.
+// Adds the key of a file that hides meshes of key 1.
 Status addHidden(PoseFile&& pose, const NamedBytes& file, Import& out, const std::string& where) {
   const auto said = static_cast<std::ptrdiff_t>(out.warnings.size());
   if (Status added = addPose(std::move(pose), keyName(file), out, where); !added) return added;
@@ -126,7 +126,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& 
   setTimesInSeconds(out.keyframes);
   nameByActions(actions, out.keyframes.keys);
   warnOfSamePoses(facts, out);
-  // Where nothing moves, the keys can be taken from what the files hold besides.
+  // If nothing moves, the keys can be taken from animations in the files.
   if (samePoses(out) > 0 && (facts.animated == facts.files || facts.posed == facts.files))
     out.animations = std::move(animations);
   return out;
@@ -153,7 +153,7 @@ Error atKey(Error error, int key) {
   return error;
 }
 
-// Of the poses after the first only one is held beside the keys.
+// Only one pose after the first is held at a time.
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where) {
   out.noteRounding(pose.rounding, where);
   if (out.keyframes.keyCount() > 0)

@@ -35,8 +35,8 @@ void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, 
 /// Poses say nothing of time: from one to the next it takes a second.
 void setTimesInSeconds(Keyframes& keyframes);
 
-/// Files -> keys, in their order. Files of which some hold objects that others lack (a ground plane) are poses of what
-/// all of them have, with a warning. Errors: of the readers, and of files that are not of one mesh.
+/// Files -> keys, in their order. If files have different objects (such as a ground plane), the keys use the objects
+/// that all files share, with a warning. Errors: of the readers, and of files that do not match.
 Result<Import> importPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
                            const StageProgress& progress);
 

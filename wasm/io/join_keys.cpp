@@ -21,16 +21,16 @@ std::vector<const Positions*> posesOf(const std::vector<Key>& keys) {
   return poses;
 }
 
-// The vertices of a mesh that a further pose has at several places: n + i becomes a copy of vertex copyOf[i].
+// Vertices of a mesh that a pose has at several positions: n + i becomes a copy of vertex copyOf[i].
 struct Split {
   std::vector<int> copyOf;
   std::vector<Triangle> faces;
-  std::vector<int> vertexOf;  // of the n and their copies, in the pose; -1 where no face tells
+  std::vector<int> vertexOf;  // pose vertex of the n and their copies; -1 if no face decides
 };
 
 Split splitBy(const std::vector<int>& cornerOf, const Welding& points, const std::vector<Triangle>& faces, int n) {
   Split out{{}, faces, std::vector<int>(n, -1)};
-  std::map<std::pair<int, int>, int> copyAt;  // of a vertex, at a point
+  std::map<std::pair<int, int>, int> copyAt;  // copies of a vertex by position
   for (std::size_t corner = 0; corner < cornerOf.size(); ++corner) {
     int& v = out.faces[corner / 3][corner % 3];
     const int there = cornerOf[corner], point = points.weldedOfRaw[there];
@@ -51,14 +51,14 @@ void appendCopies(const std::vector<int>& copyOf, std::size_t width, std::size_t
   values.insert(values.begin() + static_cast<std::ptrdiff_t>(width * at), copies.begin(), copies.end());
 }
 
-// Drawn vertices are the mesh's own, which get more, and copies behind them. A copy is of one vertex: where that is
-// split, there is one for each.
+// Drawn vertices are the mesh's own, of which there are more now, followed by copies. A copy belongs to one vertex: if
+// that is split, each part gets a copy.
 void splitSeams(const Split& split, int n, const std::vector<Triangle>& before, Scene& scene) {
   Seams& seams = scene.seams;
   const int more = static_cast<int>(split.copyOf.size());
   appendCopies(split.copyOf, 2, n, scene.uvs);
   if (seams.copyOf.empty()) return;
-  std::map<std::pair<int, int>, int> copyAt;  // of a drawn vertex, for a vertex
+  std::map<std::pair<int, int>, int> copyAt;  // copy of a drawn vertex for a vertex
   for (std::size_t f = 0; f < seams.faces.size(); ++f)
     for (int c = 0; c < 3; ++c) {
       int& drawn = seams.faces[f][c];
@@ -96,10 +96,10 @@ Warning splitWarning(const std::string& where, int count, int key) {
           count, key};
 }
 
-// A mesh with its vertices in the order of its objects, so that it compares with another file's.
+// A mesh with its vertices in the order of its objects, to compare with another file.
 struct Arranged {
   std::vector<Triangle> faces;
-  std::vector<int> vertexAt;  // of each vertex: the file's
+  std::vector<int> vertexAt;  // file vertex of each vertex
   std::vector<Positions> poses;
 
   std::vector<const Positions*> posePointers() const {
@@ -161,7 +161,7 @@ std::optional<PoseMatch> findArranged(const ObjectMesh& firstMesh, const ObjectM
   return out;
 }
 
-// As many vertices and the same faces, but not where the names of the objects say.
+// The vertices and faces match in number, but not where the object names suggest.
 Error otherObjects(const std::string& where, int key) {
   return {ErrorCode::FaceMismatch,
           where + ": objects with these names have different faces from those of key 1. Use poses of one mesh.", key};
@@ -208,7 +208,7 @@ Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added
   for (Key& one : added) {
     Positions positions(vertexOf.size());
     for (std::size_t v = 0; v < vertexOf.size(); ++v)
-      // What belongs to no face stays where it is.
+      // Vertices without faces stay in place.
       positions[v] = vertexOf[v] < 0 ? k.keys[0].positions[v] : one.positions[vertexOf[v]];
     k.keys.push_back({std::move(one.name), one.time, std::move(positions)});
   }

@@ -10,10 +10,10 @@
 
 namespace shapespline {
 
-/// Of objects that not every file has.
+/// Warning for objects that not every file has.
 Warning leftOutWarning(const std::vector<std::string>& taken, int count);
 
-/// Adds further poses of an import's mesh, one after the other. The import holds at least one key.
+/// Adds poses to an import, one after the other. The import has at least one key.
 class KeyJoiner {
  public:
   explicit KeyJoiner(Import& import) : import_(import) {}

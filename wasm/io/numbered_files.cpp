@@ -55,7 +55,7 @@ void readSign(Numbered& file, const std::set<Sequence>& unsignedOnes) {
   file.path = before;
 }
 
-// Frames between whole ones: sim.1.25 beside sim.1 and sim.2 is frame 1.25, not frame 25 of a sequence sim.1.
+// Fractional frames: sim.1.25 between sim.1 and sim.2 is frame 1.25, not frame 25 of a sequence sim.1.
 void readFraction(Numbered& file, std::string_view name, const std::set<Sequence>& unsignedOnes,
                   const std::set<Sequence>& whole) {
   if (!file.number || !file.path.ends_with('.')) return;

@@ -1,4 +1,4 @@
-// Whether files are the frames of one animation, as their names say.
+// Detects by name whether files are the frames of one animation.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,13 @@ struct NumberedFiles {
   std::vector<double> seconds;  ///< of each file, from 0, at kFramesPerSecond
 };
 
-/// OBJ or PLY files, two at least and all of one kind, whose names differ in the number before the extension alone, in
-/// increasing order: walk0001.obj, walk0002.obj. Nothing where they are none. Numbers may be negative; whether a hyphen
-/// is a sign, all names together say. web/engine/api/numbered-names.ts has the same rule for the order of files; both
-/// pass tests/numbered-names.json.
+/// At least two OBJ or PLY files of one kind, whose names differ only in the number before the extension, in increasing
+/// order: walk0001.obj, walk0002.obj. Nothing otherwise. Numbers may be negative: all names together decide whether a
+/// hyphen is a sign. web/engine/api/numbered-names.ts orders files by the same rule; both pass
+/// tests/numbered-names.json.
 std::optional<NumberedFiles> numberedFiles(const std::vector<MeshFile>& meshes);
 
-/// The names of several numbered sequences that lie among the files, with their counts; empty where there is one at
-/// most.
+/// Names and counts of several numbered sequences among the files; empty for fewer than two.
 std::string sequencesAmong(const std::vector<MeshFile>& meshes);
 
 }  // namespace shapespline

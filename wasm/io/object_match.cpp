@@ -16,10 +16,10 @@ namespace shapespline {
 
 namespace {
 
-// Faces that may be compared while alike objects are looked for, as multiples of all faces: what files of many objects
-// without names may cost.
+// Limit of face comparisons in the search for similar objects, as a multiple of all faces: bounds the cost of files
+// with many unnamed objects.
 constexpr std::int64_t kMostComparisons = 40;
-// Alike objects up to this many are told by their places, in quadratic time.
+// Up to this many similar objects are matched by position, in quadratic time.
 constexpr std::size_t kMostAlike = 400;
 // Places of each object that a rigid motion is fitted to.
 constexpr std::size_t kMostPoints = 64;
@@ -31,7 +31,7 @@ std::string_view withoutNumber(std::string_view name) {
   return end > 1 && end < name.size() && name[end - 1] == '.' ? name.substr(0, end - 1) : name;
 }
 
-// What an object may be called, the most telling first; empty where it has no such name.
+// Possible names of an object, the most specific first; empty if it has no such name.
 constexpr int kNames = 5;
 std::string nameOf(const ObjectFaces& object, int kind) {
   const std::string &node = object.nodeName, &mesh = object.meshName;
@@ -69,7 +69,7 @@ struct LocalMesh {
 
 struct Placement {
   Mat3 rotation = Mat3::Identity();
-  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // where the centre goes
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // where the centre moves
 
   Vec3 operator()(const Vec3& p) const { return rotation * (p - from) + to; }
 };
@@ -81,7 +81,7 @@ struct Matcher {
   const ObjectMesh& other;
   ObjectMatch out{};
   std::vector<char> unsure{}, otherUnsure{};        // objects whose names stand for others in the other pose
-  std::vector<char> taken{};                        // of the other's objects
+  std::vector<char> taken{};                        // of the other pose's objects
   std::vector<LocalMesh> firstMesh{}, otherMesh{};  // filled when they are needed
   std::int64_t room = 0;                            // faces that may still be compared
 
@@ -191,7 +191,7 @@ struct Matcher {
 
   // Alike objects by place.
 
-  // Corresponding places of both objects; their centres where the files number their vertices in ways of their own.
+  // Corresponding points of both objects; only their centres if the files number their vertices differently.
   void addPoints(int i, int j, Positions& from, Positions& to) {
     const LocalMesh &a = ours(i), &b = theirs(j);
     if (a.faces != b.faces) {
@@ -248,7 +248,7 @@ struct Matcher {
     return pairs;
   }
 
-  // The motions that the class may have made: of what is matched already, of its centre, of its first object.
+  // Candidate motions of the class: that of matched objects, of its centre, of its first object.
   std::vector<Placement> placementsOf(const Class& c) {
     constexpr std::size_t mostTried = 8;
     std::vector<Placement> places;
@@ -270,7 +270,7 @@ struct Matcher {
     MatchRule rule = MatchRule::Order;
     Pairs best = order;
     if (c.mine.size() <= kMostAlike && c.others.size() <= kMostAlike) {
-      // The order of the files may be chance; another one must explain the poses clearly better.
+      // The order of the files may be random; a different order must explain the poses clearly better.
       const bool sameCount = c.mine.size() == c.others.size();
       double least = sameCount ? strainOf(order) : std::numeric_limits<double>::infinity();
       double limit = 0.5 * least;

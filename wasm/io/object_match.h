@@ -26,14 +26,14 @@ struct ObjectMatch {
   bool isComplete() const;
   /// By their names, some objects stand in another order than in the first pose.
   bool namesMoveObjects() const;
-  /// Each is where it is in the first pose.
+  /// Whether every object has its index of the first pose.
   bool isInOrder() const;
 };
 
-/// Names are tried from the most telling to the least: with those of the nodes above, of the node, of the mesh, and
-/// these without a number at the end such as Blender's .001; a name counts where it is the only one of its kind in both
-/// poses and stands for as many faces. What is left is matched by connectivity. Alike objects (two eyes) go by place,
-/// as one rigid motion of all of them leaves it; where that does not tell, by their order.
+/// Names are tried from the most specific to the least: with the names of ancestors, of the node, of the mesh, and each
+/// of them without a trailing number such as Blender's .001. A name counts if it is unique in both poses and has the
+/// same number of faces. Remaining objects are matched by connectivity. Similar objects (two eyes) are matched by
+/// position under one rigid motion of all of them, and if that is ambiguous, by order.
 ObjectMatch matchObjects(const ObjectMesh& first, const ObjectMesh& other);
 
 }  // namespace shapespline

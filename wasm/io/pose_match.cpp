@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-// Of each vertex the run that it belongs to: vertices that follow each other at the same place in all poses.
+// The run of each vertex: consecutive vertices at the same position in all poses.
 std::vector<int> runsOf(std::span<const Positions* const> poses) {
   std::vector<int> run(poses[0]->size(), 0);
   for (std::size_t v = 1; v < run.size(); ++v) {
@@ -56,7 +56,7 @@ bool belongTogether(const std::vector<int>& a, int countA, const std::vector<int
                      [&](const auto& pair) { return ofA[pair.first] == 1 || ofB[pair.second] == 1; });
 }
 
-// What the sides of the faces differ from those of the mesh, squared and added up.
+// Sum of squared differences between the side lengths of the faces and those of the mesh.
 double strainOf(const Positions& mesh, const std::vector<int>& corners, const Positions& pose,
                 const std::vector<int>& posed) {
   double sum = 0;
@@ -68,8 +68,8 @@ double strainOf(const Positions& mesh, const std::vector<int>& corners, const Po
   return sum;
 }
 
-// Faces that name wrong vertices, each another one, tell their corners as those of a mesh in another order do; but the
-// pose is the mesh's with the mesh's own faces then, and torn to pieces with these.
+// Faces with wrong indices can look like those of a reordered mesh. But then the pose matches the mesh with the mesh's
+// own faces, and is torn apart with these.
 bool nameWrongVertices(const Positions& mesh, const std::vector<int>& corners, const Positions& pose,
                        const std::vector<int>& posed) {
   return mesh.size() == pose.size() &&

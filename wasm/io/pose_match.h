@@ -1,4 +1,4 @@
-// Finds a mesh's vertices in another file's pose of it: exporters split and cut the same mesh otherwise in every pose.
+// Finds a mesh's vertices in another file's pose: exporters split and cut the same mesh differently in every pose.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace shapespline {
 
-/// What a pose has for the mesh's vertices; one of the two is filled.
+/// Vertices or faces of a pose for the mesh's vertices; one of the two is filled.
 struct PoseMatch {
   std::vector<int> vertexOf;  ///< of each vertex of the mesh: one of the pose
   std::vector<int> cornerOf;  ///< of each corner 3 f + c of the mesh: a vertex of the pose
@@ -21,17 +21,17 @@ class PoseMatcher {
  public:
   PoseMatcher(const std::vector<Triangle>& faces, const Positions& positions) : faces_(faces), positions_(positions) {}
 
-  /// The ways in which a pose may hold the mesh, in the order in which they are tried:
+  /// The ways in which a pose can match the mesh, in the order in which they are tried:
   ///   1. the same vertices, with faces in any order and polygons cut along other diagonals (sameSurface);
-  ///   2. the same once copies that follow each other at one place are one vertex: what exporters leave that sort
-  ///      the copies made for normals and coordinates by vertex (Blender);
-  ///   3. faces in the same order, whose corners tell the vertices: two corners are one vertex where they coincide in
+  ///   2. the same, after consecutive vertices at one position are merged: exporters that sort the copies made for
+  ///      normals and coordinates by vertex leave these (Blender);
+  ///   3. faces in the same order, whose corners determine the vertices: two corners are one vertex if they coincide in
   ///      this mesh and in the pose. Pairs of triangles may be cut along the other diagonal, as Blender cuts quads.
-  /// The third one may be asked of any two lists of as many faces: it holds only where corners that coincide in one of
-  /// the two do so in the other, but for places where the shape touches itself in one of them, and where the pose is
-  /// not much more like the mesh with the mesh's own faces: these name wrong vertices then. It comes before the first
-  /// one where vertices are not shared: numbered as they come, such faces look alike however their quads are cut.
-  /// Nothing where none of the three holds. `poses` are of one file.
+  /// The third can be tried on any two lists of the same length. It holds only if corners that coincide in one of the
+  /// two also do in the other, except where the shape touches itself in one of them, and if the pose does not match
+  /// much better with the mesh's own faces, which indicates wrong indices. It is tried before the first if vertices are
+  /// not shared, because then faces look alike however quads are cut. Returns nothing if none of the three holds.
+  /// `poses` are of one file.
   std::optional<PoseMatch> find(const std::vector<Triangle>& faces, std::span<const Positions* const> poses) const;
 
  private:
@@ -42,7 +42,7 @@ class PoseMatcher {
   const Positions& positions_;
 };
 
-/// Vertices that coincide in all poses of one file, as rounding leaves them.
+/// Merges vertices that coincide in all poses of one file, up to rounding.
 Welding weldPoses(std::span<const Positions* const> poses);
 
 }  // namespace shapespline

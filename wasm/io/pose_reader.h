@@ -14,7 +14,7 @@
 
 namespace shapespline {
 
-/// A file and what it is.
+/// A file and its kind.
 struct MeshFile {
   const NamedBytes* file;
   FileKind kind;

@@ -28,7 +28,7 @@ std::optional<Quad> quadOf(const std::vector<Triangle>& faces, int f, int g) {
   return {};
 }
 
-// How exporters start the triangles of a quad: 0-1-2 and 0-2-3 of it, 0-1-3 and 1-2-3, or neither.
+// Start of a quad's triangles: 0-1-2 and 0-2-3, 0-1-3 and 1-2-3, or neither.
 enum class Cut { None, First, Second };
 
 Cut cutOf(const Triangle& f, const Triangle& g) {
@@ -37,7 +37,7 @@ Cut cutOf(const Triangle& f, const Triangle& g) {
   return Cut::None;
 }
 
-// Where the pose cuts a quad the other way than the mesh, its corners take the mesh's order.
+// If the pose cuts a quad the other way, its corners take the mesh's order.
 void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose, std::vector<int>& corners) {
   for (std::size_t f = 0; f + 1 < mesh.size(); ++f) {
     const Cut wanted = cutOf(mesh[f], mesh[f + 1]), given = cutOf(pose[f], pose[f + 1]);
@@ -54,7 +54,7 @@ void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle
   }
 }
 
-// Three numbers, in lists that are sorted by them. Triangles are, too: their sorting serves both.
+// Three numbers, in sorted lists. Triangles have the same type, so one sort serves both.
 using Entry = std::array<int, 3>;
 
 // The two lists, and which corner of the pose stands for each of the mesh's as far as that is known.
@@ -102,7 +102,7 @@ class Votes {
   }
 
   const Match& match_;
-  std::vector<Entry> counts_;  // of each pair of points, in their order
+  std::vector<Entry> counts_;  // of each pair of points, in sorted order
 };
 
 // Marks the faces of all corners whose first number comes with several second ones.
@@ -153,7 +153,7 @@ struct Change {
   std::array<std::pair<int, int>, 6> corners;
 };
 
-// The quad's points around, from another one.
+// The quad's points in cyclic order, from a different start.
 Change turnedQuad(const Match& match, const Votes& votes, const QuadPair& pair) {
   const auto& [f, g, mesh, pose] = pair;
   int now = 0, best = 0, turn = 0;
@@ -226,7 +226,7 @@ std::vector<int> matchCorners(const std::vector<Triangle>& mesh, const std::vect
   turnUsualCuts(mesh, pose, match.corners);
   const std::vector<int> usual = match.corners;
   for (int round = 0; round < kRounds && settle(match);) ++round;
-  // What was turned without making all agree was no other cut but another mesh.
+  // A change that does not make all faces agree was not a different cut but a different mesh.
   const std::vector<bool> disputed = disputedFaces(match);
   for (std::size_t c = 0; c < usual.size(); ++c)
     if (disputed[c / 3] && match.corners[c] != usual[c]) return usual;

@@ -1,4 +1,4 @@
-// Which corners of a pose's faces are those of the mesh's, where both cut their quads in ways of their own.
+// Matches corners of a pose's faces to the mesh's if both cut their quads differently.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace shapespline {
 
-/// Of each corner 3 f + c of the mesh: the corner of the pose that stands for it. Both lists hold as many faces, in the
-/// same order but for the two triangles of a quad, and name points: vertices at one place are one point. Two triangles
-/// with a common edge may be cut along the other diagonal, and then start at any corner; what the faces around tell of
-/// their points says which is which. Corners that nothing tells stay as they are in the lists. O(m log m).
+/// For each corner 3 f + c of the mesh: the matching corner of the pose. Both lists have the same number of faces, in
+/// the same order except for the two triangles of a quad, and refer to points: vertices at one position are one point.
+/// Two triangles with a common edge may be cut along the other diagonal and start at any corner; the points of
+/// neighbouring faces decide. Undecided corners keep their order. O(m log m).
 std::vector<int> matchCorners(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose);
 
 }  // namespace shapespline

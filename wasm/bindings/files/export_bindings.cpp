@@ -1,4 +1,4 @@
-// Shapes -> bytes of files. The bytes are an object of their own, to be copied and released.
+// Shapes -> bytes of files. JavaScript copies the bytes and releases their handle.
 #include "bindings/export.h"
 #include "bindings/files/file_marshal.h"
 #include "bindings/handle_table.h"
@@ -58,8 +58,8 @@ EXPORT const char* shapespline_write_animation(const char* request) {
   });
 }
 
-/// {faces, vertices, frames, scene} -> {bytes, vertices}: the size of what shapespline_write_animation will write, and
-/// the vertices of its primitives.
+/// {faces, vertices, frames, scene} -> {bytes, vertices}: the size of the file that shapespline_write_animation would
+/// write, and the vertices of its primitives.
 EXPORT const char* shapespline_animation_size(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);

@@ -1,5 +1,4 @@
-// The second thread, in a module whose memory is shared: it is an instance of its own, with its own stack, that only
-// helps.
+// The second thread: a second instance of the module on shared memory, with its own stack, that only helps.
 #include "bindings/export.h"
 #include "bindings/handle_table.h"
 #include "bindings/shape/fork_join.h"

@@ -49,7 +49,7 @@ const char* askCurve(int handle, const char* request, const Ask& ask) {
   });
 }
 
-/// One about LRI space itself, which is made for it where it is not there.
+/// A question about LRI space itself, which is created if needed.
 template <class Ask>
 const char* askLri(int handle, const Ask& ask) {
   return callResult([&]() -> Result<Json> {
@@ -71,7 +71,7 @@ EXPORT const char* shapespline_encode(const char* request) {
   });
 }
 
-/// The same -> {order}: int32 numbers, valid until the next call.
+/// The same request -> {order}: int32 numbers, valid until the next call.
 EXPORT const char* shapespline_order(const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     static std::vector<int> order;
@@ -91,8 +91,8 @@ EXPORT const char* shapespline_report(const char* request) {
   });
 }
 
-/// {motion, keyTimes, before} -> {handle, range, warnings} of a motion of the shape. `before`: another motion of it,
-/// which what is costly is taken from; or null. Makes the space that it needs.
+/// {motion, keyTimes, before} -> {handle, range, warnings} of a motion of the shape, whose space is created if needed.
+/// `before`: another motion of the shape, whose costly parts are reused, or null.
 EXPORT const char* shapespline_motion(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     const Json& before = json.at("before");
@@ -160,7 +160,7 @@ EXPORT const char* shapespline_plane(int handle, const char* request) {
   });
 }
 
-/// {samples} -> {times, weights, plane, energy, curveEnergy} of so many: feature_curve.h.
+/// {samples} -> {times, weights, plane, energy, curveEnergy} for this number of samples: feature_curve.h.
 EXPORT const char* shapespline_discrete_path(int handle, const char* request) {
   return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
     const auto path = curve.discretePath(json.at("samples"));
@@ -247,7 +247,7 @@ EXPORT const char* shapespline_ghost(int handle, const char*) {
   });
 }
 
-/// {} -> what building the shape and its frames cost, and usedBytes: what the heap holds now.
+/// {} -> the cost of building the shape and its frames, and usedBytes: the heap in use.
 EXPORT const char* shapespline_stats(int handle, const char* request) {
   return answer(request, [&](const Json&) -> Result<Json> {
     Json stats = toJson(shapeOf(handle).shape->stats());

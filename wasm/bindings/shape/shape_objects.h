@@ -1,4 +1,4 @@
-// What the module for shapes holds by handles.
+// Objects that the module for shapes keeps by handle.
 #pragma once
 
 #include <memory>
@@ -8,14 +8,14 @@
 
 namespace shapespline::bindings {
 
-/// A shape with the frame and the ghost that it was last evaluated into, so that no frame allocates.
+/// A shape with the buffers of its last frame and ghost, so no frame allocates.
 struct ShapeObject {
   std::shared_ptr<SharedShape> shape;
   Frame frame;
   std::vector<float> ghost;  ///< xyz of the ghost's vertices
 };
 
-/// One of its motions.
+/// A motion of a shape.
 struct MotionObject {
   Sequence sequence;
   int shape;  ///< handle

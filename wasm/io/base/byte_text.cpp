@@ -7,7 +7,7 @@ namespace shapespline {
 namespace {
 
 struct Character {
-  char32_t code;      // 0 where the bytes are no UTF-8
+  char32_t code;      // 0 if the bytes are not UTF-8
   std::size_t bytes;  // at least one
 };
 
@@ -62,7 +62,7 @@ std::string extensionOf(std::string_view path) {
 bool isUtf16(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 8) return false;
   if ((bytes[0] == 0xff && bytes[1] == 0xfe) || (bytes[0] == 0xfe && bytes[1] == 0xff)) return true;
-  // Of ASCII characters every other byte is 0; a name in another script may stand between them.
+  // Every second byte of an ASCII character is 0; a name in another script may come between.
   constexpr std::size_t looked = 256;
   const auto isText = [](std::uint8_t c) { return (c >= ' ' && c < 127) || c == '\t' || c == '\r' || c == '\n'; };
   std::size_t pairs = 0, little = 0, big = 0;

@@ -17,7 +17,7 @@ std::string_view baseName(std::string_view path);
 /// The lower-case extension without its dot, or "".
 std::string extensionOf(std::string_view path);
 
-/// Says so of a file, and what to do.
+/// Completes a sentence about a file.
 constexpr const char* kUtf16 = " is text in UTF-16, which is not supported. Save it as UTF-8.";
 /// Whether the bytes are text in UTF-16, with a byte order mark or without.
 bool isUtf16(std::span<const std::uint8_t> bytes);
@@ -25,8 +25,8 @@ bool isUtf16(std::span<const std::uint8_t> bytes);
 /// A name as UTF-8. Bytes that are not UTF-8 are read as Latin-1, which older programs write.
 std::string asUtf8(std::string_view name);
 
-/// Text of a hostile file made fit for a sentence: at most 80 characters in UTF-8. What is no text, or would change how
-/// the sentence is shown (control characters, marks of the writing direction), is a '?'.
+/// Makes text of a hostile file fit for a sentence: at most 80 characters in UTF-8. Control characters, marks of the
+/// writing direction and invalid bytes become '?'.
 std::string inQuotes(std::string_view text);
 
 }  // namespace shapespline

@@ -10,7 +10,7 @@ namespace {
 
 struct Path {
   std::string text;     // segments joined by '/', "." and ".." resolved
-  bool leaves = false;  // climbs above where it started
+  bool leaves = false;  // true if the path leaves the folder where it starts
 };
 
 Path normalised(std::string_view path) {

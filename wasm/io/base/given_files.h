@@ -11,7 +11,7 @@
 
 namespace shapespline {
 
-/// Whether `path` climbs above where it starts.
+/// Whether `path` leaves the folder where it starts.
 bool leavesItsFolder(std::string_view path);
 
 /// A view of all given files, with an index of their names. The files outlive it.
@@ -22,8 +22,8 @@ class GivenFiles {
   bool empty() const { return byPath_.empty(); }
   std::uint64_t bytes() const { return bytes_; }  ///< of all files together
 
-  /// The file at `path`, seen from the file `from`. A path that stays in its folder also finds the only file of its
-  /// name, as files are often dropped without their folders. Null if there is none.
+  /// The file at `path`, relative to the file `from`. A path that stays in its folder also finds the only file of its
+  /// name, because files are often dropped without their folders. Null if there is none.
   const NamedBytes* find(std::string_view path, std::string_view from) const;
 
  private:

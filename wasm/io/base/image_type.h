@@ -1,4 +1,4 @@
-// Image formats, told by their first bytes.
+// Image formats, recognised by their first bytes.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace shapespline {
 
-/// The MIME type, or "" where the bytes are no image that glTF knows. Nothing is decoded.
+/// The MIME type, or "" if glTF does not support the format. Nothing is decoded.
 inline std::string imageType(std::span<const std::uint8_t> bytes) {
   const auto startsWith = [&](const char* magic, std::size_t length, std::size_t at = 0) {
     return bytes.size() >= at + length && std::memcmp(bytes.data() + at, magic, length) == 0;

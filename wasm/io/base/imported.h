@@ -1,4 +1,4 @@
-// What an import is asked for, and what it gives: keyframes and the scene around them.
+// Options and result of an import: keyframes and their scene.
 #pragma once
 
 #include <optional>
@@ -20,18 +20,18 @@ struct ImportOptions {
   bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
   bool everyFrame = false;   ///< each frame of the animation is a key; wins over sampleCount
   bool posedByActions = false;     ///< poses: as an animation shows them that is the only one and does not move
-  bool withHidden = false;         ///< poses: what KHR_node_visibility hides, too
+  bool withHidden = false;         ///< poses: also show what KHR_node_visibility hides
   bool oneKeyWillDo = false;       ///< an animation that does not move is a key: the file is one of several
   std::vector<double> frameTimes;  ///< that the files state for frames of a format without times; seconds
   std::vector<double> keyTimes;    ///< default: the animation's own times, else evenly over [0, 1]
   bool zUp = false;                ///< OBJ, PLY and OFF only
   double unit = 1;                 ///< metres per unit, OBJ, PLY and OFF only
-  /// Faces and a pose of a mesh that the files are further poses of: polygons are cut into its triangles, and keys come
-  /// in its vertices where the pose is given.
+  /// Faces and a pose of a reference mesh, for adding poses: polygons are cut into its triangles, and with a pose the
+  /// keys use its vertices.
   std::vector<Triangle> like;
   Positions likePose;
   std::optional<Vec3> offset;            ///< subtracted from all positions (far_offset.h); default: as it is needed
-  std::vector<ObjectFaces> likeObjects;  ///< of these faces; empty where they are not known
+  std::vector<ObjectFaces> likeObjects;  ///< of these faces; empty if unknown
   std::vector<std::string> objects;      ///< the objects of each file that are taken; empty for all of them
 
   bool animationAsked() const {
@@ -60,15 +60,16 @@ struct Import {
   Keyframes keyframes;
   Scene scene;
   std::vector<AnimationInfo> animations;
-  int animation = -1;                  ///< which one the keys were taken from
-  std::vector<std::string> objects;    ///< names of what may be left out: those of the first file, each once
+  int animation = -1;  ///< which one the keys were taken from
+  std::vector<std::string>
+      objects;  ///< names of objects that may be left out: those of the first file, without duplicates
   std::vector<MatchedObject> matches;  ///< of files with objects, after the first; at most kMostObjects
   std::vector<Warning> warnings;
-  /// What was subtracted from all positions in double, in metres with Y up: position + offset is where a vertex lies.
-  /// From a reader: what a saved project says of it.
+  /// Subtracted from all positions in double precision, in metres with Y up: position + offset is the true position.
+  /// From a reader: the offset of a saved project.
   Vec3 offset = Vec3::Zero();
   double rounding = 0;    ///< how far single precision may have moved the positions that the files store, in metres
-  std::string roundedIn;  ///< the file where that is most, as messages call it
+  std::string roundedIn;  ///< the file with the largest rounding, as messages call it
 
   void noteRounding(double distance, const std::string& where) {
     if (distance > rounding) rounding = distance, roundedIn = where;

@@ -6,12 +6,12 @@
 
 namespace shapespline {
 
-/// More vertices than a browser can complete; also the bound for what a file declares without bytes behind it.
+/// More vertices than a browser can complete. Also limits counts that a file declares without providing bytes.
 constexpr std::uint64_t kMostElements = 16'000'000;
 
-/// Of a JSON document: levels, objects, and values of any kind. Deeper than any tool writes, and shallow enough for
-/// recursive functions; each object becomes some hundred bytes and more, so that 3 bytes of a file must not be a
-/// kilobyte. web/engine/api/gltf-json.ts has the same.
+/// Limits of a JSON document: levels, objects, and values of any kind. Deeper than any tool writes, shallow enough for
+/// recursive functions. An object takes a hundred bytes or more, so a few bytes of a file must not become a kilobyte.
+/// web/engine/api/gltf-json.ts has the same limits.
 constexpr int kDeepestJson = 100;
 constexpr std::uint64_t kMostJsonObjects = 250'000, kMostJsonValues = 4'000'000;
 

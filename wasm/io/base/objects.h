@@ -17,13 +17,13 @@ void addObject(const std::string& name, std::vector<std::string>& names);
 /// Whether the name is one of these.
 bool holdsObject(const std::vector<std::string>& names, const std::string& name);
 
-/// Whether an object of this name is among the wanted ones; none wanted are all.
+/// Whether an object of this name is wanted; an empty list means all.
 bool takesObject(const std::vector<std::string>& wanted, const std::string& name);
 
-/// The names in quotes, with commas; "none", and no more than twenty of them.
+/// At most twenty names in quotes, separated by commas, or "none".
 std::string objectList(const std::vector<std::string>& names);
 
-/// Error: UnknownObject, with the names that there are, where one of the wanted is not among them.
+/// Error: UnknownObject with the existing names, if a wanted name does not exist.
 Status checkObjects(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
                     const std::string& where);
 

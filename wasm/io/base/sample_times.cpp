@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// Positions of all keys together that a 32-bit address space still holds beside their encoding.
+// Positions of all keys that fit into a 32-bit address space together with their encoding.
 constexpr std::uint64_t kMostKeyVertices = 60'000'000;
 // Keys of one file; more are a recording, not key poses.
 constexpr std::size_t kMostKeys = 10'000;

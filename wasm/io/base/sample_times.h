@@ -19,7 +19,7 @@ constexpr std::size_t kMostOwnKeys = 32;
 Result<std::vector<double>> sampleTimes(const ImportOptions& options, double start, double end, const std::string& what,
                                         std::vector<Warning>& warnings);
 
-/// What a key is called that was taken at this time.
+/// Name of a key taken at this time.
 std::string sampleName(double seconds);
 
 /// Errors: TooLarge for more keys, or more vertices in all of them, than memory holds.

@@ -1,4 +1,4 @@
-// What a file holds beside the poses: enough to draw the shape as it was meant and to write it back.
+// The look of a shape, kept from the file: enough to draw it as intended and to write it back.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace shapespline {
 
-/// A surface's look, as far as it is kept (glTF 2.0 metallic-roughness).
+/// The supported part of a surface's look (glTF 2.0 metallic-roughness).
 struct Material {
   std::string name;
   std::array<float, 4> baseColor{1, 1, 1, 1};  ///< linear RGBA
@@ -29,11 +29,11 @@ struct Material {
 
 /// An encoded image, byte for byte as it came; nothing here decodes it.
 struct Image {
-  std::string mimeType;  ///< "image/png", "image/jpeg", ..., told from the bytes where they tell
+  std::string mimeType;  ///< "image/png", "image/jpeg", ..., from the bytes if recognised
   std::vector<std::uint8_t> bytes;
 };
 
-/// An object's run of faces, and what it is called.
+/// Name and range of faces of an object.
 struct ObjectFaces {
   std::string name;  ///< as messages and lists call it; made up where the file has none
   int start = 0, count = 0;
@@ -48,8 +48,8 @@ struct MaterialGroup {
   std::string name{};  ///< of a material that an OBJ names without saying how it looks
 };
 
-/// Where texture coordinates jump between faces that share a vertex, as OBJ has them: what is drawn has more vertices
-/// than the mesh then, copies of some of its n. The motion, and every file but GLB, knows the mesh alone.
+/// Texture coordinates may jump between faces that share a vertex, as in OBJ. Then there are more drawn vertices than
+/// mesh vertices: copies follow the n. The motion, and every file but GLB, uses mesh vertices only.
 struct Seams {
   std::vector<int> copyOf;      ///< drawn vertices 0 to n-1 are the mesh's own, n + i is a copy of vertex copyOf[i]
   std::vector<Triangle> faces;  ///< m, of drawn vertices; empty without copies
@@ -59,7 +59,7 @@ struct Scene {
   std::vector<float> uvs;     ///< 2 a drawn vertex, or empty; origin at the upper left (glTF)
   std::vector<float> colors;  ///< 4n linear RGBA, or empty
   Seams seams;
-  /// Of how many faces each polygon of the file was cut, in their order; empty where all were triangles.
+  /// Number of triangles of each polygon of the file, in their order; empty if all polygons were triangles.
   std::vector<int> polygons;
   std::vector<MaterialGroup> groups;
   std::vector<Material> materials;

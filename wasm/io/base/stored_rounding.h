@@ -5,8 +5,8 @@
 
 namespace shapespline {
 
-/// Half a step of the last bit, along all axes, at the largest coordinate that uses it; 0 where some coordinate is no
-/// number of single precision: then they were stored in another way.
+/// Half a step of the last bit along all axes, at the largest coordinate. 0 if a coordinate is not a single-precision
+/// number: then the file did not store single precision.
 double storedRounding(const Positions& positions);
 
 }  // namespace shapespline

@@ -43,7 +43,7 @@ constexpr std::array<std::int16_t, 256> kBase64 = makeBase64Table();
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-// White space counts for nothing, as in browsers.
+// White space is ignored, as in browsers.
 std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
   while (!text.empty() && (text.back() == '=' || isSpace(text.back()))) text.remove_suffix(1);
   std::vector<std::uint8_t> out;
@@ -85,7 +85,7 @@ Result<Resource> dataResource(std::string_view uri, const std::string& where) {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// The start of a URI as browsers see it, who skip blanks before it and line breaks inside: enough to hold a scheme.
+// The start of a URI as browsers read it, without leading spaces and line breaks: enough for a scheme.
 std::string headOf(std::string_view uri) {
   constexpr std::size_t kHead = 64;
   while (!uri.empty() && static_cast<unsigned char>(uri.front()) <= ' ') uri.remove_prefix(1);

@@ -1,6 +1,6 @@
-// URIs inside a file -> bytes among the files that were given. Nothing is ever fetched or opened.
-// web/engine/api/paths.ts has the same rules for compressed files, which are decoded before the core sees them, and
-// for the command line, which reads what a file names from the disk. Both pass tests/uri-cases.json.
+// URIs inside a file -> bytes of the given files. Nothing is fetched or opened. web/engine/api/paths.ts has the same
+// rules, for compressed files, which are decoded before the core reads them, and for the command line, which reads
+// companions from disk. Both pass tests/uri-cases.json.
 #pragma once
 
 #include <cstdint>

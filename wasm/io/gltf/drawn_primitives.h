@@ -1,4 +1,4 @@
-// The primitives of a written mesh, each with vertices of its own: players copy what a primitive names, all of it, once
+// Primitives of a written mesh, each with its own vertices: players copy all vertices that a primitive refers to, once
 // per primitive.
 #pragma once
 
@@ -17,8 +17,8 @@ struct DrawnPrimitive {
   std::vector<Triangle> faces;  ///< of places in `vertices`
 };
 
-/// One per material group, in the order of the faces; faces of no group make groups without material. `faces` are of
-/// `vertices` drawn ones; those that no face names go with the first primitive, so that none is lost.
+/// One per material group, in the order of the faces; faces without a group get no material. `faces` refer to drawn
+/// `vertices`. Unused vertices go into the first primitive, so none is lost.
 std::vector<DrawnPrimitive> drawnPrimitives(const std::vector<Triangle>& faces, int vertices, const Scene& scene);
 
 /// The numbers of a primitive's vertices, `width` each, out of those of the whole mesh.

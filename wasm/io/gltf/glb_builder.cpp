@@ -9,12 +9,12 @@ namespace shapespline {
 
 namespace {
 
-// Whole numbers in a file are read up to here (gltf_json); other programs fail there as well.
+// gltf_json reads whole numbers up to this; other programs fail there as well.
 constexpr std::uint64_t kMostGlbBytes = 0x7fffffff;
 
 }  // namespace
 
-// The header is put before the bytes in place, so that they are held once.
+// The header is inserted in place, so the bytes are held once.
 Result<std::vector<std::uint8_t>> GlbBuilder::finish() {
   align();
   doc["buffers"] = {{{"byteLength", bin.size()}}};

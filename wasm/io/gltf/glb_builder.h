@@ -12,7 +12,7 @@
 
 namespace shapespline {
 
-/// glTF's names of component types and of what a buffer view is for.
+/// glTF's codes of component types and buffer view targets.
 constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 

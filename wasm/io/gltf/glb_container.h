@@ -13,7 +13,7 @@ namespace shapespline {
 /// The two chunks of a GLB that have a meaning; views into its bytes.
 struct GlbChunks {
   std::string_view json;
-  std::span<const std::uint8_t> bin;  ///< empty where there is no BIN chunk
+  std::span<const std::uint8_t> bin;  ///< empty without a BIN chunk
   bool hasBin = false;
 };
 

@@ -27,7 +27,7 @@ int componentBytes(int type) {
 template <class T>
 T load(const std::uint8_t* from) {
   T value;
-  std::memcpy(&value, from, sizeof value);  // glTF is little endian, as is every machine this runs on
+  std::memcpy(&value, from, sizeof value);  // glTF is little endian, like every machine this runs on
   return value;
 }
 
@@ -72,7 +72,7 @@ struct Reader {
     return {ErrorCode::MalformedFile, doc.where + ": " + what + " " + problem + ". Export the file again."};
   }
 
-  // All numbers come from JSON checked to be below 2^31, so that sums and products fit 64 bits.
+  // All numbers come from JSON checked to be below 2^31, so sums and products fit 64 bits.
   Result<Elements> elements(int viewIndex, std::uint64_t offset, std::uint64_t count, std::uint64_t size) const {
     const auto& views = doc.model.bufferViews;
     if (viewIndex < 0 || viewIndex >= static_cast<int>(views.size()))

@@ -11,7 +11,7 @@
 
 namespace shapespline {
 
-/// Number of elements of accessor `index`, or 0 where there is no such accessor.
+/// Number of elements of accessor `index`, or 0 if it does not exist.
 std::size_t accessorCount(const GltfDocument& doc, int index);
 
 /// The accessor as numbers, `components` an element; normalised integers are mapped to [-1, 1] or [0, 1], sparse

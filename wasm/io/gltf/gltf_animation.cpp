@@ -19,8 +19,8 @@ namespace {
 using Path = AnimationCurve::Path;
 using Interpolation = AnimationCurve::Interpolation;
 
-// Numbers of all curves together: half a gigabyte. Channels may share their accessors, so that a small file could
-// declare any amount.
+// Numbers of all curves together: half a gigabyte. Channels may share accessors, so a small file could declare any
+// amount.
 constexpr std::uint64_t kMostNumbers = 64'000'000;
 
 std::optional<Path> pathOf(const std::string& name) {
@@ -43,7 +43,7 @@ int targetsOf(const GltfDocument& doc, int node) {
   return mesh >= 0 && mesh < static_cast<int>(doc.model.meshes.size()) ? targetCount(doc.model.meshes[mesh]) : 0;
 }
 
-// What a channel moves: of one node, or of all that show a mesh.
+// The target of a channel: one node, or all nodes that show a mesh.
 struct Target {
   Path path = Path::Translation;
   std::vector<int> nodes{};
@@ -108,7 +108,7 @@ std::vector<int> nodesOfMesh(const GltfDocument& doc, int mesh) {
   return nodes;
 }
 
-// Takes "/12" off a pointer; -1 where it does not go on with a number.
+// Takes "/12" off a pointer; -1 if no number follows.
 int takeNumber(std::string_view& pointer) {
   int number = -1;
   if (!pointer.starts_with('/')) return -1;
@@ -124,7 +124,7 @@ bool take(std::string_view& pointer, std::string_view start) {
   return true;
 }
 
-// What is left of a pointer to weights: nothing, or one of them.
+// The rest of a pointer to weights: empty for all weights, or the index of one.
 bool takeWeights(std::string_view rest, Target& target) {
   target.path = Path::Weights;
   if (rest.empty()) return true;
@@ -289,7 +289,7 @@ bool AnimationCurve::varies() const {
     // A quaternion and its negative are one rotation.
     if (apart > near && (path != Path::Rotation || opposite > near)) return true;
   }
-  // Between equal values a cubic spline moves where it has slopes.
+  // A cubic spline moves between equal values if it has slopes.
   if (interpolation == Interpolation::CubicSpline && times.size() > 1)
     for (std::size_t i = 0; i < times.size(); ++i)
       for (int c = 0; c < width; ++c)

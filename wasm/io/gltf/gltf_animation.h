@@ -11,7 +11,7 @@
 
 namespace shapespline {
 
-/// What can move: node transforms, morph weights (a list a node), and which nodes are visible.
+/// Animated state: node transforms, morph weights (a list per node), and visibility of nodes.
 struct SceneState {
   std::vector<NodeTransform> local;
   std::vector<std::vector<double>> weights;
@@ -43,12 +43,11 @@ struct GltfAnimation {
   bool moves = true;  ///< more than one pose
 };
 
-/// All animations with at least one channel that moves a node, by its name or by a pointer (KHR_animation_pointer).
-/// Pointers to what moves no vertex are left out; others that cannot be applied give a warning.
-/// Errors: MalformedFile, NotFinite, TooLarge.
+/// All animations with a channel that moves a node, by name or by pointer (KHR_animation_pointer). Pointers that move
+/// no vertex are ignored; others that cannot be applied give a warning. Errors: MalformedFile, NotFinite, TooLarge.
 Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings);
 
-/// How many numbers applyAnimation writes. Channels may share theirs, so that a small file could ask for any amount.
+/// Number of values that applyAnimation writes. Channels may share values, so a small file could ask for any amount.
 std::uint64_t animationCost(const GltfAnimation& animation);
 
 /// Writes the animation's values at time t into the state.

@@ -39,7 +39,7 @@ Result<Resource> readBuffer(const json& buffer, std::size_t index, const Source&
     if (!found) return found;
     resource = std::move(*found);
   } else {
-    if (index != 0 || !source.chunks.hasBin) return resource;  // a placeholder; an error only where it is read
+    if (index != 0 || !source.chunks.hasBin) return resource;  // a placeholder; an error only if it is read
     resource.bytes = source.chunks.bin;
   }
   const std::uint64_t declared = whole(buffer, "byteLength", 0);
@@ -64,7 +64,7 @@ Status readBuffers(const json& doc, const Source& source, GltfDocument& out) {
   return {};
 }
 
-// The bytes of a buffer view, or nothing where any part of it is out of bounds.
+// The bytes of a buffer view, or nothing if any part is out of bounds.
 std::span<const std::uint8_t> viewBytes(const json& doc, std::uint64_t view, const GltfDocument& out) {
   const auto views = doc.find("bufferViews");
   if (views == doc.end() || view >= views->size()) return {};
@@ -77,8 +77,8 @@ std::span<const std::uint8_t> viewBytes(const json& doc, std::uint64_t view, con
   return bytes.subspan(offset, length);
 }
 
-// An image that cannot be had costs the texture, not the shape. Images may share bytes, so that a small file could
-// declare any amount: together they may have as many as the files.
+// A missing image costs the texture, not the shape. Images may share bytes, so a small file could declare any amount:
+// together they may have as many bytes as the files.
 void readImages(const json& doc, const Source& source, GltfDocument& out) {
   const auto images = doc.find("images");
   if (images == doc.end()) return;

@@ -29,7 +29,7 @@ struct GltfDocument {
   std::vector<Warning> warnings;
 };
 
-/// Opens .glb (told by its magic) or .gltf. Errors: all of reading; see ErrorCode.
+/// Opens .glb (recognised by its magic) or .gltf. Errors: all of reading; see ErrorCode.
 Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where);
 
 }  // namespace shapespline

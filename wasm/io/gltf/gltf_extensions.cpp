@@ -122,11 +122,11 @@ const json* memberOf(const json& object, const char* name) {
   return it == object.end() ? nullptr : &*it;
 }
 
-// What may change the shape by an extension on it: the document's nodes and the like, and what stands in them.
+// Parts of the document whose extensions may change the shape: nodes and similar, with their content.
 constexpr std::array kShaping{"nodes",      "meshes",   "skins",    "accessors", "bufferViews", "animations",
                               "primitives", "channels", "samplers", "target",    "targets",     "sparse"};
 
-// Adds the extensions on an object and on what stands in it. Depth is limited when the file is parsed.
+// Adds the extensions on an object and its content. The parser limits the depth.
 void collect(const json& at, std::set<std::string>& names) {
   if (at.is_array())
     for (const json& item : at) collect(item, names);

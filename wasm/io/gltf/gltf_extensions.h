@@ -23,7 +23,7 @@ enum class ExtensionUse {
 };
 
 struct KnownExtension {
-  std::string_view name;  ///< ends in '*' where it stands for all names that start so
+  std::string_view name;  ///< a trailing '*' stands for all names with this start
   ExtensionUse use;
 };
 

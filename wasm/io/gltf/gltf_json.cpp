@@ -40,7 +40,7 @@ bool contains(const std::array<const char*, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// What a document's text holds, counted before anything is made of it.
+// The size of a document, counted before parsing.
 struct Extent {
   int depth = 0;
   std::uint64_t objects = 0, values = 0;
@@ -92,7 +92,7 @@ Result<json> parse(std::string_view text, const std::string& where) {
   }
 }
 
-// Walks the document once; returns what is wrong, or "".
+// Walks the document once; returns the problem, or "".
 std::string tidy(json& node);
 
 std::string tidyMember(const std::string& name, json& value, bool isIndex) {
@@ -107,7 +107,7 @@ std::string tidyMember(const std::string& name, json& value, bool isIndex) {
   if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0) return inQuotes(name) + " is negative";
   const auto number = value.get<std::uint64_t>();
   if (number > 0x7fffffffu) return inQuotes(name) + " is " + value.dump() + ", more than is supported";
-  value = number;  // unsigned, as tinygltf wants it
+  value = number;  // tinygltf wants unsigned
   return "";
 }
 

@@ -13,10 +13,10 @@
 
 namespace shapespline {
 
-/// Parses and checks: depth and number of values (limits.h) before anything is made of them, syntax, an object with
-/// asset.version 2.x, collections that are arrays of objects, sizes and indices that are whole numbers in [0, 2^31), no
-/// required extension that is not known here. Integers written as 3.0 become 3; extensions and extras that nobody here
-/// reads are dropped, but for the root's. Extensions that are not applied give warnings.
+/// Parses and checks: depth and number of values (limits.h) before parsing, syntax, an object with asset.version 2.x,
+/// collections that are arrays of objects, sizes and indices that are whole numbers in [0, 2^31), and no unknown
+/// required extension. Integers written as 3.0 become 3. Unused extensions and extras are dropped, except for the
+/// root's. Extensions that are not applied give warnings.
 Result<nlohmann::json> parseGltfJson(std::string_view text, const std::string& where, std::vector<Warning>& warnings);
 
 }  // namespace shapespline

@@ -15,7 +15,7 @@ struct LookReader {
   GltfDocument& doc;
   GltfShape& shape;
   Scene scene;
-  std::vector<int> newImage;  // of doc.images; -1 not used so far
+  std::vector<int> newImage;  // of doc.images; -1 until used
   int brokenTextures = 0, otherCoordinates = 0;
 
   // The place in doc.images of a texture's source, or of an extension's that most browsers decode.
@@ -124,7 +124,7 @@ struct LookReader {
     return std::max(kept, 0);
   }
 
-  // KHR_texture_transform of the texture that decides, as a 2 x 3 matrix.
+  // KHR_texture_transform of the deciding texture, as a 2 x 3 matrix.
   static Eigen::Matrix<double, 2, 3> transformOf(const tinygltf::Material& m) {
     Eigen::Matrix<double, 2, 3> out = Eigen::Matrix<double, 2, 3>::Identity();
     bool decided = false;
@@ -152,7 +152,7 @@ struct LookReader {
     return index >= 0 && index < static_cast<int>(doc.model.materials.size()) ? &doc.model.materials[index] : nullptr;
   }
 
-  // Reads `components` numbers per vertex of an attribute, or nothing where it is missing or broken.
+  // Reads `components` numbers per vertex of an attribute, or nothing if it is missing or broken.
   std::vector<double> vertexNumbers(const GltfPart& part, const std::string& name, int components) {
     const auto it = part.primitive->attributes.find(name);
     if (it == part.primitive->attributes.end() || accessorCount(doc, it->second) != part.positions.size()) return {};
@@ -174,7 +174,7 @@ struct LookReader {
     }
   }
 
-  // Some tools write a colour that nobody chose: multiplied by it everything would be black.
+  // Some tools write black by default, which would blacken everything.
   static bool isAllZero(const std::vector<double>& colors, int components) {
     for (std::size_t i = 0; i < colors.size(); ++i)
       if (static_cast<int>(i % components) < 3 && colors[i] != 0) return false;

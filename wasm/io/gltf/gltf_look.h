@@ -6,8 +6,8 @@
 
 namespace shapespline {
 
-/// Collects what the shape's faces use, in the shape's vertex order. A broken texture costs the texture, not the shape:
-/// it is left out with a warning in `shape.warnings`.
+/// Collects the materials and textures of the shape's faces, in its vertex order. A broken texture costs the texture,
+/// not the shape: it is left out with a warning in `shape.warnings`.
 Scene readLook(GltfDocument& doc, GltfShape& shape);
 
 }  // namespace shapespline

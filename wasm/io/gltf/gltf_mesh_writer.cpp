@@ -26,7 +26,7 @@ int wrapMode(Material::Wrap wrap) {
 struct LookWriter {
   GlbBuilder& glb;
   const Scene& scene;
-  std::vector<int> imageOf;  // of scene.images; -1 not written yet
+  std::vector<int> imageOf;  // of scene.images; -1 until written
 
   void use(const char* extension, const char* list) {
     json& names = glb.doc[list];
@@ -41,7 +41,7 @@ struct LookWriter {
     return imageOf[index] = static_cast<int>(glb.doc["images"].size()) - 1;
   }
 
-  // A texture of its own for every use; null where there is no image or nothing to look it up with.
+  // A texture per use; null without an image or coordinates.
   json texture(int imageIndex, const Material& m) {
     if (imageIndex < 0 || imageIndex >= static_cast<int>(scene.images.size()) || scene.uvs.empty()) return nullptr;
     const std::string& type = scene.images[imageIndex].mimeType;
@@ -129,7 +129,7 @@ void MeshWriter::makeTangents(std::span<const float> positions, std::span<const 
   tangents = tangentsOf(positions, normals, scene.uvs, faces);
 }
 
-// So that the file opens again with the mesh's own vertices, whoever reorders, divides or welds them meanwhile.
+// The file then opens again with the mesh's own vertices, even after another program reordered, split or welded them.
 void MeshWriter::makeVertexNumbers() {
   const std::vector<int>& copyOf = scene.seams.copyOf;
   numbers.resize(vertices - copyOf.size());
@@ -159,8 +159,8 @@ json MeshWriter::primitive(const DrawnPrimitive& drawn, json attributes) {
           {"material", drawn.material < 0 ? plain : drawn.material}};
 }
 
-// glTF's own default is polished metal, which is black where there is nothing to mirror; white cannot be seen on a
-// white page. The clay of web/viewer/shape.ts, so that what is opened again looks as it did.
+// glTF's default is polished metal, which is black without surroundings, and white is invisible on a white page. So
+// this is the clay of web/viewer/shape.ts: a file looks the same when opened again.
 int MeshWriter::addPlainMaterial() {
   glb.doc["materials"].push_back({{"name", "plain"},
                                   {"pbrMetallicRoughness",

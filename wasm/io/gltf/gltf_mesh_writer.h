@@ -1,4 +1,4 @@
-// What a written file shows: the mesh's primitives with their materials and textures.
+// The visible content of a written file: primitives with materials and textures.
 #pragma once
 
 #include <cstddef>
@@ -25,13 +25,13 @@ class MeshWriter {
   MeshWriter(GlbBuilder& glb, const std::vector<Triangle>& faces, const Scene& scene, std::size_t vertices)
       : glb(glb), faces(faces), scene(scene), vertices(vertices) {}
 
-  /// Where a material asks for them.
+  /// Only if a material needs them.
   void makeTangents(std::span<const float> positions, std::span<const float> normals);
 
   /// Primitives say from here on which of the mesh's vertices theirs are.
   void makeVertexNumbers();
 
-  /// Its vertices' look, faces and material, besides the given attributes.
+  /// Adds look, faces and material to the given attributes.
   nlohmann::json primitive(const DrawnPrimitive& drawn, nlohmann::json attributes);
 
  private:
@@ -39,7 +39,7 @@ class MeshWriter {
   const std::vector<Triangle>& faces;
   const Scene& scene;
   std::size_t vertices;
-  std::vector<float> tangents, numbers, drawnNumbers;  // of drawn vertices, or empty
+  std::vector<float> tangents, numbers, drawnNumbers;  // per drawn vertex, or empty
   int plain = -1;                                      // the material of faces that have none
 
   int addPlainMaterial();

@@ -35,7 +35,7 @@ struct NodeGraph {
 /// Errors: MalformedFile for children that are not there, cycles, nodes with two parents, wrong array lengths.
 Result<NodeGraph> readNodes(const GltfDocument& doc);
 
-/// Of each node whether it and all above it are visible.
+/// For each node, whether it and all its ancestors are visible.
 std::vector<char> seenNodes(const NodeGraph& graph, const std::vector<char>& visible);
 
 /// Transforms to world space from transforms relative to the parents.

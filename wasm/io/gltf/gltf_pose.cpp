@@ -54,8 +54,8 @@ struct PartTransforms {
   }
 };
 
-// A skin places the mesh by its joints alone; the mesh node's own transform does not count (glTF 2.0, section 3.7.3.3).
-// `ofPart` places what has no skin; `ofSkins` keeps each skin's matrices for the other parts that it moves.
+// A skin places the mesh by its joints alone; the mesh node's own transform is ignored (glTF 2.0, section 3.7.3.3).
+// `ofPart` places parts without a skin; `ofSkins` keeps each skin's matrices for other parts with the same skin.
 PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, const Matrices& world,
                               const Eigen::Affine3d& ofPart, std::vector<Matrices>& ofSkins) {
   if (part.influences == 0) return {part, {&ofPart, 1}};

@@ -16,11 +16,11 @@ constexpr std::uint64_t mostPoseCost(std::uint64_t fileBytes) {
   return fileBytes < most / perByte ? std::min(most, base + perByte * fileBytes) : most;
 }
 
-/// What posing the vertices in this state takes, in steps of a few nanoseconds. Morph targets may share their bytes, so
-/// that a small file could ask for any amount.
+/// Cost of posing the vertices in this state, in steps of a few nanoseconds. Morph targets may share bytes, so a small
+/// file could ask for any amount.
 std::uint64_t poseCost(const GltfShape& shape, const SceneState& state);
 
-/// The state that the file itself describes: node transforms, default morph weights, and what is visible.
+/// The state in the file: node transforms, default morph weights, and visibility.
 SceneState restState(const GltfDocument& doc, const NodeGraph& graph);
 
 /// World positions of all vertices; with `normals`, also their unit normals (where the shape has them).
@@ -28,7 +28,7 @@ SceneState restState(const GltfDocument& doc, const NodeGraph& graph);
 Result<Positions> posedVertices(const GltfDocument& doc, const GltfShape& shape, const SceneState& state,
                                 Positions* normals = nullptr, const FractionReport& onProgress = {});
 
-/// How far single precision may have moved what the file stores: vertices, and where skins bind them.
+/// How far single precision may have moved the stored vertices, or the vertices that skins bind.
 double storedRounding(const GltfShape& shape, const SceneState& state);
 
 }  // namespace shapespline

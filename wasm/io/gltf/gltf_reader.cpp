@@ -77,7 +77,7 @@ std::vector<AnimationInfo> infosOf(const std::vector<GltfAnimation>& animations)
   return infos;
 }
 
-// What a pose's file could move by. Broken animations are no reason to refuse the pose.
+// Animations that could pose the file. A broken animation does not reject the pose.
 std::vector<GltfAnimation> animationsOf(const GltfDocument& doc, const NodeGraph& graph,
                                         const std::vector<int>& meshNodes) {
   std::vector<Warning> unsaid;
@@ -136,7 +136,7 @@ struct KeyReader {
   // Which keys.
 
   void planMorphTargets() {
-    // A second from one to the next, as of poses that are files of their own.
+    // One second apart, like poses in separate files.
     for (int t = -1; t < targets.count(); ++t)
       plan.push_back({t < 0 ? "base" : targets.names[t], t + 1.0, nullptr, 0, t});
     keysOfFile = plan.size();
@@ -168,7 +168,7 @@ struct KeyReader {
       chosen = *index;
     } else if (const std::string* name = std::get_if<std::string>(&options.animation)) {
       const auto called = [&](const GltfAnimation& a) { return a.name == *name; };
-      // Of several with one name, one that moves.
+      // If several animations have the name, prefer one that moves.
       const auto moving = [&](const GltfAnimation& a) { return called(a) && a.moves; };
       auto found = std::find_if(animations.begin(), animations.end(), moving);
       if (found == animations.end()) found = std::find_if(animations.begin(), animations.end(), called);
@@ -193,7 +193,7 @@ struct KeyReader {
     return list + (animations.size() > 20 ? ", and more." : ".");
   }
 
-  // What to do where an animation was asked for that is one pose.
+  // Advice if the requested animation is a single pose.
   std::string insteadOfPose() const {
     std::string list;
     int count = 0;
@@ -210,7 +210,7 @@ struct KeyReader {
     const bool ownTimes = options.sampleTimes.empty() && lone && animation.weightsOnly && !options.sampleAsked &&
                           animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= kMostOwnKeys;
     const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
-    // So many keys the file asks for, not the user.
+    // The file asks for these keys, not the user.
     if (everyFrame) keysOfFile = animation.keyTimes.size();
     if (ownTimes || everyFrame) return animation.keyTimes;
     return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
@@ -302,7 +302,7 @@ struct KeyReader {
     return {};
   }
 
-  // `nodes`: those that the first key shows, where they are as `visible` says.
+  // `nodes`: the mesh nodes that the first key shows, with the visibility `visible`.
   Status addKeys(const GltfShape& shape, const std::vector<int>& nodes, const std::vector<char>& visible) {
     int changes = 0;
     const std::vector<int> wanted = namedNodes(doc, scene.meshNodes, options.objects);
@@ -319,7 +319,7 @@ struct KeyReader {
     return {};
   }
 
-  // What is wrong with the mesh comes before what is wrong with the keys.
+  // Errors of the mesh take precedence over errors of the keys.
   Status checkMesh(const std::vector<int>& nodes) const {
     if (Status fits = checkAmount(doc, nodes, {}); !fits) return fits;
     const auto shape = readShape(doc, scene.graph, nodes);
@@ -333,7 +333,7 @@ struct KeyReader {
     animations = std::move(*moving);
     out.animations = infosOf(animations);
     targets = joinTargets(doc, visibleNodes(scene, wanted, scene.graph.visible));
-    // What is wrong with the objects comes before what is wrong with the keys.
+    // Errors of the objects take precedence over errors of the keys.
     const auto atRest = shownNodes(doc, scene, scene.graph.visible, options.objects);
     if (!atRest && atRest.error().code == ErrorCode::UnknownObject) return atRest.error();
     if (Status planned = planKeys(); !planned) {

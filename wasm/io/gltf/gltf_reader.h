@@ -21,10 +21,10 @@ struct PoseFile {
   Positions normals;  ///< n, or empty
   Scene scene;
   std::vector<Warning> warnings;
-  std::vector<std::string> objects;       ///< names of what may be left out, each once
+  std::vector<std::string> objects;       ///< names of objects that may be left out, without duplicates
   std::vector<AnimationInfo> animations;  ///< of the file's own
   bool isPosed = false;                   ///< by one animation, which does not move
-  std::string action;                     ///< that animation, where it is shown
+  std::string action;                     ///< the applied animation, if any
   bool hides = false;                     ///< some of its meshes are hidden (KHR_node_visibility)
   bool skinned = false;                   ///< bones pose it
   bool writtenZUp = false;                ///< its program writes this format with z up

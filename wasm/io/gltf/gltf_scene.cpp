@@ -15,18 +15,18 @@ namespace shapespline {
 
 namespace {
 
-// What a file may become whatever its size, and for each of its bytes; counted in vertices.
+// Limits for any file, and per byte of the file; counted in vertices.
 constexpr std::uint64_t kSmall = 1'000'000, kPerByte = 16;
 
 // Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
 constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
 
-// Of a mesh, as it is declared.
+// Declared sizes of a mesh.
 struct Amount {
   std::uint64_t vertices = 0, corners = 0, weights = 0;
 
-  // What they take until the first shape is there, in vertices that are only read: a key's are encoded as well, and a
-  // corner is part of the systems.
+  // Cost until the first shape is ready, in vertices that are only read: keys are encoded too, and corners enter the
+  // systems.
   std::uint64_t inKeys(std::size_t keys) const { return vertices * (4 * keys + 1) + 3 * corners + weights; }
 };
 
@@ -73,7 +73,7 @@ Error tooMuch(const GltfDocument& doc, const Amount& all, std::size_t keys) {
                                    ". Export fewer copies of its meshes, or fewer morph targets."};
 }
 
-// Every node has weights of its own for its mesh's targets.
+// Every node has its own weights for the targets of its mesh.
 Status countWeights(const GltfDocument& doc) {
   std::vector<int> targetCounts;
   for (const tinygltf::Mesh& mesh : doc.model.meshes) targetCounts.push_back(targetCount(mesh));
@@ -187,7 +187,7 @@ Status checkAmount(const GltfDocument& doc, const std::vector<int>& meshNodes, K
   for (int node : meshNodes) {
     const std::uint64_t copies = instanceCount(doc, node);
     const Amount& mesh = amounts[doc.model.nodes[node].mesh];
-    // Each count is below 2^31, so that no product overflows.
+    // Each count is below 2^31, so no product overflows.
     parts += copies * doc.model.meshes[doc.model.nodes[node].mesh].primitives.size();
     if (parts > static_cast<std::uint64_t>(kMostParts)) return tooLarge(doc, kMostParts, "mesh primitives");
     all.vertices += copies * mesh.vertices;

@@ -1,5 +1,4 @@
-// What the default scene of a glTF file shows, before a vertex is read: its mesh nodes, their copies, and how much all
-// of that is.
+// The default scene of a glTF file before any vertex is read: its mesh nodes, their copies and the total size.
 #pragma once
 
 #include <cstdint>
@@ -23,32 +22,32 @@ struct GltfScene {
 /// supported.
 Result<GltfScene> readScene(const GltfDocument& doc);
 
-/// The start of a name: many objects may have the name of one mesh, so that long ones would become gigabytes.
+/// The start of a name: many objects may share the name of a mesh, so long names would grow to gigabytes.
 std::string_view shortName(std::string_view name, std::size_t most = 256);
 
-/// What the user calls a mesh node: its own name, else its mesh's, shortened.
+/// Display name of a mesh node: its own name, or that of its mesh, shortened.
 std::string objectName(const GltfDocument& doc, int node);
 
 /// The names of mesh nodes, each once.
 std::vector<std::string> objectNames(const GltfDocument& doc, const std::vector<int>& nodes);
 
-/// Those that have one of these names; all of them where none is wanted.
+/// The nodes with one of these names; all nodes if the list is empty.
 std::vector<int> namedNodes(const GltfDocument& doc, std::vector<int> nodes, const std::vector<std::string>& wanted);
 
-/// Those that are visible, where each node itself is as `visible` says.
+/// The nodes that are visible, given each node's own visibility.
 std::vector<int> visibleNodes(const GltfScene& scene, std::vector<int> nodes, const std::vector<char>& visible);
 
-/// Of a node's copies of its mesh (EXT_mesh_gpu_instancing): 1 without the extension. Skins place each copy alike, so
-/// that there is one.
+/// Number of a node's copies of its mesh (EXT_mesh_gpu_instancing); 1 without the extension. Skins place all copies
+/// alike, so a skinned mesh has one.
 std::size_t instanceCount(const GltfDocument& doc, int node);
 
-/// Where the copies stand, seen from the node. Error: MalformedFile.
+/// Transforms of the copies relative to the node. Error: MalformedFile.
 Result<std::vector<Eigen::Affine3d>> readInstances(const GltfDocument& doc, int node);
 
 /// Several times the largest mesh that the method has been run on.
 constexpr std::int64_t kMostFaces = 32'000'000;
 
-/// More of what a scene shows than is supported.
+/// Error for a scene that exceeds a limit.
 Error tooLarge(const GltfDocument& doc, std::int64_t most, const char* what);
 
 /// How many keys there will be, and how many of them the file itself asks for.
@@ -56,9 +55,8 @@ struct KeyCount {
   std::size_t all = 1, ofFile = 1;
 };
 
-/// Counts vertices, weights and corners of these nodes in so many keys. Errors: TooLarge where that is more than is
-/// supported, or more than a file of this size should become: nodes, instances and targets may repeat what a few bytes
-/// hold.
+/// Counts vertices, weights and corners of these nodes for this number of keys. Errors: TooLarge if they exceed a
+/// limit, or what a file of this size may become: nodes, instances and targets may repeat a few bytes.
 Status checkAmount(const GltfDocument& doc, const std::vector<int>& meshNodes, KeyCount keys);
 
 bool isTriangles(int mode);

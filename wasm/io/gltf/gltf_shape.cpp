@@ -109,7 +109,7 @@ struct ShapeReader {
         sum += std::abs(weight[i]);
       }
       if (known == 0) return malformed(doc.where, part.name + " has a skin without joints");
-      // Weights must sum to 1; where a file's do not, they are scaled, as three.js does.
+      // Weights must sum to 1; others are scaled, as in three.js.
       if (sum > 0)
         for (std::size_t i = 0; i < 4 * sets; ++i) weight[i] /= sum;
       else weight[0] = 1;
@@ -200,7 +200,7 @@ struct ShapeReader {
     const bool fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
     for (std::size_t i = 0; i + 2 < n; ++i) {
       const std::uint32_t a = fan ? v[0] : v[i], b = v[i + 1], c = v[i + 2];
-      const bool stitch = a == b || b == c || a == c;  // joins two strips, is no face
+      const bool stitch = a == b || b == c || a == c;  // a degenerate face that joins two strips
       if (!stitch) addFace(a, b, c, offset, turned != (!fan && i % 2 == 1));
     }
   }
@@ -265,7 +265,7 @@ struct ShapeReader {
     object.count = static_cast<int>(shape.faces.size()) - start;
     object.nodeName = shortName(doc.model.nodes[node].name);
     object.meshName = shortName(doc.model.meshes[doc.model.nodes[node].mesh].name);
-    // The names above it tell apart what has one name; a few of them are enough.
+    // The names of ancestors distinguish objects of one name; a few suffice.
     constexpr int most = 8;
     int above = shape.graph->parent[node];
     for (int i = 0; i < most && above >= 0; ++i, above = shape.graph->parent[above])

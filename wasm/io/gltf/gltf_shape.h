@@ -1,4 +1,4 @@
-// All triangles that a glTF scene shows, as one mesh: its parts, faces and skins.
+// All triangles of a glTF scene as one mesh: parts, faces and skins.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct GltfPart {
   const tinygltf::Primitive* primitive = nullptr;
   Eigen::Affine3d instance = Eigen::Affine3d::Identity();  ///< where this copy of the mesh stands, seen from its node
   Positions positions, normals;                            ///< normals may be empty
-  int influences = 0;                                      ///< joints a vertex, 0 where it is not skinned
+  int influences = 0;                                      ///< joints per vertex, 0 without a skin
   std::vector<std::uint32_t> joints;  ///< influences a vertex: places in the skin's joint list, in range
   std::vector<double> weights;        ///< as many, summing to 1 at each vertex
   std::string name;                   ///< for messages: mesh 0, primitive 1

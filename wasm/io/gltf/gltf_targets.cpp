@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// One name for each target; empty where there is none.
+// One name per target; empty without a name.
 std::vector<std::string> targetNames(const tinygltf::Mesh& mesh) {
   std::vector<std::string> out(targetCount(mesh));
   if (!mesh.extras.Has("targetNames")) return out;
@@ -21,7 +21,7 @@ std::vector<std::string> targetNames(const tinygltf::Mesh& mesh) {
 
 struct TargetJoining {
   JoinedTargets out;
-  std::map<std::string, std::vector<int>> slotsOf{};  // of a name; several where a mesh has it twice
+  std::map<std::string, std::vector<int>> slotsOf{};  // targets of a name; several if a mesh has it twice
 
   int newSlot(const std::string& name) {
     out.names.push_back(name);
@@ -65,7 +65,7 @@ JoinedTargets joinTargets(const GltfDocument& doc, const std::vector<int>& meshN
         std::any_of(names.begin(), names.end(), [](const std::string& name) { return !name.empty(); });
     (hasNames ? named : unnamed).push_back(mesh);
   }
-  // Names first, so that indices of meshes without names are those of the first mesh that has some.
+  // Named targets first, so unnamed indices are those of the first mesh without names.
   for (const auto* meshes : {&named, &unnamed})
     for (int mesh : *meshes) joining.add(mesh, targetNames(doc.model.meshes[mesh]));
   for (std::size_t t = 0; t < joining.out.names.size(); ++t)

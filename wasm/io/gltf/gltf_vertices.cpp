@@ -36,11 +36,11 @@ std::vector<int> vertexNumbers(const GltfDocument& doc, const GltfShape& shape, 
 // The file's vertices by the mesh's, and those by their drawn ones.
 struct Joining {
   const Scene& scene;
-  std::vector<int> order;   // of the file's vertices: by vertex of the mesh, then by drawn vertex
-  std::vector<int> vertex;  // of each file's vertex: the mesh's
-  std::vector<int> first;   // of each vertex of the mesh: the file's that it is taken from
-  std::vector<int> drawn;   // of each file's vertex: the drawn one; empty without coordinates
-  std::vector<int> source;  // of each drawn vertex: the file's that it is taken from
+  std::vector<int> order;   // file vertices, sorted by mesh vertex, then by drawn vertex
+  std::vector<int> vertex;  // mesh vertex of each file vertex
+  std::vector<int> first;   // file vertex that each mesh vertex is taken from
+  std::vector<int> drawn;   // drawn vertex of each file vertex; empty without coordinates
+  std::vector<int> source;  // file vertex that each drawn vertex is taken from
   std::vector<int> copyOf;
 
   void numberVertices(const std::vector<int>& numbers, const std::vector<int>& drawnNumbers) {
@@ -61,7 +61,7 @@ struct Joining {
     return true;
   }
 
-  // A vertex has the coordinates of its first; others of it that lie elsewhere in the texture are copies.
+  // A vertex has the coordinates of its first file vertex; file vertices elsewhere in the texture become copies.
   void numberDrawn(const std::vector<int>& drawnNumbers) {
     struct Copy {
       int number, vertex, source;
@@ -75,7 +75,7 @@ struct Joining {
       return place(a) != place(b) ? place(a) < place(b) : std::pair(number(a), a) < std::pair(number(b), b);
     });
     std::vector<Copy> copies;
-    std::vector<int> copyAt(vertex.size(), -1);  // of each file's vertex: its place among the copies
+    std::vector<int> copyAt(vertex.size(), -1);  // index of each file vertex among the copies
     for (std::size_t i = 0; i < apart.size(); ++i) {
       if (i == 0 || place(apart[i]) != place(apart[i - 1]))
         copies.push_back({number(apart[i]), vertex[apart[i]], apart[i]});

@@ -15,8 +15,8 @@ namespace shapespline {
 /// exactly up to 16.7 million, which is more than kMostElements.
 inline constexpr std::string_view kVertexAttribute = "_SHAPESPLINE_VERTEX";
 
-/// Where there are seams: the drawn vertex that it is. Without it the first one of a vertex is its own, the others are
-/// copies.
+/// With seams: the number of the drawn vertex. Without this attribute, the first file vertex of a mesh vertex is drawn
+/// as the vertex, others are copies.
 inline constexpr std::string_view kDrawnAttribute = "_SHAPESPLINE_DRAWN";
 
 /// Puts the mesh together again: poses, normals, faces and scene get the vertices that the file's numbers say, in their

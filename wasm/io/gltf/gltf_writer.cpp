@@ -1,4 +1,4 @@
-// Poses and motions as GLB. The JSON is put together here: tinygltf's serializer would want every byte twice.
+// Poses and motions as GLB. The JSON is assembled here because tinygltf's serializer would hold every byte twice.
 #include "io/gltf/gltf_writer.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-// Up to here the one-hot weight matrix (frames x targets floats, 4 MB at most) is written out, because every reader
-// understands that; beyond, as a sparse accessor, which grows with the frames instead of their square.
+// Up to this number of frames the one-hot weight matrix (frames x targets floats, at most 4 MB) is written in full,
+// which every reader understands. Beyond, a sparse accessor grows with the frames instead of their square.
 constexpr std::size_t kMostDenseFrames = 1024;
 
 json boundsOf(const std::vector<float>& values) {
@@ -30,10 +30,10 @@ json boundsOf(const std::vector<float>& values) {
   return {{"min", low}, {"max", high}};
 }
 
-// The frames of one primitive, in a view of its own: the base first, then every target's differences.
+// The frames of one primitive in a buffer view: the base first, then the differences of every target.
 struct PrimitiveFrames {
   DrawnPrimitive drawn;
-  std::size_t start = 0, next = 0;  // bytes: of the view, of what is written next
+  std::size_t start = 0, next = 0;  // offset in the view of the next frame
   std::vector<json> positions{}, normals{};
 
   void add(GlbBuilder& glb, std::span<const float> ofMesh, std::vector<json>& accessors, bool bounded) {
@@ -106,7 +106,7 @@ struct AnimationWriter {
     return {};
   }
 
-  // The frames of a primitive lie beside each other, though they come one after the other: their sizes are known.
+  // Frames arrive one after the other, but the sizes are known, so each primitive's frames are stored contiguously.
   void divide() {
     for (DrawnPrimitive& drawn : drawnPrimitives(drawnFaces(), static_cast<int>(drawnVertices()), *source.scene))
       primitives.push_back({std::move(drawn)});
@@ -177,7 +177,7 @@ struct AnimationWriter {
     for (PrimitiveFrames& primitive : primitives) out["primitives"].push_back(addPrimitive(mesh, primitive));
     if (frameCount() == 1) return out;
     out["weights"] = std::vector<int>(frameCount() - 1, 0);
-    // What Blender, three.js and Babylon.js call the targets.
+    // The key for target names in Blender, three.js and Babylon.js.
     if (source.targetNames.size() + 1 == static_cast<std::size_t>(frameCount()))
       out["extras"]["targetNames"] = source.targetNames;
     return out;

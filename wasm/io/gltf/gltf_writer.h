@@ -39,12 +39,11 @@ struct AnimationSource {
   }
 };
 
-/// One GLB, with the scene's seams split open where it has textures: a mesh whose base is frame 0 and a morph target
-/// for every later frame, and one LINEAR weight animation that plays them (glTF 2.0). Every primitive has vertices of
-/// its own, which say what vertices of the mesh they are (gltf_vertices). Passes the Khronos validator
-/// without error or warning. Errors: InvalidOption for times that do not increase from 0, NotFinite with the frame as
-/// `key`, TooLarge where the file would not open again (2 GB; 16 million weights, which are some 4,000 frames), and
-/// whatever `frame` returns.
+/// One GLB (glTF 2.0), split at the scene's seams if it has textures: a mesh whose base is frame 0, a morph target for
+/// every later frame, and one LINEAR weight animation. Every primitive has its own vertices, which state their mesh
+/// vertices (gltf_vertices). Passes the Khronos validator without error or warning. Errors: InvalidOption if times do
+/// not increase from 0; NotFinite with the frame as `key`; TooLarge if the file would not open again (2 GB, or 16
+/// million weights, which is about 4,000 frames); and the errors of `frame`.
 Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source);
 
 struct GlbSize {

@@ -1,4 +1,4 @@
-// What tinygltf needs of std::stringstream (see CMakeLists.txt).
+// The part of std::stringstream that tinygltf needs (see CMakeLists.txt).
 #pragma once
 
 #include <string>

@@ -29,7 +29,7 @@ void placeCoordinates(PolygonMesh& mesh, const std::vector<Coordinate>& coordina
   }
   if (apart.empty()) return;
 
-  // Corners that share a copy come to lie beside each other; the copies are numbered in the order of their vertices.
+  // Corners with the same copy become neighbours; copies are numbered in the order of their vertices.
   const auto place = [&](int c) { return std::tie(mesh.corners[c], coordinates[ofCorner[c]]); };
   sortIndices(apart, [&](int a, int b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
   mesh.drawn = mesh.corners;

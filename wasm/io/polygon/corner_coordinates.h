@@ -1,4 +1,4 @@
-// Texture coordinates that belong to corners, as in OBJ and PLY -> to drawn vertices.
+// Texture coordinates per corner, as in OBJ and PLY -> per drawn vertex.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@ namespace shapespline {
 /// In the file's own sense: origin at the lower left.
 using Coordinate = std::array<float, 2>;
 
-/// Sets uvs, seams.copyOf and drawn corners. `ofCorner`: place in `coordinates` of every corner, -1 for none. A vertex
-/// takes its first corner's coordinates; corners with other ones get a copy of it, those without any do as the vertex
-/// does.
+/// Sets uvs, seams.copyOf and drawn corners. `ofCorner`: index into `coordinates` for every corner, -1 for none. A
+/// vertex takes its first corner's coordinates; corners with different coordinates get a copy, corners without any use
+/// the vertex.
 void placeCoordinates(PolygonMesh& mesh, const std::vector<Coordinate>& coordinates, const std::vector<int>& ofCorner);
 
 }  // namespace shapespline

@@ -27,8 +27,8 @@ struct TextSink {
     out.insert(out.end(), buffer, end);
   }
 
-  // With so many decimals at most: below 2^53 all digits are right. A table for doubles' shortest texts would be larger
-  // than all of this.
+  // With this many decimals at most; below 2^53 all digits are exact. A table for the shortest texts of doubles would
+  // be larger than this file.
   void decimal(double value, int decimals) {
     const double scaled = std::round(std::abs(value) * std::pow(10.0, decimals));
     if (scaled == 0) return text("0");
@@ -49,7 +49,7 @@ struct TextSink {
   }
 };
 
-// As many as tell numbers apart that differ by `step`, where doubles as large as `largest` still do.
+// Enough decimals to distinguish numbers that differ by `step`, as far as doubles near `largest` can.
 int decimalsFor(double step, double largest) {
   const auto most = static_cast<int>(std::floor(std::log10(0x1p53 / largest)));
   return std::max(0, step > 0 ? std::min(static_cast<int>(std::ceil(-std::log10(step))), most) : most);
@@ -70,7 +70,7 @@ void appendBytes(std::vector<std::uint8_t>& out, T value) {
 
 using Edge = std::pair<int, int>;
 
-// The corners of the polygon that these triangles were cut from, in their sense; empty where they are no simple one.
+// The corners of the polygon that these triangles were cut from, in order; empty unless it is simple.
 std::vector<int> outline(std::span<const Triangle> triangles) {
   if (triangles.size() == 1) return {triangles[0].begin(), triangles[0].end()};
   std::vector<Edge> edges;
@@ -98,7 +98,7 @@ struct ObjWriter {
   const Scene& scene;
   const MaterialLibrary& library;
   bool hasNormals;
-  bool hasNames;  // of objects, not only such as were made up
+  bool hasNames;  // whether objects have names of the file, not only generated ones
   std::size_t nextGroup = 0, nextObject = 0;
 
   bool hasUvs() const { return !scene.uvs.empty(); }
@@ -180,7 +180,7 @@ struct ObjWriter {
     }
   }
 
-  // Before the first face of each object; they come in the order of the faces, too.
+  // Before the first face of each object; objects are in the order of the faces.
   void object(std::size_t face) {
     for (; nextObject < scene.objects.size(); ++nextObject) {
       const ObjectFaces& object = scene.objects[nextObject];

@@ -1,5 +1,5 @@
-// Wavefront OBJ. Our own reader: the common library splits polygons by each key's geometry, so that two keys can get
-// different triangles, and reads through streams.
+// Wavefront OBJ. Our own reader: the common library triangulates polygons by each key's geometry, so two keys can get
+// different triangles, and it reads through streams.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,7 +47,7 @@ struct MtlReader {
   const std::string& where;
   PolygonMesh& mesh;
   std::map<std::string, int, std::less<>>& materialOf;
-  std::map<std::string, int, std::less<>>& imageOf;  // by name; -1 where it could not be had
+  std::map<std::string, int, std::less<>>& imageOf;  // by name; -1 if missing
   std::map<const std::uint8_t*, int>& imageAt;       // by bytes: a file may be named in many ways, and is held once
 
   void readImage(std::string_view text, Material& material) {
@@ -121,7 +121,7 @@ struct MtlReader {
   }
 };
 
-// What polygons without a name belong to.
+// The material of polygons without a name.
 constexpr const char* kUnnamed = "default";
 
 // The polygons from one name on belong to it, up to the next one.
@@ -234,7 +234,7 @@ struct ObjReader {
     runs.push_back({mesh.polygonCount(), std::string(name.empty() ? std::string_view(kUnnamed) : name)});
   }
 
-  // Groups stand for objects where there are none. Only polygons make one.
+  // Groups serve as objects if there are none. Only polygons create one.
   Status takeObjects() {
     const std::vector<NamedRun>& runs = objects.empty() ? groups : objects;
     for (const NamedRun& run : runs)
@@ -306,7 +306,7 @@ struct ObjReader {
 
   bool isFile(std::string_view name) const { return bool(resolveUri(name, file.name, files, where)); }
 
-  // Of "./a.mtl ./b.mtl" all that follows the last slash may be a file as well.
+  // In "./a.mtl ./b.mtl" the text after the last slash may be a file of its own.
   bool beginsWithLibrary(std::string_view text) const {
     std::string_view rest = text;
     for (std::string_view word = takeWord(rest); !rest.empty(); word = takeWord(rest))
@@ -314,7 +314,7 @@ struct ObjReader {
     return false;
   }
 
-  // One name, which may hold blanks, or several: one ends where it names a file, or in .mtl.
+  // One name, which may contain spaces, or several: a name ends if it is a file, or in .mtl.
   void readLibraries(std::string_view text) {
     if (!beginsWithLibrary(text) && isFile(text)) return readLibrary(text);
     int words = 0;
@@ -339,7 +339,7 @@ struct ObjReader {
     warnOfMaterials(found.error().message, mesh);
   }
 
-  // "# shapespline offset X Y Z" of an OBJ beside a point cache (mesh_writer.h).
+  // "# shapespline offset X Y Z" in an OBJ for a point cache (mesh_writer.h).
   void readComment(std::string_view text) {
     Vec3 offset;
     if (takeWord(text) != "shapespline" || takeWord(text) != "offset") return;

@@ -1,4 +1,4 @@
-// Stanford PLY. Our own reader: the packaged libraries read through streams and allocate what the header declares.
+// Stanford PLY. Our own reader: packaged libraries read through streams and allocate as much as the header declares.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,19 +14,19 @@ namespace shapespline {
 
 namespace {
 
-// The values behind the header, one after the other, whatever the format.
+// The values after the header in sequence, in any format.
 class ValueReader {
  public:
   ValueReader(PlyFormat format, std::string_view rest) : format_(format), rest_(rest) {}
 
-  // False at the end of the file, or where a word is no number.
+  // False at the end of the file, or if a word is not a number.
   bool next(PlyType type, double& value) {
     return format_ == PlyFormat::Ascii ? nextWord(value) : nextBytes(type, value);
   }
 
   std::size_t left() const { return rest_.size(); }
 
-  // Where the last value could not be read: whether that was for its decimal comma.
+  // Whether the last value could not be read because of a decimal comma.
   bool stoppedAtComma() const {
     return format_ == PlyFormat::Ascii && hasDecimalComma(rest_.substr(0, rest_.find_first_of("\r\n")));
   }
@@ -76,7 +76,7 @@ class ValueReader {
   std::string_view rest_;
 };
 
-// Where a vertex's properties go: positions, normals, coordinates, colours; -1 for anywhere else.
+// Destination of a vertex property: position, normal, coordinates, colour; -1 for none.
 enum Slot { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, kSlots };
 
 int slotOf(const std::string& name) {

@@ -23,7 +23,7 @@ struct Polygon {
 
   const Vec3& point(int corner) const { return mesh.positions[mesh.corners[start + corner]]; }
 
-  // Twice the triangle's area, negative where it is turned against the polygon.
+  // Twice the triangle's area, negative if it is oriented against the polygon.
   double area(int a, int b, int c) const { return (point(b) - point(a)).cross(point(c) - point(a)).dot(normal); }
 
   double diagonal(int a, int b) const { return (point(a) - point(b)).squaredNorm(); }
@@ -58,7 +58,7 @@ void cutEars(const Polygon& p, PolygonCuts& cuts) {
       const double length = p.diagonal(a, c);
       if ((best < 0 || length < shortest) && isEar(p, ring, a, b, c)) best = i, shortest = length;
     }
-    if (best < 0) best = 1;  // self-intersecting or flat: any cut will do, as long as it is the same in every key
+    if (best < 0) best = 1;  // self-intersecting or flat: any cut works if it is the same in every key
     cuts.push_back({ring[(best + n - 1) % n], ring[best], ring[(best + 1) % n]});
     ring.erase(ring.begin() + best);
   }
@@ -98,7 +98,7 @@ bool fits(const PolygonMesh& mesh, const PolygonCuts& cuts) {
   return true;
 }
 
-// `corners` holds what the triangles are made of: a vertex for each corner of each polygon.
+// `corners`: a vertex for each corner of each polygon.
 std::vector<Triangle> cutTriangles(const PolygonMesh& mesh, const std::vector<int>& corners, const PolygonCuts& cuts) {
   if (!fits(mesh, cuts)) return fans(mesh, corners);
   std::vector<Triangle> out;

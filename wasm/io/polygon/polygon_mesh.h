@@ -1,4 +1,4 @@
-// A mesh of polygons, as OBJ, PLY and OFF hold it, and its triangles.
+// A polygon mesh, as in OBJ, PLY and OFF, and its triangles.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct PolygonMesh {
   Positions positions;
   Positions normals;                 ///< n unit vectors, or empty
   std::vector<int> corners;          ///< vertex of every corner of every polygon, in range
-  std::vector<int> drawn;            ///< drawn vertex of every corner where there are seams, else empty
+  std::vector<int> drawn;            ///< drawn vertex of every corner with seams, else empty
   std::vector<int> ends;             ///< of each polygon: one past its last corner; at least 3 corners each
   Scene scene;                       ///< its groups and objects count polygons
   std::vector<std::string> objects;  ///< names, each once
@@ -34,15 +34,14 @@ using PolygonCuts = std::vector<Triangle>;
 /// Chooses the cuts from one pose: the diagonal of a quad that lies inside and is shorter, ears of larger polygons.
 PolygonCuts cutPolygons(const PolygonMesh& mesh);
 
-/// The cuts by which a mesh of the same polygons became these triangles; those of the mesh itself where it never did.
+/// The cuts that turned a mesh with the same polygons into these triangles; the mesh's own cuts if it cannot match.
 PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>& triangles);
 
-/// The triangles of a mesh under given cuts, so that every key is split the same way. Where the polygons have other
-/// sizes than those that were cut, each is split as a fan: the keys do not fit together then, and comparing them says
-/// so.
+/// The triangles of a mesh under given cuts, so every key is split the same way. If the polygons have different sizes,
+/// each is split as a fan: the keys do not match then, and comparing them reports that.
 std::vector<Triangle> trianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts);
 
-/// The same triangles of drawn vertices; empty where there are no seams.
+/// The same triangles in drawn vertices; empty without seams.
 std::vector<Triangle> drawnTrianglesOf(const PolygonMesh& mesh, const PolygonCuts& cuts);
 
 /// Number of triangles of each polygon; empty where all polygons are triangles.

@@ -11,10 +11,10 @@
 
 namespace shapespline {
 
-/// Wavefront OBJ with its MTL and textures where they are among the files: v (with colours), vt, vn, f, usemtl, mtllib.
-/// Lines, points and everything curved are left out. Coordinates belong to corners; a vertex has the mean of its
-/// normals. With `objects`, the faces of these alone (o, or g where there is no o). Errors: MalformedFile,
-/// IndexOutOfRange, NoTriangles, TooLarge, which name the line; InvalidOption of an object that is not there.
+/// Wavefront OBJ with its MTL and textures if given: v (with colours), vt, vn, f, usemtl, mtllib. Lines, points and
+/// curves are left out. Coordinates belong to corners; a vertex gets the mean of its normals. With `objects`, only
+/// their faces (o, or g without any o). Errors: MalformedFile, IndexOutOfRange, NoTriangles, TooLarge, which name the
+/// line; InvalidOption for an unknown object.
 Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,
                             const std::string& where, const FractionReport& onProgress = {});
 
@@ -26,13 +26,13 @@ Result<PolygonMesh> readPly(const NamedBytes& file, const std::string& where, co
 /// Errors: MalformedFile, TruncatedFile, IndexOutOfRange, NoTriangles, TooLarge, Unsupported.
 Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where, const FractionReport& onProgress = {});
 
-/// Checks that every corner names a vertex and that there is a face; the last step of every reader.
+/// Checks that every corner refers to a vertex and that there is a face; the last step of every reader.
 Status checkPolygons(const PolygonMesh& mesh, const std::string& where);
 
-/// A number is written with a decimal comma; `place`: the file, and the line where that is known.
+/// Error for a number with a decimal comma; `place`: the file, and the line if known.
 Error decimalComma(const std::string& place);
 
-/// Says so where faces of fewer than three corners were left out.
+/// Warns if faces with fewer than three corners were left out.
 void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where);
 
 }  // namespace shapespline

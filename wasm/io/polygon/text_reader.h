@@ -9,7 +9,7 @@
 
 namespace shapespline {
 
-/// A text, taken from the front line by line. Ends of line may be LF, CRLF or CR; a byte order mark is no part of it.
+/// Takes a text from the front, line by line. Line ends may be LF, CRLF or CR; a byte order mark is skipped.
 class LineReader {
  public:
   explicit LineReader(std::span<const std::uint8_t> bytes)
@@ -34,13 +34,13 @@ inline void reportLine(const FractionReport& report, const LineReader& lines, st
     reportFraction(report, 1 - static_cast<double>(lines.rest().size()) / static_cast<double>(size));
 }
 
-/// Takes the next word (anything between blanks) off the front of `text`; empty where there is none.
+/// Takes the next word, delimited by white space, off the front of `text`; empty if there is none.
 std::string_view takeWord(std::string_view& text);
 
-/// Takes a decimal number; false, with `text` unchanged, where the next word is none. Accepts nan and inf.
+/// Takes a decimal number; false, with `text` unchanged, if the next word is not one. Accepts nan and inf.
 bool takeNumber(std::string_view& text, double& value);
 
-/// Takes a whole number at the very front of `text`, up to the first byte that is no digit.
+/// Takes a whole number at the very front of `text`, up to the first non-digit.
 bool takeInteger(std::string_view& text, std::int64_t& value);
 
 /// Whether the next word is a number with a decimal comma.
