@@ -9,7 +9,7 @@ import { endedWorker, type Spawn } from './caller/worker-client.ts';
 import type { FromWorker, Locked } from './wire/protocol.ts';
 import { lockReleased } from './wire/worker-lock.ts';
 
-/** Starts fetching the wasm and a first worker at once; further workers are made when they are needed. */
+/** Starts fetching the wasm and a first worker immediately; more workers are made as needed. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const { wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
@@ -28,7 +28,7 @@ export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   return engine;
 }
 
-/** An address that was given counts from the page's. */
+/** Resolves a configured URL against the page's. */
 function ofPage(url: string | URL | null | undefined): URL | undefined {
   return url ? new URL(url, document.baseURI) : undefined;
 }

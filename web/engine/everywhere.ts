@@ -1,4 +1,4 @@
-/** What users of the engine import in a browser and in Node alike. */
+/** Exports of the engine common to browser and Node. */
 export type { AheadOptions, CallOptions, Engine, Keys, Motion, MotionChange, Sequence, Shape } from './api/api.ts';
 export { configure, type EngineUrls, type FileUrls } from './api/configure.ts';
 export { EngineError, isCancelled } from './api/errors.ts';

@@ -1,3 +1,3 @@
-/** What users of the engine import in Node. */
+/** Exports of the engine in Node. */
 export { createEngine } from './node.ts';
 export * from './everywhere.ts';

@@ -1,3 +1,3 @@
-/** What users of the engine import in a browser; in Node it is index-node.ts, with the same names. */
+/** Exports of the engine in a browser; index-node.ts has the same names for Node. */
 export { createEngine } from './browser.ts';
 export * from './everywhere.ts';

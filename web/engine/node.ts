@@ -11,7 +11,7 @@ import { files } from './node-files.ts';
 import type { FromWorker } from './wire/protocol.ts';
 import { endedWorker, type Spawn } from './caller/worker-client.ts';
 
-/** The process lives as long as an engine has workers: dispose of it. */
+/** The process lives as long as an engine has workers, so dispose of it. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const { wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const filesWasm = fileUrl(filesUrl) ?? besideCore(fileUrl(wasmUrl)) ?? files.filesWasm;
@@ -32,7 +32,7 @@ function fileUrl(url: string | URL | undefined): URL | undefined {
   return url.startsWith('file:') ? new URL(url) : pathToFileURL(url);
 }
 
-/** Works with an engine of its own, which ends with the work. */
+/** Runs work with a temporary engine. */
 export async function withEngine<T>(work: (engine: Engine) => Promise<T>, urls?: EngineUrls): Promise<T> {
   const engine = createEngine(urls);
   try {

@@ -32,7 +32,7 @@ export interface CallOptions {
 
 /** How frames are fetched ahead. */
 export interface AheadOptions {
-  /** Takes the request back: what has not begun rejects with code 'cancelled'. */
+  /** Cancels the request: calls that have not finished reject with code 'cancelled'. */
   signal?: AbortSignal;
 }
 
@@ -43,7 +43,7 @@ export interface Engine {
   warmFiles(): void;
   /** Keys of poses that are arrays already. Does not load the module for files. */
   createKeys(mesh: KeyMesh, call?: CallOptions): Promise<Keys>;
-  /** Takes the keys into a worker of its own, which ends where the call is cancelled. */
+  /** Takes the keys into a worker of their own, which ends if the call is cancelled. */
   encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape>;
   /** A shape and its one motion. */
   createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
@@ -51,29 +51,29 @@ export interface Engine {
   dispose(): void;
 }
 
-/** An import: its poses as arrays that belong to no worker, so that any number of sequences can be made from them. */
+/** An import: its poses as arrays independent of any worker, so any number of sequences can use them. */
 export interface Keys {
   readonly info: KeysInfo;
   /** 3 x vertices of one key. */
   positions(key: number): Float32Array;
-  /** 3 x vertices of the first key that was imported, as the file has them; null where it has none. */
+  /** 3 x vertices of the first imported key, from the file; null without normals. */
   normals(): Float32Array | null;
-  /** The same keys with some left out, put in another order or at other times, without reading a file again. */
+  /** The same keys with some left out, reordered or at other times, without reading a file again. */
   arrange(order: number[], times: number[], names?: string[]): Keys;
   /** Adds one pose (3 x vertices) as a key, kept in order of time. */
   withPose(name: string, time: number, positions: Float32Array): Keys;
   dispose(): void;
 }
 
-/** What a motion is made with: options, and the times of the keys, which are the file's where none are given. */
+/** Options and key times of a motion; default: the file's times. */
 export type MotionChange = Partial<MotionOptions> & { keyTimes?: number[] };
 
-/** Keys, and the spaces that its motions are made in: what is costly to make and knows no time. They share it. */
+/** Keys and the spaces of its motions: the costly parts, which do not depend on time and are shared by all motions. */
 export interface Shape {
   readonly options: Readonly<EncodingOptions>;
   /**
-   * As many as are wanted. The first of a method in LRI space encodes and factorises, which takes a while and can be
-   * cancelled; of the others nothing is encoded, and nothing factorised but what `hold` and pins need.
+   * Makes any number of motions. The first in LRI space encodes and factors, which takes a while and can be cancelled.
+   * Other methods encode nothing, and factor only what `hold` and pins need.
    */
   motion(options?: MotionChange, call?: CallOptions): Promise<Motion>;
   stats(): Promise<SequenceStats>;
@@ -83,11 +83,11 @@ export interface Shape {
   components(): Promise<Int32Array>;
   /** The ghost mesh, or null without one. */
   ghost(): Promise<Ghost | null>;
-  /** Ends its motions, too. Idempotent. */
+  /** Ends its motions as well. Idempotent. */
   dispose(): void;
 }
 
-/** A motion through a shape's keys. Another one is made for other options or times. */
+/** A motion through a shape's keys. Other options or times need a new motion. */
 export interface Motion {
   readonly shape: Shape;
   readonly options: Readonly<SequenceOptions>;
@@ -108,7 +108,7 @@ export interface Motion {
   evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]>;
   measures(times: number[], call?: CallOptions): Promise<Measures>;
   shapePlane(times: number[]): Promise<ShapePlane>;
-  /** The minimisation that the spline solves in closed form, done by so many samples (at most 1,000). */
+  /** The minimisation that the spline solves in closed form, over this number of samples (at most 1,000). */
   discretePath(samples: number): Promise<DiscretePath>;
   /** A face's coordinates at these times. */
   faceCurve(face: number, times: number[]): Promise<FaceCurve>;
@@ -122,14 +122,14 @@ export interface Motion {
   /** 3 x ghost vertices at t; code 'invalid-option' without a ghost mesh. */
   ghostPositions(t: number): Promise<Float32Array>;
   /**
-   * Times, size, error and warnings of an export, without making it. A GLB's frames are evaluated for it, those between
-   * them, too; an export of the same options that follows need not do that again.
+   * Times, size, error and warnings of an export, without making it. A GLB's frames, and times between them, are
+   * evaluated for the error; an export with the same options reuses the result.
    */
   planExport(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportPlan>;
   export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]>;
-  /** The same files one by one, each made when it is asked for. */
+  /** The same files one by one, each made on request. */
   exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncIterable<ExportedFile>;
-  /** Takes no further calls; what was asked before, such as an export, goes on. Idempotent. */
+  /** Takes no further calls; running ones, such as an export, continue. Idempotent. */
   dispose(): void;
 }
 

@@ -1,33 +1,31 @@
-/** Where the files of the engine are, for pages and programs that keep them elsewhere than beside its scripts. */
+/** URLs of the engine's files. */
 import { invalidOption } from './errors.ts';
 
 export interface FileUrls {
-  /** shapespline.wasm; default: the one beside the engine's script. */
+  /** shapespline.wasm; default: next to the engine's script. */
   wasmUrl?: string | URL | undefined;
   /**
-   * shapespline_files.wasm, fetched when files are first read or written; default: the one beside `wasmUrl` where that
-   * is given, else beside the engine's script.
+   * shapespline_files.wasm, fetched when files are first read or written; default: next to `wasmUrl` if given,
+   * otherwise next to the engine's script.
    */
   filesUrl?: string | URL | undefined;
   /**
-   * The worker's script, a module; default: the one beside the engine's script. May be on another origin, where the
-   * page's policy lets a `blob:` worker start; one of the page's own origin needs nothing.
+   * The worker's script, a module; default: next to the engine's script. A script from another origin needs a page
+   * policy that allows a `blob:` worker.
    */
   workerUrl?: string | URL | undefined;
   /**
-   * shapespline_threads.wasm, for large meshes where two threads may share memory (a page that is crossOriginIsolated,
-   * a machine of more than one processor); null: none. Default: the one beside the engine's script.
+   * shapespline_threads.wasm, for large meshes if two threads can share memory (the page is crossOriginIsolated and has
+   * more than one processor); null: none. Default: next to the engine's script.
    */
   threadsUrl?: string | URL | null | undefined;
-  /** draco_decoder_gltf.wasm, for files with Draco's compression; default: the one beside the engine's script. */
+  /** draco_decoder_gltf.wasm, for files with Draco compression; default: next to the engine's script. */
   dracoUrl?: string | URL | undefined;
 }
 
 /** Of one engine. */
 export interface EngineUrls extends FileUrls {
-  /**
-   * A worker has ended by itself. What it was asked is rejected; the next call starts another one with the same keys.
-   */
+  /** A worker ended by itself. Its requests are rejected; the next call starts a new one with the same keys. */
   onLost?: (() => void) | undefined;
 }
 
@@ -37,8 +35,8 @@ let configured: FileUrls = {};
 let inUse = false;
 
 /**
- * Says once where the files are, for all engines. Relative addresses count from the page's, in Node from the folder in
- * which the program was started. Error: invalid-option, also where an engine has been made already with other files.
+ * Sets the files for all engines, once. Relative URLs are resolved against the page's URL, in Node against the working
+ * directory. Error: invalid-option, also if an engine already uses other files.
  */
 export function configure(urls: FileUrls): void {
   const unknown = Object.keys(urls).find((name) => !NAMES.some((known) => known === name));
@@ -67,7 +65,7 @@ export function urlsFor(own: FileUrls): FileUrls {
   return { ...configured, ...own };
 }
 
-/** The module for files, where the core is somewhere of its own. */
+/** URL of the module for files if only the core's URL is configured. */
 export function besideCore(wasm: URL | undefined): URL | undefined {
   return wasm && new URL('shapespline_files.wasm', wasm);
 }

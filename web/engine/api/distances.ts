@@ -1,6 +1,6 @@
 /** Distances of shapes: of the vertex that is farthest off. */
 
-/** Of `shape` from the one that lies `share` of the way from `a` to `b`. */
+/** Largest distance of `shape` from the blend at `share` between `a` and `b`. */
 export function farthest(shape: Float32Array, a: Float32Array, b: Float32Array, share: number): number {
   let largest = 0;
   for (let i = 0; i < shape.length; i += 3) {

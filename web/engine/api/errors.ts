@@ -11,7 +11,7 @@ export type EngineCode =
   | 'no-simd' // this browser's WebAssembly lacks SIMD
   | 'not-loaded'; // the worker's script or the wasm file could not be fetched or started
 
-/** What crosses the worker's boundary: an error as plain data. */
+/** An error as plain data, as it crosses the worker boundary. */
 export interface ErrorData {
   code: string;
   message: string;
@@ -35,7 +35,7 @@ export class EngineError extends Error {
   }
 }
 
-/** One of the engine's own codes, so that they are spelt right. */
+/** Creates an error with a code checked by the compiler. */
 export function engineError(code: EngineCode, message: string, cause?: unknown): EngineError {
   return new EngineError(code, message, {}, cause);
 }
@@ -80,7 +80,7 @@ export function invalidOption(message: string): EngineError {
   return engineError('invalid-option', message);
 }
 
-/** Whether somebody gave the work up; nothing has gone wrong. */
+/** Whether the work was cancelled, which is not a failure. */
 export function isCancelled(error: unknown): boolean {
   return error instanceof EngineError && (error.code === 'cancelled' || error.code === 'disposed');
 }

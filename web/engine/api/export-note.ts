@@ -1,6 +1,6 @@
 /**
- * What our OBJ and PLY files say of themselves in comments: the axis that points up, the unit, and the times of the
- * frames that they hold or, beside a point cache, name. Neither format has a place for it.
+ * Comments in our OBJ and PLY files: up axis, unit, and times of the frames in the file or in its point cache. Neither
+ * format has fields for these.
  */
 
 import { extensionOf } from './paths.ts';
@@ -12,11 +12,11 @@ const MOST_LISTED = 4000;
 /** A note comes first in its file, in a PLY after its mark and format. */
 const BEFORE_MARK = 200;
 const HEAD = 1 << 16;
-/** Of the length that the times lie in. */
+/** Share of the length that the times cover. */
 const EVEN = 1e-9;
 
 export interface ExportNote {
-  /** On the timeline of the keys; null where they are not said. */
+  /** On the timeline of the keys; null if not stated. */
   times: number[] | null;
 }
 
@@ -31,7 +31,7 @@ function timesText(times: readonly number[]): string | null {
   return times.length > 0 && times.length <= MOST_LISTED ? `times ${times.join(' ')}` : null;
 }
 
-/** The same file with the note; `times`: of its frames, none where it has none. */
+/** The same file with the note; `times`: of its frames, empty without any. */
 export function withNote(format: string, bytes: Uint8Array, times: readonly number[]): Uint8Array {
   if (format !== 'obj' && format !== 'ply') return bytes;
   const said = timesText(times);
@@ -50,8 +50,8 @@ export function withNote(format: string, bytes: Uint8Array, times: readonly numb
 const endOfLine = (bytes: Uint8Array, from: number): number => bytes.indexOf(10, from) + 1;
 
 /**
- * What files of ours that belong together say: of the first that has a note, and of a series, whose frames each say
- * their own time. null where one of them is not ours.
+ * The common note of our files: that of the first file, and for a series the times of its frames. null if one of the
+ * files is not ours.
  */
 export function noteOf(files: readonly InputFile[]): ExportNote | null {
   const notes: ExportNote[] = [];

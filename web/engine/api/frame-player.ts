@@ -1,7 +1,7 @@
 /**
  * Playback: frames on a fixed grid of ticks, computed ahead of the clock in the sequence's worker. The look-ahead is
- * bounded, frames that came too late are skipped, and where the worker or what draws is slower than the clock only
- * every second, third, ... tick is asked for, so that what arrives is still to be shown.
+ * bounded and late frames are skipped. If the worker or drawing is slower than the clock, only every second, third, ...
+ * tick is requested, so frames arrive in time to be shown.
  */
 import type { AheadOptions } from './api.ts';
 import type { Frame } from './types.ts';
@@ -17,7 +17,7 @@ export interface PlayerOptions {
    * Milliseconds that a frame costs now, where the caller measures that itself; default: the mean of those that came.
    */
   frameMs?: () => number;
-  /** Called once with what went wrong; the player has stopped then. */
+  /** Called once with the error; the player has then stopped. */
   onError?: (error: unknown) => void;
 }
 
@@ -35,7 +35,7 @@ interface Ready<F> {
 const NEW_SHARE = 0.25;
 /** Ticks from one taking to the next: more count as these, since they may be a pause. */
 const MOST_APART = 12;
-/** Ticks that are looked through for the next moment where several show the same one. */
+/** Ticks to search for the next different time if several ticks show the same one. */
 const FARTHEST = 30;
 
 export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
@@ -66,7 +66,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
     return newest;
   }
 
-  /** Gives back what waits and what still arrives, and takes back what has not begun. Idempotent. */
+  /** Releases waiting and arriving frames, and cancels requests that have not begun. Idempotent. */
   stop(): void {
     this.abort.abort();
     for (const { frame } of this.ready.splice(0)) frame.release();
@@ -76,7 +76,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
     return this.abort.signal.aborted;
   }
 
-  // While it draws nobody takes.
+  // No frame is taken while drawing.
   private noteTaken(tick: number): void {
     const apart = tick - this.taken;
     this.taken = tick;
@@ -92,9 +92,9 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
     }
   }
 
-  /** The next tick that shows another moment; null where that is far off. */
+  /** The next tick that shows a different time; null if it is far ahead. */
   private next(now: number): { tick: number; t: number } | null {
-    // In ticks: what one frame costs, and what is drawn of those that came.
+    // In ticks: the cost of a frame, and the share of frames drawn.
     const cost = Math.ceil(this.options.frameMs() / 1000 / this.options.tickSeconds());
     const stride = Math.max(1, cost, Math.floor(this.ticksApart));
     const late = this.asked.tick < now;

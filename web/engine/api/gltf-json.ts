@@ -1,6 +1,6 @@
 /**
- * The JSON of a glTF file, parsed. It is measured before anything is made of it: a few bytes of text become many of
- * memory. wasm/io/base/limits has the same limits, and says of a file that is over them which one.
+ * Parses the JSON of a glTF file after measuring it: a few bytes of text can take a lot of memory. wasm/io/base/limits
+ * has the same limits and reports which one a file exceeds.
  */
 const DEEPEST = 100;
 const MOST_OBJECTS = 250_000;
@@ -29,9 +29,7 @@ function canBeHeld(text: string): boolean {
   return true;
 }
 
-/**
- * undefined where it is broken or holds more than can be held: the core, which reads the same text, says what is wrong.
- */
+/** undefined if broken or too large: the core reads the same text and reports the error. */
 export function parseGltf(text: string): unknown {
   if (!canBeHeld(text)) return undefined;
   try {

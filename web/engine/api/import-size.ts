@@ -1,11 +1,11 @@
-/** How much is read at once: the files, the worker's copy and what is made of them are in memory at the same time. */
+/** Limits the bytes read together: the files, the worker's copy and the results are in memory at the same time. */
 import { EngineError } from './errors.ts';
 
 export const MOST_BYTES = 2 ** 30;
 
 const gigabytes = (bytes: number): string => `${(bytes / 1e9).toFixed(2)} GB`;
 
-/** Refuses files that have so many bytes together. */
+/** Refuses files that exceed the limit together. */
 export function checkImportSize(bytes: number): void {
   if (bytes <= MOST_BYTES) return;
   throw new EngineError(

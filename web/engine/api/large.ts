@@ -1,6 +1,6 @@
 /** Vertices. Smaller shapes are made at once: neither a second thread nor an early look is worth it. */
 export const LARGE = 40_000;
-/** Bytes of a file's vertex, at least; only what is compressed takes less. */
+/** Fewest bytes of a vertex in a file without compression. */
 const VERTEX_BYTES = 12;
 
 /** Before files are read. */

@@ -1,13 +1,13 @@
-/** What each method interpolates, and which options it has. */
+/** What each method interpolates, and its options. */
 import { MOTION } from './option-table.ts';
 import type { Method } from './types.ts';
 
 export interface MethodFacts {
-  /** What is interpolated: shapes in LRI space, which has stretches, a ghost mesh and a plane, or positions. */
+  /** Interpolated quantity: shapes in LRI space, which has stretches, a ghost mesh and a plane, or positions. */
   space: 'lri' | 'vertices';
   /** Straight from key to key, a polygon has no end derivatives, no tension and no bias. */
   curve: 'spline' | 'polygon';
-  /** What rests or is pinned can be held. */
+  /** Supports holding and pins. */
   holds: boolean;
 }
 

@@ -5,7 +5,7 @@
 import { extensionOf, fileName, isModel } from './paths.ts';
 
 export interface NumberedSequence {
-  /** What the names have in common, before the number. */
+  /** Common start of the names, before the number. */
   start: string;
   extension: string;
   names: string[];
@@ -47,7 +47,7 @@ function withSign(file: Numbered, unsigned: ReadonlySet<string>): Numbered {
   return isSign ? { ...file, start, number: sign === '-' ? -file.number : file.number } : file;
 }
 
-/** Frames between whole ones: sim.1.25 beside sim.1 and sim.2 is frame 1.25, not frame 25 of a sequence sim.1. */
+/** Fractional frames: sim.1.25 between sim.1 and sim.2 is frame 1.25, not frame 25 of a sequence sim.1. */
 function numbered(names: readonly string[]): Numbered[] {
   const files = names.flatMap((name, place) => numberAt(NUMBER_AT_END, name, place) ?? []);
   const unsigned = new Set(files.map(sequenceOf));

@@ -1,11 +1,10 @@
 /**
- * Every option of the engine, described once: what it may be, its default, its flag on the command line, its name in
- * the page. From these tables come the types and defaults (types.ts), the checks (options.ts), project files, the
- * command line with its help, the page's document with links, undo and CSV, and the list in OPTIONS.md. Plain data;
- * imports nothing.
+ * Every option of the engine, described once: allowed values, default, command-line flag, name in the page. Types and
+ * defaults (types.ts), checks (options.ts), project files, the command line with its help, the page's document with
+ * links, undo and CSV, and OPTIONS.md all come from these tables. Plain data; imports nothing.
  */
 
-/** Times lie so far from 0 at most: a millionth can be told there, and no curve through them leaves the numbers. */
+/** Largest absolute time. A difference of 1e-6 is still representable there. */
 export const MOST_TIME = 1e9;
 export const MOST_FRAMES = 100_000;
 export const MOST_KEYS = 10_000;
@@ -14,10 +13,10 @@ export const MOST_PINS = 100;
 export const MOST_PATH_KEYS = 1000;
 /** More added turns than anybody means. */
 export const MOST_TURNS = 100;
-/** Likewise, of how many times faster than by itself a motion passes a key. */
+/** Upper bound on slopes, relative to the default slope at a key. */
 const MOST_SLOPE = 1000;
 
-/** Whole turns on the way to a key, of the whole shape or of one component against the one that carries it. */
+/** Full turns between a key and the one before it, of the whole shape, or of a component relative to its parent. */
 export interface AddedTurns {
   /** 0-based, at least 1. */
   key: number;
@@ -36,13 +35,13 @@ export interface PathKey {
 
 /** Vertices that are held by hand: those around one of the mesh. They follow their own splines, unless they stay. */
 export interface Pin {
-  /** 0-based, as the file counts. */
+  /** 0-based index in the file. */
   vertex: number;
-  /** Of the ball that is held, over the size of the shape; 0: the patch at the vertex. */
+  /** Radius of the held ball, relative to the size of the shape; 0: the patch at the vertex. */
   radius: number;
-  /** 0-based key in which they are where they stay. */
+  /** 0-based key whose positions they keep. */
   stay?: number;
-  /** Moved by this besides, in order of time. */
+  /** Offsets over time, in increasing order. */
   path?: PathKey[];
 }
 
@@ -89,7 +88,7 @@ interface Values {
 }
 
 interface Described {
-  /** What the help of the command line and OPTIONS.md say. */
+  /** Text of the command-line help and OPTIONS.md. */
   help: string;
   /** On the command line: the flag without its dashes, and what stands for its value. */
   flag?: string;
@@ -98,7 +97,7 @@ interface Described {
   page?: string;
   /** In the page: what undo calls a change. */
   undo?: string;
-  /** In the page: what the control is called, and says when it is pointed at. */
+  /** In the page: label and tooltip of the control. */
   label?: string;
   hint?: string;
 }
@@ -112,14 +111,14 @@ export interface NumberOption extends Described {
   above?: number;
   least?: number;
   most: number;
-  /** What the command line calls 0, which is allowed besides what lies within the bounds. */
+  /** The word for 0 on the command line; 0 is allowed in addition to the range. */
   zero?: string;
 }
 
 export interface ChoiceOption extends Described {
   kind: 'choice';
   choices: readonly string[];
-  /** What choices were called before: still read in links, projects and commands. */
+  /** Former names of choices: still read in links, projects and commands. */
   formerly?: Readonly<Record<string, string>>;
   default?: string;
 }
@@ -127,7 +126,7 @@ export interface ChoiceOption extends Described {
 export interface OtherOption extends Described {
   kind: Exclude<keyof Values, 'number'>;
   default?: null | boolean | number | readonly never[];
-  /** Of lists: at least one entry, and how many at most. */
+  /** Of lists: at least one entry, and the largest number of entries. */
   some?: true;
   most?: number;
 }
@@ -135,7 +134,7 @@ export interface OtherOption extends Described {
 export type Option = NumberOption | ChoiceOption | OtherOption;
 export type OptionTable = Readonly<Record<string, Option>>;
 type Shown = Required<Pick<Described, 'undo' | 'label' | 'hint'>>;
-/** What can be chosen for each key: one number, or whole turns. */
+/** An option per key: a number, or full turns. */
 export type KeyOption =
   | (NumberOption & Shown & { default: number; slider: readonly [first: number, last: number] })
   | (OtherOption & Shown & { kind: 'turns' });
@@ -150,10 +149,7 @@ export type ValueOf<O> =
   | (O extends { default: null } ? null : never);
 export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 
-/**
- * Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold` and
- * `pins`.
- */
+/** Options that refit the spline only: they never encode again, and factor only for `hold` and `pins`. */
 export const MOTION = {
   method: {
     kind: 'choice',
@@ -237,8 +233,8 @@ export const MOTION = {
 } as const satisfies OptionTable;
 
 /**
- * Chosen for each key, refitting the spline only. A key of the page's document carries its own; the engine takes lists:
- * of numbers, empty or one per key, and of the turns that there are.
+ * Options per key, which refit the spline only. In the page's document each key has its own; the engine takes lists: of
+ * numbers (empty, or one per key), and of turns.
  */
 export const PER_KEY = {
   /** Slope at the key = (1 - tension) times the C2 spline's own. */
@@ -273,7 +269,7 @@ export const PER_KEY = {
       'previous key',
     slider: [-1, 1],
   },
-  /** Whole turns added on the way to the key. */
+  /** Full turns added between the previous key and this one. */
   turns: {
     kind: 'turns',
     flag: 'turns',
@@ -301,7 +297,7 @@ export const ENCODING = {
     page: 'referencePose',
     undo: 'reference pose',
   },
-  /** Wanted number of patches; 0 = the default formula. */
+  /** Approximate number of patches; 0 = the default formula. */
   patches: {
     kind: 'number',
     whole: true,
@@ -323,7 +319,9 @@ export const ENCODING = {
     page: 'stretch',
     undo: 'stretch',
   },
-  /** 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces, and the shape follows it. */
+  /**
+   * 0 = off, otherwise at least 4: the splines run on a ghost mesh of about this many faces, and the shape follows it.
+   */
   ghostFaces: {
     kind: 'number',
     whole: true,
@@ -385,12 +383,12 @@ export const ENCODING = {
   },
 } as const satisfies OptionTable;
 
-/** Evenly spaced keys of an animation where nobody says how many. */
+/** Default number of evenly spaced keys from an animation. */
 export const SAMPLED_KEYS = 8;
-/** Keys of an animation that the page takes at most: as many can be told apart on a timeline. */
+/** Most keys from an animation in the page: more cannot be distinguished on a timeline. */
 export const MOST_SAMPLED = 64;
 
-/** What to take from the files. */
+/** Options of an import. */
 export const IMPORT = {
   /** Key times; default: the animation's own, else a second from one key to the next. */
   keyTimes: {
@@ -417,7 +415,7 @@ export const IMPORT = {
       `take the keys at these times in seconds, or at N evenly spaced times (default: ${SAMPLED_KEYS}); also for a PC2 or ` +
       'MDD file with its OBJ, and for numbered .obj or .ply files (24 per second; up to 32 frames are all keys)',
   },
-  /** Every frame of the animation, instead of samples of it. */
+  /** Every frame of the animation becomes a key. */
   everyFrame: { kind: 'flag', flag: 'every-frame', help: 'take every frame of the animation as a key' },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
@@ -445,7 +443,7 @@ export const IMPORT = {
     value: 'NAME',
     help: 'use only this object of the files; repeatable; default: all objects',
   },
-  /** 3 x faces of a mesh that the files are further poses of: their polygons are cut into its triangles. */
+  /** 3 x faces of the mesh that the files must match: their polygons are cut into its triangles. */
   like: {
     kind: 'faces',
     help: 'faces of the mesh that the files must match; their polygons are cut into its triangles',
@@ -487,7 +485,7 @@ export const EXPORT = {
     value: 'T,T,...',
     help: 'times to export, which may lie beyond the keys: --at=-0.3,1.3',
   },
-  /** Evenly spaced frames over the range; a GLB gets the keys inside it too, so that it passes through them. */
+  /** Evenly spaced frames over the range; a GLB also includes the keys in it, so it passes through them. */
   frames: {
     kind: 'number',
     whole: true,
@@ -499,8 +497,8 @@ export const EXPORT = {
     help: `number of evenly spaced times; default: GLB: as few as --tolerance allows; otherwise ${USUAL_FRAMES}`,
   },
   /**
-   * Whole frames of the motion's own time, or from the start of the exported one where that has a duration; a GLB
-   * leaves out those that the tolerance allows.
+   * Whole frames of the motion's time, or of the exported time if a duration is given; a GLB omits frames that the
+   * tolerance allows to omit.
    */
   fps: {
     kind: 'number',
@@ -525,7 +523,7 @@ export const EXPORT = {
     value: 'PERCENT|off',
     help: "GLB: largest error of linear playback, in % of the model's size; off: every frame; default: 0.1",
   },
-  /** 'principal': the keys and a few corrections that the animation mixes, instead of a target for each moment. */
+  /** 'principal': the keys and a few corrections that the animation mixes, instead of a target per time. */
   targets: {
     kind: 'choice',
     choices: ['frames', 'principal'],
@@ -558,12 +556,12 @@ export const EXPORT = {
     value: 'SECONDS',
     help: 'length of the exported animation; its times start at 0 and include the keys in the range',
   },
-  /** GLB: back the way that it came, so that it takes twice the time. */
+  /** GLB: then backwards, which doubles the duration. */
   bounce: {
     kind: 'flag',
     default: false,
     flag: 'bounce',
-    help: 'GLB: play forwards, then backwards (twice as long), so that it loops seamlessly',
+    help: 'GLB: play forwards, then backwards (twice as long), for a seamless loop',
   },
   /** One pose only: the shape that the keys blend to, which need not lie on the curve. */
   blend: {
@@ -576,7 +574,7 @@ export const EXPORT = {
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'a single pose at this time' },
   inPlace: { kind: 'flag', default: MOTION.inPlace.default, help: MOTION.inPlace.help },
-  /** Of the files, of the mesh in a GLB and its node; null: 'shapespline'. */
+  /** Name of the files, of the mesh in a GLB and its node; null: 'shapespline'. */
   name: {
     kind: 'text',
     default: null,
@@ -591,7 +589,7 @@ export function optionsIn(table: OptionTable): [name: string, option: Option][] 
   return Object.entries(table);
 }
 
-/** Radius of a pin where nobody says which. */
+/** Default radius of a pin. */
 export const PIN_RADIUS = 0.06;
 
 export function defaultsOf<T extends OptionTable>(table: T): ValuesOf<T> {
@@ -599,7 +597,7 @@ export function defaultsOf<T extends OptionTable>(table: T): ValuesOf<T> {
   return Object.fromEntries(known.map(([name, option]) => [name, option.default])) as ValuesOf<T>;
 }
 
-/** The options whose value is a shape: read from a file, written in a form of their own. */
+/** Options whose value is a shape: read from a file, and stored in a special form. */
 export type ShapeName = {
   [N in keyof typeof ENCODING]: (typeof ENCODING)[N] extends { kind: 'shape' } ? N : never;
 }[keyof typeof ENCODING];

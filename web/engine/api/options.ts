@@ -1,6 +1,6 @@
 /**
- * Checks of what callers pass as options: an unknown name, a wrong type or a value out of range is refused with
- * code 'invalid-option' and the option's name, before anything is posted to a worker.
+ * Checks options: an unknown name, a wrong type or a value out of range is refused with code 'invalid-option' and the
+ * option's name, before anything is sent to a worker.
  */
 import { invalidOption } from './errors.ts';
 import {
@@ -28,7 +28,7 @@ import {
   type SequenceOptions,
 } from './types.ts';
 
-/** What is wrong with a value, such as 'must be a number', or null. */
+/** The problem with a value, such as 'must be a number', or null. */
 type Check = (value: unknown) => string | null;
 type Checks = Readonly<Record<string, Check>>;
 
@@ -37,7 +37,7 @@ const isTime = (value: unknown): value is number => isNumber(value) && Math.abs(
 const grouped = (value: number): string => value.toLocaleString('en', { maximumFractionDigits: 9 });
 const BETWEEN_TIMES = `from ${grouped(-MOST_TIME)} to ${grouped(MOST_TIME)}`;
 
-/** Of what the core holds in 32 bits. */
+/** Limit of 32-bit numbers in the core. */
 const MOST = 2 ** 31 - 1;
 const wholeFrom =
   (least: number): Check =>
@@ -62,7 +62,7 @@ const turns: Check = (v) => {
 
 const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
 
-/** A way further than this is no way. */
+/** Largest allowed offset. */
 const MOST_MOVE = 1e12;
 
 /** Of a pin's path. */
@@ -78,7 +78,7 @@ const path: Check = (v) => {
   return good ? null : 'whose path is not { time, move: [x, y, z] } in increasing times';
 };
 
-/** What is wrong with a pin, after 'must not have a pin'. */
+/** The problem with a pin, after 'must not have a pin'. */
 function wrongWithPin(pin: unknown): string | null {
   if (!isRecord(pin)) return 'that is not an object';
   const { vertex, radius, stay = 0, path: keys = [], ...rest } = pin;
@@ -143,7 +143,7 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
       : `must be a name of at most ${LONGEST_NAME} characters, none of them / or \\`,
 };
 
-/** What the option may be, in words. */
+/** The allowed values of an option, in words. */
 function inWords({ whole, above, least, most }: NumberOption): string {
   const kind = whole ? 'a whole number' : 'a number';
   if (above !== undefined) return `${kind} above ${grouped(above)} and at most ${grouped(most)}`;
@@ -159,7 +159,7 @@ function numberCheck(option: NumberOption): Check {
   };
 }
 
-/** Of what the kind alone does not say: how many. */
+/** Checks the number of entries. */
 function countCheck({ some, most = Infinity }: OtherOption): Check {
   return (v) => {
     const count = Array.isArray(v) ? v.length : typeof v === 'number' ? v : 1;
@@ -182,18 +182,18 @@ function checkOf(option: Option): Check {
   return (v) => ofKind[kind](v) ?? (COUNTED.includes(kind) ? count(v) : null);
 }
 
-/** What a choice is called now. */
+/** The present name of a choice. */
 export function choiceNow<T>(option: Option, value: T): T | string {
   const before = option.kind === 'choice' ? option.formerly : undefined;
   return before && typeof value === 'string' && Object.hasOwn(before, value) ? before[value]! : value;
 }
 
-/** What is wrong with an option's value, or null. */
+/** The problem with an option's value, or null. */
 export function wrongWith(option: Option, value: unknown): string | null {
   return value === null && option.default === null ? null : checkOf(option)(value);
 }
 
-/** Of the list with an option's values for the keys. */
+/** Checks the list with an option's values for the keys. */
 function listCheck(option: KeyOption): Check {
   if (option.kind === 'turns') return turns;
   const good = numberCheck(option);
@@ -203,7 +203,7 @@ function listCheck(option: KeyOption): Check {
       : `must be an array with ${inWords(option)} per key`;
 }
 
-/** What is wrong with an option's list for the keys, or null. */
+/** The problem with an option's list for the keys, or null. */
 export function wrongWithList(option: KeyOption, value: unknown): string | null {
   return listCheck(option)(value);
 }
@@ -249,7 +249,7 @@ export function checkEncodingOptions(given?: object): EncodingOptions {
   return checked('encoding', encodingChecks, ENCODING_DEFAULTS, given);
 }
 
-/** A change of motion options over the present ones, and the key times taken out of it. */
+/** Merges a change of motion options into the present ones, and separates the key times. */
 export function checkUpdate(
   present: MotionOptions,
   change: object,
@@ -275,7 +275,7 @@ export function encodingOf(options: SequenceOptions): EncodingOptions {
   return picked(options, ENCODING_DEFAULTS);
 }
 
-/** Of all options those that `like` has. */
+/** The options that are in `like`. */
 function picked<T extends object>(options: T, like: Readonly<T>): T {
   return Object.fromEntries((Object.keys(like) as (keyof T)[]).map((name) => [name, options[name]])) as T;
 }
@@ -292,7 +292,7 @@ export function checkTime(t: unknown): number {
   return t;
 }
 
-/** Of a blend of so many keys. */
+/** Checks the weights of a blend of this number of keys. */
 export function checkWeights(given: unknown, keys: number): number[] {
   const wrong = ofKind.weights(given);
   if (wrong) throw invalidOption(`The weights of a blend ${wrong}.`);
@@ -302,14 +302,14 @@ export function checkWeights(given: unknown, keys: number): number[] {
   return [...weights];
 }
 
-/** Of a discrete path: the core knows how few there may be. */
+/** Checks the number of samples of a discrete path; the core checks the lower limit. */
 export function checkSamples(given: unknown): number {
   if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) > MOST_SAMPLES)
     throw invalidOption(`The number of samples must be a whole number of at most ${grouped(MOST_SAMPLES)}.`);
   return given as number;
 }
 
-/** Of a face, or of a patch, of which there are no more than faces. */
+/** Checks a face index, or a patch index, of which there are no more than faces. */
 export function checkFace(given: unknown, faces: number, what = 'face'): number {
   if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) >= faces)
     throw invalidOption(`A ${what} must be a whole number below ${grouped(faces)}.`);

@@ -1,13 +1,13 @@
 /**
- * Names and paths of given files, and the URIs in them that name other files. They are taken apart, joined and decoded
- * here and nowhere else, but for what the disk needs (`web/cli`). `wasm/io/base/uri` follows the same rules for what
- * only the core reads; both pass `tests/uri-cases.json`.
+ * Names and paths of given files, and the URIs in them that refer to other files. All parsing and joining of paths is
+ * here, except for the disk (`web/cli`). `wasm/io/base/uri` follows the same rules for files that only the core reads;
+ * both pass `tests/uri-cases.json`.
  */
 import { EngineError } from './errors.ts';
 import type { InputFile } from './types.ts';
 
 export const MODELS: readonly string[] = ['glb', 'gltf', 'obj', 'ply', 'off'];
-/** Motions of a model's vertices, given beside it. */
+/** Point caches: motions of a model's vertices in a separate file. */
 export const CACHES: readonly string[] = ['pc2', 'mdd'];
 /** Files that a model may need. */
 export const COMPANIONS: readonly string[] = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
@@ -24,10 +24,10 @@ const nameStart = (path: string): number => Math.max(path.lastIndexOf('/'), path
 /** Without its folders. */
 export const fileName = (path: string): string => path.slice(nameStart(path));
 
-/** In lower case, without the dot; '' where there is none. */
+/** In lower case, without the dot; '' without an extension. */
 export const extensionOf = (path: string): string => /\.([^./\\]*)$/.exec(path)?.[1]?.toLowerCase() ?? '';
 
-/** What systems leave beside the files of people, under names of models even: ._walk.obj, Thumbs.db. */
+/** Files that systems leave in folders, even under names of models: ._walk.obj, Thumbs.db. */
 export const isLeftover = (path: string): boolean =>
   /^(\._.*|\.ds_store|\.localized|(eh)?thumbs\.db|desktop\.ini|icon\r)$/is.test(fileName(path)) ||
   /(^|[/\\])__MACOSX[/\\]/.test(path);
@@ -40,7 +40,7 @@ export function withoutLeftovers<T extends { name: string }>(files: readonly T[]
 
 export const isModel = (path: string): boolean => MODELS.includes(extensionOf(path)) && !isLeftover(path);
 
-/** Whether a file in a given folder is meant: a model, its motion, or what it may need. Hidden files are not. */
+/** Whether a file of a given folder belongs to the input: a model, its motion, or a companion. Hidden files do not. */
 export const isMeantInFolder = (path: string): boolean =>
   !fileName(path).startsWith('.') && !isLeftover(path) && MEANT.includes(extensionOf(path));
 
@@ -50,10 +50,10 @@ export function modelName(path: string): string {
   return isModel(name) ? name.slice(0, name.lastIndexOf('.')) : name;
 }
 
-/** Where a path leads that is seen from the file `from`. */
+/** Resolves a path relative to the file `from`. */
 export const beside = (from: string, path: string): string => normalised(from.slice(0, nameStart(from)) + path);
 
-/** Escapes that are none stay as they are. */
+/** Invalid escapes are kept. */
 export function decodedUri(uri: string): string {
   return uri.replace(/(%[0-9a-f]{2})+/gi, (escaped) => {
     try {
@@ -64,7 +64,7 @@ export function decodedUri(uri: string): string {
   });
 }
 
-/** Of a URI as browsers see it, who skip blanks before it and line breaks inside: enough to hold a scheme. */
+/** The start of a URI as browsers read it, without leading spaces and line breaks: enough for a scheme. */
 function headOf(uri: string): string {
   let start = 0;
   while (uri.charAt(start) !== '' && uri.charAt(start) <= ' ') start += 1;
@@ -77,15 +77,15 @@ const isElsewhere = (uri: string): boolean => /^([a-z][a-z0-9+.-]+:|\/\/)/i.test
 
 const isAbsolute = (path: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(headOf(path));
 
-/** Climbs above where it starts. */
+/** Leaves the folder where it starts. */
 const leaves = (path: string): boolean => /^\.\.(\/|$)/.test(normalised(path));
 
 /** Names another host, scheme or root. */
 export const isExternal = (uri: string): boolean => isElsewhere(uri) || isAbsolute(decodedUri(uri));
 
 /**
- * Where a URI in a model from the web leads, or null where that is not in the model's own folder: on another host, of
- * another scheme, or above. Also null where a host that decodes %2F or %5C would leave the folder.
+ * Resolves a URI in a model from the web; null if it leaves the model's folder: another host, another scheme, or above.
+ * Also null if a host that decodes %2F or %5C would leave the folder.
  */
 export function urlBeside(uri: string, model: URL): URL | null {
   if (!/^(https?|file):$/.test(model.protocol) || !URL.canParse(uri, model)) return null;
@@ -110,7 +110,7 @@ export function resourceUris(json: unknown): { buffers: string[]; images: string
   return { buffers: uris(buffers), images: uris(images) };
 }
 
-/** What a URI in a file names. */
+/** Target of a URI in a file. */
 export type UriTarget =
   | { kind: 'file'; file: InputFile }
   /** On another host, or of another scheme. */

@@ -3,7 +3,7 @@ import type { Progress } from './types.ts';
 
 type Report = (progress: Progress) => void;
 
-/** Of the way to the first motion in LRI space, what encoding takes: the rest is the making of that space. */
+/** Share of encoding in the time to the first motion in LRI space; the rest is the creation of that space. */
 export const ENCODING_SHARE = 0.15;
 
 /** Reports fractions of the part as fractions of the whole, between `from` and `to`. */

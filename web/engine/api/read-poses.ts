@@ -1,4 +1,4 @@
-/** Poses of the keys' mesh from files of their own: end tangents, keys to be added. */
+/** Poses of the keys' mesh from separate files: end tangents, added keys. */
 import type { Engine, Keys } from './api.ts';
 import { EngineError, vertexCountMismatch } from './errors.ts';
 import { fileName, isModel } from './paths.ts';
@@ -36,7 +36,7 @@ export async function readPoses(
   }
 }
 
-/** Options that read further poses of the mesh of these keys, in its vertices. */
+/** Import options for more poses of the mesh of these keys, in its vertices. */
 export function likeOf(keys: Keys): Required<Pick<ImportOptions, 'like' | 'likePose' | 'likeObjects' | 'offset'>> {
   const { faces, scene, offset } = keys.info;
   return { like: faces, likePose: keys.positions(0), likeObjects: scene.objects ?? [], offset };
@@ -96,7 +96,7 @@ function checkSameMesh(file: string, { report, faces }: KeysInfo, keys: KeysInfo
   if (face >= 0) throw refused('face-mismatch', `other faces than the keys from face ${face + 1} on`, face);
 }
 
-/** The first triangle that is another one, or -1; they may start at other corners. */
+/** The first different triangle, or -1; triangles may start at any corner. */
 function firstOtherFace(a: Uint32Array, b: Uint32Array): number {
   const same = (at: number, turn: number): boolean =>
     [0, 1, 2].every((corner) => a[at + corner] === b[at + ((corner + turn) % 3)]);

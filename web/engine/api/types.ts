@@ -14,16 +14,16 @@ export interface InputFile {
 
 export type { AddedTurns, PathKey, Pin, SceneObject } from './option-table.ts';
 
-/** What to take from the files. */
+/** Options of an import. */
 export type ImportOptions = Partial<ValuesOf<typeof IMPORT>>;
 export const IMPORT_DEFAULTS: Readonly<ImportOptions> = defaultsOf(IMPORT);
 
-/** Lists of what is chosen for each key: numbers, empty or one per key, and the turns that there are. */
+/** Lists of values per key: numbers, empty or one per key, and turns. */
 export type PerKey = {
   -readonly [N in keyof typeof PER_KEY]: (typeof PER_KEY)[N] extends { kind: 'number' } ? number[] : AddedTurns[];
 };
 
-/** Choices that refit the spline only: nothing is encoded again, and factorised for `hold` and `pins` alone. */
+/** Options that refit the spline only: they never encode again, and factor only for `hold` and `pins`. */
 export type MotionOptions = ValuesOf<typeof MOTION> & PerKey;
 const NO_LISTS = Object.fromEntries(Object.keys(PER_KEY).map((name) => [name, []])) as unknown as PerKey;
 export const MOTION_DEFAULTS: Readonly<MotionOptions> = { ...defaultsOf(MOTION), ...NO_LISTS };
@@ -41,29 +41,29 @@ export type Hold = MotionOptions['hold'];
 export type Stretch = EncodingOptions['stretch'];
 /** How the shape follows a ghost mesh (paper section 4.3): through every key, or from the reference's details alone. */
 export type Transfer = EncodingOptions['transfer'];
-/** Where the ghost's vertices stand: on vertices of the shape, or in each key where the error is least. */
+/** Positions of the ghost's vertices: at vertices of the shape, or in each key where the error is least. */
 export type Placement = EncodingOptions['placement'];
 /** 'exact': coordinates in double precision; the solution is refined on a factor in single precision. */
 export type Precision = EncodingOptions['precision'];
 
-/** Something the user should know that is no error. `code` is stable. */
+/** A warning for the user. `code` is stable. */
 export interface Warning {
   code: string;
   message: string;
-  /** How many places; 0 where that has no meaning. */
+  /** Number of places; 0 if not applicable. */
   count: number;
-  /** The key that it is about, or that ends the interval that it is about; -1 where there is none. */
+  /** The key concerned, or the key that ends the interval concerned; -1 for none. */
   key: number;
-  /** A face at the (worst) place; -1 where there is none. */
+  /** A face at the (worst) place; -1 for none. */
   face: number;
   /** The patches that hold the places, numbered as `Sequence.patches` has them. */
   patches: number[];
 }
 
-/** Of a warning that is about no place. */
+/** For a warning without a place. */
 export const NO_PLACE: Readonly<Pick<Warning, 'key' | 'face' | 'patches'>> = { key: -1, face: -1, patches: [] };
 
-/** Where and what of a failure, for programs; the sentence for people is the error's message. */
+/** Place and kind of a failure, for programs; the error's message is for users. */
 export interface ErrorPlace {
   file?: string;
   key?: number;
@@ -72,7 +72,7 @@ export interface ErrorPlace {
 }
 
 export interface Progress {
-  /** What is being done, such as 'factorising', in words that can be shown. */
+  /** The present stage, such as 'reading the file', as text for users. */
   stage: string;
   /** Fraction of the whole work, in [0, 1], never falling. */
   fraction: number;
@@ -85,7 +85,7 @@ export interface MaterialGroup {
   count: number;
   /** Index into `materials`, or -1 for none. */
   material: number;
-  /** Of a material that an OBJ names without saying how it looks. */
+  /** Name of a material that an OBJ uses without defining it. */
   name?: string;
 }
 
@@ -112,12 +112,12 @@ export interface Material {
   emissiveImage: number;
   wrapS: 'repeat' | 'clamp' | 'mirror';
   wrapT: 'repeat' | 'clamp' | 'mirror';
-  /** Of the samplers, as glTF numbers them (GL_NEAREST is 9728); 0 = left to who draws. */
+  /** Sampler parameters, numbered as in glTF (GL_NEAREST is 9728); 0 = the renderer decides. */
   magFilter: number;
   minFilter: number;
 }
 
-/** Where texture coordinates jump between faces that share a vertex: copies of vertices, for drawing only. */
+/** Copies of vertices, for drawing only, where texture coordinates jump between faces that share a vertex. */
 export interface Seams {
   /** Drawn vertices 0 to n - 1 are the mesh's own n; n + i is a copy of vertex copyOf[i]. */
   copyOf: Int32Array;
@@ -129,11 +129,11 @@ export interface TextureImage {
   mimeType: string;
   /** The encoded image as it was in the file. */
   bytes: Uint8Array;
-  /** At which share of its size it is drawn: below 1 where it is very large, 0 where it is not drawn at all. */
+  /** Scale at which it is drawn: below 1 if very large, 0 if not drawn. */
   scale: number;
 }
 
-/** What an import found; the counts are of the input, raw and welded. */
+/** Report of an import; counts are of the input, raw and welded. */
 export interface MeshReport {
   vertices: number;
   weldedVertices: number;
@@ -156,7 +156,7 @@ export interface AnimationInfo {
   end: number;
   /** Number of distinct key times. */
   keys: number;
-  /** False where it is one pose, however many keys it has: keys cannot be sampled from it. */
+  /** False for a single pose, however many keys it has: keys cannot be sampled from it. */
   moves: boolean;
 }
 
@@ -170,7 +170,7 @@ export interface MatchedObject {
   by: 'name' | 'shape' | 'order';
 }
 
-/** How a mesh looks, besides its shape. */
+/** The look of a mesh: everything but its shape. */
 export interface Scene {
   /** 2 x drawn vertices, origin at the upper left, or null. */
   uvs: Float32Array | null;
@@ -178,7 +178,7 @@ export interface Scene {
   seams: Seams | null;
   /** 4 x vertices, linear RGBA, or null. */
   colors: Float32Array | null;
-  /** Of how many faces each polygon of the file was cut, in their order; null where all were triangles. */
+  /** Number of triangles of each polygon of the file, in their order; null if all polygons were triangles. */
   polygons: Int32Array | null;
   groups: MaterialGroup[];
   materials: Material[];
@@ -204,7 +204,7 @@ export interface KeyMesh {
 
 export type Point = readonly [x: number, y: number, z: number];
 
-/** What an import found, with everything needed to list and draw its keys. */
+/** Report of an import, with everything needed to list and draw its keys. */
 export interface KeysInfo {
   names: string[];
   times: number[];
@@ -216,13 +216,13 @@ export interface KeysInfo {
   animation: number;
   /** Names of the objects that the first file holds, each once: those that `objects` may name. */
   objects: string[];
-  /** Which objects of further files are which, and how they were found; at most a thousand. */
+  /** Matched objects of different files and the rule of each match; at most a thousand. */
   matches: MatchedObject[];
   /** 3 x faces, of vertices. */
   faces: Uint32Array;
   /**
-   * What positions are relative to, in metres with y up. It is zero near the origin; farther away single precision
-   * could not tell positions apart. Exports add it.
+   * Offset that positions are relative to, in metres with Y up. Zero near the origin; far away, single precision could
+   * not distinguish positions. Exports add it.
    */
   offset: Point;
   scene: Scene;
@@ -238,11 +238,11 @@ export interface KeysInfo {
 export interface Ghost {
   /** 3 x ghost faces, of ghost vertices. */
   faces: Uint32Array;
-  /** Of each ghost vertex: the vertex of the shape that it corresponds to. */
+  /** For each ghost vertex: the corresponding vertex of the shape. */
   vertexOf: Int32Array;
-  /** Of each vertex: the ghost vertex that it collapsed to, or -1. */
+  /** For each vertex: the ghost vertex that it collapsed to, or -1. */
   ghostVertexOf: Int32Array;
-  /** Of each face: the ghost face that it follows; -1 without area. */
+  /** For each face: the ghost face that it follows; -1 without area. */
   ghostFaceOf: Int32Array;
 }
 
@@ -256,12 +256,12 @@ export interface SequenceStats {
   /** 0 without a ghost mesh. */
   ghostFaces: number;
   ghostVertices: number;
-  /** Components too small for a ghost of their own. */
+  /** Number of components too small for a ghost of their own. */
   joinedComponents: number;
   weldMs: number;
-  /** Which faces have area, what they border on, which components they form. */
+  /** Finding faces with area, their neighbours, and components. */
   joinMs: number;
-  /** With a ghost mesh: its collapses; the correspondence and what it leaves over. */
+  /** With a ghost mesh: its collapses; the correspondence and its residuals. */
   simplifyMs: number;
   transferMs: number;
   encodeMs: number;
@@ -269,25 +269,22 @@ export interface SequenceStats {
   factorMs: number;
   /** Laying the faces' numbers out in the order of elimination. */
   arrangeMs: number;
-  /** Normals, what is told of the input's faces, warnings. */
+  /** Normals, maps to the input's faces, warnings. */
   finishMs: number;
-  /** Of the stored factor, entries and row lists: a solve reads them twice. */
+  /** Size of the stored factor, entries and row lists: a solve reads them twice. */
   factorBytes: number;
-  /**
-   * Of the last exact frame: the frames that faces stand in; splined faces and right-hand side; solve; placing the
-   * vertices; normals.
-   */
+  /** Of the last exact frame: local frames; splined faces and right-hand side; solve; placing the vertices; normals. */
   framesMs: number;
   facesMs: number;
   solveMs: number;
   placeMs: number;
   normalsMs: number;
-  /** Of the ghost's own last shape, from the spline to its vertices. */
+  /** For the ghost's own last shape, from the spline to its vertices. */
   ghostMs: number;
   /** Bytes of the wasm heap, which never shrinks, and how many of them are in use. */
   heapBytes: number;
   usedBytes: number;
-  /** That work on an exact frame: 2 where that was found to be faster. */
+  /** Threads per exact frame: 2 if that proved faster. */
   threads: 1 | 2;
 }
 
@@ -300,11 +297,11 @@ export interface Frame {
   normals: Float32Array;
   /** Milliseconds that the worker needed. */
   ms: number;
-  /** As in SequenceStats, which is what was known when the frame was made. */
+  /** As in SequenceStats, at the time of the frame. */
   threads: 1 | 2;
   /** Faces whose interpolated stretch is not positive definite. */
   indefiniteFaces: number;
-  /** One of them; absent where none is known. */
+  /** One of these faces; absent if unknown. */
   indefiniteFace?: number;
   release(): void;
 }
@@ -315,13 +312,13 @@ export interface Measures {
   volume: number[];
   area: number[];
   /**
-   * How far what rests between two keys is from its place: root of the mean square, in % of the largest diagonal of a
-   * key. NaN where nothing rests, and beyond the keys.
+   * Root mean square displacement of vertices that rest between two keys, in % of the largest diagonal of a key. NaN if
+   * none rest, and beyond the keys.
    */
   sliding: number[];
 }
 
-/** The same as the core gives them; sliding: shares. */
+/** The same from the core; sliding: as a fraction. */
 export interface MeasuresAt {
   volume: number[];
   area: number[];
@@ -332,7 +329,7 @@ export interface MeasuresAt {
 export interface KeyPace {
   /** Between each key and the next, without unit. */
   distance: number[];
-  /** Per key, in [0, 1]: the least that keeps the slope within three times that of either chord beside it. */
+  /** Per key, in [0, 1]: the least tension that keeps the slope within three times that of either adjacent chord. */
   tension: number[];
 }
 
@@ -341,8 +338,8 @@ export interface MotionPace {
   /** In the unit of KeyPace.distance, per unit of time. */
   speed: number[];
   /**
-   * How far the motion is past either of the keys beside it along the way from one to the other, relative to the mean
-   * distance of neighbouring keys; 0 between them, and beyond the first and last key.
+   * Overshoot beyond either adjacent key along the line between them, relative to the mean distance of neighbouring
+   * keys; 0 between them, and beyond the first and last key.
    */
   overshoot: number[];
 }
@@ -353,9 +350,9 @@ export interface ShapePlane {
   /** 2 numbers per tangent shape there is, that of the start first. */
   tangents: number[];
   curve: number[];
-  /** Of each point of the curve from the plane, as a share of the mean distance from one key to the next. */
+  /** Distance of each point of the curve from the plane, relative to the mean distance between keys. */
   distance: number[];
-  /** Of each point of the curve: a weight per key, then per tangent shape; they sum to 1. */
+  /** For each point of the curve: a weight per key, then per tangent shape; they sum to 1. */
   weights: number[];
   /** Share of the keys' variance that the plane holds, in [0, 1]. */
   explained: number;
@@ -364,17 +361,17 @@ export interface ShapePlane {
 /** Samples that minimise the bending energy with the keys held (Fig. 2), evenly spaced in time. */
 export interface DiscretePath {
   times: number[];
-  /** Of each sample: as ShapePlane.weights. */
+  /** For each sample: as in ShapePlane.weights. */
   weights: number[];
   /** 2 numbers per sample, in the shape plane. */
   plane: number[];
-  /** Of the samples, and of the motion's own shapes at the same times. */
+  /** Energy of the samples, and of the motion's shapes at the same times. */
   energy: number;
   curveEnergy: number;
 }
 
 /**
- * The coordinates of one face over time, 6 numbers at each: the rotation vector against its patch, in radians (3), and
+ * Coordinates of one face over time, 6 numbers per time: the rotation vector relative to its patch, in radians (3), and
  * the stretch, or its logarithm, as xx, xy, yy in the face's plane.
  */
 export interface FaceCurve {
@@ -386,12 +383,12 @@ export interface FaceCurve {
 }
 
 /**
- * One patch over time. A row at each moment: the mean over its area of tr(S_f) / 2, or of tr(log S_f) / 2 where
- * stretch is logarithmic; then for each neighbour j the rotation G^T G_j as a unit quaternion w, x, y, z. In the
- * reference pose every rotation is none.
+ * One patch over time. A row per time: the area mean of tr(S_f) / 2, or of tr(log S_f) / 2 for logarithmic stretch;
+ * then for each neighbour j the rotation G^T G_j as a unit quaternion w, x, y, z. In the reference pose every rotation
+ * is the identity.
  */
 export interface PatchCurve {
-  /** Patches beside it, and those that components are attached by. */
+  /** Adjacent patches, and those that components are attached to. */
   neighbours: number[];
   numbers: number[];
   /** As `numbers`, of the natural spline through the same keys. */
@@ -401,13 +398,13 @@ export interface PatchCurve {
 export type ExportOptions = ValuesOf<typeof EXPORT>;
 export const EXPORT_DEFAULTS: Readonly<ExportOptions> = defaultsOf(EXPORT);
 
-/** What an export will be, before it is made. */
+/** Description of an export before it is made. */
 export interface ExportPlan {
-  /** Times of its frames, in the sequence's own unit, increasing for a GLB; none of a blend, which has no time. */
+  /** Times of its frames, in the sequence's unit, increasing for a GLB; empty for a blend. */
   times: number[];
   /** Morph targets of a GLB; 0 elsewhere. */
   targets: number;
-  /** The largest distance of what plays from the motion, as a share of the diagonal; null where nothing plays. */
+  /** Largest distance between playback and motion, relative to the diagonal; null without an animation. */
   error: number | null;
   /** Bytes of all files together, to a few percent. */
   bytes: number;

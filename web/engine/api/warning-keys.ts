@@ -1,12 +1,12 @@
-/** Which keys a warning is about; its sentence names them, too. */
+/** The keys that a warning concerns; its sentence names them as well. */
 import type { Warning } from './types.ts';
 
-/** What is open between two keys; everything else is about one key. */
+/** Ambiguities concern an interval; all other warnings concern one key. */
 const INTERVAL = /^ambiguous-/;
 
 /**
- * The keys that bound what the warning is about, 0-based: twice the same one where it is about that key, null where it
- * is about none. A closed motion goes from its last of `count` keys to the first.
+ * The keys that bound the warning's place, 0-based: the same key twice for a warning about one key, null for none. A
+ * closed motion goes from its last of `count` keys to the first.
  */
 export function keysOf({ code, key }: Warning, count: number): [number, number] | null {
   if (key < 0) return null;

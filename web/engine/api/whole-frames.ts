@@ -1,4 +1,4 @@
-/** Whole frames of a time that has frame 0 at 0. */
+/** Whole frames of a timeline with frame 0 at time 0. */
 
 type Range = readonly [number, number];
 
@@ -7,7 +7,7 @@ export const SAME_FRAME = 1e-6;
 
 const firstFrame = (start: number, fps: number): number => Math.ceil(start * fps - SAME_FRAME);
 
-/** How many whole frames the range has: any number, so that it is asked before they are listed. */
+/** Number of whole frames in the range. Can be any number, so check it before listing them. */
 export function frameCount([start, end]: Range, fps: number): number {
   return Math.max(Math.floor(end * fps + SAME_FRAME) - firstFrame(start, fps) + 1, 0);
 }

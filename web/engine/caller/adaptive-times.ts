@@ -1,8 +1,8 @@
 /**
- * As few times as a motion needs, so that straight lines between its shapes there stay near it. A chord over h is off
- * by h^2/8 of the second derivative: each stretch is divided evenly by the root of what that is, measured at a few
- * times, and then its chords are measured: in their middles, where they are farthest off as long as the motion bends
- * evenly, and where that is much, also beside them.
+ * Finds the fewest times so that straight lines between the shapes there stay close to the motion. A chord over h is
+ * off by h^2/8 times the second derivative. So each stretch is divided evenly in the root of that derivative, sampled
+ * at a few times. Then the error of each chord is measured in the middle, its maximum as long as the motion bends
+ * evenly, and if it is large, also at other points.
  */
 import { EngineError } from '../api/errors.ts';
 import { farthest } from '../api/distances.ts';
@@ -17,7 +17,7 @@ export interface Wanted {
   corners: readonly number[];
   /** The largest distance of a vertex, in the unit of the positions. */
   tolerance: number;
-  /** Times that may be taken beside the corners, increasing; null: any. */
+  /** Allowed times in addition to the corners, increasing; null: any. */
   grid: readonly number[] | null;
   /** More times than this are refused. */
   most: number;
@@ -30,10 +30,10 @@ export interface AdaptiveTimes {
   error: number;
 }
 
-/** Where the second derivative is measured: at so many times of all stretches together, and of one. */
+/** Number of samples of the second derivative, over all stretches and for one. */
 const SURVEYED = 120;
 const [FEWEST_CELLS, MOST_CELLS] = [2, 12];
-/** Of the tolerance that is aimed at, and that is accepted: what is found is nearly the largest. */
+/** Shares of the tolerance to aim for and to accept: the error found is nearly the largest. */
 const [AIM, ACCEPTED] = [0.8, 0.97];
 const ROUNDS = 8;
 
@@ -88,14 +88,14 @@ async function curvature(motion: Motion, start: number, end: number, stretches: 
   let [before, middle] = [await motion.at(start), await motion.at(start + step)];
   for (let i = 2; i <= cells; i += 1) {
     const after = await motion.at(i === cells ? end : start + i * step);
-    // At the middle of three times: twice what it is off from between the others, over the step squared.
+    // At the middle of three times: twice the distance from the chord, over the step squared.
     roots.push(Math.sqrt((2 * farthest(middle, before, after, 0.5)) / step ** 2));
     [before, middle] = [middle, after];
   }
   return roots;
 }
 
-/** What the root of the second derivative adds up to, from the start to each of evenly spaced times. */
+/** Integral of the root of the second derivative, from the start to each of evenly spaced times. */
 async function survey(motion: Motion, start: number, end: number, stretches: number): Promise<number[]> {
   const roots = await curvature(motion, start, end, stretches);
   const cells = roots.length + 1;
@@ -149,12 +149,12 @@ interface End {
 
 const endAt = async (motion: Motion, t: number): Promise<End> => ({ t, shape: await motion.at(t) });
 
-/** A chord that is less than this share of another one's distance off, in its middle and at a quarter, is not more. */
+/** A chord whose errors in the middle and at a quarter are below this share of another chord's is not worse. */
 const SUSPICIOUS = 0.5;
 
 /**
- * Where a chord is farthest off and by how much, if along it that is s (1 - s) times a parabola, as it is for a motion
- * of fourth order: from the distances at a quarter, in the middle and at three quarters.
+ * Position and size of a chord's largest error if it is s (1 - s) times a parabola, as for a motion of fourth order:
+ * from the distances at a quarter, in the middle and at three quarters.
  */
 export function peakOf(quarter: number, middle: number, last: number): { share: number; distance: number } {
   const parabola = (distance: number, share: number): number => distance / (share * (1 - share));
@@ -170,8 +170,8 @@ export function peakOf(quarter: number, middle: number, last: number): { share: 
 }
 
 /**
- * How far a chord is off, where that is more than `least`; else it may be told as less. `enough`: farther off in the
- * middle, the rest does not matter.
+ * Error of a chord if above `least`; smaller errors may be underestimated. `enough`: with a larger error in the middle,
+ * the rest does not matter.
  */
 async function chordError(
   motion: Motion,
@@ -191,7 +191,7 @@ async function chordError(
   return peak.distance > Math.max(least, largest) ? Math.max(largest, await off(peak.share)) : largest;
 }
 
-/** Of all chords; `enough`: more is told as more, but not as how much. */
+/** Largest error of all chords; above `enough` it may be underestimated. */
 export async function largestError(motion: Motion, times: readonly number[], enough = Infinity): Promise<number> {
   let error = 0;
   let start = await endAt(motion, times[0]!);
@@ -215,7 +215,9 @@ function between(values: readonly number[], share: number): number {
   return low + (place - i) * (high - low);
 }
 
-/** Of the chords of given times, at a cost that does not grow with them. `corners`: as of `adaptiveTimes`. */
+/**
+ * Largest error of the chords of given times, at a cost independent of their number. `corners`: as in `adaptiveTimes`.
+ */
 export async function errorOf(motion: Motion, times: readonly number[], corners: readonly number[]): Promise<number> {
   if (times.length <= MEASURED_CHORDS) return largestError(motion, times);
   const suspects: { chord: readonly [number, number]; expected: number }[] = [];

@@ -8,7 +8,7 @@ export interface Weighted {
   weights: Float32Array | null;
 }
 
-/** Where it turns it is once. `targets`: shapes but the first. */
+/** The turning point is not repeated. `targets`: shapes without the first. */
 export function thereAndBack({ seconds, weights }: Weighted, targets: number): Weighted {
   const there = seconds.length;
   const end = seconds.at(-1)!;

@@ -1,4 +1,4 @@
-/** What the engine in a browser asks of whatever knows where its files are. */
+/** The engine's interface to the code that locates its files in a browser. */
 import type { EngineError } from '../api/errors.ts';
 import type { WorkerFiles } from '../wire/protocol.ts';
 
@@ -13,10 +13,10 @@ export interface BrowserFiles {
   wasm(): URL;
   filesWasm(): URL;
   threads(): URL;
-  /** What a worker fetches by itself when it needs it, of files that were configured and those that were not. */
+  /** URLs that a worker fetches itself when needed, configured or default. */
   forWorker(given: { draco?: string | undefined; worker?: URL | undefined }): WorkerFiles;
   /** From `given`, else from the engine's own script. `loaded` settles when the engine's other files have loaded. */
   startWorker(name: string, loaded: Promise<unknown>, given?: URL): StartedWorker;
-  /** What is said where it did not start. */
+  /** The error if the worker did not start. */
   notStarted(silent: boolean, given?: URL): EngineError;
 }

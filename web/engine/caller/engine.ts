@@ -25,11 +25,11 @@ export interface Platform {
   spawn: Spawn;
   /** The compiled core. */
   module: Promise<WebAssembly.Module>;
-  /** The compiled module for files, fetched when it is first asked for, and again where that failed. */
+  /** The compiled module for files, fetched on first use, and again after a failure. */
   filesModule: () => Promise<WebAssembly.Module>;
   /**
-   * The core for two threads, fetched when it is first asked for; null where threads cannot share memory, and its
-   * result where it cannot be had soon. Never rejects.
+   * The core for two threads, fetched on first use; null if threads cannot share memory, and its result null if it is
+   * unavailable. Never rejects.
    */
   threaded?: (() => Promise<WebAssembly.Module | null>) | null;
   files?: WorkerFiles;
@@ -165,7 +165,7 @@ export class EngineClient implements Engine {
     return this.started(this.coreProgram(large));
   }
 
-  /** Where the core is not to be had, that is said first: what is read would be of no use. */
+  /** If the core cannot be loaded, report that first: files would be read in vain. */
   private filesWorker(): FilesWorker {
     const { module, filesModule } = this.platform;
     const files = filesModule();
@@ -215,7 +215,7 @@ export class EngineClient implements Engine {
     }
   }
 
-  /** The one that is idle from now on; another one ends. */
+  /** Keeps this worker as the idle one and ends any other. */
   private kept<W extends AnyWorker>(client: W, idle: W | null): W | null {
     if (!idle?.alive && !this.over) return client;
     client.terminate(disposed('engine'));
@@ -241,7 +241,7 @@ function bytesOf(files: InputFile[]): number {
   return files.reduce((sum, { bytes }) => sum + bytes.length, 0);
 }
 
-/** Does the work when it is first asked for, and remembers what came of it, but for a failure. */
+/** Runs the work on first use and keeps the result, unless it failed. */
 export function onlyOnce<T>(work: () => Promise<T>): () => Promise<T> {
   let result: Promise<T> | null = null;
   const fail = (error: unknown): never => {

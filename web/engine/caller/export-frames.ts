@@ -27,7 +27,7 @@ export function movesKeys({ pins }: SequenceOptions): boolean {
 
 interface Chosen {
   frames: Frames;
-  /** The largest distance between the times, in the unit of the positions; null where nothing plays. */
+  /** Largest distance between the times, in the unit of the positions; null without an animation. */
   error: number | null;
 }
 

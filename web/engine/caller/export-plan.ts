@@ -1,4 +1,4 @@
-/** Which times an export holds, and where they lie on the exported animation's own timeline. */
+/** Times of an export, and their times on the exported animation's timeline. */
 import { bytesText } from '../api/bytes-text.ts';
 import { EngineError, invalidOption } from '../api/errors.ts';
 import { MOST_FRAMES, USUAL_FRAMES } from '../api/option-table.ts';
@@ -7,17 +7,17 @@ import { SAME_FRAME, frameCount, frameTimes } from '../api/whole-frames.ts';
 import type { ExportOptions, Point, Warning } from '../api/types.ts';
 
 /**
- * Bytes of one target at one vertex: three.js and Babylon.js hold position and normal as four floats each in a texture,
- * and three floats each besides; Blender holds a position.
+ * Bytes of one target at one vertex. three.js and Babylon.js hold position and normal as four floats each in a texture,
+ * plus three floats each in memory; Blender holds a position.
  */
 const PLAYED_BYTES = { texture: 32, memory: 24, blender: 12 };
-/** Of textures: more than many phones and integrated GPUs take for one model. */
+/** Texture bytes that exceed what many phones and integrated GPUs accept for one model. */
 const HEAVY_BYTES = 256e6;
 /** Layers of an array texture, which three.js has one of for each target: what nearly all GPUs can do. */
 const MOST_LAYERS = 2048;
 
 /**
- * What opens again: weights are one for each target at every frame, and a file's sizes are read up to 2^31
+ * Limit for files that open again: one weight for each target at every frame, and sizes up to 2^31
  * (wasm/io/gltf/gltf_writer).
  */
 export const MOST_WEIGHTS = 16_000_000;
@@ -31,11 +31,11 @@ export interface Frames {
   times: number[];
   /** For each time its place on the exported animation's timeline, in float32; the first is 0. */
   seconds: number[];
-  /** Times of keys outside the range: they come along unseen, so that the file holds the whole project. */
+  /** Times of keys outside the range: stored but never shown, so the file holds the whole project. */
   stills: number[];
 }
 
-/** `range`: what is exported unless the options say otherwise. A GLB's frames without those that it can do without. */
+/** `range`: the default range. For a GLB, without the frames that the tolerance allows to omit. */
 export function framesOf(
   options: ExportOptions,
   keyTimes: readonly number[],
@@ -74,13 +74,13 @@ function wholeFrames([first, last]: readonly [number, number], fps: number, dura
   throw invalidOption('The range holds fewer than two whole frames. Use a longer one or more frames per second.');
 }
 
-/** Whether a GLB leaves out what the tolerance allows: of principal targets, times of their weights. */
+/** Whether a GLB omits frames within the tolerance; for principal targets, times of their weights. */
 export function isThinned({ format, pose, blend, times, frames, tolerance, targets }: ExportOptions): boolean {
   const wanted = tolerance > 0 || targets === 'principal';
   return format === 'glb' && pose === null && !blend && wanted && !times && frames === null;
 }
 
-/** What a thinned GLB may take its times from: times that it has to hold, and others. */
+/** Candidate times of a thinned GLB: required ones, and others. */
 export function choicesOf(
   options: ExportOptions,
   keyTimes: readonly number[],
@@ -97,7 +97,7 @@ function evenly([first, last]: readonly [number, number], count: number): number
   return Array.from({ length: count }, (_, i) => (i === count - 1 ? last : first + ((last - first) * i) / (count - 1)));
 }
 
-/** Of files with no keys among their frames: only an MDD says when its frames are. */
+/** Times of files without keys among their frames: only an MDD stores frame times. */
 function placesOf(asked: readonly number[], { format, duration }: ExportOptions): number[] {
   const first = asked.reduce((least, t) => Math.min(least, t));
   const length = asked.reduce((most, t) => Math.max(most, t)) - first;
@@ -139,7 +139,7 @@ export function checkWeights(frames: number, targets: number): void {
   );
 }
 
-/** Refuses a GLB of so many bytes where that would not open again. */
+/** Refuses a GLB that is too large to open again. */
 export function checkBytes({ format }: ExportOptions, bytes: number): void {
   if (format !== 'glb' || bytes <= MOST_GLB_BYTES) return;
   throw tooLarge(
@@ -151,7 +151,7 @@ const grouped = (count: number): string => count.toLocaleString('en');
 
 const tooLarge = (sentence: string): EngineError => new EngineError('too-large', sentence);
 
-/** What a motion in whole frames does to keys that lie between them. `range`: what is exported. */
+/** Warnings about keys that lie between whole frames. `range`: the exported range. */
 export function frameWarnings(
   { format, pose, times, frames, fps, duration }: ExportOptions,
   keyTimes: readonly number[],
@@ -177,7 +177,7 @@ export function frameWarnings(
   ];
 }
 
-/** What says where the vertices are, apart from the faces. */
+/** Formats that store vertex positions separately from the faces. */
 export const isPointCache = ({ format }: ExportOptions): boolean => format === 'pc2' || format === 'mdd';
 
 /** Single precision holds a cache near the origin only. */

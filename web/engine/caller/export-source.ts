@@ -1,4 +1,4 @@
-/** What an export is made from: the sequence as far as it takes part, and the frames that were planned. */
+/** Input of an export: parts of the sequence, and the planned frames. */
 import type { Frame, SequenceOptions } from '../api/types.ts';
 import type { FileCalls, KeyData } from '../wire/protocol.ts';
 import type { Frames } from './export-plan.ts';
@@ -10,7 +10,7 @@ export interface PlannedFrames extends Frames {
   poses: number;
   /** Instead of a target for each time. */
   principal: PrincipalTargets | null;
-  /** The largest distance of what plays from the motion, as a share of the diagonal; null where nothing plays. */
+  /** Largest distance between playback and motion, relative to the diagonal; null without an animation. */
   error: number | null;
 }
 
@@ -19,7 +19,7 @@ export interface ExportSource {
   keyTimes: readonly number[];
   options: SequenceOptions;
   range: readonly [number, number];
-  /** What was planned last, and for what: planning may cost as much as exporting. */
+  /** The last plan and its options: planning can cost as much as exporting. */
   planned: { latest: { for: string; frames: PlannedFrames; rounding: number | null } | null };
   /** Starts a worker that no other export uses. */
   filesWorker(): FilesWorker;

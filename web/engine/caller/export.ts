@@ -1,6 +1,6 @@
 /**
- * Exports. Frames come from the sequence's own worker, one at a time, so that it stays free for scrubbing; they are
- * written in a fresh worker, so that neither a cancelled export nor one that runs out of memory touches the sequence.
+ * Exports. Frames come one at a time from the sequence's worker, which stays free for scrubbing. A new worker writes
+ * them, so a cancelled export, or one that runs out of memory, does not affect the sequence.
  */
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
@@ -22,20 +22,20 @@ import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene } from '../a
 const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
 
 /**
- * Shares of the bytes that compression leaves, as measured: quantised 0.75 to 0.84, the more the further the shape
- * turns (normals that turn far stay floats); with meshopt 0.28 (a smooth bar) to 0.6 (a horse).
+ * Measured shares of the bytes that compression leaves: quantised 0.75 to 0.84, more if the shape turns further
+ * (normals that turn far stay floats); with meshopt 0.28 (a smooth bar) to 0.6 (a horse).
  */
 const LEFT = { none: 1, quantized: 0.8, meshopt: 0.5 };
 
 /** Characters that an OBJ's number is longer where an offset is added. */
 const FAR_DIGITS = 5;
 
-/** Share of the progress that goes to planning, where that has not been done before. */
+/** Share of the progress for planning, unless it was done before. */
 const PLANNING = 0.4;
 
 interface Planned {
   frames: PlannedFrames;
-  /** What plays is off at most, rounding included; null where nothing plays. */
+  /** Largest error of playback, rounding included; null without an animation. */
   error: number | null;
 }
 
@@ -47,7 +47,7 @@ async function planOnce(source: ExportSource, options: ExportOptions, call: Call
   return { frames, error: frames.error + latest.rounding };
 }
 
-/** How far the grid of a compressed file moves a vertex at most, at the keys, too: as a share of the diagonal. */
+/** Largest displacement by the grid of a compressed file, also at the keys, relative to the diagonal. */
 async function roundingOf(source: ExportSource, frames: PlannedFrames, { signal }: CallOptions): Promise<number> {
   const fit = new GridFit();
   let base: Float32Array | null = null;
@@ -153,7 +153,7 @@ async function* shapesOf(
   const frame = (t: number): Promise<Frame> => untilAborted(signal, source.frame(t));
   for (const t of [...frames.times, ...frames.stills]) yield await frame(t);
   for (let key = 0; key < frames.poses; ++key) {
-    // Nobody sees how it is shaded.
+    // Normals are not visible here.
     const { normals } = await frame(source.keyTimes[key]!);
     yield { positions: source.keys.positions[key]!.slice(), normals };
   }
@@ -234,7 +234,7 @@ async function* writePointCache(job: Job): AsyncGenerator<ExportedFile, void, un
   yield* materialFiles(stemOf(options), source.keys.info.scene);
 }
 
-/** What a format keeps of the look. */
+/** The parts of the look that a format can store. */
 function sceneOf(format: 'glb' | 'obj' | 'ply', scene: Scene): Scene {
   if (format === 'glb') return scene;
   return format === 'obj' ? { ...scene, colors: null, images: [] } : NO_SCENE;
@@ -251,7 +251,7 @@ function projectOf({ source: { keys, keyTimes, options }, frames, error }: Job):
     return frames.principal ? key : all.indexOf(t);
   };
   const { vertices, faces } = keys.info.report;
-  // Keys that are shapes as they were seen: what a pin has moved in them must not be moved again.
+  // Keys whose shapes include the effect of pins: pins must not move them again.
   const pins = frames.poses > 0 ? options.pins : options.pins.filter((pin) => !movesKeys({ ...options, pins: [pin] }));
   return writeProject(
     {

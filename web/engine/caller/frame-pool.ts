@@ -1,6 +1,4 @@
-/**
- * Spent frames: their buffers travel back to the worker with the next request, so that a steady state allocates none.
- */
+/** Spent frames: their buffers return to the worker with the next request, so steady playback allocates nothing. */
 import type { FrameBuffers, FrameData } from '../wire/protocol.ts';
 import type { Frame } from '../api/types.ts';
 

@@ -1,4 +1,4 @@
-/** Keys on the caller's side: arrays of their own, tied to no worker. */
+/** Keys on the caller's side: arrays independent of any worker. */
 import type { Keys } from '../api/api.ts';
 import { disposed, EngineError, invalidOption, vertexCountMismatch } from '../api/errors.ts';
 import { checkTimes } from '../api/options.ts';
@@ -16,7 +16,7 @@ export class KeysHandle implements Keys {
     return this.data.info;
   }
 
-  /** What sequences are made from. */
+  /** Input of sequences. */
   get data(): KeyData {
     if (!this.content) throw disposed('import');
     return this.content;

@@ -1,4 +1,4 @@
-/** Materials and textures as files beside an OBJ. */
+/** Materials and textures as files next to an OBJ. */
 import type { ExportedFile, Material, Scene, TextureImage } from '../api/types.ts';
 
 const EXTENSIONS: Record<string, string> = {
@@ -8,7 +8,7 @@ const EXTENSIONS: Record<string, string> = {
   'image/ktx2': 'ktx2',
 };
 
-/** What an OBJ calls its materials: OBJ ends a name at the first blank. */
+/** Names of materials in an OBJ, where a name ends at the first space. */
 export function materialLibrary(stem: string, { materials }: Scene): { file: string; names: string[] } {
   if (materials.length === 0) return { file: '', names: [] };
   const taken = new Set<string>();

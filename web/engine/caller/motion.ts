@@ -42,7 +42,7 @@ type MotionQuestion = {
   [N in QuestionName]: (typeof QUESTIONS)[N]['of'] extends 'motion' ? N : never;
 }[QuestionName];
 
-/** What is measured in one turn keeps a frame waiting for no longer, or for one measure. */
+/** Longest time that measures may delay a frame, unless a single one takes longer. */
 const AT_ONCE_MS = 10;
 
 /** Loaded with the first export: most visits to the page never make one. */
@@ -53,7 +53,7 @@ export class MotionClient implements Motion {
   private readonly pool = new FramePool();
   private shown: Shown | null = null;
   private over = false;
-  /** Of the last export that was planned. */
+  /** The last planned export. */
   private readonly planned: ExportSource['planned'] = { latest: null };
 
   constructor(
@@ -203,7 +203,7 @@ export class MotionClient implements Motion {
     return this.shape.parts.keys.info.report.faces;
   }
 
-  /** Of the motion that is meant when its turn comes. */
+  /** Asks about the motion that is current when the request's turn comes. */
   private async ask<N extends MotionQuestion>(name: N, asked: AskedOf<N>): Promise<ResultOf<N>> {
     this.checkAlive();
     return this.shape.question(name, () => ({ ...asked, motion: this.spec }) as RequestOf<N>);

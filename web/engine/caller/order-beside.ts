@@ -1,4 +1,4 @@
-/** The order of elimination, which a worker of its own finds while the shape's worker makes LRI space. */
+/** Finds the elimination order in a second worker while the shape's worker builds LRI space. */
 import { disposed } from '../api/errors.ts';
 import type { RequestOf } from '../wire/protocol.ts';
 import { giveUpOrder, type SharedOrder, sharedOrder } from '../wire/shared-order.ts';

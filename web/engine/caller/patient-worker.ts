@@ -1,6 +1,6 @@
 /**
- * A worker that is started in the first of several ways that works. What is posted before its script has said that it
- * runs is kept, so that nothing is lost with a way that fails. A script that says nothing has failed, too.
+ * A worker that is started in the first way that works. Messages are kept until its script reports that it runs, so
+ * none is lost to a way that fails. A silent script has failed as well.
  */
 import type { StartedWorker } from './browser-files.ts';
 import type { Ready } from '../wire/protocol.ts';
@@ -9,8 +9,8 @@ export type Way = () => StartedWorker;
 
 const REPORT_MS = 50;
 /**
- * How long a script may say nothing once the rest of the engine, which is larger, has loaded. Counted in steps, as a
- * machine that was asleep wakes up with one timer overdue.
+ * How long a script may stay silent after the rest of the engine, which is larger, has loaded. Counted in steps,
+ * because a machine wakes from sleep with one timer overdue.
  */
 const SILENT_STEPS = 6;
 const STEP_MS = 5000;
@@ -25,7 +25,7 @@ export class PatientWorker implements StartedWorker {
   silent = false;
   private readonly ways: Way[];
   private worker: StartedWorker | null = null;
-  /** null once the script runs, or where there is no other way to which messages could go. */
+  /** null once the script runs, or without another way to send the messages. */
   private waiting: Parameters<Worker['postMessage']>[] | null = [];
   private running = false;
   private over = false;

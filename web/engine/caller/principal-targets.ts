@@ -1,7 +1,6 @@
 /**
- * The keys as morph targets, and a few corrections beside them: between two keys the one goes out while the other comes
- * in, and the corrections, which are nothing at every key, bend what that would shrink. Their weights change with time,
- * all of them at once.
+ * The keys as morph targets, with a few corrections. Between two keys, one fades out while the other fades in; the
+ * corrections, zero at every key, restore the bending that this would shrink. All weights change with time.
  */
 import type { FrameBuffers } from '../wire/protocol.ts';
 
@@ -16,7 +15,7 @@ export interface PrincipalTargets {
   error: number;
 }
 
-/** What is left of frames by leading components: `WasmFiles.principalOffsets`. */
+/** Residuals of frames in leading components: `WasmFiles.principalOffsets`. */
 export interface Offsets {
   count: number;
   /** count x 3 x vertices. */
@@ -45,7 +44,7 @@ export function keyWeights(keyTimes: readonly number[], period: number | null, t
   return weights.slice(1);
 }
 
-/** What `values` has beyond the keys blended with these weights. */
+/** Residual of `values` after subtracting the keys blended with these weights. */
 function beyond(values: Float32Array, keys: readonly Float32Array[], weights: readonly number[]): Float32Array {
   const [base] = keys;
   const rest = values.map((value, i) => value - base![i]!);
@@ -56,7 +55,7 @@ function beyond(values: Float32Array, keys: readonly Float32Array[], weights: re
   return rest;
 }
 
-/** Normals of the corrections: those whose mixture comes nearest to what is wanted, which fixes each by itself. */
+/** Normals of the corrections: the least-squares fit to the target normals, independent for each correction. */
 function normalOffsets(rest: readonly Float32Array[], { count, weights }: Offsets): Float32Array[] {
   return Array.from({ length: count }, (_, k) => {
     const offset = new Float32Array(rest[0]!.length);

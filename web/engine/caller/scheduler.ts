@@ -1,11 +1,11 @@
 /**
- * One request at a time to a sequence's worker, the most urgent first: a frame that someone waits for is not behind
- * frames that are fetched ahead or belong to an export. What has been passed often enough goes next: a motion that
- * plays keeps a slow worker busy for ever, and figures would never come.
+ * Sends one request at a time to a sequence's worker, the most urgent first: a visible frame does not wait for frames
+ * fetched ahead or for an export. A request that was passed often enough goes next, so playback on a slow worker does
+ * not block the plots.
  */
 import { cancelled } from '../api/errors.ts';
 
-/** What a request is for; lower is served first, equals in the order in which they came. */
+/** Urgency of a request; lower is served first, equals in order of arrival. */
 export const urgency = { shown: 0, ahead: 1, batch: 2 } as const;
 export type Urgency = (typeof urgency)[keyof typeof urgency];
 
@@ -14,7 +14,7 @@ export interface Task {
   start(): Promise<unknown>;
 }
 
-/** Of more urgent tasks. */
+/** How many more urgent tasks may pass. */
 const MOST_PASSED = 4;
 
 export class Scheduler {

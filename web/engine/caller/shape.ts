@@ -1,4 +1,4 @@
-/** A shape on the caller's side: its worker, the order of its requests, and what it takes to encode it again. */
+/** A shape on the caller's side: its worker, the queue of its requests, and the data to encode it again. */
 import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
 import { cancelled, disposed, untilAborted } from '../api/errors.ts';
 import { METHOD } from '../api/methods.ts';
@@ -18,7 +18,7 @@ export interface ShapeParts {
   encoding: EncodingOptions;
   /** Starts a worker that no other shape uses, with one thread. */
   freshWorker(): CoreWorker;
-  /** One that finds the order of elimination meanwhile, where the shape is large enough for that; or null. */
+  /** Finds the elimination order in parallel if the shape is large enough; or null. */
   workerBeside: (() => CoreWorker) | null;
   /** For exports. */
   filesWorker: ExportSource['filesWorker'];
@@ -67,7 +67,7 @@ export class ShapeClient implements Shape {
 
   /** The motion is no longer needed. */
   drop(motion: MotionSpec): void {
-    // A worker that has ended has nothing of it.
+    // A worker that ended holds nothing to release.
     if (!this.over && this.client.alive) this.client.call('drop', { motion }).catch(() => undefined);
   }
 
@@ -119,7 +119,10 @@ export class ShapeClient implements Shape {
     return this.client.call(type, request, call);
   }
 
-  /** The first motion in LRI space makes that. Who cancels ends the worker; another one encodes when it is asked. */
+  /**
+   * The first motion in LRI space creates that space. Cancelling ends the worker; a new one encodes on the next
+   * request.
+   */
   private async makeWithLri(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
     const { workerBeside } = this.parts;
     const beside = workerBeside && orderBeside(workerBeside(), encodeRequest(this.parts));
@@ -137,7 +140,7 @@ export class ShapeClient implements Shape {
   }
 }
 
-/** What a shape is made of. */
+/** Input of an encoding. */
 function encodeRequest({ keys, encoding }: ShapeParts): RequestOf<'encode'> {
   const { info, positions, normals } = keys;
   return { names: info.names, faces: info.faces, times: info.times, positions, normals, encoding };

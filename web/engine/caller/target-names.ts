@@ -1,10 +1,10 @@
-/** What an export calls its morph targets, so that they arrive as shape keys with names: keys, and times. */
+/** Names of exported morph targets, which arrive as shape keys: names of keys, and times. */
 import type { PlannedFrames } from './export-source.ts';
 
 /** Bytes that Blender keeps of a shape key's name. */
 const MOST_BYTES = 63;
 
-/** The name before the time, as much of it as there is room for. */
+/** The name before the time, shortened to fit. */
 function named(name: string, at: string): string {
   const bytes = (text: string): number => new TextEncoder().encode(text).length;
   const letters = [...name];
@@ -14,7 +14,7 @@ function named(name: string, at: string): string {
 
 const time = (t: number): string => `t=${Number(t.toFixed(4))}`;
 
-/** Of all shapes but the first, which is the mesh itself. */
+/** For all shapes but the first, which is the mesh itself. */
 export function targetNames(
   names: readonly string[],
   keyTimes: readonly number[],

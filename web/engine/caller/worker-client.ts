@@ -12,7 +12,7 @@ import type {
 } from '../wire/protocol.ts';
 import type { Progress } from '../api/types.ts';
 
-/** What a worker of the browser and one of Node have in common. */
+/** Common interface of browser and Node workers. */
 export interface WorkerPort {
   post(message: ToWorker, transfer: Transferable[]): void;
   terminate(): void;
@@ -79,7 +79,7 @@ export class WorkerClient<Name extends CallName> {
     });
   }
 
-  /** Ends the worker and rejects what is open. Idempotent. */
+  /** Ends the worker and rejects its open requests. Idempotent. */
   terminate(reason: EngineError): void {
     if (this.ended) return;
     this.ended = reason;
@@ -116,7 +116,7 @@ export class WorkerClient<Name extends CallName> {
   }
 }
 
-/** What a worker that ended by itself leaves to say. */
+/** The error after a worker ended by itself. */
 export function endedWorker(reason: unknown): EngineError {
   const text = messageOf(reason);
   return isOutOfMemory(text) ? outOfMemory() : crashed(text);

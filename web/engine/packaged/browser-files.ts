@@ -1,7 +1,7 @@
 /**
- * The files of the npm package as a browser finds them: beside the script that this becomes part of. Bundlers copy what
- * they see as `new URL('./name', import.meta.url)`; each is looked at when it is needed, as some bundles have no such
- * address.
+ * Locates the files of the npm package in a browser: next to the script that includes this code. Bundlers copy files
+ * that they see as `new URL('./name', import.meta.url)`. Each URL is created on use, because some bundles have no base
+ * URL.
  */
 import { engineError, type EngineError } from '../api/errors.ts';
 import type { BrowserFiles, StartedWorker } from '../caller/browser-files.ts';
@@ -18,12 +18,12 @@ const beside = {
   codecs: () => whereItIs(new URL('./codecs.js', import.meta.url)),
 };
 
-/** Vite's development server moves the scripts of a package, and leaves its other files where they are (vite#8427). */
+/** Vite's development server moves the scripts of a package but not its other files (vite#8427). */
 function whereItIs(url: URL): URL {
   return new URL(url.href.replace('/node_modules/.vite/deps/', '/node_modules/shapespline/'));
 }
 
-/** undefined where the script does not know its own address, as in a bundle for a classic script. */
+/** undefined if the script does not know its own URL, as in a bundle for a classic script. */
 function known(address: () => URL): string | undefined {
   try {
     return address().href;
@@ -38,7 +38,7 @@ export const files: BrowserFiles = {
   threads: beside.threads,
   forWorker: ({ draco = known(beside.draco), worker }) => ({
     draco,
-    // Where the script knows no address, it lies beside the worker's that was named.
+    // Without a URL of its own, the script assumes the folder of the configured worker.
     codecs: known(beside.codecs) ?? known(() => new URL('./codecs.js', worker)),
   }),
   startWorker(name, loaded, given) {
@@ -56,9 +56,8 @@ const start = (address: string, name: string): StartedWorker =>
   new Worker(trustedAddress(address), { type: 'module', name });
 
 /**
- * A worker's script must be of the page's own origin; one of another origin is imported by a small one that is. A frame
- * that is sandboxed without allow-same-origin has no origin: what it makes as `blob:` is of another one, too, but
- * `data:` works.
+ * A worker's script must be of the page's origin; a script of another origin is imported by a small local one. A frame
+ * sandboxed without allow-same-origin has an opaque origin: its `blob:` URLs count as foreign, but `data:` works.
  */
 function waysFrom(url: URL): (() => string)[] {
   const text = `import ${JSON.stringify(url.href)};`;
@@ -66,7 +65,7 @@ function waysFrom(url: URL): (() => string)[] {
   return url.origin === globalThis.origin ? [() => url.href, ...importing] : importing;
 }
 
-/** Some sites refuse `blob:`; there the file beside the script may do. */
+/** Some sites refuse `blob:`; the file next to the script may work there. */
 function inlinedWays(): (() => string)[] {
   const text = inlinedWorker ?? '';
   return [() => blobAddress(text), () => beside.worker().href, () => dataAddress(text)];
@@ -74,7 +73,7 @@ function inlinedWays(): (() => string)[] {
 
 const addresses = new Map<string, string>();
 
-/** The address of a script with this text: one for each text, as the worker's second thread starts from it, too. */
+/** A blob: URL for this text, cached because the worker's second thread starts from it as well. */
 function blobAddress(text: string): string {
   const made = addresses.get(text) ?? URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
   addresses.set(text, made);

@@ -1,7 +1,7 @@
-/** The libraries of `codecs.js`, imported from its address when one of them is first needed. */
+/** The libraries of `codecs.js`, imported on first use. */
 import type { Codecs } from '../worker/codecs.ts';
 
-/** `address` is asked for when the first is needed. */
+/** `address` is called on first use. */
 export function codecsFrom(address: () => string | undefined): Codecs {
   let loaded: Promise<Codecs> | null = null;
   const load = async (): Promise<Codecs> => {

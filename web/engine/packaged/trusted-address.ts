@@ -1,10 +1,10 @@
 /**
- * Addresses of scripts on pages that require Trusted Types (`require-trusted-types-for 'script'`). The policy's name is
- * part of what the package promises: a page that lists its policies names it in `trusted-types`.
+ * Script URLs on pages that require Trusted Types (`require-trusted-types-for 'script'`). The policy's name is part of
+ * the public interface: a page that lists its policies includes it in `trusted-types`.
  */
 const POLICY = 'shapespline';
 
-/** Of what TypeScript's DOM types do not have yet. */
+/** Missing in TypeScript's DOM types. */
 interface TrustedTypes {
   createPolicy(
     name: string,
@@ -14,7 +14,7 @@ interface TrustedTypes {
 
 let policy: ReturnType<TrustedTypes['createPolicy']> | null | undefined;
 
-/** The address as the page takes it; as it is where the page does not let the policy be made, and may not need it. */
+/** The URL in the type that the page requires; unchanged if the page forbids the policy, since it may not need it. */
 export function trustedAddress(address: string): string {
   if (policy === undefined) policy = madePolicy();
   return (policy?.createScriptURL(address) ?? address) as string;

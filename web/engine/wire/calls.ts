@@ -14,11 +14,11 @@ import type {
   ShapePlane,
 } from '../api/types.ts';
 
-/** What a request is for: what is shown comes before what is fetched ahead, and that before exports and measures. */
+/** Urgency of a request: shown before ahead, and ahead before exports and measures. */
 export type Urgency = 'shown' | 'ahead' | 'batch';
 
 interface Question<Of, Asked, Answer> {
-  /** The function of the wasm module, which takes a handle of what it is of, and JSON. */
+  /** Function of the wasm module, which takes a handle and JSON. */
   symbol: string;
   of: Of;
   urgency: Urgency;
@@ -48,7 +48,7 @@ export const QUESTIONS = {
   ghostPositions: ofMotion<{ t: number }, { positions: Float32Array }>('_shapespline_ghost_positions'),
   /** At the first of these times: one, and more as long as that takes no longer. */
   measure: ofMotion<{ times: number[]; mostMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
-  /** Of each face; -1 without area. */
+  /** Per face; -1 without area. */
   components: ofShape<object, { componentOf: Int32Array }>('_shapespline_components'),
   patches: ofShape<object, { patchOf: Int32Array }>('_shapespline_patches'),
   ghost: ofShape<object, Ghost>('_shapespline_ghost'),

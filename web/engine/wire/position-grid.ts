@@ -4,13 +4,13 @@
  */
 import type { Point } from '../api/types.ts';
 
-/** Of a normalised number on either side of 0. */
+/** Steps of a normalised number on either side of 0. */
 export const STEPS = 32767;
 
 export interface PositionGrid {
-  /** Of the base shape. */
+  /** Centre of the base shape. */
   centre: Point;
-  /** What one is: no coordinate of the base is farther from the centre, and no difference is longer. */
+  /** Size of a normalised 1: no coordinate of the base is farther from the centre, and no difference is longer. */
   scale: number;
 }
 
@@ -31,7 +31,7 @@ export class GridFit {
     for (let i = 0; i < offsets.length; i += 1) this.longest = Math.max(this.longest, Math.abs(offsets[i]!));
   }
 
-  /** Of a target by its positions, as a GLB stores it. */
+  /** Adds a target by its positions, as a GLB stores it. */
   addTarget(positions: Float32Array, base: Float32Array): void {
     this.addDifference(positions.map((value, i) => value - base[i]!));
   }
@@ -54,7 +54,7 @@ export function roundingError({ scale }: PositionGrid, weight: number): number {
   return (Math.sqrt(3) * scale * (1 + weight)) / 2 / STEPS;
 }
 
-/** The largest sum of an animation's weights at any of so many times; null: one target is shown at a time. */
+/** Largest sum of an animation's weights at any time; null: one target is shown at a time. */
 export function mostWeight(weights: Float32Array | null, times: number): number {
   if (!weights) return 1;
   const targets = weights.length / times;

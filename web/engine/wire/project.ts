@@ -1,7 +1,6 @@
 /**
- * A project: what an exported GLB holds in `extras.shapespline` besides its frames, so that it opens again with the
- * same keys, times and options. The core finds the keys in it (wasm/io/gltf/project.h), the options are read here. The
- * text comes from a file and is trusted in nothing.
+ * A project: the content of `extras.shapespline` in an exported GLB, which restores keys, times and options. The core
+ * reads the keys (wasm/io/gltf/project.h), this file the options. The text comes from a file and is not trusted.
  */
 import { ENCODING, MOTION, SHAPES, optionsIn } from '../api/option-table.ts';
 import { checkSequenceOptions, choiceNow } from '../api/options.ts';
@@ -17,7 +16,7 @@ export interface ProjectKeys {
   frames: readonly number[];
 }
 
-/** The mesh as it was written, and what its playback is off at most, as a share of the diagonal. */
+/** The mesh as written, and the largest error of playback relative to the diagonal. */
 export interface ProjectMesh {
   vertices: number;
   faces: number;
@@ -51,7 +50,7 @@ export function writeProject(
   });
 }
 
-/** null where the text says nothing of it, as in files of earlier versions. */
+/** null if missing, as in files of earlier versions. */
 export function readMesh(text: string): ProjectMesh | null {
   try {
     const { vertices, faces, error } = record(record(JSON.parse(text))['mesh']);
@@ -62,7 +61,7 @@ export function readMesh(text: string): ProjectMesh | null {
   }
 }
 
-/** null where the text says nothing of it, as in files of earlier versions. */
+/** null if missing, as in files of earlier versions. */
 export function readSpeed(text: string): number | null {
   try {
     const { speed } = record(JSON.parse(text));
@@ -72,7 +71,7 @@ export function readSpeed(text: string): number | null {
   }
 }
 
-/** null where the text says nothing of it, as in files of earlier versions. */
+/** null if missing, as in files of earlier versions. */
 export function readPlayed(text: string): [start: number, end: number] | null {
   try {
     const { start, end } = record(JSON.parse(text));

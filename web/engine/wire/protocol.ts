@@ -19,7 +19,7 @@ import type {
   Warning,
 } from '../api/types.ts';
 
-/** An import: what callers see of it, and its poses, which all sequences share. Never changed once made. */
+/** An import: its public description and its poses, which all sequences share. Immutable. */
 export interface KeyData {
   info: KeysInfo;
   /** 3 x vertices for each key. */
@@ -28,14 +28,14 @@ export interface KeyData {
   normals: Float32Array | null;
 }
 
-/** The motion that a request means. Another one has another number; a worker that does not have it makes it. */
+/** The motion of a request. A worker that does not have the motion of this number makes it. */
 export interface MotionSpec {
   readonly number: number;
   readonly options: MotionOptions;
   readonly keyTimes: readonly number[];
 }
 
-/** What the core says of a motion that it has made. */
+/** The core's description of a motion. */
 export interface MotionState {
   range: [number, number];
   warnings: Warning[];
@@ -77,7 +77,7 @@ export interface CoreCalls extends Omit<Questions, 'stats'> {
   order: { request: CoreCalls['encode']['request'] & { order: SharedOrder }; result: null };
   /** `order`: where another worker leaves the order of elimination (shared-order), if LRI space is made; or null. */
   motion: { request: { motion: MotionSpec; order: SharedOrder | null }; result: MotionState };
-  /** The motion is not needed any more. */
+  /** Releases the motion. */
   drop: { request: { motion: MotionSpec }; result: null };
   evaluate: { request: { motion: MotionSpec; t: number; buffers: FrameBuffers | null }; result: FrameData };
   /** The shape at an affine combination of the keys. */
@@ -85,7 +85,7 @@ export interface CoreCalls extends Omit<Questions, 'stats'> {
   stats: { request: object; result: SequenceStats };
 }
 
-/** The same of a worker with the module for files. */
+/** Calls of a worker with the module for files. */
 export interface FileCalls {
   import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
   /** Bytes of an animated GLB, to a few percent, without the images' own; and the vertices of its primitives. */
@@ -109,7 +109,7 @@ export interface FileCalls {
       /** A row for each time, with a weight for each target; null: each target is shown alone at its time. */
       weights: Float32Array | null;
       project: string;
-      /** Of all positions: becomes the node's translation. */
+      /** Offset of all positions: becomes the node's translation. */
       offset: Point;
       name: string;
       targetNames: string[];
@@ -123,9 +123,9 @@ export interface FileCalls {
       faces: Uint32Array;
       scene: Scene;
       pose: FrameBuffers;
-      /** The file of materials beside an OBJ, '' for none, and what it calls them. */
+      /** The material file of an OBJ, '' for none, and the names of its materials. */
       library: { file: string; names: string[] };
-      /** Of all positions; `local`: an OBJ names it in a comment instead of adding it. */
+      /** Offset of all positions; `local`: an OBJ states it in a comment instead of adding it. */
       offset: Point;
       local: boolean;
     };
@@ -142,12 +142,12 @@ export type ResultOf<K extends CallName> = Calls[K]['result'];
 
 export type Request = { [K in CallName]: { type: K; id: number } & RequestOf<K> }[CallName];
 
-/** The first message to a worker: the compiled wasm, so that it is compiled once per page. */
+/** The first message to a worker: the compiled wasm, compiled once per page. */
 export interface Start extends Program {
   type: 'start';
 }
 
-/** Addresses of what a worker fetches when a file first needs it; where it has none, it knows its own. */
+/** URLs that a worker fetches when a file first needs them; a missing one means that the worker knows its own. */
 export interface WorkerFiles {
   /** The Draco decoder's wasm file. */
   draco?: string | undefined;
@@ -177,7 +177,7 @@ export interface Locked {
   type: 'locked';
 }
 
-/** The worker's script runs: in browsers, where it may have to be started in another way. */
+/** The worker's script runs; needed in browsers, where it may have to be started in another way. */
 export interface Ready {
   type: 'ready';
 }

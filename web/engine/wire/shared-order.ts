@@ -18,7 +18,7 @@ export function sharedOrder(vertices: number): SharedOrder {
   return new Int32Array(new SharedArrayBuffer(Int32Array.BYTES_PER_ELEMENT * (HEADER + vertices)));
 }
 
-/** Whoever waits goes on, with what `make` returned or without. What was given up before is not begun. */
+/** Wakes the waiting worker, with the result of `make` or without. An order given up before is not computed. */
 export function provideOrder(order: SharedOrder, make: () => Int32Array): void {
   if (Atomics.compareExchange(order, STATE, state.notBegun, state.begun) !== state.notBegun) return;
   try {
@@ -32,13 +32,13 @@ export function provideOrder(order: SharedOrder, make: () => Int32Array): void {
   }
 }
 
-/** Nothing will come any more. What has been made stays. */
+/** No order will come. A finished order stays. */
 export function giveUpOrder(order: SharedOrder): void {
   for (const before of [state.notBegun, state.begun]) Atomics.compareExchange(order, STATE, before, state.failed);
   Atomics.notify(order, STATE);
 }
 
-/** Blocks the worker until it is there; null where it failed, or where nobody has even begun with it. */
+/** Blocks the worker until the order is ready; null if it failed, or if no worker has begun. */
 export function awaitedOrder(order: SharedOrder): Int32Array | null {
   Atomics.wait(order, STATE, state.begun, PATIENCE);
   if (Atomics.load(order, STATE) !== state.made) return null;

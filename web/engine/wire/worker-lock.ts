@@ -1,7 +1,7 @@
 /**
- * How a page learns that one of its workers has ended: the browser, which may end it, tells nobody. As long as it
- * lives, the worker holds a lock that bears its name; whoever gets it next knows. Pages without https have no locks:
- * there an open database stands for it, which cannot be deleted before the worker that opened it has ended.
+ * Detects a worker that the browser killed, which no event reports. A living worker holds a lock with its name; the
+ * page gets the lock when the worker ends. Pages without https have no locks: there an open database serves instead,
+ * which cannot be deleted before its worker ends.
  */
 
 /** A connection that nothing refers to would be closed. */

@@ -1,6 +1,6 @@
 /**
- * The libraries that read and write compressed glTF, each loaded when a file first needs it. This is how the app and
- * the repository's own programs find them; the npm package has them in a file of its own (`packaged/codecs`).
+ * The libraries that read and write compressed glTF, each loaded on first use. The page and the repository's programs
+ * use this file; the npm package has a separate file (`packaged/codecs`).
  */
 
 export interface Codecs {

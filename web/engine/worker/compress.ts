@@ -1,13 +1,13 @@
 /**
- * A GLB of ours with smaller numbers: KHR_mesh_quantization, and EXT_meshopt_compression of what that leaves, by
- * glTF-Transform's own functions, which are loaded when the first export asks for them.
+ * Compresses a GLB of ours: KHR_mesh_quantization, then optionally EXT_meshopt_compression, by glTF-Transform's
+ * functions, loaded on the first compressed export.
  */
 import type { Accessor, Document } from '@gltf-transform/core';
 import type { Codecs } from './codecs.ts';
 import { GridFit, STEPS } from '../wire/position-grid.ts';
 import type { Compression } from '../wire/protocol.ts';
 
-/** glTF's own attributes besides positions, which have a grid of their own; numbers of vertices stay exact. */
+/** glTF's own attributes except positions, which have their own grid; vertex numbers stay exact. */
 const QUANTIZED = /^(NORMAL|TANGENT|TEXCOORD_\d+|COLOR_\d+)$/;
 const NORMAL_BITS = 12;
 
@@ -42,8 +42,8 @@ export async function compress(
 }
 
 /**
- * Positions on a grid around the shape; the node's translation and scale take them back. glTF-Transform's own grid
- * reaches to the origin where there are targets.
+ * Puts positions on a grid around the shape; the node's translation and scale restore them. With targets,
+ * glTF-Transform's own grid would reach to the origin.
  */
 function quantizePositions(document: Document): void {
   const node = document.getRoot().listNodes()[0]!;
@@ -86,8 +86,8 @@ async function orderForMeshopt(codecs: Codecs, document: Document, io: Registers
 }
 
 /**
- * Takes away the normals of those targets where some turn so far that the difference is longer than normalised numbers
- * reach: they stay floats, of as many bits as the others. What is returned gives them back.
+ * Detaches normals of targets that turn so far that the difference exceeds normalised numbers: they stay floats with
+ * the same number of bits. Returns a function that attaches them again.
  */
 function detachLongNormals(document: Document): () => void {
   const steps = 2 ** (NORMAL_BITS - 1) - 1;

@@ -30,7 +30,7 @@ export class CoreAnswers {
       ...this.questions(),
       report: (request) => ({ report: core.report(request) }),
       encode: (request, report) => {
-        report('welding', 0); // large keys take a moment to be copied and checked
+        report('welding', 0); // large keys take a while to copy and check
         this.shape = core.encode(request, report);
         this.motions = new Motions();
         return null;

@@ -1,15 +1,17 @@
 /**
- * What a glTF file with compressed meshes would become, judged by what it declares, before anything is decoded: sizes
- * in proportion to the bytes that are there, and nodes that form a forest. The decoders take all of that on trust.
+ * Checks the declared size of a glTF file with compressed meshes before decoding: sizes in proportion to the bytes, and
+ * nodes that form a forest. The decoders trust all of that.
  */
 import { EngineError } from '../api/errors.ts';
 
-/** A file may become so many times larger, and a small one so large: whole morph targets of zeros are a few bytes. */
+/**
+ * Largest ratio of decoded to stored bytes, and the limit for small files: whole morph targets of zeros take few bytes.
+ */
 const LARGEST_RATIO = 1024;
 const SMALL = 64 * 2 ** 20;
 const LARGEST = 2 ** 30;
 
-/** Bytes that may come out of so many. */
+/** Decoded bytes allowed for this number of stored bytes. */
 export const roomFor = (bytes: number): number => Math.min(Math.max(SMALL, LARGEST_RATIO * bytes), LARGEST);
 
 /**
@@ -25,7 +27,7 @@ const listOf = (json: Json, name: string): Json[] =>
   Array.isArray(json[name]) ? json[name].map((one: unknown) => (isObject(one) ? one : {})) : [];
 const isSize = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
 
-/** Throws where the file, of so many bytes with all that it names, should not be decoded. */
+/** Throws if the file, with this total size, should not be decoded. */
 export function checkDecodedSize(json: unknown, bytes: number, name: string): void {
   const document = isObject(json) ? json : {};
   const sizes = [
@@ -43,7 +45,7 @@ export function checkDecodedSize(json: unknown, bytes: number, name: string): vo
   );
 }
 
-/** Of a view that meshopt decodes, else 0: others are bytes of the file itself. */
+/** Size of a view that meshopt decodes, otherwise 0: other views are bytes of the file itself. */
 function meshoptSize(view: Json, index: number): number {
   const extension = isObject(view['extensions']) ? view['extensions']['EXT_meshopt_compression'] : undefined;
   if (!isObject(extension)) return 0;
@@ -56,7 +58,7 @@ function meshoptSize(view: Json, index: number): number {
   return count * byteStride;
 }
 
-/** Of an image in the file, which is copied out of its view, too. */
+/** Size of an embedded image, which is copied out of its view. */
 function viewSize(document: Json, { bufferView }: Json): number {
   const views = document['bufferViews'];
   const view: unknown = Array.isArray(views) && isSize(bufferView) ? views[bufferView] : undefined;
@@ -65,7 +67,7 @@ function viewSize(document: Json, { bufferView }: Json): number {
 
 const COMPONENTS: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
 
-/** As it is copied out of its view; views may be shared, so that a small file could declare any amount. */
+/** Size as copied out of its view; views may be shared, so a small file could declare any amount. */
 function accessorSize({ count = 0, type, componentType }: Json, index: number): number {
   const components = COMPONENTS[String(type)];
   if (!isSize(count) || components === undefined) throw new Error(`accessor ${index} has no count or type`);
@@ -103,7 +105,7 @@ export function checkForest(json: unknown): void {
       parent[child] = index;
     }
   }
-  // Each has one parent at most: what is not reached from a root lies on a cycle.
+  // Each node has at most one parent, so a node not reached from a root lies on a cycle.
   const waiting = nodes.flatMap((_, index) => (parent[index] === -1 ? [index] : []));
   let reached = 0;
   for (let node = waiting.pop(); node !== undefined; node = waiting.pop()) {

@@ -17,10 +17,10 @@ import type { InputFile } from '../api/types.ts';
 
 const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
 const BIN_CHUNK = 0x004e4942;
-/** What glTF-Transform calls the binary chunk. */
+/** glTF-Transform's name of the binary chunk. */
 const GLB_BUFFER = '@glb.bin';
 
-/** Of memory that Draco works in, beside what comes out. */
+/** Working memory of Draco, in addition to its output. */
 const DRACO_ROOM = 64 * 2 ** 20;
 
 /** `dracoWasm` brings the Draco decoder's wasm file; browsers and Node find it in different places. */
@@ -52,7 +52,7 @@ interface Job {
 async function decodeFile(job: Job): Promise<InputFile> {
   const name = fileName(job.file.name);
   const json = parseGltf(job.text) as JSONDocument['json'] | undefined;
-  if (!json) return job.file; // the core says where it is broken
+  if (!json) return job.file; // the core reports where it is broken
   try {
     checkForest(json);
     checkCompressedViews(json);
@@ -66,7 +66,7 @@ async function decodeFile(job: Job): Promise<InputFile> {
   }
 }
 
-/** The message of an error of ours or of a library; of a TypeError nothing, as that speaks of the library's code. */
+/** The message of our own error or a library's; nothing for a TypeError, which describes the library's code. */
 function reasonOf(error: unknown): string {
   const isSentence = error instanceof Error && error.constructor === Error && /^[\w\s.,:()'"/-]+$/.test(error.message);
   return isSentence ? messageOf(error).replace(/\.$/, '') : '';
@@ -118,7 +118,7 @@ async function reader(codecs: Codecs, text: string, dracoWasm: () => Promise<Uin
   return io;
 }
 
-/** Files beside this one that it names; nothing else is looked for anywhere. A missing image costs the texture only. */
+/** Adds given files that this one refers to; no other files are read. A missing image costs the texture only. */
 function addResources({ json, resources }: JSONDocument, name: string, files: InputFile[]): void {
   const { buffers, images } = resourceUris(json);
   for (const uri of images) {

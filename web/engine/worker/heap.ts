@@ -13,7 +13,7 @@ export interface Range {
 
 type NumberArray = Uint8Array | Int32Array | Uint32Array | Float32Array;
 
-/** What the ranges of the bindings' JSON hold, by their names. */
+/** Element types of the ranges in the bindings' JSON, by name. */
 const ARRAYS = {
   bytes: Uint8Array,
   faces: Uint32Array,
@@ -53,7 +53,7 @@ export function readJson(module: WasmModule, text: string): unknown {
   });
 }
 
-/** Copies a range out, into `target` where that has the right length. */
+/** Copies a range, into `target` if its length matches. */
 export function readFloats(module: WasmModule, { address, length }: Range, target?: Float32Array | null): Float32Array {
   const copy = target?.length === length ? target : new Float32Array(length);
   copy.set(new Float32Array(module.HEAPU8.buffer, address >>> 0, length));

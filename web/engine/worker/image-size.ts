@@ -12,7 +12,7 @@ export interface Size {
 
 /** Pixels of one image that may be decoded: 8,192 x 8,192, 256 MB. */
 export const MOST_PIXELS = 2 ** 26;
-/** Larger sides are drawn smaller; on a screen that cannot be told. */
+/** Larger sides are scaled down, which is invisible on a screen. */
 export const LARGEST_SIDE = 4096;
 /** Pixels of all images that may be kept for drawing. */
 export const MOST_PIXELS_KEPT = 2 ** 27;

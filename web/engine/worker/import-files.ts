@@ -9,10 +9,7 @@ import type { KeyData } from '../wire/protocol.ts';
 import { NO_PLACE } from '../api/types.ts';
 import type { ImportOptions, InputFile, MeshReport, Warning } from '../api/types.ts';
 
-/**
- * Undoes compression, one file after the other; those that have none are returned as they are. `report` hears how far
- * it is.
- */
+/** Decompresses files one after the other; returns uncompressed files unchanged. `report` receives the progress. */
 export type Decode = (files: InputFile[], report: (fraction: number) => void) => Promise<InputFile[]>;
 
 interface ImportJob {
@@ -28,10 +25,7 @@ const UNREADABLE: Warning = {
   ...NO_PLACE,
 };
 
-/**
- * Shares of the progress: decoding, where there is anything to decode, and reading. The rest is the way out of the
- * core.
- */
+/** Shares of the progress: decoding, if any, and reading. The rest is copying out of the core. */
 const DECODING = 0.3;
 const READING = 0.95;
 
@@ -76,7 +70,7 @@ export async function importFiles(
   };
 }
 
-/** What another program has done to the mesh of a project since it was saved; null where it is as it was. */
+/** Changes that another program made to the mesh of a project since it was saved; null if unchanged. */
 function changedMesh(project: string, { vertices, faces }: MeshReport): Warning | null {
   const mesh = readMesh(project);
   if (!mesh || (mesh.vertices === vertices && mesh.faces === faces)) return null;

@@ -8,10 +8,10 @@ const MOST = 16;
 export class Motions {
   /** Handles by number, the one that was used last at the end. */
   private readonly handles = new Map<number, number>();
-  /** The handle of the newest that holds something, whose system another one takes over. */
+  /** The newest motion that holds something; the next one reuses its factored system. */
   private holding: number | null = null;
 
-  /** Where it fails, the others stay. */
+  /** A failure leaves the other motions alone. */
   make(core: WasmCore, shape: number, spec: MotionSpec, space?: NewSpace): MotionState {
     const { handle, ...state } = core.motion(shape, spec, this.holding, space);
     if (spec.options.hold === 'on' || spec.options.pins.length > 0) this.holding = handle;
@@ -22,7 +22,7 @@ export class Motions {
     return state;
   }
 
-  /** The handle of a motion, which is made where it is not there: as after a worker that broke down. */
+  /** The handle of a motion, which is made if missing, such as after a worker broke down. */
   of(core: WasmCore, shape: number, spec: MotionSpec): number {
     const handle = this.handles.get(spec.number);
     if (handle === undefined) {

@@ -94,8 +94,8 @@ export class RequestHandler {
   }
 }
 
-// What the core says of itself leaves it sound, but for memory that ran out in the middle and its own defects. Anything
-// else that arrives here is a trap.
+// Errors that the core reports leave it sound, except for lack of memory and internal errors. Any other exception is a
+// trap.
 function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
   const error = reason instanceof EngineError ? reason : trapped(messageOf(reason));
   const fatal = error !== reason || ['out-of-memory', 'internal', 'crashed', 'not-loaded'].includes(error.code);

@@ -1,6 +1,6 @@
 /**
- * The second thread: an instance of the threaded module over the memory of the first one, with a stack of its own. It
- * waits on a futex inside the module, does the second parts of frames, and never comes back.
+ * The second thread: an instance of the threaded module on the memory of the first, with its own stack. It waits on a
+ * futex inside the module, computes the second parts of frames, and never returns.
  */
 import type { Address } from './wasm-module.ts';
 

@@ -1,7 +1,6 @@
 /**
- * Whether frames are faster with two threads than with one. The first ones are made in turn with one and with two; as
- * machines get busy and idle again, both are compared anew from time to time, and at once when two turn out slower than
- * one was.
+ * Alternates one and two threads and keeps the faster. As the load of the machine changes, it compares again from time
+ * to time, and immediately if two threads become slower than one was.
  */
 
 /**
@@ -29,7 +28,7 @@ export class ThreadChoice {
   /** How many in a row took longer than one thread. */
   private slow = 0;
 
-  /** Of the last comparison; 1 before the first. */
+  /** Result of the last comparison; 1 before the first. */
   get chosen(): 1 | 2 {
     return this.winner;
   }

@@ -96,7 +96,7 @@ function checked<T>(result: CallResult<T>): T {
 function instantiate<M extends WasmModule>(create: CreateWasmModule<M>, compiled: WebAssembly.Module): Promise<M> {
   return new Promise((resolve, reject) => {
     const instantiateWasm: Parameters<CreateWasmModule<M>>[0]['instantiateWasm'] = (imports, receive) => {
-      // The glue does not hear of a failure here (too little memory, say): its own promise would stay open.
+      // The generated glue does not see a failure here (such as too little memory), and its promise would stay open.
       WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled), reject);
       return {};
     };

@@ -22,11 +22,11 @@ export interface NewSpace {
   report?: OnProgress;
 }
 
-/** Bytes: many times what a frame's kernels need. */
+/** In bytes: many times the need of a frame's kernels. */
 const SECOND_STACK = 1 << 18;
 
 export class WasmCore extends WasmCalls<CoreModule> {
-  /** What a second thread needs to work in this core's memory; null where that is not shared. */
+  /** Data for a second thread on this core's memory; null if the memory is not shared. */
   secondThreadStart(compiled: WebAssembly.Module): SecondThreadStart | null {
     const { wasmMemory: memory } = this.module;
     if (!memory) return null;
@@ -40,7 +40,7 @@ export class WasmCore extends WasmCalls<CoreModule> {
     this.module._shapespline_set_threads(handle, threads);
   }
 
-  /** The second thread broke down in the middle of a frame: what it was to write cannot be relied on. */
+  /** The second thread broke down during a frame, so its output is unreliable. */
   get secondThreadLost(): boolean {
     return this.module._shapespline_is_help_lost() !== 0;
   }
@@ -63,7 +63,7 @@ export class WasmCore extends WasmCalls<CoreModule> {
     return this.send<ResultOf<'report'>>(keysOf(request), (address) => this.module._shapespline_report(address)).report;
   }
 
-  /** `before`: another motion of the shape, which what is costly is taken from; or null. */
+  /** `before`: another motion of the shape, whose costly parts are reused, or null. */
   motion(
     shape: number,
     { options, keyTimes }: MotionSpec,
@@ -87,7 +87,7 @@ export class WasmCore extends WasmCalls<CoreModule> {
     return this.send(request, (address) => functions[QUESTIONS[name].symbol]!(handle, address));
   }
 
-  /** Fills `buffers` where they are given and fit. */
+  /** Fills `buffers` if given and of the right size. */
   evaluate(handle: number, t: number, buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {
     return this.frame(this.module._shapespline_evaluate(handle, t), buffers);
   }

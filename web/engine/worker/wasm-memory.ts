@@ -23,7 +23,7 @@ function writeNumber(bytes: Uint8Array, value: number, start: number, end: numbe
   }
 }
 
-/** A copy of the module whose memory never grows over so many bytes, but has what it starts with. */
+/** A copy of the module whose memory cannot grow beyond this number of bytes, unless it starts with more. */
 export function withMemoryLimit(module: Uint8Array, bytes: number): Uint8Array {
   const limited = module.slice();
   for (let at = 8; at < limited.length; ) {

@@ -1,9 +1,9 @@
-/** The generated wasm modules as this folder sees them: what wasm/bindings exports, and the three calls out of it. */
+/** Interface of the generated wasm modules: the exports of wasm/bindings, and the three calls out of it. */
 
-/** An address in the heap; above 2 GB it arrives negative, hence `>>> 0` wherever one is used. */
+/** An address in the heap; above 2 GB it is negative, hence `>>> 0` wherever one is used. */
 export type Address = number;
 
-/** What the module calls out to; set on the module itself. */
+/** Callbacks of the module, set on the module itself. */
 export interface JsImports {
   onProgress?: (stage: Address, fraction: number) => void;
   takeFrame?: (frame: number, positions: Address, normals: Address) => boolean;
@@ -15,7 +15,7 @@ export type QuestionFunctions = Readonly<Record<string, (handle: number, request
 
 /** What both have. */
 export interface WasmModule extends JsImports {
-  /** Made anew whenever the memory grows: never kept. */
+  /** Replaced whenever the memory grows, so never keep it. */
   readonly HEAPU8: Uint8Array;
   _malloc(bytes: number): Address;
   _free(address: Address): void;
@@ -24,7 +24,7 @@ export interface WasmModule extends JsImports {
 }
 
 export interface CoreModule extends WasmModule {
-  /** Only where it is shared. */
+  /** Only for shared memory. */
   readonly wasmMemory?: WebAssembly.Memory;
   _shapespline_encode(request: Address): Address;
   _shapespline_order(request: Address): Address;
