@@ -14,7 +14,7 @@ export const BETWEEN_VALUES = '\0';
 
 export interface Known {
   options: ReadonlySet<string>;
-  /** Those of the options that may be given several times. */
+  /** Options that may be repeated. */
   repeated: ReadonlySet<string>;
   flags: ReadonlySet<string>;
 }

@@ -1,4 +1,4 @@
-/** What the two commands do. */
+/** The inspect and complete commands (measure is in measure.ts). */
 import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { errorText } from '../engine/api/error-text.ts';
@@ -46,7 +46,7 @@ function describe(info: KeysInfo): object {
   };
 }
 
-/** What is in the files, as JSON. */
+/** The contents of the files as JSON. */
 export async function inspect(args: Arguments): Promise<string> {
   checkFiles(args);
   const options = importOptions(args);
@@ -57,7 +57,7 @@ export async function inspect(args: Arguments): Promise<string> {
 }
 
 export interface Completed {
-  /** One line that says what was written. */
+  /** One line that reports the output. */
   text: string;
   /** Sentences that say where, counted from 1. */
   warnings: string[];
@@ -66,7 +66,7 @@ export interface Completed {
 /** From here on the size is said before the work. */
 const LARGE = 100e6;
 
-/** Writes the completed motion and, if asked for, the report. `say` hears of a large export before it is made. */
+/** Writes the completed motion and, if requested, the report. `say` receives a message before a large export. */
 export async function complete(args: Arguments, say: (text: string) => void): Promise<Completed> {
   const started = performance.now();
   checkFiles(args);
@@ -99,7 +99,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     };
     const outputs: Output[] = [{ path: output, files: exported() }];
     const report = args.values.get('report');
-    /** Of what was exported before. */
+    /** Wraps the previous export. */
     const reported = async function* () {
       const measures = await timings.time('measure', sequence.measures(plan.times));
       const ghost = await describeGhost(engine, keys, sequence, plan.times, timings);
@@ -168,7 +168,7 @@ async function describeGhost(
   return { faces, vertices, joinedComponents, transfer, placement, kg };
 }
 
-/** Every option as it was used, and what the sequence counted; shapes are said, not spelt out. */
+/** Every option as used, and the counts of the sequence; shapes are named, not written out. */
 async function settled(
   sequence: Sequence,
   exported: Partial<ExportOptions>,

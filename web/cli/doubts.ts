@@ -1,13 +1,13 @@
-/** What makes the comparison of a motion with an animation meaningless, in sentences that say what to do. */
+/** Reasons why comparing a motion with an animation may be meaningless, with advice. */
 
-/** Of two sizes, or two errors, of which one is suspected. */
+/** Ratio of two sizes, or two errors, from which one is suspected. */
 const OTHER_SIZE = 3;
 const BETTER = 0.25;
-/** Of the shape's size: nearer than this the place is the same. */
+/** Share of the shape's size within which positions are the same. */
 const SAME_PLACE = 0.01;
 /** Fewer frames say little of a motion. */
 const FEW_FRAMES = 5;
-/** Of the length of the keys. */
+/** Share of the length of the keys. */
 const SAME_SPAN = 1e-3;
 
 export interface Spans {
@@ -32,7 +32,7 @@ export function doubtsOfTime({ keys, animation, frames, compared }: Spans): stri
   return doubts;
 }
 
-/** One moment of both, 3 x vertices. */
+/** Both at one time, 3 x vertices. */
 export interface Pair {
   motion: Float32Array;
   animation: Float32Array;
@@ -100,7 +100,7 @@ function offBy(pairs: readonly Pair[], turn: Turn): number {
   return sum;
 }
 
-/** From the motion to the animation, in the mean of all vertices and moments. */
+/** Mean displacement from the motion to the animation, over all vertices and times. */
 function meanWay(pairs: readonly Pair[]): number[] {
   const sum = [0, 0, 0];
   let count = 0;

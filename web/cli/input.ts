@@ -1,7 +1,4 @@
-/**
- * Named files on the disk, and what a .gltf or .obj among them names: from its own folder only, and never over the
- * network.
- */
+/** Named files on disk, and the companions of a .gltf or .obj: from its own folder only, never over the network. */
 import { constants } from 'node:fs';
 import { open, readdir, realpath, stat } from 'node:fs/promises';
 import path from 'node:path';
@@ -80,10 +77,7 @@ export async function readInputs(given: string[]): Promise<InputFile[]> {
   return files;
 }
 
-/**
- * The material libraries of an OBJ, which it names before its first face, and the images that they name, as seen from
- * there.
- */
+/** The material libraries of an OBJ, which it names before its first face, and their images, relative to the OBJ. */
 async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<string[]> {
   const libraries: string[] = [];
   for (const text of namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib'))
@@ -102,7 +96,7 @@ const OBJ_HEAD = 1 << 16;
 /** Words of one name that it is looked for by. */
 const MOST_WORDS = 8;
 
-/** One name, which may have spaces, or several: a name ends where it is a file or in .mtl (as in `wasm/io/polygon`). */
+/** One name, which may have spaces, or several: a name ends if it is a file, or in .mtl (as in `wasm/io/polygon`). */
 export async function libraryNames(text: string, isFile: (name: string) => Promise<boolean>): Promise<string[]> {
   if (!/[ \t]/.test(text) || (await isFile(text))) return [text];
   const names: string[] = [];
@@ -120,8 +114,8 @@ export async function libraryNames(text: string, isFile: (name: string) => Promi
 }
 
 /**
- * What the lines that begin with a keyword name, each once. Read line by line: a pattern would try every blank of a
- * long one.
+ * The names after a keyword, without duplicates. Reads line by line, because a pattern would backtrack over the spaces
+ * of a long line.
  */
 export function namedIn(bytes: Uint8Array, keyword: string): string[] {
   const lines = new TextDecoder().decode(bytes).replace(CONTINUED, ' ').split('\n');
@@ -177,17 +171,17 @@ async function readRegular(name: string, total: Total): Promise<Uint8Array> {
   }
 }
 
-/** URIs of the buffers and images of a .gltf; what is not JSON is for the engine to judge. */
+/** URIs of the buffers and images of a .gltf; the engine reports invalid JSON. */
 function urisOf(bytes: Uint8Array): string[] {
   if (!/^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return [];
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
   return [...new Set([...buffers, ...images])];
 }
 
-/** How the engine is told the file that a URI names. */
+/** The name under which the engine finds the file of a URI. */
 const nameBeside = (gltf: string, uri: string): string => beside(toSlashes(gltf), decodedUri(uri));
 
-/** The file that a URI names, or null where it is missing or leaves the folder: the engine says so in its own words. */
+/** The file of a URI, or null if it is missing or outside the folder, which the engine reports. */
 async function readBeside(gltf: string, uri: string, total: Total): Promise<Uint8Array | null> {
   if (isExternal(uri)) return null;
   try {

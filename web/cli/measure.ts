@@ -1,4 +1,4 @@
-/** What `measure` does: numbers of a motion by several methods, and their errors against an animation, as a table. */
+/** The measure command: numbers of a motion by several methods, and their errors against an animation, as a table. */
 import { version } from '../../package.json';
 import type { Sequence } from '../engine/api/api.ts';
 import type { ExportOptions, Method } from '../engine/api/types.ts';
@@ -20,7 +20,7 @@ const AT_ONCE = 16;
 const ERROR_UNITS = "# distance: of the vertices from the animation, % of the model's size (diagonal of the keys)";
 
 export interface Measured {
-  /** The table, or where it was written. */
+  /** The table, or a line that names its file. */
   text: string;
   warnings: string[];
 }
@@ -79,7 +79,7 @@ interface Compared {
   frames: (Float32Array | null)[];
 }
 
-/** Of the range: a frame at its end may be rounded. */
+/** Share of the range: a frame at its end may be rounded. */
 const AT_END = 1e-6;
 
 /** The frames that the animation has, within the range of the keys; or the times that were asked for. */

@@ -1,4 +1,4 @@
-/** Files appear whole or not at all: they are written beside their place and moved there last. */
+/** Files appear whole or not at all: they are written next to their destination and moved there last. */
 import { rmSync, type Stats } from 'node:fs';
 import { lstat, mkdir, readlink, rename, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -10,20 +10,21 @@ interface OutputFile {
 }
 
 export interface Output {
-  /** Ends in '/' for a folder of several files; else the first file is written there, the others beside it. */
+  /** Ends in '/' for a folder of several files; otherwise the first file is written there, the others next to it. */
   path: string;
-  /** One is asked for when the one before it is written, so that no more than one is held. */
+  /** Each file is requested after the previous one is written, so only one is in memory. */
   files: Iterable<OutputFile> | AsyncIterable<OutputFile>;
 }
 
-/** One written file: where it is, and where it belongs. */
+/** A written file: its temporary path and its destination. */
 interface Move {
   from: string;
   to: string;
 }
 
 /**
- * Writes all outputs or, when anything fails, none. What is no regular file (a device, a pipe) is written into, last.
+ * Writes all outputs or, on any failure, none. Destinations that are not regular files (a device, a pipe) are written
+ * directly, last.
  */
 export async function writeOutputs(outputs: Output[]): Promise<void> {
   const partial: string[] = [];
@@ -33,7 +34,7 @@ export async function writeOutputs(outputs: Output[]): Promise<void> {
   };
   const leave = (signal: NodeJS.Signals): void => {
     remove([...partial, ...made]);
-    // No exit of our own: it would wait for a pipe that nobody reads.
+    // No exit of our own: it would wait for a pipe without a reader.
     process.kill(process.pid, signal);
   };
   const signals = ['SIGINT', 'SIGTERM', 'SIGHUP', 'SIGQUIT'] as const;
@@ -50,7 +51,7 @@ export async function writeOutputs(outputs: Output[]): Promise<void> {
   }
 }
 
-/** `partial` and `made` take what is there on the way: temporary places, and folders that were not there. */
+/** `partial` and `made` collect temporary paths and new folders for cleanup. */
 async function move(outputs: Output[], partial: string[], made: string[]): Promise<void> {
   const whole: Move[] = [];
   const streams: { to: string; bytes: OutputFile['bytes'] }[] = [];
@@ -82,7 +83,7 @@ async function move(outputs: Output[], partial: string[], made: string[]): Promi
   for (const { from, to } of whole) await rename(from, to);
 }
 
-/** Where a path leads through links; whether that is written into as it is. */
+/** The destination after links, and whether it is written directly. */
 async function place(given: string): Promise<{ target: string; stream: boolean }> {
   const target = await followed(path.resolve(given));
   const there = await statsOf(target);
@@ -90,18 +91,18 @@ async function place(given: string): Promise<{ target: string; stream: boolean }
   return { target, stream: Boolean(there?.isCharacterDevice() || there?.isFIFO()) };
 }
 
-/** The place that links lead to, also where nothing is there yet. */
+/** The target of links, even if it does not exist yet. */
 async function followed(file: string, links = 0): Promise<string> {
   const there = await lstat(file).catch(() => null);
   if (!there?.isSymbolicLink()) return file;
   if (links === 40) throw new Error(`${file} is a link that leads to itself`);
-  // What /dev/stdout leads to has no name of its own.
+  // The target of /dev/stdout has no name.
   const through = await stat(file).catch(() => null);
   if (through && !through.isFile() && !through.isDirectory()) return file;
   return followed(path.resolve(path.dirname(file), await readlink(file)), links + 1);
 }
 
-/** Where an output is written first: a file, or a folder that is there now. */
+/** Where an output is written first: a file, or an existing folder. */
 async function partialPlace(target: string, { path: given }: Output, partial: string[]): Promise<string> {
   const mark = `.partial-${process.pid}-${partial.length}`;
   const temporary = path.join(await existing(path.dirname(target)), `${path.basename(target)}${mark}`);
@@ -110,7 +111,7 @@ async function partialPlace(target: string, { path: given }: Output, partial: st
   return temporary;
 }
 
-/** What would fail when the files are moved fails before any is. */
+/** Fails before any file is moved if moving one would fail. */
 async function checkPlaces(moves: Move[]): Promise<void> {
   const taken = new Set<string>();
   for (const { to } of moves) {

@@ -11,7 +11,7 @@ import * as read from './values.ts';
 type Read = (text: string, option: string) => unknown;
 
 interface Flag {
-  /** Of the engine's option. */
+  /** Name of the engine's option. */
   name: string;
   flag: string;
   option: Option;
@@ -49,7 +49,7 @@ function readOption(option: Option): Read | null {
   return reader && inBounds(reader, (value) => wrongWith(option, value));
 }
 
-/** Refuses what the text says well, but the engine would not take: before any file is read. */
+/** Refuses valid text with a value that the engine would refuse, before any file is read. */
 function inBounds(reader: Read, wrongWithValue: (value: unknown) => string | null): Read {
   return (text, option) => {
     const value = reader(text, option);
@@ -95,7 +95,7 @@ function known(flags: Flag[], own: string[], several: string[] = []): Known {
 export const INSPECT = known(importFlags, []);
 export const COMPLETE = known([...importFlags, ...motionFlags, ...encodingFlags, ...exportFlags], ['output', 'report']);
 
-/** Which moments are looked at. */
+/** Options that select times. */
 const MOMENTS: readonly string[] = ['times', 'frames', 'fps', 'range'];
 const momentFlags = exportFlags.filter(({ name }) => MOMENTS.includes(name));
 const shownFlags = motionFlags.filter(({ name }) => name !== 'method');
@@ -108,7 +108,7 @@ export const MEASURE = known(
 const HELP_COLUMN = 41;
 const HELP_WIDTH = 112;
 
-/** What is written on the left, and beside it or under it what it means. */
+/** The left column, with the explanation next to it or below. */
 function line(left: string, text: string): string {
   const lines: string[] = [''];
   for (const word of text.split(' ')) {
@@ -163,7 +163,7 @@ ${helpOn(exportFlags)}
 Exit codes: 0 success, 1 bad input, 2 wrong usage.
 `;
 
-/** The values that were given, so that the engine's defaults hold for the rest. */
+/** The given values; the engine's defaults apply to the others. */
 function given(args: Arguments, flags: Flag[]): object {
   return Object.fromEntries(
     flags.flatMap(({ name, flag, read: reader }): [string, unknown][] => {
@@ -234,7 +234,7 @@ const OF_A_MOTION: readonly string[] = [
   'bounce',
 ];
 
-/** Of `measure`: what is compared. */
+/** For `measure`: the methods to compare. */
 export function measuredMethods(args: Arguments): Method[] {
   const text = args.values.get('methods');
   if (text === undefined) return [MOTION.method.default];
@@ -242,7 +242,7 @@ export function measuredMethods(args: Arguments): Method[] {
   return [...new Set(methods)];
 }
 
-/** Of `measure`: how the animation lies that is compared with. */
+/** For `measure`: axis and unit of the animation. */
 export function againstOptions(args: Arguments): Pick<ImportOptions, 'up' | 'unit'> {
   const [up, unit] = ['against-up', 'against-unit'].map((name) => args.values.get(name));
   return {
@@ -251,12 +251,12 @@ export function againstOptions(args: Arguments): Pick<ImportOptions, 'up' | 'uni
   };
 }
 
-/** Of `measure`: when. */
+/** For `measure`: the times. */
 export function measuredTimes(args: Arguments): Partial<ExportOptions> {
   return given(args, momentFlags);
 }
 
-/** What other formats would leave unheard. */
+/** Options that other formats would ignore. */
 const GLB_ONLY = ['tolerance', 'compression', 'targets', 'bounce'] as const;
 
 /** Formats that hold all frames in one file. */

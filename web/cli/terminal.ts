@@ -4,7 +4,7 @@ import { messageOf } from '../engine/api/errors.ts';
 /** Control characters but the line feed, and what turns the direction of writing: terminals obey them. */
 const COMMANDS = /[\p{Cc}\u2028\u2029\u202a-\u202e\u2066-\u2069]/gu;
 
-/** Commands to a terminal are shown as JSON would write them, so that JSON stays the same data. */
+/** Control characters for a terminal are escaped as in JSON, so JSON keeps its meaning. */
 export function printable(text: string): string {
   return text.replace(COMMANDS, (command) =>
     command === '\n' ? command : `\\u${command.charCodeAt(0).toString(16).padStart(4, '0')}`,
@@ -13,12 +13,12 @@ export function printable(text: string): string {
 
 export const oneLine = (text: string): string => printable(text.replace(/\s+/g, ' ').trim());
 
-/** Whether a terminal shows UTF-8, as the variables of its locale say. */
+/** Whether a terminal shows UTF-8, according to its locale variables. */
 export function showsUtf8({ LC_ALL, LC_CTYPE, LANG }: NodeJS.ProcessEnv, platform: string): boolean {
   return platform === 'win32' || /utf-?8/i.test(LC_ALL || LC_CTYPE || LANG || '');
 }
 
-/** Names that a terminal cannot show are escaped, too; files and pipes get them as they are. */
+/** Escapes names that a terminal cannot show; files and pipes receive them unchanged. */
 export function shownIn({ isTTY }: { isTTY?: boolean }, text: string): string {
   if (!isTTY || showsUtf8(process.env, process.platform)) return printable(text);
   return printable(text).replace(/[^\n -~]/g, (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, '0')}`);
@@ -30,7 +30,8 @@ export const sayError = (text: string): void => {
 };
 
 /**
- * Resolves when all of it is written; rejects with a sentence where it cannot be. A reader that has gone wants no more.
+ * Resolves when everything is written; rejects with a sentence on failure. A reader that closed its pipe is not a
+ * failure.
  */
 export function writeTo(stream: NodeJS.WriteStream, text: string): Promise<void> {
   return new Promise((resolve, reject) => {

@@ -1,4 +1,4 @@
-/** The animation that `measure` compares with: its frames, and where they lie on the timeline of the keys. */
+/** The animation that `measure` compares with: its frames, and their times on the timeline of the keys. */
 import type { CallOptions, Engine, Keys } from '../engine/api/api.ts';
 import { EngineError } from '../engine/api/errors.ts';
 import { noteOf } from '../engine/api/export-note.ts';
@@ -8,9 +8,9 @@ import type { ImportOptions, InputFile, KeysInfo } from '../engine/api/types.ts'
 import { UsageError } from './arguments.ts';
 import type { Lying } from './doubts.ts';
 
-/** Where there are more frames than memory holds. */
+/** Number of frames if all of them exceed the memory. */
 const EVEN_FRAMES = 240;
-/** Of a length: two spans that differ by less are the same. */
+/** Relative tolerance of two equal spans. */
 const SAME = 1e-3;
 
 export interface TruthOptions {
@@ -19,7 +19,7 @@ export interface TruthOptions {
 }
 
 export interface Truth {
-  /** Of each frame, on the timeline of the keys. */
+  /** Per frame, on the timeline of the keys. */
   times: number[];
   /** 3 x vertices. */
   frame(index: number): Float32Array;

@@ -1,4 +1,4 @@
-/** Text of an option -> its value. Each refuses what it cannot read with a UsageError that names the option. */
+/** Text of an option -> its value. Each reader refuses invalid text with a UsageError that names the option. */
 import { PIN_RADIUS } from '../engine/api/option-table.ts';
 import type { AddedTurns, PathKey, Pin } from '../engine/api/types.ts';
 import { UsageError } from './arguments.ts';

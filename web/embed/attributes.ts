@@ -1,14 +1,13 @@
 /**
- * Every attribute and property of <shape-spline>, described once. From this table come what the element observes, its
- * properties with their types, custom-elements.json and the documentation. Options of the engine have the words of the
- * command line.
+ * Every attribute and property of <shape-spline>, described once. Observed attributes, properties with types,
+ * custom-elements.json and the documentation come from this table. Engine options have the names of the command line.
  */
 import { ENCODING, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
 import { orbitOf, targetOf } from '../model/camera-words.ts';
 import { GHOST_FACES } from '../model/state.ts';
 
-/** What has to be done when it changes, the most first: read again, fit again, or only show otherwise. */
+/** Effect of a change, the largest first: read again, fit again, or only redraw. */
 export type Concern = 'source' | 'motion' | 'look' | 'camera' | 'play' | 'page';
 
 interface Described {
@@ -18,7 +17,7 @@ interface Described {
 export interface TextRow extends Described {
   kind: 'text';
   default: string;
-  /** What it stands for; null where the words are none. */
+  /** Parses the text; null if invalid. */
   reads?: (words: string) => unknown;
   sample?: string;
 }
@@ -42,7 +41,7 @@ export interface ChoiceRow extends Described {
   /** With the attribute alone. */
   empty?: string;
 }
-/** Separated by blanks or commas; null without them. */
+/** Separated by spaces or commas; null without them. */
 export interface NumbersRow extends Described {
   kind: 'numbers';
   default: null;
@@ -179,7 +178,7 @@ const OWN = {
   },
 } as const satisfies Readonly<Record<string, Row>>;
 
-/** Those of the engine's options that are words or numbers. */
+/** The engine's options that are words or numbers. */
 const IMPORTED = pick(IMPORT, ['animation', 'sample', 'up', 'unit']);
 /** An import can be given other times. */
 const TIMED = pick(IMPORT, ['keyTimes']);
@@ -207,7 +206,7 @@ type EngineValue<O> = O extends { kind: 'numbers' | 'sample' }
     ? string
     : ValueOf<O>;
 
-/** Properties of the element that are attributes, too. */
+/** Properties of the element that are also attributes. */
 export type ShapeSplineProperties = { -readonly [N in keyof typeof OWN]: OwnValue<(typeof OWN)[N]> } & {
   -readonly [N in keyof typeof ENGINE as N extends keyof typeof SHAPED ? never : N]: EngineValue<(typeof ENGINE)[N]>;
 } & { [N in keyof typeof SHAPED]: number[] | null };
@@ -234,7 +233,7 @@ export function propertyOf(attribute: string): PropertyName | undefined {
   return BY_ATTRIBUTE.get(attribute);
 }
 
-/** For which of the engine's calls a property is an option; null for those that are none. */
+/** The engine call that a property is an option of; null for none. */
 export function engineCallOf(property: PropertyName): 'import' | 'sequence' | null {
   if (property in IMPORTED) return 'import';
   return property in ENGINE && !(property in TIMED) ? 'sequence' : null;
@@ -248,7 +247,7 @@ function rowOf(name: string, option: Option): Row {
   if (option.kind === 'animation') return { ...described, kind: 'text', default: '' };
   if (option.kind !== 'number' || name in SHAPED) return { ...described, kind: 'numbers', default: null };
   const { above, most, default: usual = null, zero, whole = false } = option;
-  // What the command line calls off is 0 here.
+  // The command line's "off" is 0 here.
   const least = zero === undefined ? option.least : 0;
   return { ...described, kind: 'number', default: usual, above, least, most, whole };
 }

@@ -22,7 +22,7 @@ import { userOf } from './motions.ts';
 export type { CameraOrbit } from '../model/camera-words.ts';
 
 export interface CanvasViewerEvents {
-  /** Another moment has been handed to the picture. */
+  /** A new time was drawn. */
   onTime(t: number, phase: Phase): void;
   /** A motion that plays once has come to its end. */
   onEnd(): void;
@@ -32,7 +32,7 @@ export interface CanvasViewerEvents {
   onPlaces(): void;
   /** Pixels at the bottom that something lies over. */
   covered(): number;
-  /** Of shapes in a phase; any CSS colour that three.js reads. */
+  /** Colour of shapes in a phase; any CSS colour that three.js reads. */
   colourOf(kind: PhaseKind): string;
 }
 
@@ -46,7 +46,7 @@ const UNHEARD: CanvasViewerEvents = {
   colourOf: (kind) => PHASE_COLOURS[kind],
 };
 
-/** While it plays, a moment this near to a key (a share of the range) counts as being at it. */
+/** During playback, times this close to a key (relative to the range) count as being at it. */
 const PLAYING_TOLERANCE = 0.006;
 
 export class CanvasViewer {
@@ -85,7 +85,7 @@ export class CanvasViewer {
     );
     // A finger that moves up or down scrolls the page.
     this.viewer.canvas.style.touchAction = 'pan-y';
-    // The wheel scrolls the page, too, unless the shape was clicked before.
+    // The wheel also scrolls the page unless the shape was clicked before.
     host.addEventListener(
       'wheel',
       (event) => {
@@ -145,13 +145,13 @@ export class CanvasViewer {
       this.viewer.setImport(keys.info, bounds, points);
     }
     this.viewer.setViews(motions.length);
-    // What the reader has turned stays as it is where only the motion is another one.
+    // A camera moved by the user stays if only the motion changed.
     if (others) this.moved = false;
     this.placed();
     await this.seek(t);
   }
 
-  /** Resolves when that moment is drawn, or a newer one that was asked for since. */
+  /** Resolves when that time is drawn, or a newer requested time. */
   async seek(t: number): Promise<void> {
     this.now = t;
     await this.loop.request(t);
@@ -168,7 +168,7 @@ export class CanvasViewer {
     this.run();
   }
 
-  /** What is not seen is neither computed nor drawn. */
+  /** Nothing is computed or drawn while out of view. */
   setSeen(seen: boolean): void {
     if (seen === this.seen) return;
     this.seen = seen;
@@ -176,7 +176,7 @@ export class CanvasViewer {
     if (seen && !this.play.playing && this.motions.length > 0) this.loop.follow(this.now);
   }
 
-  /** Ends what the reader has turned, where it is another camera than before. */
+  /** Discards the user's camera if the configured camera changed. */
   setCamera(orbit: CameraOrbit | null, target: readonly [number, number, number] | null): void {
     const same = JSON.stringify([orbit, target]) === JSON.stringify([this.orbit, this.target]);
     [this.orbit, this.target] = [orbit, target];

@@ -1,4 +1,4 @@
-/** All of it in one file, for `<script type="module" src>`. */
+/** Everything in one file, for `<script type="module" src>`. */
 import './register.ts';
 
 export * from '../engine/browser.ts';

@@ -1,4 +1,4 @@
-/** What <shape-spline> tells of itself. No event bubbles: a page with several elements listens to each. */
+/** Events of <shape-spline>. No event bubbles: a page with several elements listens to each. */
 
 export interface LoadDetail {
   vertices: number;
@@ -9,14 +9,14 @@ export interface LoadDetail {
 export interface ErrorDetail {
   /** Stable: the engine's codes, `not-found`, `not-a-model`, `no-source`, `no-webgl`. */
   code: string;
-  /** A sentence for people: what is wrong and what to do. */
+  /** A sentence for users: the problem and what to do. */
   message: string;
-  /** Index of the key that it is about; -1 where there is none. */
+  /** Index of the key concerned; -1 for none. */
   key: number;
 }
 export interface ProgressDetail {
   stage: string;
-  /** Of the whole work, in [0, 1], never falling. */
+  /** Progress of the whole work, in [0, 1], never decreasing. */
   fraction: number;
 }
 export interface TimeDetail {

@@ -1,4 +1,4 @@
-/** What stands in the element: viewport, poster, progress, message and controls, with their slots and parts. */
+/** The content of the element: viewport, poster, progress, message and controls, with their slots and parts. */
 import { h, setAttribute, setHidden, setStyle } from '../ui/dom.ts';
 import { icon, setIcon } from '../ui/icons.ts';
 import { drag, leaveScrolling } from '../ui/pointer.ts';
@@ -52,7 +52,7 @@ export class Frame {
     this.timeline.addEventListener('click', to);
   }
 
-  /** In another document, too. */
+  /** Also for a different document. */
   restyle(): void {
     const sheet = styleSheet(this.root.ownerDocument);
     if (sheet) this.root.adoptedStyleSheets = [sheet];
@@ -72,7 +72,7 @@ export class Frame {
     return !this.poster.hidden;
   }
 
-  /** What cannot be turned, played or moved by keys is a picture. */
+  /** A shape that keys cannot rotate, play or move has the role of an image. */
   setTurnable(turnable: boolean, playable: boolean): void {
     const { viewport } = this;
     setStyle(viewport, 'pointer-events', turnable ? '' : 'none');
@@ -80,7 +80,7 @@ export class Frame {
     setAttribute(viewport, 'tabindex', turnable || playable ? 0 : null);
   }
 
-  /** Of the views that stand beside each other; none for one alone. */
+  /** Names of the views next to each other; empty for a single view. */
   setNames(names: readonly string[]): void {
     this.names.replaceChildren(...names.map((name) => h('div', { part: 'name' }, name)));
   }

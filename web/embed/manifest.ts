@@ -22,7 +22,7 @@ export function typeOf(row: Row): string {
   }
 }
 
-/** What has no attribute. */
+/** Properties without an attribute. */
 export const FIELDS = {
   keys: ['KeySource[] | null', 'Overrides `src`: URLs, Blobs or ArrayBuffers, one per key or one with all keys.'],
   duration: ['number', 'Length of the range that plays, in the unit of the key times; NaN before loading.'],

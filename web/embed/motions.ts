@@ -1,7 +1,6 @@
 /**
- * The engine of a page and what its elements share: an import for the same sources, a shape for the same
- * encoding, a motion for the same options.
- * What nobody holds any more is disposed of after a moment, because moving an element takes it away and back.
+ * The engine of a page and the objects that its elements share: an import per sources, a shape per encoding, a motion
+ * per options. Unused objects are disposed of after a delay, because moving an element removes and inserts it.
  */
 import type { Engine, Keys, Motion, Shape } from '../engine/api/api.ts';
 import { createEngine } from '../engine/browser.ts';
@@ -56,10 +55,10 @@ export interface KeysLease extends Lease<Keys> {
   readonly key: string;
 }
 
-/** So many numbered files are all keys only where their times are given. */
+/** With more numbered files than this, all become keys only if times are given. */
 const MOST_OWN_KEYS = 32;
 
-/** When the keys are is no matter of the files, so that those of other times are the same import. */
+/** Key times do not affect the import, so different times share one. */
 export function takeKeys(
   { list, times }: Sources,
   base: string,
@@ -144,8 +143,8 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
 }
 
 /**
- * One of several users of a motion. Its requests are not overtaken by those of the others: each asks for one moment
- * at a time. `onComputed` hears of every frame that was made for it.
+ * One of several users of a motion. Other users do not overtake its requests; each requests one time at a time.
+ * `onComputed` is called for every frame made for it.
  */
 export function userOf(motion: Motion, onComputed: (ms: number) => void): Motion {
   const evaluateAhead: Motion['evaluateAhead'] = async (t, options) => {

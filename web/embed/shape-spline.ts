@@ -31,13 +31,13 @@ export type { ShapeSplineProperties } from './attributes.ts';
 export type { ShapeSplineEventMap } from './events.ts';
 export type { KeySource } from './sources.ts';
 
-/** What leaves the document for a moment, because it is moved, stays as it is. */
+/** An element that leaves the document only to be moved keeps its state for this long. */
 const GRACE_MS = 500;
 /** In view without a source for this long, it says that it has none. */
 const SOURCE_MS = 1000;
 /** Share of the whole work that the keys take. */
 const KEYS_SHARE = 0.5;
-/** Pixels at the bottom that the controls lie over, and the names of what is compared. */
+/** Height in pixels of the controls, and of the names of compared methods, at the bottom. */
 const CONTROLS_PX = 44;
 const NAMES_PX = 24;
 
@@ -57,7 +57,7 @@ export interface ShapeSplineStats {
 /** Its own, and those of every element. */
 type Events = ShapeSplineEventMap & Omit<HTMLElementEventMap, keyof ShapeSplineEventMap>;
 
-/** What is there to be shown. */
+/** The shown content. */
 interface Opened {
   Viewer: typeof CanvasViewer;
   keys: KeysLease;
@@ -97,27 +97,27 @@ export class ShapeSplineElement extends Base {
   #view: CanvasViewer | null = null;
   #keys: KeysLease | null = null;
   #motions: Lease<Motion>[] = [];
-  /** What is on its way to be shown. */
+  /** The content being loaded. */
   #opening: { keys: KeysLease | null; motions: Lease<Motion>[] } = { keys: null, motions: [] };
   #sequence: Motion | null = null;
   #given: readonly KeySource[] | null = null;
   #info: Keys['info'] | null = null;
   #loading: Promise<void> | null = null;
-  /** Of the newest loading; an older one ends unheard. */
+  /** Number of the newest loading; older ones end silently. */
   #round = 0;
   #near = false;
   #inView = false;
   #playing = false;
-  /** Whether `autoplay` may still begin; what the page or the reader decides comes before it. */
+  /** Whether `autoplay` may still start playback; actions of the page or the user take precedence. */
   #mayBegin = true;
   #automatic = false;
   /** Why the newest loading has shown nothing. */
   #failure: unknown = null;
-  /** That is shown, or with which the next motion begins; NaN: where that begins itself. */
+  /** The shown time, or the initial time of the next motion; NaN: the start of the motion. */
   #time = NaN;
   /** In which it was shown. */
   #range: Range = [NaN, NaN];
-  /** Other keys are wanted than those that are shown. */
+  /** The shown keys are not the requested ones. */
   #outdated = false;
   #before = { time: NaN, step: 0, key: -1 };
   #changed = new Set<Concern>();
@@ -142,7 +142,7 @@ export class ShapeSplineElement extends Base {
 
   connectedCallback(): void {
     clearTimeout(this.#leaving);
-    // What was set before the element was known.
+    // Properties set before the element was defined.
     for (const name of [...PROPERTIES, 'keys'] as (PropertyName | 'keys')[]) {
       if (!Object.hasOwn(this, name)) continue;
       const value: unknown = this[name];
@@ -150,7 +150,7 @@ export class ShapeSplineElement extends Base {
       try {
         Object.assign(this, { [name]: value });
       } catch (error) {
-        // Nobody who set it hears of it any more.
+        // No caller can catch this error any longer.
         console.warn(`<shape-spline>: ${messageOf(error)}`);
       }
     }
@@ -191,7 +191,7 @@ export class ShapeSplineElement extends Base {
   attributeChangedCallback(attribute: string, before: string | null, text: string | null): void {
     const property = propertyOf(attribute);
     if (!property || before === text) return;
-    // What is wrong is said at once, also where nothing is loaded yet.
+    // Report errors immediately, even before anything is loaded.
     this.#read(property);
     if (property === 'currentTime' && text !== null) this.#setTime(this.#read('currentTime') as number);
     else this.#change(ROWS[property].concern);
@@ -207,7 +207,7 @@ export class ShapeSplineElement extends Base {
     this.#change('source');
   }
 
-  /** Length of what plays, in the unit of the keys; NaN before it is loaded. */
+  /** Length of the range that plays, in the unit of the key times; NaN before loading. */
   get duration(): number {
     if (!this.#sequence) return NaN;
     const [start, end] = this.range ?? this.#sequence.range;
@@ -223,7 +223,7 @@ export class ShapeSplineElement extends Base {
     return { framesComputed: computed, framesDrawn: drawn, ms };
   }
 
-  /** What was found in the files; null before it is loaded. */
+  /** Report on the files; null before loading. */
   get report(): MeshReport | null {
     return this.#info?.report ?? null;
   }
@@ -239,7 +239,7 @@ export class ShapeSplineElement extends Base {
     this.#setPlaying(false);
   }
 
-  /** Resolves when that moment is drawn, even where the element is out of view. */
+  /** Resolves when that time is drawn, even if the element is out of view. */
   async seek(t: number): Promise<void> {
     if (!Number.isFinite(t)) throw new RangeError('seek takes a time: a finite number.');
     this.#time = t;
@@ -253,18 +253,18 @@ export class ShapeSplineElement extends Base {
     return (await this.#loaded()).evaluateAhead(t);
   }
 
-  /** A picture of what is shown. */
+  /** An image of the current view. */
   async toBlob({ type = 'image/png', quality }: { type?: string; quality?: number } = {}): Promise<Blob> {
     await this.#loaded();
     const blob = await new Promise<Blob | null>((done) => {
       this.#view!.viewer.snapshot((canvas) => canvas.toBlob(done, type, quality));
     });
-    // What it does not know it writes as PNG.
+    // Unknown types are written as PNG.
     if (blob?.type !== type) throw new EngineError('invalid-option', `This browser cannot write ${type}.`);
     return blob;
   }
 
-  /** A GLB with the motion as a morph-target animation, which is a project for shapespline, too. */
+  /** A GLB with the motion as a morph-target animation, which shapespline opens as a project. */
   async exportGLB(options: Partial<Omit<ExportOptions, 'format'>> = {}): Promise<Blob> {
     const [file] = await (await this.#loaded()).export({ ...options, format: 'glb' });
     return new Blob([file!.bytes as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
@@ -275,7 +275,7 @@ export class ShapeSplineElement extends Base {
     this.#page();
   }
 
-  /** What is to be shown by now, whatever was changed before or meanwhile. */
+  /** Resolves with the current motion after all changes. */
   async #loaded(): Promise<Motion> {
     await null;
     for (let loading: Promise<void> | null = null; loading === null || loading !== this.#loading; ) {
@@ -288,7 +288,7 @@ export class ShapeSplineElement extends Base {
     return this.#sequence!;
   }
 
-  /** The property's value: its attribute as the table says, with one warning where that is wrong. */
+  /** Value of the property: its attribute parsed by the table, with one warning if invalid. */
   #read(property: PropertyName): unknown {
     const text = this.getAttribute(attributeOf(property));
     const { value, problem } = readAttribute(ROWS[property], text);
@@ -348,7 +348,7 @@ export class ShapeSplineElement extends Base {
     if (!this.isConnected) return;
     if (changed.has('source') && this.#sequence) {
       this.#mayBegin = true;
-      // What was shown so far stands still.
+      // Pause the shown content.
       this.#view?.setSeen(false);
     }
     this.#page();
@@ -408,7 +408,7 @@ export class ShapeSplineElement extends Base {
     }
   }
 
-  /** Keys and motions as the attributes say; null where something else is wanted by now. */
+  /** Keys and motions for the attributes; null if they changed in the meantime. */
   async #fetch(current: () => boolean): Promise<Opened | null> {
     const [{ CanvasViewer }, { takeKeys, takeMotion }] = await heavy();
     if (!current()) return null;
@@ -416,7 +416,7 @@ export class ShapeSplineElement extends Base {
       this.#progress(current, part.stage, share + KEYS_SHARE * part.fraction);
     const sources = this.#sources();
     const keys = takeKeys(sources, this.baseURI, this.#options('import') as ImportOptions, from(0));
-    // What an older loading has begun is given back only now: what both want is not made anew.
+    // Release the objects of an older loading only now, so shared ones are reused.
     this.#opening.keys?.release();
     this.#opening.keys = keys;
     const held = await keys.value;
@@ -435,7 +435,7 @@ export class ShapeSplineElement extends Base {
     return { Viewer: CanvasViewer, keys, held, methods, motions, sequences };
   }
 
-  /** What was on its way. */
+  /** Releases the content being loaded. */
   #giveBack(): void {
     for (const lease of [this.#opening.keys, ...this.#opening.motions]) lease?.release();
     this.#opening = { keys: null, motions: [] };
@@ -472,14 +472,14 @@ export class ShapeSplineElement extends Base {
     view.setSeen(this.#inView);
   }
 
-  /** Where it begins, or where it was; what was within the range before is within that of another motion, too. */
+  /** Initial or previous time, clamped to the range of the new motion. */
   #timeWithin(range: Range): number {
     const [first, last] = this.#range;
     if (Number.isNaN(this.#time)) return this.hasAttribute('current-time') ? this.currentTime : range[0];
     return first <= this.#time && this.#time <= last ? clamp(this.#time, range[0], range[1]) : this.#time;
   }
 
-  /** Plays where the page wants that from the start. */
+  /** Starts playback if the page requested it. */
   #begin(): void {
     if (!this.#mayBegin || !this.autoplay || lessMotion()) return;
     this.#mayBegin = false;
@@ -514,7 +514,7 @@ export class ShapeSplineElement extends Base {
     const given = PROPERTIES.filter((name) => engineCallOf(name) === call && this.hasAttribute(attributeOf(name)));
     const entries = given.map((name) => {
       const value = this.#read(name);
-      // One number says how many moments, several say which.
+      // One number is a count of times, several are the times.
       return [name, name === 'sample' && Array.isArray(value) && value.length === 1 ? value[0] : value] as const;
     });
     return Object.fromEntries(entries.filter(([, value]) => value !== null && value !== ''));
@@ -535,7 +535,7 @@ export class ShapeSplineElement extends Base {
     view.setLook({ colouring, dark: isDark(getComputedStyle(this)) });
   }
 
-  /** Of a phase, as the page's style has it when a shape is shown. */
+  /** Colour of a phase from the page's style at the time of showing. */
   #phaseColour(kind: PhaseKind): string {
     const own = getComputedStyle(this).getPropertyValue(`--shape-spline-${kind}`).trim();
     return CSS.supports('color', own) ? own : PHASE_COLOURS[kind];
@@ -551,7 +551,7 @@ export class ShapeSplineElement extends Base {
     this.#tell('timeupdate', { currentTime: t });
     const { time, step } = this.#before;
     const next = t - time;
-    // Where it plays back and forth, or begins again, it goes the other way at once, between two shapes.
+    // If the playback direction reverses, or playback restarts, it does so between two frames.
     if (this.#playing && next * step < 0) {
       const end = this.#range[step > 0 ? 1 : 0];
       this.#reach(end);
@@ -594,7 +594,7 @@ export class ShapeSplineElement extends Base {
     this.#tell('error', { code: String(code ?? 'failed'), message: messageOf(error), key: place?.key ?? -1 });
   }
 
-  /** Space plays; arrows, Home, End and brackets move the time, but turn the shape where that has the focus. */
+  /** Space plays; arrows, Home, End and brackets move the time, or rotate the shape if it has the focus. */
   #pressed(event: KeyboardEvent): void {
     if (!this.#sequence || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const onButton = event.target instanceof HTMLButtonElement;

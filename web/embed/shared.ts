@@ -22,7 +22,7 @@ export interface Stage {
 }
 
 export interface Making {
-  /** Everybody who wanted it has left. */
+  /** Aborted when no user is left. */
   signal: AbortSignal;
   report(stage: Stage): void;
 }
@@ -40,7 +40,7 @@ export class Shared<T> {
     return this.held.size;
   }
 
-  /** `make` is called where nobody holds the key. What fails is not kept. */
+  /** `make` is called if no user holds the key. Failures are not kept. */
   take(key: string, make: (making: Making) => Promise<T>, onProgress?: (part: Stage) => void): Lease<T> {
     return this.lease(this.held.get(key) ?? this.begin(key, make), onProgress);
   }

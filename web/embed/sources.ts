@@ -1,20 +1,20 @@
-/** Where the keys come from, and their bytes. */
+/** Sources of keys, and their bytes. */
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseGltf } from '../engine/api/gltf-json.ts';
 import { beside, decodedUri, extensionOf, fileName, isModel, resourceUris, urlBeside } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 import type { Making } from './shared.ts';
 
-/** An address, or what holds the bytes already. */
+/** A URL, or an object with the bytes. */
 export type KeySource = string | URL | Blob | ArrayBuffer | Uint8Array;
 
 export interface Sources {
   list: readonly KeySource[];
-  /** Of children that say when; null unless all do. */
+  /** Times of the children; null unless all have one. */
   times: number[] | null;
 }
 
-/** What a page gives as keys: a list, the files of an input, or one source alone. */
+/** Keys given by a page: a list, the files of an input, or a single source. */
 export function listOf(given: unknown): readonly KeySource[] | null {
   if (given === null || given === undefined) return null;
   if (Array.isArray(given)) return given as KeySource[];
@@ -36,13 +36,13 @@ export function sourcesOf(keys: readonly KeySource[] | null, src: string, elemen
 let numbered = 0;
 const numbers = new WeakMap<object, number>();
 
-/** Throws where a page says what no address is. */
+/** Throws if the text is not a valid URL. */
 function addressOf(source: string | URL, key: number, base: string): URL {
   if (URL.canParse(source, base)) return new URL(source, base);
   throw new EngineError('not-found', `“${source}” is not a valid URL. Check the URL of key ${key + 1}.`, { key });
 }
 
-/** The same for the same sources: an address, or that very object. Throws where a page gives something else. */
+/** Identifies a source: its URL, or the object itself. Throws for unsupported types. */
 export function keyOf(source: KeySource, key: number, base: string): string {
   if (typeof source === 'string' || source instanceof URL) return addressOf(source, key, base).href;
   if (![Blob, ArrayBuffer, Uint8Array].some((kind) => source instanceof kind))
@@ -55,7 +55,7 @@ export function keyOf(source: KeySource, key: number, base: string): string {
   return `object ${numbers.get(source)}`;
 }
 
-/** All of them, with what a .gltf among them names beside it. */
+/** Reads all sources, and the companions of a .gltf. */
 export async function readSources(list: readonly KeySource[], base: string, making: Making): Promise<InputFile[]> {
   let done = 0;
   const files = await Promise.all(
@@ -81,7 +81,7 @@ async function fetchModel(url: URL, key: number, signal: AbortSignal): Promise<I
   const model = { name: nameOf(fileName(decodedUri(url.pathname)), key), bytes };
   if (extensionOf(model.name) !== 'gltf') return [model];
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
-  // Its own folder is asked, and nothing else: the engine says what is left out.
+  // Only companions in its own folder are fetched; the engine reports missing ones.
   const resources = [...new Set([...buffers, ...images])].flatMap((uri) => {
     const resource = urlBeside(uri, url);
     return resource === null ? [] : [{ name: beside(model.name, decodedUri(uri)), resource }];
@@ -108,7 +108,7 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
       key,
     );
   const bytes = new Uint8Array(await response.arrayBuffer());
-  // A host that knows no such file may answer with a web page, as if all were well.
+  // A host may answer 200 with an HTML page for a missing file.
   if (/^\s*<(!doctype|html|head|body)\b/i.test(new TextDecoder().decode(bytes.subarray(0, 64))))
     throw refused(
       'not-a-model',
@@ -122,7 +122,7 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
 const refused = (code: string, message: string, url: URL, key: number): EngineError =>
   new EngineError(code, message, { file: fileName(url.pathname), key });
 
-/** What has no name of a model is taken for a GLB. */
+/** A name without a model's extension is read as GLB. */
 const nameOf = (name: string, key: number): string => (isModel(name) ? name : `${name || `key-${key + 1}`}.glb`);
 
 /** Files of different folders may be called the same. */

@@ -1,7 +1,7 @@
-/** What an element has to know of the page around it. */
+/** Facts about the page around an element. */
 
 export interface SurroundingsEvents {
-  /** Near enough to the view that what it shows should be fetched. */
+  /** Close enough to the view to fetch the content. */
   onNear(near: boolean): void;
   onSeen(seen: boolean): void;
   /** Other children, or other words in them. */
@@ -10,12 +10,15 @@ export interface SurroundingsEvents {
   onPreference(): void;
 }
 
-/** How far outside of the view what is lazy is fetched. */
+/** Distance from the view at which lazy content is fetched. */
 const NEAR = '256px';
 const DARK = '(prefers-color-scheme: dark)';
 const LESS_MOTION = '(prefers-reduced-motion: reduce)';
 
-/** Some pages run without a screen, as in tests with jsdom: there no preference is known and everything is in view. */
+/**
+ * Some pages run without a screen, such as tests with jsdom: they have no preferences, and everything counts as
+ * visible.
+ */
 const query = (words: string): MediaQueryList | null => globalThis.matchMedia?.(words) ?? null;
 
 export const lessMotion = (): boolean => query(LESS_MOTION)?.matches === true;

@@ -3,7 +3,7 @@ import type { Row } from './attributes.ts';
 
 export interface Read {
   value: unknown;
-  /** What is wrong with the text; the default stands for it. */
+  /** The problem with the text, which makes the default apply. */
   problem: string | null;
 }
 

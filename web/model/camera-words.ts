@@ -6,7 +6,7 @@ import type { CameraPose } from './camera.ts';
 export interface CameraOrbit {
   theta: number;
   phi: number;
-  /** Of the distance from which the whole shape is seen, or in the shape's own unit. */
+  /** Relative to the distance that shows the whole shape, or in the shape's own unit. */
   radius: { share: number } | { distance: number };
 }
 
@@ -17,7 +17,7 @@ const LENGTHS: Readonly<Record<string, number>> = { m: 1, cm: 0.01, mm: 0.001 };
 /** Straight above, the eye has no up. */
 const LEAST_PHI = 0.01;
 
-/** null where the words are none; each may be `auto`. */
+/** null if invalid; each may be `auto`. */
 export function orbitOf(words: string): CameraOrbit | null {
   const [theta, phi, radius, ...more] = wordsOf(words);
   if (theta === undefined || phi === undefined || radius === undefined || more.length > 0) return null;
@@ -30,7 +30,7 @@ export function orbitOf(words: string): CameraOrbit | null {
   return { theta: angles[0]!, phi: tilt, radius: distance };
 }
 
-/** The point that is looked at; NaN where the middle of the shape is. null where the words are none. */
+/** The point that the camera looks at; NaN for the middle of the shape, null if invalid. */
 export function targetOf(words: string): [number, number, number] | null {
   const parts = wordsOf(words);
   if (parts.length === 1 && parts[0] === 'auto') return [NaN, NaN, NaN];
@@ -45,7 +45,7 @@ export function directionOfOrbit({ theta, phi }: CameraOrbit): [number, number, 
   return [Math.sin(phi) * Math.sin(theta), Math.cos(phi), Math.sin(phi) * Math.cos(theta)];
 }
 
-/** The same the other way: from where a camera looks, as near as shows the whole shape. */
+/** The inverse: text for a camera's direction, at the distance that shows the whole shape. */
 export function orbitWords({ position, target }: CameraPose): string {
   const [x, y, z] = position.map((at, i) => at - target[i]!) as [number, number, number];
   const degrees = (angle: number): string => `${Math.round((angle * 180) / Math.PI)}deg`;
@@ -61,7 +61,7 @@ function radiusOf(word: string): CameraOrbit['radius'] | null {
   return distance > 0 ? { distance } : null;
 }
 
-/** NaN where the word is none. */
+/** NaN if invalid. */
 function measured(word: string, units: Readonly<Record<string, number>>): number {
   const [, number, unit] = /^([-+]?\d*\.?\d+(?:e[-+]?\d+)?)([a-z]+)$/.exec(word) ?? [];
   const scale = units[unit ?? ''];

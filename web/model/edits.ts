@@ -1,4 +1,4 @@
-/** Edits of the document: each takes one and returns the next, or the same where nothing changes. */
+/** Edits of the document: each takes a document and returns the next, or the same if nothing changes. */
 import { MOST_TIME } from '../engine/api/option-table.ts';
 import { spacedTimes } from './key-spacing.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
@@ -8,7 +8,7 @@ import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from './speeds.ts';
 import { referenceKey } from './state.ts';
 import { SAME_TIME, clamp } from './time-scale.ts';
 
-/** Puts a key elsewhere in the order; the times stay where they are and the shapes change places. */
+/** Moves a key in the order; times stay in place and shapes change places. */
 export function moveKey(doc: Doc, from: number, to: number): Doc {
   const target = clamp(to, 0, doc.keys.length - 1);
   if (from === target || !doc.keys[from]) return doc;
@@ -135,7 +135,7 @@ export function tightness({ keys }: Doc): number {
   return keys.reduce((sum, { shaping }) => sum + shaping.tension, 0) / Math.max(keys.length, 1);
 }
 
-/** Whole turns on the way to a key; 0 takes them away. */
+/** Full turns between the previous key and this one; 0 removes them. */
 export function setTurns(doc: Doc, index: number, added: KeyTurns): Doc {
   return reshaped(doc, index, (shaping) =>
     turnsOf(shaping, added.component) === added.turns ? shaping : withTurns(shaping, added),

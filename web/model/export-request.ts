@@ -1,6 +1,4 @@
-/**
- * What an export is asked for, and the numbers that follow from it: the dialog shows the same ones that the file gets.
- */
+/** Options of an export and the numbers that follow from them: the dialog shows the numbers of the file. */
 import { EXPORT } from '../engine/api/option-table.ts';
 import { frameCount } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
@@ -8,7 +6,7 @@ import { clamp, length } from './time-scale.ts';
 
 export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
 export type AnimationFormat = 'glb' | 'obj' | 'pc2' | 'mdd' | 'video';
-/** Of a GLB: as few as the tolerance allows, one for each frame, or the keys with in-betweens that are mixed. */
+/** For a GLB: as few as the tolerance allows, one per frame, or the keys with in-betweens. */
 export type Targets = 'few' | 'every' | 'principal';
 export type Compression = 'none' | 'quantized' | 'meshopt';
 export type PoseFormat = 'glb' | 'obj' | 'ply';
@@ -22,7 +20,7 @@ export interface PictureSize {
   height: number;
 }
 
-/** Sizes that are offered, by name; `window` is what the view takes on the screen, `own` what is typed. */
+/** Offered sizes by name; `window` is the view on the screen, `own` is typed. */
 export const SIZES = {
   small: { width: 640, height: 360 },
   '720p': { width: 1280, height: 720 },
@@ -36,7 +34,7 @@ export type SizeName = 'window' | keyof typeof SIZES | 'own';
 /** Of either side. */
 export const [LEAST_PIXELS, MOST_PIXELS] = [16, 8192];
 
-/** What the dialog asks for; kept while the page is open, so that the next export starts from it. */
+/** Choices of the dialog, kept while the page is open for the next export. */
 export interface ExportRequest {
   kind: ExportKind;
   animation: AnimationFormat;
@@ -51,7 +49,7 @@ export interface ExportRequest {
   compression: Compression;
   /** null = as the rate says. At most one of the two is not null. */
   frames: number | null;
-  /** Frames a second of the export; null = the whole frames of the timeline, or the usual rate where it has none. */
+  /** Frames per second of the export; null = the whole frames of the timeline, or the usual rate without them. */
   rate: number | null;
   /** First and last time; null = what plays. */
   range: [number, number] | null;
@@ -59,7 +57,7 @@ export interface ExportRequest {
   duration: number | null;
   /** Seconds of one turn. */
   turn: number;
-  /** There and back again. */
+  /** Plays forwards, then backwards. */
   bounce: boolean;
   inPlace: boolean;
   /** A GLB comes in a zip, with a page that shows it. */
@@ -103,7 +101,7 @@ export const MAX_FRAMES = 2000;
 export const MOST_SECONDS = 3600;
 const MOST_VIDEO_SECONDS = 600;
 const USUAL_RATE = 30;
-/** What a GIF can state exactly: a frame takes whole hundredths of a second. */
+/** A GIF can state this exactly: its frames take whole hundredths of a second. */
 const USUAL_GIF_RATE = 25;
 const MOST_RATE = { mp4: 60, webm: 60, gif: 50 } as const satisfies Record<VideoFormat, number>;
 
@@ -118,11 +116,11 @@ export interface Playing {
 
 export interface ExportNumbers {
   range: Range;
-  /** What the range, or a turn, takes in the export, one way. */
+  /** Duration of the range, or of a turn, in one direction. */
   seconds: number;
   /** Frames a second. */
   rate: number;
-  /** Of all frames; there and back they are twice as many. */
+  /** Number of all frames; playing back as well doubles it. */
   frames: number;
   /** The frames are the whole ones of the timeline. */
   whole: boolean;
@@ -130,7 +128,7 @@ export interface ExportNumbers {
   speed: number;
 }
 
-/** An animation or a turn, as a video. */
+/** Whether it is a video, of an animation or a turn. */
 export function isVideoRequest({ kind, animation, picture }: ExportRequest): boolean {
   return (kind === 'animation' && animation === 'video') || isTurn({ kind, picture });
 }
@@ -164,7 +162,7 @@ export function exportNumbers(request: ExportRequest, playing: Playing, video: V
 
 type Frames = Pick<ExportNumbers, 'rate' | 'frames' | 'whole'>;
 
-/** Each frame of a video stands for its part of a second, so that they fill the time exactly. */
+/** Each frame of a video covers its part of a second, so they fill the time exactly. */
 function videoFrames(request: ExportRequest, playing: Playing, video: VideoFormat, seconds: number): Frames {
   const usual = video === 'gif' ? USUAL_GIF_RATE : USUAL_RATE;
   const rate = Math.min(request.rate ?? playing.fps ?? usual, MOST_RATE[video]);
@@ -193,7 +191,7 @@ export function gridTimes({ range: [start, end], frames, whole, rate, speed }: E
   return Array.from({ length: frames }, (_, i) => (first + i) / fps);
 }
 
-/** Which share of the way a frame of a video shows, in [0, 1]: there, and back where it bounces. */
+/** Position of a video frame in the motion, in [0, 1], forwards and then backwards if it bounces. */
 export function shareOf(frame: number, frames: number, bounce: boolean): number {
   if (!bounce) return frame / frames;
   const half = frames / 2;

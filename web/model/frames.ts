@@ -1,6 +1,6 @@
 /**
- * Whole frames on the motion's own time: frame n stands at time n / fps, frame 0 at time 0, as in any animation
- * program. Also the stretch that plays. `fps` is null where the motion runs as smoothly as the screen allows.
+ * Whole frames on the motion's time: frame n is at time n / fps, frame 0 at time 0, as in any animation program. Also
+ * the range that plays. `fps` is null if the motion runs as smoothly as the screen allows.
  */
 import { SAME_FRAME } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
@@ -8,7 +8,7 @@ import { clamp, formatTime, length, reach, snap } from './time-scale.ts';
 
 export const MIN_FPS = 0.01;
 export const MAX_FPS = 1000;
-/** Shorter stretches, as a share of the range, cannot be told from a moment. */
+/** Shorter ranges, relative to the whole, count as a single time. */
 const SHORTEST = 1e-4;
 
 export function frameAt(t: number, fps: number): number {
@@ -26,7 +26,7 @@ export function nearestFrameTime(t: number, fps: number): number {
   return Math.round(t * fps) / fps;
 }
 
-/** The key within `near` of t, else the nearest frame where there are frames. */
+/** The key within `near` of t, otherwise the nearest frame, if there are frames. */
 export function snappedTime(t: number, keyTimes: readonly number[], near: number, fps: number | null): number {
   const key = snap(t, keyTimes, near);
   return key !== t || fps === null ? key : nearestFrameTime(t, fps);
@@ -38,7 +38,7 @@ export function steppedFrameTime(t: number, fps: number, by: number): number {
   return ((by > 0 ? Math.floor(frame) : Math.ceil(frame)) + by) / fps;
 }
 
-/** A moment as people read it: a time, or a frame number with two decimals between frames. */
+/** A time as shown to users: seconds, or a frame number with two decimals between frames. */
 export function formatMoment(t: number, range: Range, fps: number | null): string {
   return fps === null ? formatTime(t, range) : String(Number(frameAt(t, fps).toFixed(2)) + 0);
 }
@@ -49,12 +49,12 @@ export function momentWords(t: number, range: Range, fps: number | null): string
   return fps === null ? `${moment} s` : `frame ${moment}`;
 }
 
-/** The stretch that plays: the wanted one as far as the slider reaches, or the range of the keys. */
+/** The range that plays: the chosen one, clipped to the slider, or the range of the keys. */
 export function playRange(between: Range | null, range: Range): Range {
   return loopRange(between, range) ?? range;
 }
 
-/** The wanted stretch as far as the slider reaches; null where nothing of it is left. */
+/** The chosen range clipped to the slider; null if nothing is left. */
 export function loopRange(between: Range | null, range: Range): Range | null {
   if (!between) return null;
   const [low, high] = reach(range);
@@ -62,7 +62,7 @@ export function loopRange(between: Range | null, range: Range): Range | null {
   return length(inside) > SHORTEST * length(range) ? inside : null;
 }
 
-/** The stretch with one end moved; the other end gives way by at least `gap`. */
+/** The range with one end moved; the other end keeps a distance of at least `gap`. */
 export function withEnd(between: Range | null, range: Range, end: 'start' | 'end', t: number, gap: number): Range {
   const [low, high] = reach(range);
   const [start, stop] = playRange(between, range);

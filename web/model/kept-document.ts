@@ -1,6 +1,5 @@
 /**
- * Documents as a browser has kept them between visits. Earlier versions held what is chosen for each key in lists
- * beside the keys.
+ * Documents stored by a browser between visits. Earlier versions stored the options per key in lists next to the keys.
  */
 import type { Doc } from './state.ts';
 import { EMPTY_STATE } from './state.ts';
@@ -16,7 +15,7 @@ interface KeptDoc extends Partial<Pick<Doc, 'encoding'>> {
   partTurns?: { component: number; turns: number }[][];
 }
 
-/** What the document of an earlier version did not have starts as it is by default. */
+/** Fields missing in an earlier version get their defaults. */
 export function keptDoc({ keys, motion, encoding, tension, bias, turns, partTurns }: KeptDoc): Doc {
   const empty = EMPTY_STATE.doc;
   const before = (key: number): Shaping =>

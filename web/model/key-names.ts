@@ -1,4 +1,4 @@
-/** What keys are called: by their number, and by a name where they have one. */
+/** Names of keys: the number, and a name if there is one. */
 
 /** A key in words; a name that is its number says nothing more. */
 export function keyLabel(index: number, name: string): string {
@@ -8,7 +8,7 @@ export function keyLabel(index: number, name: string): string {
 /** Words that begin a sentence, within one. */
 export const lowerFirst = (words: string): string => words.charAt(0).toLowerCase() + words.slice(1);
 
-/** Names without the words that all of them begin with: what tells them apart is what a card has room for. */
+/** Names without their common first words: a card has room only for the words that differ. */
 export function shortNames(names: readonly string[]): string[] {
   const [first = '', ...rest] = names;
   let common = rest.length > 0 ? first.length : 0;

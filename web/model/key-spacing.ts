@@ -1,6 +1,6 @@
 /** Times of keys of which only the order is known. */
 
-/** How intervals grow with the distance between their keys: the power of it. */
+/** Exponent of the key distance in the length of an interval. */
 export const SPACINGS = { even: 0, root: 0.5, difference: 1 } as const;
 export type Spacing = keyof typeof SPACINGS;
 

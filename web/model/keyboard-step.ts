@@ -8,7 +8,7 @@ interface Press {
   readonly shiftKey: boolean;
 }
 
-/** Where a key press takes the playhead, or null when the key means something else. */
+/** The playhead after a key press, or null for other keys. */
 export function keyboardStep(event: Press, time: number, scale: TimeScale, fps: number | null): number | null {
   const {
     range,

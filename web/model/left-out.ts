@@ -1,4 +1,4 @@
-/** One sentence about the values of a link that cannot be used, or null where there are none. */
+/** One sentence about unusable values of a link, or null without any. */
 export function leftOutSentence(names: readonly string[]): string | null {
   if (names.length === 0) return null;
   const [what, was] = names.length === 1 ? ['a value', 'was'] : ['values', 'were'];

@@ -1,14 +1,14 @@
-/** What the methods are called. */
+/** Names of the methods. */
 import type { Method } from '../engine/api/types.ts';
 
-/** Of the method as published beside the same one that holds something. */
+/** The method as published, next to the same method with holding. */
 export const PLAIN_WORDS = { label: 'Shape spline (LRI), nothing held', short: 'Nothing held' } as const;
 
 export function motionWords({ method, plain }: { method: Method; plain?: true }): { label: string; short: string } {
   return plain ? PLAIN_WORDS : METHOD_WORDS[method];
 }
 
-/** Of its line in plots, as a class. */
+/** CSS class of its line in plots. */
 export function lineStyle({ method, plain }: { method: Method; plain?: true }): string {
   return plain ? 'nothing-held' : method;
 }

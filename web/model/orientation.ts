@@ -5,10 +5,7 @@ export type Orientation = Required<Pick<ImportOptions, 'up' | 'unit'>>;
 
 const NOWHERE: Point = [0, 0, 0];
 
-/**
- * Positions that were read in one way, as if they had been read in another; `offsets`: that they are and will be
- * relative to.
- */
+/** Positions that were read with one orientation, as if read with another; `offsets`: before and after. */
 export function reoriented(
   positions: Float32Array,
   from: Orientation,
@@ -28,12 +25,12 @@ export function reoriented(
   return turned;
 }
 
-/** Positions relative to one offset, as they are relative to another. */
+/** Converts positions from one offset to another. */
 export function relativeTo(positions: Float32Array, before: Point, after: Point): Float32Array {
   return positions.map((value, i) => value + (before[i % 3]! - after[i % 3]!));
 }
 
-/** What was done, as undo names it. */
+/** Name of the undo step. */
 export function orientationStep(from: Orientation, to: Orientation): string {
   if (from.up === to.up) return 'unit of the files';
   return to.up === 'z' ? 'stand the shape up' : 'lay the shape down';

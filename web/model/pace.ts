@@ -4,7 +4,7 @@ import type { Range } from './time-scale.ts';
 import { length, timeScale } from './time-scale.ts';
 import { fractionIn } from './time-window.ts';
 
-/** The motion swings past a key where it is farther beyond it than this share of the mean distance of the keys. */
+/** Overshoot is reported from this distance beyond a key, relative to the mean distance of the keys. */
 export const SEEN_OVERSHOOT = 0.01;
 
 export interface Pace extends MotionPace {
@@ -16,7 +16,7 @@ export interface Pace extends MotionPace {
 /** Samples of the whole, and the least of a stretch between keys. */
 const SAMPLES = 240;
 const LEAST_SAMPLES = 6;
-/** From a key, as a share of the range: there the speed of a piecewise linear motion jumps. */
+/** Distance from a key, relative to the range, where the speed of a piecewise linear motion jumps. */
 const NEAR = 1e-7;
 
 /** Times in increasing order that tell the pace everywhere on the timeline, on both sides of every key. */
@@ -45,7 +45,7 @@ export function paceOf(times: readonly number[], { speed, overshoot }: MotionPac
   return { times, speed, overshoot, mean: span > 0 ? area / span : 0 };
 }
 
-/** At a moment: how many times the mean speed, and whether the motion swings past a key there. */
+/** At a time: the multiple of the mean speed, and whether the motion overshoots a key. */
 export function paceAt({ times, speed, overshoot, mean }: Pace, t: number): { speed: number; past: boolean } | null {
   if (mean <= 0 || times.length === 0) return null;
   const after = times.findIndex((time) => time >= t);
@@ -56,16 +56,16 @@ export function paceAt({ times, speed, overshoot, mean }: Pace, t: number): { sp
 export interface PacePaths {
   /** The speed over time. */
   line: string;
-  /** What is below it between the first and the last key: all of it, and where the motion swings past a key. */
+  /** Areas below the curve between the first and the last key: the whole, and the overshoots. */
   area: string;
   past: string;
 }
 
-/** Of the fastest moment, as a share of the height. */
+/** Height of the largest speed, relative to the plot. */
 const TOP = 0.9;
 
 export interface PacePicture {
-  /** Where the keys define the motion. */
+  /** The range that the keys define. */
   range: Range;
   /** The part of the time that is shown. */
   part: Range;

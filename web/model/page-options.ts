@@ -1,6 +1,6 @@
 /**
- * The engine's options that the page offers, under their names in the document and in links. Where the engine takes a
- * key or a shape, the document names one of the import's poses; null stands for none of its own.
+ * The engine's options in the page, under their names in the document and in links. For an option that is a key or a
+ * shape, the document refers to one of the import's poses; null stands for the default.
  */
 import { ENCODING, MOTION, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
@@ -42,7 +42,7 @@ export function pageDefaults<T extends OptionTable>(table: T): PageOptions<T> {
 
 const UNDO_NAMES = new Map([MOTION, ENCODING].flatMap(pageOptions).map(({ page, option }) => [page, option.undo]));
 
-/** What undo calls a change of the document's options: that of the first. */
+/** Undo's name of a change of options: that of the first option. */
 export function undoName(change: object): string {
   return UNDO_NAMES.get(Object.keys(change)[0] ?? '') ?? '';
 }

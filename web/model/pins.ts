@@ -29,7 +29,7 @@ export function withoutPin(pins: Pins, index: number): Pin[] {
   return pins.filter((_, other) => other !== index);
 }
 
-/** `undefined` takes away what a pin has. */
+/** `undefined` removes a field of the pin. */
 export function changedPin(pins: Pins, index: number, change: { [N in keyof Pin]?: Pin[N] | undefined }): Pin[] {
   const known = (pin: object): Pin =>
     Object.fromEntries(Object.entries(pin).filter(([, value]) => value !== undefined)) as unknown as Pin;
@@ -43,8 +43,8 @@ export function withPathKey(path: readonly PathKey[], key: PathKey, sameTime: nu
 }
 
 /**
- * What the path moves by at t, as the core has it (pin_path): a natural cubic spline that stands still at its ends and
- * beyond them, or a periodic one.
+ * Offset of the path at t, as in the core (pin_path): a natural cubic spline that rests at and beyond its ends, or a
+ * periodic one.
  */
 export function moveAt(path: readonly PathKey[], t: number, period: number | null): Point {
   const [first] = path;
@@ -55,7 +55,7 @@ export function moveAt(path: readonly PathKey[], t: number, period: number | nul
   return [0, 1, 2].map((axis) => splineAt(keys, axis, at, period === null)) as Point;
 }
 
-/** So many periods to either side that the natural ends are not felt. */
+/** Periods to either side after which the natural ends have no visible effect. */
 const PERIODS = 12;
 
 function unrolled(path: readonly PathKey[], period: number): PathKey[] {
@@ -64,7 +64,7 @@ function unrolled(path: readonly PathKey[], period: number): PathKey[] {
   );
 }
 
-/** Quintic from knot to knot with the spline's velocity and acceleration; none of either where it stands. */
+/** Quintic between knots with the spline's velocity and acceleration, which are zero at rest. */
 function splineAt(keys: readonly PathKey[], axis: number, t: number, stands: boolean): number {
   const x = keys.map(({ time }) => time);
   const y = keys.map(({ move }) => move[axis]!);
@@ -92,7 +92,7 @@ function splineAt(keys: readonly PathKey[], axis: number, t: number, stands: boo
   return y[span]! + u * (v0 + u * (a0 / 2 + u * (c3 + u * (c4 + u * c5))));
 }
 
-/** Of the natural cubic spline, at its knots. */
+/** Second derivatives of the natural cubic spline at its knots. */
 function secondDerivatives(x: readonly number[], y: readonly number[]): number[] {
   const last = x.length - 1;
   const bend = new Array<number>(last + 1).fill(0);
@@ -108,7 +108,7 @@ function secondDerivatives(x: readonly number[], y: readonly number[]): number[]
   return bend;
 }
 
-/** VERTEX:RADIUS[:POSE][:T/X/Y/Z,...], one after the other with semicolons between: for links. */
+/** VERTEX:RADIUS[:POSE][:T/X/Y/Z,...], separated by semicolons: for links. */
 export function pinsText(pins: Pins, shortest: (value: number) => string): string {
   const keyText = ({ time, move }: PathKey): string => [time, ...move].map(shortest).join('/');
   return pins
@@ -118,7 +118,7 @@ export function pinsText(pins: Pins, shortest: (value: number) => string): strin
     .join(';');
 }
 
-/** undefined where it is none. */
+/** undefined if invalid. */
 export function pinsFromText(text: string): Pin[] | undefined {
   const pins = text.split(';').map((part): Pin => {
     const [vertex, radius, stay = '', path] = part.split(':');

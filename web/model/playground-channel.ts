@@ -1,4 +1,4 @@
-/** What the app and the playground tell each other where both are open in one browser. */
+/** Messages between the app and the playground in the same browser. */
 import type { Boundary } from '../engine/api/types.ts';
 
 /** One number that a shape is described by, at each of its keys. */
@@ -27,7 +27,7 @@ export interface OpenShape extends KeyPassing {
 }
 
 export type PlaygroundMessage =
-  /** From the playground: what is open? */
+  /** From the playground: a request for the open shape. */
   | { type: 'ask' }
   | { type: 'open'; shape: OpenShape }
   /** From the playground: pass the keys of that page's shape like this. */
@@ -38,10 +38,7 @@ const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
 /** More keys or coordinates, or longer words, come from no page of ours. */
 const [MOST_KEYS, MOST_COORDINATES, LONGEST] = [4096, 64, 300];
 
-/**
- * What came over the channel, where it is a message and all of it fits together; otherwise null. Any page of the same
- * host can write there.
- */
+/** A valid message from the channel, otherwise null. Any page of the same host can write there. */
 export function messageFrom(data: unknown): PlaygroundMessage | null {
   if (!isRecord(data)) return null;
   const { type, page, shape } = data;
@@ -74,7 +71,7 @@ const isWord = (value: unknown): value is string => typeof value === 'string' &&
 const isNumbers = (value: unknown, count: number): value is number[] =>
   Array.isArray(value) && value.length === count && value.every((one) => Number.isFinite(one));
 
-/** Another release of the page may stand beside this one on the same host: each has its own. */
+/** The scope is part of the name: another release of the page on the same host has its own channel. */
 export function playgroundChannel(): BroadcastChannel {
   return new BroadcastChannel(`shapespline playground ${new URL('./', document.baseURI).pathname}`);
 }

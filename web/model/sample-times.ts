@@ -1,4 +1,4 @@
-/** The times that keys are taken from an animation at, in seconds of its own timeline. */
+/** Times of the keys taken from an animation, in seconds of its own timeline. */
 import { MOST_SAMPLED } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import { clamp } from './time-scale.ts';
@@ -17,13 +17,13 @@ export function shortTime(t: number): string {
   return String(Number(t.toFixed(4)));
 }
 
-/** Whether the keys are of the animation, not beside it. */
+/** Whether the keys are taken from the animation, rather than compared with it. */
 export function areSampled({ animation, animations, times }: KeysInfo): boolean {
   const span = animations[animation];
   return span !== undefined && times.length <= MOST_SAMPLED && times.every((t) => t >= span.start && t <= span.end);
 }
 
-/** The times of a list, or what is wrong with it. */
+/** The times of a list, or the problem with it. */
 export function readTimes(text: string, { start, end }: Span): number[] | string {
   const times = text
     .split(/[\s,;]+/)

@@ -1,11 +1,11 @@
 /**
- * What is chosen for each key. In the document it belongs to its key and goes wherever that goes; the engine takes
- * lists, and only here the one becomes the other.
+ * Options per key. In the document they belong to the key and move with it; the engine takes lists, and only this file
+ * converts between both.
  */
 import { PER_KEY } from '../engine/api/option-table.ts';
 import type { AddedTurns, PerKey } from '../engine/api/types.ts';
 
-/** Whole turns on the way to the key that has them; the first key has no way to it. */
+/** Full turns between the previous key and this one; the first key has none. */
 export type KeyTurns = Omit<AddedTurns, 'key'>;
 export type Shaping = { readonly [N in keyof PerKey]: PerKey[N] extends number[] ? number : readonly KeyTurns[] };
 /** The options that are one number for each key. */
@@ -22,7 +22,7 @@ function shapingWith(number: (name: ShapingNumber) => number, turns: readonly Ke
 
 export const DEFAULT_SHAPING: Shaping = shapingWith((name) => PER_KEY[name].default, []);
 
-/** Of one key, out of the engine's lists. */
+/** Options of one key from the engine's lists. */
 export function shapingOf(lists: Partial<PerKey>, index: number): Shaping {
   const turns = (lists.turns ?? []).filter(({ key }) => key === index).map(({ key: _, ...rest }) => rest);
   return shapingWith((name) => lists[name]?.[index] ?? PER_KEY[name].default, turns);

@@ -16,7 +16,7 @@ export const SPEED_STEP = 0.05;
 /** However close a tangent's shape lies; faster ones can be typed. */
 const FASTEST = 10 * MAX_SPEED;
 
-/** As far as a speed can be typed, which is what the engine takes. */
+/** Largest speed that can be typed: the engine's limit. */
 export const TYPED_SPEED = MOTION.startSpeed.most;
 
 export type Speeds = Readonly<Record<End, number>>;
@@ -38,7 +38,7 @@ export function offeredSpeed(wanted: number, most = MAX_SPEED): number {
   return Number(clamp(Math.round(wanted / SPEED_STEP) * SPEED_STEP, 0, most).toFixed(2));
 }
 
-/** The speed so many steps faster. */
+/** The speed after this number of steps. */
 export function steppedSpeed(speed: number, steps: number, most = MAX_SPEED): number {
   return offeredSpeed(offeredSpeed(speed, most) + steps * SPEED_STEP, most);
 }

@@ -1,6 +1,6 @@
 /**
- * The one serialisable state: what is loaded, the keys and their times, the options, the moment and the view.
- * Permalinks, undo, the saved project and the test hook all read this and nothing else.
+ * The only serialisable state: the loaded content, the keys and their times, the options, the time and the view.
+ * Permalinks, undo, the saved project and the test hook read only this.
  */
 import { METHOD } from '../engine/api/methods.ts';
 import type { CameraPose } from './camera.ts';
@@ -24,7 +24,7 @@ export interface KeyRef {
 export type Motion = PageOptions<typeof MOTION>;
 export type Encoding = PageOptions<typeof ENCODING>;
 
-/** What undo and redo step through. */
+/** State covered by undo and redo. */
 export interface Doc {
   keys: KeyRef[];
   motion: Motion;
@@ -45,16 +45,16 @@ export interface Play {
 }
 
 /**
- * `texture`: the file's own materials, or clay where it has none. `distance`: of every vertex of what is compared, from
- * the first motion or the animation that the keys were taken from.
+ * `texture`: the file's own materials, or clay without any. `distance`: of every vertex of the compared motion from the
+ * first motion or the animation of the keys.
  */
 export type Colouring = 'texture' | 'phase' | 'patches' | FaceAmount | 'distance';
-/** Amounts of every face against the reference pose, as a heat map. */
+/** Heat map of every face relative to the reference pose. */
 export type FaceAmount = 'rotation' | 'stretch';
 
-/** What fills the screen in a presentation: the shape alone, or beside one of the plots that are always there. */
+/** Content of a presentation: the shape alone, or next to one of the permanent plots. */
 export const PRESENTED = ['shape', 'plane', 'volume', 'area', 'bending'] as const;
-/** Plots of what was clicked or worked out: enlarged by hand, but not by a link, which does not bring them back. */
+/** Plots of clicked or computed items: enlarged by hand only, because a link does not restore them. */
 export const PASSING_PLOTS = [
   'face-rotation',
   'face-stretch',
@@ -83,15 +83,18 @@ export interface View {
   film: boolean;
   /** How many shapes a film strip has; null = as many as the keys ask for. */
   filmShapes: number | null;
-  /** Methods shown beside the main one. */
+  /** Methods shown next to the main one. */
   compare: Method[];
-  /** Of two motions, where the divider between them stands, as a share of the width; null = side by side. */
+  /** Position of the divider between two motions, relative to the width; null = side by side. */
   split: number | null;
-  /** With a ghost mesh: its wireframe over the shape; the ghost beside it; colours for what differs without it. */
+  /**
+   * With a ghost mesh: its wireframe over the shape; the ghost next to it; colours for the difference from the full
+   * solve.
+   */
   ghostWire: boolean;
   ghostBeside: boolean;
   ghostDifference: boolean;
-  /** The same for ghost meshes of twice and four times as many faces, beside each other. */
+  /** The same for ghost meshes with two and four times the faces, side by side. */
   ghostSizes: boolean;
   /** null = fitted to the shape. */
   camera: CameraPose | null;
@@ -103,7 +106,7 @@ export interface View {
 
 export interface AppState {
   source: Source;
-  /** Of the user's own files, with all that is done to them: under which it is kept between visits. Else null. */
+  /** Key under which the user's own files, with all edits, are kept between visits; otherwise null. */
   project: string | null;
   doc: Doc;
   time: number;
@@ -161,18 +164,18 @@ export function isFaceAmount(colouring: Colouring): colouring is FaceAmount {
   return colouring === 'rotation' || colouring === 'stretch';
 }
 
-/** Something rests or is pinned, so that the motion is not the method's as published. */
+/** Something is held or pinned, so the motion differs from the method as published. */
 export function holds({ method, hold, pins }: Motion): boolean {
   return METHOD[method].holds && (hold !== 'off' || pins.length > 0);
 }
 
-/** Index of the reference among the keys; the first key where the chosen pose is no longer one of them. */
+/** Index of the reference among the keys; the first key if the chosen pose is no longer a key. */
 export function referenceKey(doc: Doc): number {
   const index = doc.keys.findIndex((key) => key.pose === doc.encoding.referencePose);
   return Math.max(index, 0);
 }
 
-/** What an end of a Hermite motion leads towards: its neighbour, or a shape of its own. */
+/** Target of an end tangent of a Hermite motion: the neighbouring key, or a separate shape. */
 export type Towards = 'neighbour' | 'shape';
 
 /** null with a boundary that has no tangents. */

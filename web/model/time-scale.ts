@@ -1,9 +1,9 @@
-/** Times and where they lie: the slider's scale, snapping, stepping, and how a moment relates to the keys. */
+/** The slider's scale, snapping, stepping, and the relation of a time to the keys. */
 import { keyLabel, lowerFirst } from './key-names.ts';
 
 /** The timeline shows this share of a mean interval between keys beyond either end, unless it is zoomed. */
 export const MARGIN = 0.8;
-/** Zooming out and typing lead so many times the length of the motion beyond its ends. */
+/** Zooming out and typing reach this many lengths of the motion beyond its ends. */
 const FURTHEST = 2;
 /** Two times closer than this share of the range are the same. */
 export const SAME_TIME = 1e-6;
@@ -14,7 +14,7 @@ export function length(range: Range): number {
   return range[1] - range[0];
 }
 
-/** Where the keys define the motion, and all that the timeline shows of it when it is not zoomed. */
+/** The range that the keys define, and the whole range of the timeline when not zoomed. */
 export interface TimeScale {
   range: Range;
   whole: Range;
@@ -64,7 +64,7 @@ export function nearestKey(t: number, keyTimes: readonly number[]): number {
   return best;
 }
 
-/** The next key time after t, or the previous before it; t itself where there is none. */
+/** The next key time after t, or the previous one before it; t itself if there is none. */
 export function neighbourKey(t: number, keyTimes: readonly number[], direction: 1 | -1, range: Range): number {
   const gap = SAME_TIME * length(range);
   const candidates = keyTimes.filter((keyTime) => (keyTime - t) * direction > gap);
@@ -91,7 +91,7 @@ export const PHASE_COLOURS: Record<PhaseKind, string> = {
   off: '#8f8f8f',
 };
 
-/** How the moment relates to the keys; `kind` chooses the colour, `text` says the same in words. */
+/** Relation of a time to the keys; `kind` chooses the colour, `text` describes it. */
 export interface Phase {
   kind: PhaseKind;
   text: string;
@@ -105,7 +105,7 @@ export interface PhaseInput {
   range: Range;
   /** A closed motion repeats outside its range, it is not extrapolated. */
   periodic: boolean;
-  /** How near to a key counts as being at it, as a share of the range. */
+  /** Distance from a key that counts as being at it, relative to the range. */
   tolerance?: number;
 }
 
@@ -146,7 +146,7 @@ export function formatTime(t: number, range: Range = [0, 1]): string {
   return Number(text) === 0 ? (0).toFixed(decimals) : text;
 }
 
-/** So many times, evenly over all that the timeline shows when it is not zoomed, and those of the keys. */
+/** This many evenly spaced times over the whole timeline when not zoomed, and the times of the keys. */
 export function plottedTimes(range: Range, keyTimes: readonly number[], count: number): number[] {
   const [low, high] = timeScale(range, keyTimes.length).whole;
   const gap = length(range) * 1e-6;

@@ -1,11 +1,11 @@
-/** The stretch of time that the timeline shows: the motion with its margins, a part of it, or more. */
+/** The visible window of the timeline: the motion with its margins, a part of it, or more. */
 import type { Range, TimeScale } from './time-scale.ts';
 import { clamp, length, reach } from './time-scale.ts';
 
 /** How many times larger than the whole the timeline can show a part. */
 export const MAX_ZOOM = 200;
 
-/** The window that is shown: the wanted one as far as time reaches, or the whole. */
+/** The wanted window, clipped to the reachable times, or the whole. */
 export function windowOf(wanted: Range | null, { range, whole }: TimeScale): Range {
   if (!wanted) return whole;
   const furthest = reach(range);
@@ -14,7 +14,7 @@ export function windowOf(wanted: Range | null, { range, whole }: TimeScale): Ran
   return [start, start + size];
 }
 
-/** Where t lies in the window: 0 at its left end, 1 at its right, less or more outside. */
+/** Position of t in the window: 0 at its left end, 1 at its right, less or more outside. */
 export function fractionIn(t: number, window: Range): number {
   return (t - window[0]) / length(window);
 }
@@ -24,8 +24,8 @@ export function timeIn(fraction: number, window: Range): number {
 }
 
 /**
- * The window made `factor` times larger, t staying where it is. On the way out it stops where the whole is shown
- * (null); from there it goes on to all that can be reached.
+ * The window enlarged by `factor` around t. Zooming out stops when the whole is visible (null), and continues from
+ * there to the largest window.
  */
 export function zoomed(window: Range, scale: TimeScale, factor: number, t: number): Range | null {
   const { whole, range } = scale;
@@ -37,12 +37,12 @@ export function zoomed(window: Range, scale: TimeScale, factor: number, t: numbe
   return orNull([start, start + size], scale);
 }
 
-/** The window moved by a stretch of time, as far as time reaches. */
+/** The window moved in time, within the reachable times. */
 export function panned(window: Range, scale: TimeScale, by: number): Range | null {
   return orNull([window[0] + by, window[1] + by], scale);
 }
 
-/** The window moved just far enough to hold t; a page further where t runs out of it. */
+/** The window moved just far enough to contain t, or by a page if t leaves it during playback. */
 export function revealing(window: Range, scale: TimeScale, t: number): Range | null {
   if (t >= window[0] && t <= window[1]) return orNull(window, scale);
   const lead = 0.05 * length(window);

@@ -1,10 +1,10 @@
 /**
- * Tells the browser in the page's head of what its first script will ask for: the app, which that script does not wait
- * for, the wasm, the list of samples and what makes the first one come beside it.
+ * Adds preload links to the page's head for files that its first script requests: the app, which that script does not
+ * wait for, the wasm, the list of samples, and the code that makes the first sample.
  */
 import type { Plugin } from 'vite';
 
-/** Of a bundle, as far as it matters here. */
+/** The used part of a bundle. */
 type Bundle = Record<string, { type: string; imports?: readonly string[] }>;
 
 export function preload(): Plugin {

@@ -1,6 +1,5 @@
 /**
- * Starts the service worker of a built page. Where it cannot run (no https, forbidden storage) the page works as
- * before.
+ * Starts the service worker of a built page. If it cannot run (no https, forbidden storage), the page works without it.
  */
 
 /** How often at most a page that is looked at again asks for a newer build. */
@@ -15,7 +14,7 @@ export interface OfflineEvents {
 
 const REPAIRED = 'A file stored by this browser was damaged. It was fetched again.';
 
-/** It fetches and compiles the whole build, which waits until the page has settled `after` what a visitor waits for. */
+/** It fetches and compiles the whole build, so it waits until `after` and until the page is idle. */
 export function registerServiceWorker(
   { onNewVersion, onRepaired }: OfflineEvents,
   after: Promise<unknown> = Promise.resolve(),

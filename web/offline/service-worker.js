@@ -1,8 +1,8 @@
-// Keeps the files of one build, and those of older builds while a page still needs them. The build puts BUILD, FILES
-// and LATER in front of this text: what is kept at once, and what is kept once it was used, as { path: digest }; and
-// PAGES, the first script of each page.
+// Keeps the files of one build, and those of older builds while a page still needs them. The build prepends BUILD;
+// FILES, kept immediately, and LATER, kept after their first use, as { path: digest }; and PAGES, the first script of
+// each page.
 /* global BUILD, FILES, LATER, PAGES */
-// Another release of the page may stand beside this one on the same host: each keeps its own.
+// Each release of the page on the same host has its own scope and files.
 const SCOPE = self.registration.scope;
 const OURS = `shapespline ${new URL(SCOPE).pathname} `;
 const CACHE = OURS + BUILD;
@@ -10,7 +10,7 @@ const REPLY_MS = 3000;
 const ENTRIES = new Map(Object.entries(PAGES).map(([file, entry]) => [new URL(file, SCOPE).href, entry]));
 const LISTED = new Map(Object.entries({ ...FILES, ...LATER }).map(([file, digest]) => [new URL(file, SCOPE).href, digest]));
 
-// A worker of a newer build waits until no page is open or a page asks for it: what is open goes on as it was.
+// A worker of a newer build waits until no page is open or a page asks for it, so open pages continue unchanged.
 self.addEventListener('install', (event) => event.waitUntil(fill()));
 
 self.addEventListener('activate', (event) => event.waitUntil(self.clients.claim().then(dropUnused)));
@@ -33,8 +33,8 @@ async function digestOf(response) {
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-// A host may answer for a file that is gone with its start page, or still with another build's: neither is kept. Hosts
-// add to a page itself, so that it is known by its script.
+// A host may answer a request for a missing file with its start page, or with another build's file: neither is kept.
+// Hosts may modify the page itself, so it is recognised by its script.
 async function isListed(href, response) {
   // As something else no browser runs a script or takes a style sheet.
   const type = { js: 'javascript', css: 'css' }[href.split('.').pop()] ?? '';
@@ -54,14 +54,14 @@ async function fill() {
   await Promise.all(Object.keys(FILES).map(keep));
 }
 
-// Files with a digest in their name never change: they come from whichever build is kept. The others are asked for
-// first, so that a new build is seen at once.
+// Files with a digest in their name never change: they come from any cached build. Others are fetched first, so a new
+// build appears immediately.
 async function responseTo(event, url) {
   const named = url.pathname.includes('/assets/');
   const { kept, damaged } = named ? await match(url.href) : {};
   if (kept) return kept;
   try {
-    // What is damaged here may come from the browser's own cache.
+    // The damaged copy may come from the browser's own cache.
     const response = await fetch(event.request, damaged ? { cache: 'reload' } : {});
     if (named && LISTED.has(url.href)) event.waitUntil(keepUsed(url.href, response.clone()));
     if (damaged) event.waitUntil(tellOfRepair(event));
@@ -87,8 +87,8 @@ async function keepUsed(href, response) {
 
 const ownCaches = async () => (await caches.keys()).filter((name) => name.startsWith(OURS));
 
-// This build's first: others may hold another version of a file without a digest in its name. Of this build only what
-// still has its digest: anything else would break the page with every visit.
+// This build's cache first: others may hold another version of a file without a digest in its name. Only files with the
+// right digest are used, because a damaged one would break the page on every visit.
 async function match(href) {
   const others = (await ownCaches()).filter((name) => name !== CACHE);
   let damaged = false;
@@ -102,7 +102,7 @@ async function match(href) {
   return { damaged };
 }
 
-/** Where a page's script lies, or null where the page does not say. */
+/** URL of a page's script, or null if the page does not reply. */
 function scriptOf(client) {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
@@ -112,7 +112,7 @@ function scriptOf(client) {
   });
 }
 
-// A page that says nothing may have been left meanwhile.
+// A page that does not reply may have been closed.
 async function runsByThis(client) {
   const script = await scriptOf(client);
   return script === null ? !(await self.clients.get(client.id)) : LISTED.has(script);

@@ -1,6 +1,6 @@
 /**
- * Which time is wanted, or which blend of the keys instead, and which one is shown. Of the times that are asked for
- * while a frame is being computed, only the newest stays wanted.
+ * The wanted time (or blend of the keys) and the shown one. Of the times requested while a frame is being computed,
+ * only the newest stays wanted.
  */
 import type { FrameSet, RunningMotion } from './frame-set.ts';
 
@@ -12,7 +12,7 @@ export interface Wanted {
   readonly number: number;
 }
 
-/** What is on the screen. */
+/** The content of the screen. */
 export type Shown = Pick<FrameSet, 't' | 'sequences'>;
 
 export class Demand {
@@ -23,7 +23,7 @@ export class Demand {
 
   constructor(
     readonly sequences: () => readonly RunningMotion[],
-    /** The blend that is wanted from here on; null: the motion. */
+    /** The wanted blend; null: the motion. */
     private readonly blend: () => readonly number[] | null = () => null,
   ) {}
 

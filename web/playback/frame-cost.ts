@@ -1,4 +1,4 @@
-/** What frames cost in the worker, measured for the distance of the frames ahead. */
+/** Cost of frames in the worker, measured to space the frames ahead. */
 import type { FrameSet, RunningMotion } from './frame-set.ts';
 
 const SAMPLES = 3;

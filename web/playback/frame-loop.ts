@@ -1,6 +1,6 @@
 /**
- * Asks for frames and puts them on the screen: one time after another, all views together, as the demand says.
- * What plays is computed ahead.
+ * Requests frames and shows them: one time after another, all views together, as the demand requires. Playback is
+ * computed ahead.
  */
 import type { AheadOptions } from '../engine/api/api.ts';
 import type { Demand, Shown, Wanted } from './demand.ts';
@@ -13,7 +13,7 @@ import type { Clock } from './look-ahead.ts';
 export interface Screen {
   /** Copies the frames to the screen; they are released afterwards. */
   show(frames: FrameSet): void | Promise<void>;
-  /** Resolves when what was shown has been drawn. */
+  /** Resolves when the shown content has been drawn. */
   drawn(): Promise<void>;
   /** Other work waits for the machine. */
   yields?(): boolean;
@@ -22,7 +22,7 @@ export interface Screen {
 
 /** Milliseconds of a drawing that takes a processor from other work. */
 const SLOW_MS = 50;
-/** So many times as long as it was drawn, a frame that plays stays then, and no longer than the second in ms. */
+/** When drawing is slow, a playing frame stays for STAYS times its draw time (at most LONGEST_MS). */
 const [STAYS, LONGEST_MS] = [4, 1000];
 
 interface Waiting {
@@ -88,20 +88,20 @@ export class FrameLoop {
     this.wake();
   }
 
-  /** Nothing plays any more; resolves when nothing is asked for, either. */
+  /** Stops playback; resolves when nothing is requested. */
   async rest(): Promise<void> {
     this.pause();
     await this.running;
   }
 
-  /** Resolves when what has been asked for so far is drawn; a motion that plays is not waited for. */
+  /** Resolves when all requests so far are drawn; does not wait for playback. */
   idle(): Promise<void> {
     if (!this.busy) return Promise.resolve();
     return new Promise((resolve) => this.waiting.push({ resolve, number: this.demand.wanted.number }));
   }
 
   private begin(): void {
-    // Computed ahead for a motion that may be another one now.
+    // Computed ahead for a motion that may have changed.
     this.lookAhead?.discard();
     this.wake();
     this.start();
@@ -120,7 +120,7 @@ export class FrameLoop {
   }
 
   private async run(): Promise<void> {
-    // Whoever waits for a frame may ask for the next one at once: that the work has ended must be known by then.
+    // A waiting caller may request the next frame immediately, so the end of the work must be known by then.
     await Promise.resolve();
     while (this.busy || this.lookAhead) {
       if (this.busy) await this.serve(this.demand.wanted);
@@ -142,7 +142,7 @@ export class FrameLoop {
     });
   }
 
-  /** False where the sequences were exchanged meanwhile. */
+  /** False if the sequences were replaced in the meantime. */
   private async draw(wanted: Wanted): Promise<boolean> {
     const frames = await this.ask(wanted);
     if (!frames) return false;
@@ -155,7 +155,7 @@ export class FrameLoop {
     }
   }
 
-  /** A sequence that was exchanged meanwhile answers no more: null, the same time is to be asked of its successor. */
+  /** null if the sequence was replaced in the meantime: its successor must be asked for the same time. */
   private async ask({ t, blend }: Wanted): Promise<FrameSet | null> {
     const sequences = this.demand.sequences();
     try {

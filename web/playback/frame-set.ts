@@ -2,7 +2,7 @@
 import type { Motion } from '../engine/api/api.ts';
 import type { Frame, Method } from '../engine/api/types.ts';
 
-/** One of the motions that are shown side by side. */
+/** One of the motions shown side by side. */
 export interface Variant {
   method: Method;
   /** Faces of the ghost mesh that leads it; 0 without one. */
@@ -27,7 +27,7 @@ export interface FrameSet {
   release(): void;
 }
 
-/** Null where a sequence was overtaken by another request; throws what a sequence throws, when all have answered. */
+/** Null if another request overtook a sequence; throws a sequence's error after all have answered. */
 export async function gather(
   sequences: readonly RunningMotion[],
   t: number,

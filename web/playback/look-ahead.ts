@@ -1,4 +1,4 @@
-/** Frames computed ahead of the clock while the motion plays; what was computed for another motion is given back. */
+/** Frames computed ahead of the clock during playback; frames of a replaced motion are released. */
 import { FramePlayer } from '../engine/api/frame-player.ts';
 import type { FrameSource } from '../engine/api/frame-player.ts';
 import type { FrameSet } from './frame-set.ts';
@@ -6,7 +6,7 @@ import type { FrameSet } from './frame-set.ts';
 /** The time that plays, in ticks: about one per screen refresh. */
 export interface Clock {
   readonly tick: number;
-  /** Where the time will be at a tick. */
+  /** The time at a tick. */
   timeOf(tick: number): number;
   tickSeconds(): number;
 }
@@ -14,7 +14,7 @@ export interface Clock {
 export interface LookAheadParts {
   clock: Clock;
   source: FrameSource<FrameSet>;
-  /** What a frame costs, in milliseconds; 0 where that is not known yet. */
+  /** Cost of a frame in milliseconds; 0 if unknown. */
   frameMs(): number;
   onError(error: unknown): void;
 }

@@ -19,7 +19,7 @@ export interface ClockInput {
   periodic: boolean;
 }
 
-/** A time outside the range is first carried on towards it, so that playing from a margin does not jump. */
+/** A time outside the range first runs towards it, so playing from a margin does not jump. */
 export function tick({ time, direction, step, range, loop, periodic }: ClockInput): Tick {
   const [start, end] = range;
   if (length(range) <= 0) return { time: start, direction: 1, playing: false };

@@ -1,6 +1,4 @@
-/**
- * Plays: once per screen refresh it moves the time on by what has passed; whole frames are held until the next begins.
- */
+/** Playback: advances the time once per screen refresh; whole frames are held until the next begins. */
 import { heldTime, loopRange, playRange } from '../model/frames.ts';
 import type { Play } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -14,7 +12,7 @@ export interface PlayerView {
   periodic: boolean;
 }
 
-/** After a pause of the whole page (a hidden tab, a long task) the motion goes on where it was. */
+/** After a pause of the whole page (a hidden tab, a long task) the motion continues where it was. */
 const LONGEST_STEP_MS = 100;
 /** How much of the latest refresh enters the running mean. */
 const NEW_SHARE = 0.1;
@@ -30,7 +28,7 @@ export class Player implements Clock {
   private reached = 0;
   private shown = NaN;
 
-  /** `onTick` hears of every refresh, `move` of those with another time. */
+  /** `onTick` is called on every refresh, `move` if the time changes. */
   constructor(
     private readonly view: () => PlayerView,
     private readonly move: (time: number, playing: boolean) => void,
@@ -75,7 +73,7 @@ export class Player implements Clock {
     this.move(time, true);
   }
 
-  /** What plays now: a chosen stretch of a closed motion is no longer closed itself. */
+  /** The range that plays; a part of a closed motion is not closed. */
   private stretch(): PlayerView & { chosen: boolean } {
     const view = this.view();
     const chosen = loopRange(view.play.between, view.range) !== null;
@@ -93,7 +91,7 @@ export class Player implements Clock {
     const step = (passed / 1000) * play.speed;
     this.last = now;
     this.count(passed);
-    // Someone else has moved the time meanwhile.
+    // The time was changed from outside.
     if (time !== this.shown) this.reached = time;
     const next = tick({ time: this.reached, direction: this.direction, step, range, loop: play.loop, periodic });
     this.direction = next.direction;

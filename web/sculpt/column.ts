@@ -33,7 +33,7 @@ function twisted(degrees: number): Place {
   return lobed((height) => ({ size: 1, raised: height, turn: ((degrees * Math.PI) / 180) * smooth(height / HEIGHT) }));
 }
 
-/** What has become of a height of the column: how wide it is, how high it stands, and how far it turns, in radians. */
+/** The column at a height: width, vertical position, and rotation in radians. */
 export type Level = (height: number) => { size: number; raised: number; turn: number };
 
 export function lobed(level: Level): Place {

@@ -1,4 +1,4 @@
-/** Samples that are made where they are shown: their formulas are a thousandth of their files. */
+/** Samples made in the browser: their formulas are a thousandth of the size of their files. */
 import { column } from './column.ts';
 import type { Sculpture } from './glb.ts';
 import { glb } from './glb.ts';
@@ -9,7 +9,7 @@ import { turret } from './turret.ts';
 
 const SCULPTORS: Record<string, (detail: number) => Promise<Sculpture>> = { column, serpent, turret };
 
-/** As a GLB and as the arrays in it; `detail` 1 is what is shown, less is coarser. */
+/** As a GLB and as its arrays; `detail` 1 is the shown shape, less is coarser. */
 export async function make(id: string, detail = 1): Promise<{ bytes: Uint8Array; mesh: Mesh }> {
   const sculptor = SCULPTORS[id];
   if (!sculptor) throw new Error(`Nothing is known of how ${id} is made.`);

@@ -1,4 +1,4 @@
-/** A picture as a PNG file, in the browser and in Node alike. */
+/** Encodes an image as PNG, in the browser and in Node. */
 
 /** `paint` gives red, green and blue in [0, 255] for u and v in [0, 1). */
 export async function painted(

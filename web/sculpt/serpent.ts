@@ -5,10 +5,10 @@ import { placed, skin } from './skin.ts';
 import type { Place } from './skin.ts';
 
 const LENGTH = 9;
-/** Of the scales along the body, around it, and how far they stand out, in radii. */
+/** Number of scales along and around the body, and their height in radii. */
 const SCALES = { along: 112, around: 26, height: 0.075 };
 
-/** Where the body points, from its tail at 0 to its head at 1, in radians. */
+/** Direction of the body, from its tail at 0 to its head at 1, in radians. */
 interface Bearing {
   yaw(along: number): number;
   pitch(along: number): number;

@@ -3,13 +3,13 @@
 export interface Skin {
   /** 3 x faces. */
   faces: Uint32Array;
-  /** 2 x vertices: around and along, in [0, 1]; the two columns where it closes are vertices of their own. */
+  /** 2 x vertices: around and along, in [0, 1]; the two columns at the seam have separate vertices. */
   uvs: Float32Array;
   rings: number;
   around: number;
 }
 
-/** Where the vertices of a ring are: `along` in [0, 1] from pole to pole, then `angle` around. */
+/** Position of a ring's vertices: `along` in [0, 1] from pole to pole, then `angle` around. */
 export type Place = (along: number) => (angle: number) => readonly [x: number, y: number, z: number];
 
 export function skin(rings: number, around: number): Skin {
@@ -31,7 +31,7 @@ export function skin(rings: number, around: number): Skin {
     for (let i = 0; i + 1 < rings; i += 1) {
       const [a, b] = [vertexOf(i, j, columns), vertexOf(i, j + 1, columns)];
       const [c, d] = [vertexOf(i + 1, j, columns), vertexOf(i + 1, j + 1, columns)];
-      // Diagonals alternate, so that no direction of twist is favoured.
+      // Diagonals alternate, so no direction of twist is favoured.
       if ((i + j) % 2 === 0) {
         add(a, c, b);
         add(b, c, d);

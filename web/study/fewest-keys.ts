@@ -1,6 +1,6 @@
 /**
- * How few of an animation's shapes the method needs as keys to complete the rest of it: keys are added where the motion
- * is farthest off, until it is nowhere farther than allowed.
+ * Finds the fewest shapes of an animation that the method needs as keys to complete the others: keys are added where
+ * the motion is farthest off, until the error is small enough.
  */
 import type { CallOptions, Engine } from '../engine/api/api.ts';
 import { farthest } from '../engine/api/distances.ts';
@@ -9,7 +9,10 @@ import type { ReferenceMotion } from './reference-motion.ts';
 
 export interface FewestKeys {
   times: number[];
-  /** The largest distance of a vertex at a sample, as a share of the diagonal; more than asked for with `most` keys. */
+  /**
+   * The largest distance of a vertex at a sample, relative to the diagonal; above the limit if `most` keys do not
+   * suffice.
+   */
   error: number;
 }
 
@@ -17,11 +20,11 @@ export interface FewestKeysOptions extends CallOptions {
   /** As a share of the diagonal. */
   tolerance: number;
   most: number;
-  /** Of the motion between the keys. */
+  /** Options of the motion between the keys. */
   options: Partial<SequenceOptions>;
 }
 
-/** Where a stretch is farther off than this share of the farthest one, it gets a key in the same round. */
+/** An interval with at least this share of the largest error gets a key in the same round. */
 const NEAR_WORST = 0.6;
 
 export async function fewestKeys(
@@ -60,7 +63,7 @@ interface Sample {
   distance: number;
 }
 
-/** Of every stretch between two keys, the sample that the motion is farthest from. */
+/** For every interval between two keys, the sample with the largest error. */
 async function worstSamples(
   engine: Engine,
   reference: ReferenceMotion,

@@ -1,13 +1,12 @@
 /**
- * What a ghost mesh costs and saves (the paper's Fig. 8): the error against the motion without one, and the time of a
- * frame, over sizes of the ghost and both ways of transfer. Every motion is built in a worker of its own and given up
- * again.
+ * Costs and benefits of a ghost mesh (the paper's Fig. 8): the error against the motion without a ghost, and the time
+ * of a frame, over ghost sizes and both transfers. Every motion is built in a worker of its own and released.
  */
 import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { KgError } from './kg-error.ts';
 import type { SequenceOptions, SequenceStats, Transfer } from '../engine/api/types.ts';
 
-/** Of the paper's figure. */
+/** Sizes in the paper's figure. */
 export const GHOST_SIZES: readonly number[] = [500, 1000, 2000, 3000, 5000, 10000];
 export const TRANSFERS: readonly Transfer[] = ['exact', 'paper'];
 /** Two times of a frame that differ by less than this share are called the same. */
@@ -28,7 +27,7 @@ export interface GhostRow {
 }
 
 export interface GhostStudy {
-  /** Of the shape itself. */
+  /** Faces of the shape itself. */
   faces: number;
   /** Without a ghost. */
   ms: number;
@@ -92,12 +91,12 @@ export async function studyGhosts(
   }
 }
 
-/** KG error of a sequence against another one over these times, in percent. */
+/** KG error of a sequence relative to a reference over these times, in percent. */
 export async function kgBetween(reference: Sequence, sequence: Sequence, times: readonly number[]): Promise<number> {
   return (await compare({ sequence, evaluated: () => undefined }, reference, times, undefined)).kg;
 }
 
-/** What the numbers say, in one or two sentences. */
+/** One or two sentences that summarise the numbers. */
 export function verdictOf({ ms, rows }: GhostStudy): string {
   if (rows.length === 0) return 'The shape has fewer faces than the smallest of these ghost meshes.';
   const fastest = rows.reduce((best, row) => (row.ms < best.ms ? row : best));
@@ -114,11 +113,11 @@ export const percentText = (percent: number): string => `${Number(percent.toPrec
 interface Built {
   sequence: Sequence;
   buildMs: number;
-  /** Told the fraction of the times that are done. */
+  /** Called with the fraction of finished times. */
   evaluated(fraction: number): void;
 }
 
-/** One frame after the other, so that neither memory nor the two times suffer. */
+/** One frame after the other, so memory stays low and the two times are independent. */
 async function compare(
   { sequence, evaluated }: Pick<Built, 'sequence' | 'evaluated'>,
   reference: Sequence | null,

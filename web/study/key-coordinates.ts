@@ -1,7 +1,7 @@
 /**
- * Single coordinates of a shape at its keys, for explaining what the splines run through: how patches turn against
- * their neighbours (the log(G_i^-1 G_j) of the paper's Eq. 5, about its main axis) and how they stretch. What the
- * method itself computes with stays in the core; these are measured anew on the keys' vertices.
+ * Single coordinates of a shape at its keys, to explain the values that splines interpolate: rotations between
+ * neighbouring patches (log(G_i^-1 G_j) in the paper's Eq. 5, about its main axis) and stretches. The core computes the
+ * method's own coordinates; these are measured again from the keys' vertices.
  */
 import { rotationVector, unwound } from './rotation-vectors.ts';
 import type { Quaternion, Vector } from './rotation-vectors.ts';
@@ -32,7 +32,7 @@ const EDGES = [
   [2, 0],
 ] as const;
 
-/** Those that change most, angles first: at most `count` of either kind. */
+/** The coordinates that change most, angles first: at most `count` of either kind. */
 export function keyCoordinates(keys: KeyPoses, count: number): KeyCoordinate[] {
   const fitted = keys.poses.map((pose) => fitPatches(keys, pose));
   const angles = neighbours(keys).map(([i, j]): KeyCoordinate => {
@@ -56,7 +56,7 @@ interface FittedPatches {
   stretch: number[];
 }
 
-/** Of every patch the rotation that takes its edges in the reference nearest to those in the pose (Horn 1987). */
+/** For every patch, the rotation that best maps its edges in the reference to those in the pose (Horn 1987). */
 function fitPatches({ faces, patches, poses, reference }: KeyPoses, pose: Float32Array): FittedPatches {
   const count = patches.reduce((most, patch) => Math.max(most, patch + 1), 0);
   const products = Array.from({ length: count }, () => new Float64Array(9));

@@ -1,7 +1,7 @@
 /**
- * The error of a motion against another one, after Karni and Gotsman (2004), in percent: 100 |A - A~| / |A - E(A)|,
- * Frobenius norms over all vertices of all frames, where E(A) puts every vertex of a frame at the frame's centroid.
- * The core's tests have their own (tests/native/kg_error.h).
+ * The error of a motion relative to a reference, after Karni and Gotsman (2004), in percent: 100 |A - A~| / |A - E(A)|,
+ * Frobenius norms over all vertices of all frames, where E(A) puts every vertex of a frame at the frame's centroid. The
+ * core's tests have their own (tests/native/kg_error.h).
  */
 export class KgError {
   private difference = 0;

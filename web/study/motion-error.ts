@@ -1,8 +1,8 @@
-/** How far a motion is off another one, at the same times: distances of vertices, and the KG error of all of them. */
+/** Error of a motion relative to another at the same times: distances of vertices, and the KG error. */
 import { KgError } from './kg-error.ts';
 
 export interface ErrorsOverTime {
-  /** For each time, in percent of the diagonal; NaN where nothing was compared. */
+  /** Per time, in percent of the diagonal; NaN without a reference. */
   largest: number[];
   mean: number[];
 }
@@ -14,7 +14,7 @@ export class MotionError {
   /** `diagonal`: what distances are relative to. */
   constructor(private readonly diagonal: number) {}
 
-  /** The next time, 3 x vertices of both; null where there is nothing to compare with. */
+  /** The next time, 3 x vertices of both; null without a reference. */
   add(reference: Float32Array | null, positions: Float32Array): void {
     if (!reference) {
       this.over.largest.push(NaN);
@@ -36,7 +36,7 @@ export class MotionError {
     this.kg.add(reference, positions);
   }
 
-  /** Of all times that were compared, in percent. */
+  /** KG error of all compared times, in percent. */
   get percent(): number {
     return this.kg.percent;
   }

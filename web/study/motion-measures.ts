@@ -3,7 +3,7 @@ import { METHOD } from '../engine/api/methods.ts';
 import type { Motion } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
 
-/** Which of the motions that are measured; `plain`: nothing is held, as in the method as published. */
+/** Identifies a measured motion; `plain`: nothing is held, as in the method as published. */
 export interface MotionName {
   method: Method;
   plain?: true;
@@ -14,11 +14,11 @@ export interface MotionMeasures extends MotionName {
   volume: number[];
   area: number[];
   /**
-   * Per unit of time to the fourth, relative to the mean deformation energy between keys: of blends of vertices in the
-   * space of their vertices, as the paper compares methods (Fig. 9).
+   * Per unit of time to the fourth, relative to the mean deformation energy between keys. For vertex blends, in the
+   * space of vertices, as the paper compares methods (Fig. 9).
    */
   bending: number[];
-  /** Of what rests, % of the diagonal; NaN where nothing does. */
+  /** Displacement of resting vertices, % of the diagonal; NaN if none rest. */
   sliding: number[];
   /** 2 numbers per time, relative to the distance of the keys; methods of LRI space only. */
   plane: number[] | null;
@@ -34,7 +34,7 @@ export async function measureMotion(sequence: Motion, name: MotionName, times: n
   return { method, ...(plain && { plain }), volume, area, bending, sliding, plane };
 }
 
-/** In a range of length 1: what a straight motion has is rounding. */
+/** In a range of length 1: the bending of a straight motion is rounding. */
 const NO_BENDING = 1e-12;
 
 /** A value for each time; NaN: none there. */
@@ -45,7 +45,7 @@ export interface Column {
 
 /** Digits that mean something: the engine computes in single precision. */
 const DIGITS = 7;
-/** Of times, which are told apart by more. */
+/** Enough digits to distinguish times. */
 const TIME_DIGITS = 12;
 
 export const MEASURE_UNITS =
@@ -70,7 +70,7 @@ export function columnsOf({ method, plain, volume, area, bending, sliding, plane
   ];
 }
 
-/** The header and a row for each time. `speed`: how many times faster than on the timeline what is exported plays. */
+/** The header and a row per time. `speed`: playback speed of the export relative to the timeline. */
 export function tableOf(times: readonly number[], speed: number, columns: readonly Column[]): string[] {
   const [first = 0] = times;
   const rows = times.map((t, index) =>

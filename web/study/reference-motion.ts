@@ -1,8 +1,8 @@
-/** An animation as it is, sampled densely: what a completed motion is measured against. */
+/** An animation, sampled densely: the reference for completed motions. */
 import type { CallOptions, Engine, Keys } from '../engine/api/api.ts';
 import type { AnimationInfo, ImportOptions, InputFile } from '../engine/api/types.ts';
 
-/** Of the samples: so many a second, where there is room for them. */
+/** Samples per second, as far as the limit allows. */
 const RATE = 30;
 const [FEWEST, MOST] = [9, 241];
 const MOST_BYTES = 192e6;

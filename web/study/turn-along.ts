@@ -20,9 +20,8 @@ type Turns = ReadonlyMap<number, Vector[]>;
 const DEGREES = 180 / Math.PI;
 
 /**
- * `curveOf` gives a patch at the times, of which it holds `count`. The ends are as many patches apart as can be. The
- * sum means something where all turns are about much the same axis, as in a bar that is twisted. null without
- * neighbours.
+ * `curveOf` gives a patch at the times, of which there are `count`. The ends are the patches farthest apart. The sum is
+ * meaningful if all rotations have nearly the same axis, as in a twisted bar. null without neighbours.
  */
 export async function turnAlong(
   patches: number,
@@ -44,7 +43,7 @@ export async function turnAlong(
   };
 }
 
-/** Of each neighbour: its rotation vector at each time. */
+/** For each neighbour: its rotation vector at each time. */
 function turnsOf({ neighbours, numbers }: PatchCurve, count: number): Turns {
   const width = 1 + 4 * neighbours.length;
   const turnAt = (time: number, place: number): Vector => {

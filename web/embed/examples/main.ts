@@ -1,4 +1,4 @@
-/** The examples: what a page's own script would do, as it is written, and the tables of what the element has. */
+/** The examples: the script of a typical page, and the tables of the element's interface. */
 import '../register.ts';
 import { h } from '../../ui/dom.ts';
 import { PROPERTIES, ROWS, attributeOf } from '../attributes.ts';
@@ -23,7 +23,7 @@ function list(id: string, head: readonly string[], rows: readonly (readonly stri
 /** As a page has it, which imports the package. */
 const forPages = (text: string): string => text.replace("'../shape-spline.ts'", "'shapespline/element-class'").trim();
 
-/** As a page has it, with its files beside it. */
+/** The markup as in a page with its files in the same folder. */
 function markupOf(id: string): string {
   const shape = byId(id).cloneNode() as HTMLElement;
   shape.removeAttribute('id');

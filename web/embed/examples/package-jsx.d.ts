@@ -1,4 +1,4 @@
-/** What the package's entry `jsx` declares, made when it is built, as far as the example needs it. */
+/** Declarations of the package's entry `jsx`, which the build makes, as far as this example needs them. */
 import type { HTMLAttributes, RefAttributes } from 'react';
 import type { ShapeSplineElement } from '../shape-spline.ts';
 

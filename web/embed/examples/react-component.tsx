@@ -3,7 +3,7 @@ import type {} from 'shapespline/jsx';
 import type { ShapeSplineElement } from 'shapespline/element-class';
 import { useEffect, useRef, useState } from 'react';
 
-/** A motion with a button of the page's own, which says where it is. */
+/** A motion with a button of the page, which shows the time. */
 export function Motion({ poses, boundary }: { poses: readonly string[]; boundary: 'natural' | 'periodic' }) {
   const shape = useRef<ShapeSplineElement>(null);
   const [time, setTime] = useState(0);
