@@ -1,5 +1,5 @@
-// Debian packages: installed into the system where that is what they are for, or unpacked into a folder
-// of the repository where the system's own versions must stay as they are.
+// Debian packages: installed into the system, or unpacked into a folder of the repository if the system's own versions
+// must stay.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -56,7 +56,7 @@ export async function installPackages(names) {
   }
 }
 
-// The system's own mirror, as written in its sources.
+// The system's mirror, from its apt sources.
 function mirror() {
   const { VERSION_CODENAME: codename } = osRelease();
   const format = '$(REPO_URI) $(RELEASE) $(COMPONENT)';
@@ -68,7 +68,7 @@ function mirror() {
   return found[0];
 }
 
-// Apt's options for a world of its own: the newer release's lists, none of the system's packages or hooks.
+// Apt options for a separate world: the newer release's lists, without the system's packages or hooks.
 function separateWorld() {
   const folder = path.join(toolchainDir, 'apt');
   mkdirSync(path.join(folder, 'lists/partial'), { recursive: true });
@@ -84,7 +84,7 @@ function separateWorld() {
     'Dir::Cache::pkgcache "";',
     'Dir::Cache::srcpkgcache "";',
     'APT::Sandbox::User "root";',
-    // Hooks of the system may tidy caches that another apt is using at the moment.
+    // System hooks may clean caches that another apt is using.
     '#clear APT::Update::Pre-Invoke;',
     '#clear APT::Update::Post-Invoke;',
     '#clear APT::Update::Post-Invoke-Success;',
@@ -101,8 +101,7 @@ export function namedArchives(printed) {
 }
 
 /**
- * Fails where an archive in `folder` is not what the signed package lists say; a bad one is deleted, to be fetched
- * again.
+ * Fails if an archive in `folder` does not match the signed package lists; a bad archive is deleted and fetched again.
  */
 export function verifyArchives(folder, archives) {
   for (const { file, sha256 } of archives) {

@@ -16,7 +16,7 @@ const USAGE = [
   'with 64 to 4000000 faces and 2 to 100 keys',
 ].join('\n');
 
-/** What is measured, on which sizes (null: the usual ones) or files, and where. */
+/** The benchmark to run, its sizes (null: the default) or files, and whether in a browser. */
 export function benchArguments(words) {
   if (words[0] === 'hold') return withFiles(words);
   if (words[0] === 'inputs') return ofInputs(words);

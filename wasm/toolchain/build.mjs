@@ -58,7 +58,7 @@ export async function buildNative(targets) {
   return folder;
 }
 
-/** Builds native programs that are to be fast in build/cmake-release. */
+/** Builds optimised native programs in build/cmake-release. */
 export async function buildRelease(targets) {
   step(`building ${targets.join(' and ')} with the system's compiler`);
   const folder = path.join(buildDir, 'cmake-release');
@@ -67,7 +67,7 @@ export async function buildRelease(targets) {
 }
 
 /**
- * Says in build/cmake-tidy how each native library is compiled as one, without precompiled headers, which belong to a
+ * Writes compile commands of each native library to build/cmake-tidy, without precompiled headers, which belong to one
  * compiler.
  */
 export async function configureForTidy() {
@@ -91,7 +91,7 @@ const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', '
 const wasmModules = ['shapespline', 'shapespline_threads', 'shapespline_files'];
 const wasmOutputs = wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]);
 
-/** A step that a digest of its inputs guards. The digest is taken before it runs, so that edits meanwhile count. */
+/** A step guarded by a digest of its inputs. The digest is taken before it runs, so later edits count as changes. */
 function guarded(name, value, outputs, action) {
   return {
     isCurrent: () => isStamped(name, value(), outputs),
@@ -139,7 +139,7 @@ async function bundle(entries) {
     target: 'node20',
     format: 'esm',
     sourcemap: true,
-    // The decoders of compressed meshes stay packages of their own, loaded when a file needs them.
+    // The decoders of compressed meshes stay separate packages, loaded when a file needs them.
     packages: 'external',
     external: ['../../wasm/toolchain/*'],
     plugins: [wasmStaysOutside],
@@ -190,7 +190,7 @@ export const npmPackage = guarded(
   },
 );
 
-// Installed later, the peer that stands beside Eigen is compiled in.
+// CHOLMOD is compiled in if it is installed, even later.
 const hasCholmod = () =>
   ['/usr/include/suitesparse', '/usr/include'].some((folder) => existsSync(`${folder}/cholmod.h`));
 

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { whyNoInstall } from './apt.mjs';
 import { which } from './exec.mjs';
 
-/** Without windows of its own, which cost a tenth of a test's time. */
+/** The headless shell, without windows, which saves a tenth of a test's time. */
 const HEADLESS = 'chromium-headless-shell';
 const names = [HEADLESS, 'chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
 

@@ -1,4 +1,4 @@
-// What a suite's report says: how many of its tests passed, failed and were skipped, and the names of what failed.
+// Reads a suite's report: numbers of passed, failed and skipped tests, and names of failed ones.
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { run } from './exec.mjs';

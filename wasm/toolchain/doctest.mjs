@@ -7,7 +7,7 @@ import { cores, inParallel } from './parallel.mjs';
 // Enough for the last one to be short, few enough for their starts to cost nothing.
 const RANGES_PER_CORE = 3;
 
-/** First and last of at most so many ranges that cover 1 to `count`, none of them empty. */
+/** Splits 1 to `count` into at most this many non-empty ranges. */
 function rangesOf(count, parts) {
   const ends = Array.from({ length: parts }, (_, i) => Math.round((count * (i + 1)) / parts));
   return ends.map((last, i) => ({ first: (ends[i - 1] ?? 0) + 1, last })).filter(({ first, last }) => first <= last);

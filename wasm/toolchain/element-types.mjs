@@ -13,7 +13,7 @@ declare global {
 export {};
 `;
 
-/** What every framework needs: attributes, and what is set and listened to beside them. */
+/** Types common to all frameworks: attributes, properties and listeners. */
 const OWN = `/** Properties that have no attribute of the same name. */
 export type ShapeSplineExtras = {
   [N in Exclude<keyof ShapeSplineProperties, keyof ShapeSplineAttributes>]?: ShapeSplineProperties[N] | undefined;
@@ -32,8 +32,8 @@ const FROM_ATTRIBUTES = `import type { ShapeSplineAttributes, ShapeSplineExtras,
 const SHARED_NAMES = `export type { ShapeSplineAttributes, ShapeSplineExtras, ShapeSplineListeners } from './attributes.js';`;
 
 /**
- * Types for each framework, which augment its own: an entry each, as a name that is augmented must be there. React 19
- * and Svelte 5 listen by the event's name (`onseeked`), Vue by `@seeked`, which its types call `onSeeked`.
+ * Types for each framework, which augment its own. Each is a separate entry, because an augmented module must exist.
+ * React 19 and Svelte 5 listen by the event's name (`onseeked`), Vue by `@seeked`, which its types call `onSeeked`.
  */
 export const FRAMEWORKS = {
   jsx: `import type { DetailedHTMLProps, HTMLAttributes } from 'react';
@@ -103,7 +103,7 @@ declare module 'svelte/elements' {
 `,
 };
 
-// An attribute is text; what it stands for may be written as what it is.
+// An attribute is text; its value may also be written in its own type.
 const asWritten = (type) => {
   if (type === 'boolean') return "boolean | '' | 'true' | 'false'";
   if (type.startsWith('number')) return 'number | string';

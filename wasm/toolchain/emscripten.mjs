@@ -20,7 +20,7 @@ function versionOf(emcc) {
   return capture(emcc, ['--version'])?.match(/\b(\d+\.\d+\.\d+)/)?.[1] ?? null;
 }
 
-/** What of PATH decides which Emscripten is used; quick, for stamps. */
+/** The PATH's choice of Emscripten; quick, for stamps. */
 export const emccOnPath = () => which('emcc') ?? 'unpacked';
 
 function unpackedEnvironment() {
@@ -31,7 +31,7 @@ function unpackedEnvironment() {
   };
 }
 
-/** What is wrong with the emcc on PATH, for messages: '' if there is none. */
+/** The problem with the emcc on PATH, for messages: '' if there is none. */
 export function emccTooOld() {
   const onPath = which('emcc');
   return onPath ? `; ${onPath} is ${versionOf(onPath) ?? 'broken'}` : '';
@@ -52,7 +52,7 @@ export function findEmscripten() {
   return { emcc: path.join(emscriptenDir, 'usr/share/emscripten/emcc'), version: '', env };
 }
 
-// Binaryen is linked against a newer C library than the system's, which comes along and stays beside it.
+// Binaryen is linked against a newer C library, which is unpacked next to it.
 function wrapBinaryen(folder) {
   const real = path.join(folder, 'usr/bin');
   const wrappers = path.join(folder, 'binaryen/bin');
@@ -100,8 +100,8 @@ function writeShellEnvironment() {
   writeFileSync(path.join(toolchainDir, 'env.sh'), `${lines.join('\n')}\n`);
 }
 
-// Emscripten's own script looks for this package beside itself, where Debian does not put it. A link, as `npm ci` may
-// still be at work.
+// Emscripten's script looks for this package in its own folder, where Debian does not put it. A link, because `npm ci`
+// may still be running.
 function addAcorn(folder) {
   const modules = 'usr/share/emscripten/node_modules';
   mkdirSync(path.join(folder, modules), { recursive: true });

@@ -7,7 +7,7 @@ import { root } from './paths.mjs';
 
 const tailLength = 16_000;
 
-// A script that is told to stop takes the programs that it runs along.
+// A script that is stopped also stops the programs that it runs.
 const running = new Set();
 for (const [signal, number] of [
   ['SIGINT', 2],
@@ -21,9 +21,9 @@ for (const [signal, number] of [
 }
 
 /**
- * Runs a program to its end; rejects with the last part of what it printed when it fails. `show` 'all' passes its
- * output on to stderr as it comes, 'after' when the program has ended, 'quiet' keeps it for the error message;
- * `inherit` connects all three streams, for programs whose output is the command's own.
+ * Runs a program to its end; on failure, rejects with the last part of its output. `show` 'all' passes the output to
+ * stderr as it comes, 'after' when the program has ended, 'quiet' keeps it for the error message; `inherit` connects
+ * all three streams, for programs whose output is that of the command.
  */
 export function run(
   program,
@@ -57,7 +57,7 @@ export function run(
   });
 }
 
-/** What a program prints on stdout, or null when it cannot be run or fails. */
+/** A program's stdout, or null if it cannot be run or fails. */
 export function capture(program, args, { env = {}, cwd = root } = {}) {
   const result = spawnSync(program, args, { encoding: 'utf8', cwd, env: { ...process.env, ...env } });
   return result.status === 0 ? result.stdout : null;
@@ -77,7 +77,10 @@ export function which(program, searchPath = process.env.PATH ?? '') {
   return null;
 }
 
-/** Tries an action that uses the network a few times, waiting longer each time; it is told which attempt this is. */
+/**
+ * Tries an action that uses the network a few times, with growing delays; the action receives the number of the
+ * attempt.
+ */
 export async function withRetries(what, action, attempts = 3) {
   for (let attempt = 1; ; ++attempt) {
     try {

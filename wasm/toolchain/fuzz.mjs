@@ -1,5 +1,5 @@
-// `npm run fuzz [-- SECONDS [TARGET]]`: each fuzz target for so many seconds, from the corpus and all that was ever
-// found.
+// `npm run fuzz [-- SECONDS [TARGET]]`: runs each fuzz target for this many seconds, from the corpus and all earlier
+// findings.
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { buildFuzzers, fuzzBundle } from './build.mjs';
@@ -49,7 +49,7 @@ export function fuzzArguments(args, known) {
   return { seconds, importers: importer === undefined ? known : [importer] };
 }
 
-// What is to be said of the inputs that broke a promise; empty where there were none.
+// A message about inputs that broke a promise; empty if there were none.
 async function fuzzOne(folder, importer, seconds) {
   const grown = path.join(folder, 'corpus', importer);
   const artifacts = path.join(folder, 'found', importer);
@@ -91,7 +91,7 @@ async function fuzzDecoder(name, seconds) {
     : [`The ${name} target ended with exit code ${code} without an input.`];
 }
 
-/** Files keep the importer's own ending, or that of what a decoder is given: the replay reads them by their names. */
+/** Files keep the importer's extension, or that of a decoder's input: the replay reads them by their names. */
 export function foundText(importer, artifact) {
   const ending = DECODERS.includes(importer) ? 'glb' : importer;
   const kept = `tests/fuzz/found/${importer}/WHAT-IS-THE-MATTER.${ending}`;

@@ -1,4 +1,4 @@
-// Lines of code, without blanks and comments: the product's and the tests', by language.
+// Counts lines of code of the product and the tests by language, without blank lines and comments.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -34,10 +34,10 @@ const QUOTES = ['"', "'", '`'];
 /** The language of a file by its name, or undefined. */
 export const languageOf = (file) => (path.basename(file) === 'CMakeLists.txt' ? 'CMake' : LANGUAGE[path.extname(file)]);
 
-/** Lines that hold more than blanks and comments. */
+/** Counts lines that are neither blank nor only comment. */
 export function codeLines(text, language) {
   let count = 0;
-  let until = ''; // what ends the comment or the template that a line begins in
+  let until = ''; // end mark of the comment or template in which a line begins
   let inText = false;
   for (const line of text.split('\n')) {
     let isCode = false;

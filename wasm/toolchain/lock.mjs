@@ -5,10 +5,10 @@ import { capture } from './exec.mjs';
 import { Explained, step } from './log.mjs';
 import { buildDir } from './paths.mjs';
 
-// Ids of processes are used again: the moment of its start tells one from another. '' if there is no such process.
+// Process ids are reused, so the start time identifies the process. '' if it does not exist.
 function startOf(pid) {
   try {
-    // The name of the program, in parentheses, may hold blanks; the start is the 22nd field of the line.
+    // The program name, in parentheses, may contain spaces; the start time is the 22nd field of the line.
     const stat = readFileSync(`/proc/${pid}/stat`, 'utf8');
     return stat.slice(stat.lastIndexOf(')') + 2).split(' ')[19];
   } catch {
@@ -24,7 +24,7 @@ const read = (file) => {
   }
 };
 
-// Who holds a lock with this content, or null where nobody does: it is no lock, or its process has ended.
+// The holder of a lock with this content, or null: it is not a lock, or its process has ended.
 function holderIn(text) {
   try {
     const holder = JSON.parse(text);
@@ -50,19 +50,19 @@ function tryLock(file) {
   }
 }
 
-// Another may have taken the stale lock over meanwhile: what was moved away and is not it goes back.
+// Another process may have replaced the stale lock in the meantime: a different lock that was moved away goes back.
 function removeStale(file, text) {
   const away = `${file}.stale.${process.pid}`;
   try {
     renameSync(file, away);
     if (read(away) !== text) linkSync(away, file);
   } catch {
-    // Somebody else was first.
+    // Another process was faster.
   }
   rmSync(away, { force: true });
 }
 
-/** Runs the action while no other process holds the lock `file`; says for whom it waits. */
+/** Runs the action while no other process holds the lock `file`; reports the process that it waits for. */
 export async function whileHolding(file, action) {
   mkdirSync(path.dirname(file), { recursive: true });
   let told = false;

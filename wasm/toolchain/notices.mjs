@@ -93,7 +93,7 @@ function ofLibrary({ name, source, package: debian, headers }) {
   return section(name, `Source: ${source}`, document ? read(document) : headOf(header), ownMit && MIT);
 }
 
-/** Of a Debian copyright file only what is compiled into a program: its other parts are tests and tools. */
+/** The part of a Debian copyright file about the compiled code, without tests and tools. */
 function compiledIn(copyright) {
   const stanzas = copyright.split(/\n(?:[ \t]*\n)+/);
   const filesOf = (stanza) => /^Files:((?:.|\n[ \t])*)/m.exec(stanza)?.[1].trim().split(/\s+/) ?? [];
@@ -137,7 +137,7 @@ function ofEmscripten() {
   );
 }
 
-/** The text for a bundle that holds these npm packages beside the wasm module. */
+/** The text for a bundle with these npm packages and the wasm module. */
 export function notices(packages) {
   const whole = Object.values(wholeTexts).map(({ title, file }) => section(title, read(inRoot('node_modules', file))));
   const parts = [

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { FRAMEWORKS } from './element-types.mjs';
 import { inRoot } from './paths.mjs';
 
-/** What is beside the scripts and has an address of its own, for `configure` and for those who copy files. */
+/** Files next to the scripts with URLs of their own, for `configure` and for copying. */
 export const FILES = [
   'worker.js',
   'codecs.js',
@@ -16,10 +16,10 @@ export const FILES = [
 const typed = (name) => ({ types: `./${name}.d.ts`, default: `./${name}.js` });
 const asItIs = (names) => Object.fromEntries(names.map((name) => [`./${name}`, `./${name}`]));
 
-// A page that gives the engine a worker of its own imports worker.js for what it does.
+// A page that provides its own worker imports worker.js for its side effects.
 const ACTIVE = ['./worker.js'];
 
-/** `element`: whether the custom element is part of it. */
+/** `element`: whether it includes the custom element. */
 export function npmManifest({ element }) {
   const { name, version, description, license, type, engines, devDependencies } = JSON.parse(
     readFileSync(inRoot('package.json'), 'utf8'),

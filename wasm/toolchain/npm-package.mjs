@@ -14,7 +14,7 @@ export const packageDir = path.join(buildDir, 'package');
 const inPackage = (...parts) => path.join(packageDir, ...parts);
 const source = (name) => inRoot('web', name);
 
-/** The package has files of its own in the place of those that know where the repository's are. */
+/** Replacements for modules that locate the repository's files. */
 const packaged = {
   name: 'packaged',
   setup: ({ onResolve }) =>
@@ -25,7 +25,7 @@ const packaged = {
     ),
 };
 
-/** What scripts ask of Node where they find themselves in it: nothing in a browser. */
+/** Node modules that scripts import only when they run in Node: empty in a browser. */
 const nothingOfNode = {
   name: 'nothing-of-node',
   setup({ onResolve, onLoad }) {
@@ -84,7 +84,7 @@ async function scripts(element) {
       ...forBrowsers,
       outdir,
       entryPoints: entries([['index', 'engine/index.ts'], ...(element ? elementEntries : [])]),
-      // The engine is the same one whichever entry it is reached by: what was configured holds for all.
+      // All entries share one engine, so `configure` applies to all of them.
       splitting: true,
       chunkNames: 'chunk-[hash]',
       external: ['three', 'three/*'],
@@ -119,7 +119,7 @@ async function types(element) {
   await bundle.close();
 }
 
-/** What a module of the sources makes, which Node cannot import as it is. */
+/** The output of a source module that Node cannot import directly. */
 async function madeBy(file, name) {
   const { build } = await import('esbuild');
   const outfile = path.join(buildDir, 'package-maker.mjs');
@@ -129,7 +129,7 @@ async function madeBy(file, name) {
   return made;
 }
 
-/** Where there is no page, nothing is asked of three.js, which may not be there. */
+/** In Node, nothing imports three.js, which may be missing. */
 const viewerInNode = `export class CanvasViewer {
   constructor() {
     throw new Error('CanvasViewer draws into a page: it can be imported in Node, but made in a browser only.');
@@ -153,7 +153,7 @@ async function ofElement() {
   }
 }
 
-/** Makes build/package anew. */
+/** Rebuilds build/package. */
 export async function buildPackage() {
   const element = hasElement();
   rmSync(packageDir, { recursive: true, force: true });

@@ -14,11 +14,11 @@ export const npmPackages = {
   isCurrent: () => isStamped('npm-packages', value(), outputs),
   async make() {
     step('installing npm packages');
-    // The npm that runs this script, where there is one.
+    // The npm that runs this script, if any.
     const npm = process.env.npm_execpath;
     const [program, args] = npm && path.extname(npm) === '.js' ? [process.execPath, [npm]] : ['npm', []];
     await withRetries('npm ci', (attempt) => {
-      // What an interrupted installation left can be in npm's way.
+      // Remains of an interrupted installation can block npm.
       if (attempt > 1) rmSync(inRoot('node_modules'), { recursive: true, force: true, maxRetries: 5 });
       return run(program, [...args, 'ci', '--loglevel=error']);
     });

@@ -4,8 +4,8 @@ import { availableParallelism } from 'node:os';
 export const cores = Number(process.env.SHAPESPLINE_JOBS) || availableParallelism();
 
 /**
- * Does the tasks in their order, at most so many at a time, and returns what they return. Where some fail, the others
- * still end before the first failure is thrown.
+ * Runs the tasks in order, at most this many at a time, and returns their results. If some fail, the others finish
+ * before the first failure is thrown.
  */
 export async function inParallel(tasks, atOnce = cores) {
   const results = [];

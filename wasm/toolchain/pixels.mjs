@@ -1,4 +1,4 @@
-// Libraries for pixels that glTF-Transform imports and nobody here calls, with what bundles have in their place.
+// Pixel libraries that glTF-Transform imports but nothing here calls, and their replacements in bundles.
 import { inRoot } from './paths.mjs';
 
 export const withoutPixels = Object.fromEntries(

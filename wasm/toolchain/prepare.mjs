@@ -1,4 +1,4 @@
-// Makes everything a script needs: system, npm packages, build steps. Silent when all of it is there already.
+// Prepares the needs of a script: system, npm packages, build steps. Silent if everything is ready.
 import { accessSync, constants } from 'node:fs';
 import { whileLocked } from './lock.mjs';
 import { Explained } from './log.mjs';
@@ -21,7 +21,7 @@ const mayInstall = () => !process.env.SHAPESPLINE_NO_INSTALL;
 /** Brings `requirements` (see requirements.mjs) and then `steps`, in this order, up to date. */
 export async function prepare(requirements, steps) {
   const order = [npmPackages, ...steps];
-  // Requirements are for making: what is made already needs none.
+  // Requirements are needed only to build; finished builds need none.
   if (order.every((each) => each.isCurrent())) return;
   await prepareSystem(requirements);
   await whileLocked(async () => {

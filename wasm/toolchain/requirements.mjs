@@ -1,4 +1,4 @@
-// What a script needs of the system, how to see whether it is there, and how to get it.
+// System requirements of scripts: how to detect them and how to get them.
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { installPackages, unpackPackages, whyNoInstall } from './apt.mjs';
@@ -130,7 +130,7 @@ export function checkInstallable(names, extra) {
   if (reason && things.length > 0) throw explain(reason, things);
 }
 
-/** Installs what is missing: all system packages at once, then what is unpacked into the repository. */
+/** Installs missing requirements: system packages together, then packages unpacked into the repository. */
 export async function installMissing(names) {
   const things = missing(names);
   const packages = [...new Set(things.flatMap((thing) => thing.packages))];

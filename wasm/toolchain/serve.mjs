@@ -46,7 +46,7 @@ export const guards = { ...nosniff, 'content-security-policy': policy };
 export const developmentGuards = { ...nosniff, 'content-security-policy': noFrames };
 const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
 
-// null for what is not there, and for a file asked for as if it were a folder (ENOTDIR).
+// null if the file does not exist, or is addressed like a folder (ENOTDIR).
 function statsOf(file) {
   try {
     return statSync(file);
@@ -55,7 +55,7 @@ function statsOf(file) {
   }
 }
 
-// The file a URL stands for: `{ file, size }`, or null when there is none below `folder`.
+// The file of a URL: `{ file, size }`, or null if `folder` has none.
 function locate(folder, prefix, url) {
   let wanted;
   try {
@@ -119,7 +119,7 @@ function listen(server, port) {
   });
 }
 
-/** A port nobody listens on at the moment. */
+/** A port that is free at present. */
 export async function freePort() {
   const server = createServer();
   await listen(server, 0);

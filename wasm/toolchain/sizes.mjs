@@ -1,5 +1,5 @@
-// What a visitor has to fetch, compressed, against its limits: until the first picture of a first visit, and the wasm
-// modules that come later. A build over them fails.
+// Compressed download sizes with their limits: until the first image of a first visit, and of the wasm modules loaded
+// later. A build that exceeds them fails.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -12,8 +12,8 @@ import { Explained } from './log.mjs';
 export const LIMITS = { firstPicture: 660_000, shapespline_threads: 380_000, shapespline_files: 300_000 };
 
 /**
- * What users of the npm package have to fetch for each of its scripts, with what it imports at once; of the element
- * what it adds to the engine. Bytes after gzip.
+ * Download size of each script of the npm package with its static imports; for the element, in addition to the engine.
+ * Bytes after gzip.
  */
 export const PACKAGE_LIMITS = {
   'index.js': 24_000,
@@ -24,7 +24,7 @@ export const PACKAGE_LIMITS = {
   'canvas-viewer.js': 40_000,
   'cdn.js': 260_000,
 };
-/** Of these all counts that they import later, too: it comes with the first shape. */
+/** These include later imports, which come with the first shape. */
 const BESIDE_ENGINE = ['element.js', 'element-class.js', 'canvas-viewer.js'];
 
 // The bundler's own output: these forms and no others.
@@ -40,7 +40,10 @@ const gzipped = (folder, names) =>
 const KINDS = { js: 'JavaScript', wasm: 'wasm', css: 'style', html: 'page' };
 const kindOf = (name) => KINDS[name.split('.').pop()];
 
-/** Its address is known from the start (web/engine/browser-files.ts); tests/e2e/start.spec.ts sees that it waits. */
+/**
+ * Its URL is known from the start (web/engine/browser-files.ts); tests/e2e/start.spec.ts checks that it is loaded
+ * later.
+ */
 const isLaterModule = (name) => /^shapespline_\w+-.*\.wasm$/.test(name);
 
 /** The page of the build, files that it needs to start, and all others that hold code, with their sizes after gzip. */
@@ -106,7 +109,7 @@ export function checkPackageSizes(folder, print = (line) => process.stderr.write
   }
 }
 
-/** Prints the sizes; throws where one is over its limit or where nothing was found to measure. */
+/** Prints the sizes; throws if one exceeds its limit or if nothing was measured. */
 export function checkSizes(folder, print = (line) => process.stderr.write(`${line}\n`)) {
   const files = sizesOf(folder);
   for (const { name, bytes, when } of files) {

@@ -19,7 +19,7 @@ export function filesBelow(entries) {
   return found;
 }
 
-/** A digest of the contents of files and folders, and of any further words that matter. */
+/** A digest of the contents of files and folders, and of the given words. */
 export function digest(entries, ...words) {
   const hash = createHash('sha256');
   for (const file of filesBelow(entries)) hash.update(`\0${file}\0`).update(readFileSync(path.join(root, file)));

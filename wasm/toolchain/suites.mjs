@@ -1,4 +1,4 @@
-// The suites of `npm test`: what each needs, makes and runs. Each uses all cores.
+// The suites of `npm test`: requirements, build steps and commands. Each uses all cores.
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { installBlender } from './blender.mjs';
@@ -154,9 +154,9 @@ async function endToEnd(words) {
 }
 
 /**
- * In the order they run. A suite without `files` is skipped. `requirements`, `steps` and `compile(words)` bring what it
- * needs; `run(words, compiled)` runs it. The words come from the command line; plain `npm test` runs a suite with its
- * own `words`, and leaves out suites that are `onlyInAll`.
+ * In the order they run. A suite without `files` is skipped. `requirements`, `steps` and `compile(words)` prepare it;
+ * `run(words, compiled)` runs it. The words come from the command line; plain `npm test` runs a suite with its own
+ * `words`, and leaves out suites that are `onlyInAll`.
  */
 export const suites = {
   lint: { run: lint, files: ['web', '.ts'], requirements: forFormatting, steps: [] },
@@ -204,7 +204,7 @@ export const suites = {
     files: ['tests/native', '_test.cpp'],
     requirements: forNative,
     steps: [],
-    // The benchmark is compiled as well, so that a change that breaks it is noticed.
+    // Compiles the benchmark as well, to detect changes that break it.
     compile: compileNative('shapespline_thread_tests', 'shapespline_bench_native'),
     onlyInAll: true,
   },

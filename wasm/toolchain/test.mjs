@@ -1,4 +1,4 @@
-// `npm test [-- all | SUITE [WORDS]]`: runs suites one after the other, and says how long each took.
+// `npm test [-- all | SUITE [WORDS]]`: runs suites one after the other and reports their times.
 import { mkdirSync } from 'node:fs';
 import { nothing, reports, sentence, sum } from './counts.mjs';
 import { Explained } from './log.mjs';

@@ -1,7 +1,7 @@
-// A plugin of esbuild for what is bundled into a folder of build/.
+// An esbuild plugin for bundles in a folder of build/.
 import path from 'node:path';
 
-/** Leaves the wasm module out of a bundle in a folder of build/, and gives its address from there. */
+/** Leaves the wasm module out of a bundle in a folder of build/, and provides its path from there. */
 export const wasmStaysOutside = {
   name: 'wasm-stays-outside',
   setup: ({ onResolve }) =>

@@ -1,4 +1,4 @@
-/** What an animator sets about the time: whole frames, where playing starts and ends, how near the timeline is seen. */
+/** Settings of the time: whole frames, the range that plays, and the zoom of the timeline. */
 import { button, checkbox, fieldRow, numberField, setIdle } from './controls.ts';
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
@@ -54,7 +54,7 @@ export function createClockMenu(events: ClockMenuEvents): Component<ClockMenuPro
   return { element, toggle: flip, update: draw };
 }
 
-/** Whole frames, and how many of them a second has. */
+/** Whole frames, and the frame rate. */
 function createFrames({ onFps }: ClockMenuEvents): Component<ClockMenuProps> {
   let last = USUAL_FPS;
   const snap = checkbox('Snap to frames', 'whole-frames', (on) => onFps(on ? last : null));
@@ -84,7 +84,7 @@ function createFrames({ onFps }: ClockMenuEvents): Component<ClockMenuProps> {
   };
 }
 
-/** Where playing starts and ends. */
+/** The range that plays. */
 function createLoop({ onLoopEnd, onBetween }: ClockMenuEvents): Component<ClockMenuProps> {
   let shown: ClockMenuProps | null = null;
   const seconds = (value: number): number => (shown?.fps ? value / shown.fps : value);

@@ -1,4 +1,4 @@
-/** What the colours of amounts mean: the map with its range and unit, and the numbers of the moment. */
+/** Legend of a heat map: the map with its range and unit, and the numbers at the current time. */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 
 export interface ColourBarProps {
@@ -10,7 +10,7 @@ export interface ColourBarProps {
   top: number;
   /** There is more than that, which has the same colour. */
   beyond?: boolean;
-  /** The numbers of the moment. */
+  /** Numbers at the current time. */
   now: string;
   /** Left edge and middle of the view that it belongs to, in CSS pixels. */
   x: number;

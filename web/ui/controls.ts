@@ -10,9 +10,9 @@ export interface ButtonOptions {
   label: string;
   testId: string;
   icon?: IconName;
-  /** Show the label beside the icon. */
+  /** Show the label next to the icon. */
   text?: string;
-  /** Key that does the same, as shown in the tooltip. */
+  /** Key of the same command, shown in the tooltip. */
   shortcut?: string;
   /** Plain with a text, quiet without. */
   kind?: 'plain' | 'primary' | 'quiet';
@@ -46,7 +46,7 @@ export function setIdle(reset: HTMLButtonElement, idle: boolean): void {
   setAttribute(reset, 'data-idle', idle);
 }
 
-/** Fields beside each other, after what they are called. */
+/** Fields in a row, after their label. */
 export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
   const first = typeof label === 'string' ? h('span', { class: 'label' }, label) : label;
   return h('div', { class: 'field row' }, first, ...fields);
@@ -54,7 +54,7 @@ export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
 
 export const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
 
-/** Buttons beside each other, under what they are for. */
+/** Buttons in a row, below their label. */
 export function buttonGroup(label: string, ...buttons: Node[]): HTMLElement {
   return h(
     'div',
@@ -170,10 +170,10 @@ export interface NumberOptions {
   testId: string;
   min: number;
   max: number;
-  /** As far as a number can be typed, where that is farther than the slider goes. */
+  /** Largest number that can be typed, if larger than the slider's maximum. */
   typedMax?: number;
   step: number;
-  /** What the reset button goes back to. */
+  /** Value restored by the reset button. */
   fallback: number;
   hint?: string;
   format?: (value: number) => string;
@@ -182,11 +182,11 @@ export interface NumberOptions {
 
 export interface NumberControl {
   element: HTMLElement;
-  /** `reach`: the slider's end where it is another than `max`. */
+  /** `reach`: the slider's end if it differs from `max`. */
   update(value: number, disabledReason?: string, reach?: number): void;
 }
 
-/** A slider with its number beside it, which can be typed, and a button back to the default. */
+/** A slider with a number field and a reset button. */
 export function slider(options: NumberOptions): NumberControl {
   const { label, testId, min, max, typedMax = max, step, fallback, hint, onInput } = options;
   const format = options.format ?? ((value) => String(Number(value.toFixed(3))));
@@ -235,17 +235,17 @@ interface NumberFieldOptions {
   min?: number;
   max?: number;
   step?: number | 'any';
-  /** What a field without a number means. */
+  /** Meaning of an empty field. */
   empty?: number;
   onInput: (value: number) => void;
 }
 
-/** An event of a field that refuses what was typed. It bubbles; its detail is a sentence that says why. */
+/** Event of a field that refuses typed text. It bubbles; its detail is a sentence with the reason. */
 export const REFUSED = 'refused';
 
 /**
- * A field for one number. When it is left, it shows the value that holds, as set by setField: text that is no number is
- * replaced, and a number beyond a limit becomes that limit.
+ * A field for one number. On blur it shows the value in effect, as set by setField: invalid text is replaced, and a
+ * number beyond a limit becomes that limit.
  */
 export function numberField(options: NumberFieldOptions): HTMLInputElement {
   const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, onInput } = options;
@@ -310,11 +310,11 @@ interface DialogOptions {
   testId: string;
   /** Test id of the button that closes it. */
   closeId: string;
-  /** A class of the style sheet, besides that of all dialogs. */
+  /** An additional class of the style sheet. */
   kind?: string;
 }
 
-/** A dialog over the page, with its title; its button, Escape, or a press beside it closes it. */
+/** A dialog over the page with a title; its button, Escape, or a press outside closes it. */
 export function dialog({ title, label, testId, closeId, kind }: DialogOptions, ...content: Child[]): HTMLDialogElement {
   const close = button({ label: 'Close', testId: closeId, icon: 'close', onClick: () => element.close() });
   const element = h(

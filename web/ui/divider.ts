@@ -1,25 +1,25 @@
-/** What is dragged between two motions of one shape; a slider for the keyboard and for who cannot see it. */
+/** The divider between two motions of one shape; a slider for keyboard and screen-reader users. */
 import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle } from './dom.ts';
 import { icon } from './icons.ts';
 import { drag, focusPressed, isPress } from './pointer.ts';
 
-/** So much of either side always stays. */
+/** Smallest visible share of either side. */
 export const LEAST_SHARE = 0.02;
 const STEP = 0.02;
 const LONG_STEP = 0.1;
 
 export interface DividerProps {
-  /** Share of the width that is left of it; null = there is none. */
+  /** Share of the width to the left of the divider; null = no divider. */
   share: number | null;
-  /** What is on its left and on its right. */
+  /** Names of the motions to the left and to the right. */
   left: string;
   right: string;
 }
 
 export function createDivider(onMove: (share: number) => void): Component<DividerProps> {
   let now = 0.5;
-  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  // Several events can arrive before the next drawing: each continues from the value last requested.
   const move = (share: number): void => {
     now = Math.min(Math.max(share, LEAST_SHARE), 1 - LEAST_SHARE);
     onMove(now);
@@ -69,7 +69,7 @@ export function createDivider(onMove: (share: number) => void): Component<Divide
   };
 }
 
-/** Where a key press takes the divider, or null when the key means something else. */
+/** Position of the divider after a key press, or null for other keys. */
 function steppedTo({ key, shiftKey, ctrlKey, altKey, metaKey }: KeyboardEvent, share: number): number | null {
   if (ctrlKey || altKey || metaKey) return null;
   const step = shiftKey ? LONG_STEP : STEP;

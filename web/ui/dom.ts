@@ -4,13 +4,13 @@ export type Child = Node | string | null | undefined | false;
 type Value = string | number | boolean | null | undefined | ((event: never) => void);
 export type Props = Record<string, Value>;
 
-/** What shows a slice of the state. */
+/** Displays a part of the state. */
 export interface Component<Props> {
   element: HTMLElement;
   update(props: Props): void;
 }
 
-/** The same, where it stands under something else in several pieces. */
+/** The same for several elements inside another component. */
 export interface Fields<Props> {
   elements: HTMLElement[];
   update(props: Props): void;
@@ -82,7 +82,7 @@ export function setStyle(element: HTMLElement | SVGElement, name: string, value:
   if (element.style.getPropertyValue(name) !== value) element.style.setProperty(name, value);
 }
 
-/** Sets a field's value; while the user is typing in it, only what it goes back to (its defaultValue). */
+/** Sets a field's value; while the user types in it, sets only its defaultValue. */
 export function setField(field: HTMLInputElement | HTMLSelectElement, value: string): void {
   if (field instanceof HTMLInputElement && field.type === 'number' && field.defaultValue !== value)
     field.defaultValue = value;

@@ -5,6 +5,6 @@ export function download(blob: Blob, name: string): void {
   link.href = url;
   link.download = name;
   link.click();
-  // The browser reads the address after this task.
+  // The browser reads the URL after this task.
   window.setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }

@@ -1,17 +1,14 @@
-/**
- * What was dropped -> files: folders are walked through, and everything in them that is no model or part of one is left
- * out.
- */
+/** Dropped items -> files: folders are walked, without files that do not belong to a model. */
 
 import { CACHES, COMPANIONS, MODELS, isMeantInFolder, isModel } from '../engine/api/paths.ts';
 
 export interface PickedFile {
-  /** Path relative to what was dropped. */
+  /** Path relative to the dropped item. */
   name: string;
   file: File;
 }
 
-/** The file that gives several their name: the first that is no material, buffer or image. */
+/** The file after which several are named: the first that is not a material, buffer or image. */
 export function leadingName(names: readonly string[]): string {
   return names.find(isModel) ?? names[0] ?? '';
 }
@@ -28,14 +25,13 @@ export const ACCEPTED = [
 const MOST_ENTRIES = 20_000;
 
 /**
- * To be called during the drop event, as what it holds is only there then. Single files are taken whatever they are, so
- * that what is wrong with them is said.
+ * Call this during the drop event, because its data exists only then. Single files are always taken, so their errors
+ * are reported.
  */
 export function droppedFiles({ items, files }: DataTransfer): Promise<PickedFile[]> {
   const entries = [...items].map((item) => item.webkitGetAsEntry?.() ?? null);
   const plain = [...files].map((file) => ({ name: file.name, file }));
-  // Without entries, as from another program or in an older browser, a folder is a file that cannot be read, which is
-  // said then.
+  // Without entries, as from another program or an older browser, a folder is an unreadable file, which is reported.
   if (entries.every((entry) => !entry?.isDirectory)) return Promise.resolve(plain);
   return filesOf(entries.filter((entry) => entry !== null));
 }

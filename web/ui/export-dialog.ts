@@ -1,4 +1,4 @@
-/** What to take along: an animation, one pose, a picture, a video, or the numbers; the size is stated before. */
+/** Export options: an animation, one pose, an image, a video, or the numbers; the size is shown first. */
 import { EXPORT } from '../engine/api/option-table.ts';
 import type {
   AnimationFormat,
@@ -22,16 +22,16 @@ import { createPictureFields, createTimeFields } from './export-fields.ts';
 
 export interface ExportDialogProps extends Playing {
   request: ExportRequest;
-  /** What the export will be, in words and size; null while it is being worked out. */
+  /** Description of the export with its size; null while it is computed. */
   plan: { text: string; warnings: readonly string[] } | null;
-  /** What the browser can write; null while that is not known. */
+  /** Formats that the browser can write; null until known. */
   videoFormats: readonly VideoFormat[] | null;
 }
 
 export interface ExportDialogEvents {
   onChange(request: ExportRequest): void;
   onExport(request: ExportRequest): void;
-  /** It is to be shown on a page. */
+  /** Opens the embed dialog. */
   onEmbed(): void;
 }
 
@@ -117,7 +117,7 @@ function reasonsAgainst(formats: readonly VideoFormat[]): Partial<Record<VideoFo
   return Object.fromEntries(missing.map(({ value, label }) => [value, `This browser cannot write ${label}.`]));
 }
 
-/** What a GLB is made of. */
+/** Options of a GLB. */
 function createGlbFields(change: Change) {
   const targets = segments<Targets>(
     'Morph targets',
@@ -172,7 +172,7 @@ export interface ExportDialog {
 export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   let shown: ExportDialogProps | null = null;
   let request: ExportRequest = DEFAULT_REQUEST;
-  // Shown at once: the next choice may come before the page draws again, and is made of what the fields then say.
+  // Shown immediately: the next change may come before the page is redrawn, and reads the fields.
   const change: Change = (part) => {
     const next = { ...request, ...part };
     if (shown) update({ ...shown, request: next, plan: null });

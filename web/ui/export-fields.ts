@@ -27,7 +27,7 @@ export interface FieldsProps extends Playing {
 
 const shortest = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
-/** First and last time, what they take, and the frames between them. */
+/** First and last time, duration, and number of frames. */
 export function createTimeFields(change: Change): Fields<FieldsProps> {
   let numbers: ExportNumbers | null = null;
   let turns = false;
@@ -97,7 +97,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
       setText(pace, turns ? '' : paceWords(request, numbers.speed));
       setIdle(reset, turns || request.duration === null);
       setField(frames, String(numbers.frames));
-      // Of a video their number follows from its seconds.
+      // For a video, the number of frames follows from its seconds.
       frames.readOnly = isVideo;
       setField(rate, shortest(numbers.rate, 3));
       bounce.update(goesBack(request));
@@ -123,7 +123,7 @@ const SIZE_WORDS: Record<SizeName, string> = {
   own: 'Own size',
 };
 
-/** How large, and for a PNG with what around the shape. */
+/** Size, and for a PNG the surroundings of the shape. */
 export function createPictureFields(change: Change): Fields<FieldsProps> {
   let request: ExportRequest | null = null;
   const size = select<SizeName>(

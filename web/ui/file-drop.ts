@@ -6,16 +6,15 @@ import { unzipped } from './zipped-files.ts';
 import { h, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
 
-/** Where on the page something was dropped, in its pixels. */
+/** Drop position in pixels of the page. */
 export interface DropPoint {
   x: number;
   y: number;
 }
 
 /**
- * Covers the page while files are dragged over it, but for places that take them in a way of their own: `onOver` shows
- * and says what becomes of them there, null where they are taken as anywhere. Folders take a while to be looked
- * through, which may fail.
+ * Covers the page while files are dragged over it, except for elements with their own drop handling: `onOver` describes
+ * it, null for the default. Walking folders takes time and may fail.
  */
 export function createDropZone(
   onFiles: (files: Promise<PickedFile[]>, at: DropPoint) => void,

@@ -1,9 +1,9 @@
-/** Names under the shapes of film strips, as many as there is room for. */
+/** Names under the shapes of film strips, as many as fit. */
 import { h, setHidden, setStyle, setText } from './dom.ts';
 
 export interface FilmLabel {
   text: string;
-  /** Of a key: it goes before the others. */
+  /** A key, which takes precedence. */
   isKey: boolean;
   /** Pixels of the view. */
   x: number;
@@ -32,7 +32,7 @@ export function createFilmLabels(): { element: HTMLElement; update(labels: reado
   };
 }
 
-/** Those that run into no other; of two, that of a key stays. */
+/** The labels that do not overlap; of two, a key's stays. */
 export function withRoom(labels: readonly FilmLabel[]): FilmLabel[] {
   const shown: FilmLabel[] = [];
   const apart = (a: FilmLabel, b: FilmLabel): boolean =>

@@ -1,4 +1,4 @@
-/** The samples as cards that move, and the user's own files, behind a button that says what is open. */
+/** The samples as animated cards, and the user's own files, behind a button that names the open shape. */
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
@@ -22,9 +22,9 @@ export interface GalleryProps {
   samples: readonly SampleItem[];
   /** Files of the user that can be opened again. */
   own: readonly OwnItem[];
-  /** Id of what is open, or null where files of the user are. */
+  /** Id of the open sample, or null if the user's files are open. */
   sample: string | null;
-  /** Of the user's files that are open, else null. */
+  /** Id of the user's open files, otherwise null. */
   project: string | null;
 }
 
@@ -33,7 +33,7 @@ export interface GalleryEvents {
   onOwn(id: string): void;
 }
 
-/** Of each moment of a sample, in pixels of the file, which has them beside each other. */
+/** Size of one frame of a sample's image, in pixels; frames are next to each other in the file. */
 export const PICTURE = { width: 304, height: 208 };
 export const MOMENTS = 16;
 

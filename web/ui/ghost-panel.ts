@@ -1,4 +1,4 @@
-/** The ghost mesh (paper section 4.3): whether a coarse mesh leads the shape, how, and what of it is shown. */
+/** The ghost mesh (paper section 4.3): whether it leads the shape, its options, and how it is shown. */
 import { ENCODING } from '../engine/api/option-table.ts';
 import type { SequenceStats, Transfer } from '../engine/api/types.ts';
 import { DEFAULT_ENCODING, GHOST_FACES } from '../model/state.ts';
@@ -110,7 +110,7 @@ function createFaces({ onEncoding }: GhostPanelEvents): Component<GhostPanelProp
   };
 }
 
-/** What of the ghost mesh is drawn. */
+/** Display options of the ghost mesh. */
 function createShown({ onView }: GhostPanelEvents): Component<GhostPanelProps> {
   const wire = checkbox('Wireframe', 'ghost-wire', (on) => onView({ ghostWire: on }));
   const beside = checkbox('Beside the shape', 'ghost-beside', (on) => onView({ ghostBeside: on }));
@@ -124,7 +124,7 @@ function createShown({ onView }: GhostPanelEvents): Component<GhostPanelProps> {
     update({ view, lriMethod }) {
       wire.update(view.ghostWire, !lriMethod);
       beside.update(view.ghostBeside, !lriMethod);
-      // Other sizes are shown by what they differ from the full solve.
+      // Other sizes are shown by their difference from the full solve.
       difference.update(view.ghostDifference || view.ghostSizes, !lriMethod || view.ghostSizes);
       sizes.update(view.ghostSizes, !lriMethod);
     },

@@ -1,4 +1,4 @@
-/** A page of the guide beside the app: what is seen, what to do, one sentence to keep, and the ways on. */
+/** A page of the guide next to the app: a text, a task, one sentence to keep, and navigation. */
 import { button } from './controls.ts';
 import { h, say, setHidden, setText } from './dom.ts';
 
@@ -26,11 +26,11 @@ export interface GuidePanelProps {
 export interface GuidePanel {
   element: HTMLElement;
   show(props: GuidePanelProps): void;
-  /** Numbers of what is shown; '' for none. */
+  /** Numbers at the current time; '' for none. */
   setLive(text: string): void;
   /** The keyboard goes on from its title. */
   focus(): void;
-  /** As by its link, where there is one. */
+  /** Follows the link, if there is one. */
   turn(to: 'previous' | 'next'): void;
 }
 
@@ -74,7 +74,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
     turn(next, shown?.pages[current + 1], 'Next');
   };
   let asked: string | null = null;
-  // Who presses again before the page has turned means the page after it.
+  // A second press before the page has turned moves on to the page after it.
   element.querySelector('footer')!.addEventListener('click', (event) => {
     if (!(event.target instanceof HTMLAnchorElement) || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();

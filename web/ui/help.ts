@@ -1,4 +1,4 @@
-/** Help: what the page does, its gestures and keys, and where the method comes from. */
+/** Help: an overview of the page, its gestures and keys, and the source of the method. */
 import { button, checkbox, dialog } from './controls.ts';
 import { h, setText } from './dom.ts';
 
@@ -57,7 +57,7 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
         .then(() => setText(cited, 'Copied.'))
         .catch(() => setText(cited, BIBTEX)),
   });
-  // Where the clipboard cannot be written to, the entry itself.
+  // Shows the entry itself if the clipboard is not available.
   const cited = h('pre', { class: 'cited', role: 'status' });
   const switchOff = checkbox('Single-letter shortcuts', 'single-keys', onShortcuts);
   const element = dialog(

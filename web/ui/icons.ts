@@ -1,4 +1,4 @@
-/** Line icons on a 20 x 20 grid, drawn for this app; they take the colour of the text beside them. */
+/** Line icons on a 20 x 20 grid, drawn for this app, in the colour of the adjacent text. */
 import { svg } from './dom.ts';
 
 const PATHS = {

@@ -1,4 +1,4 @@
-/** What is changed of one key. Not modal: the shape, and the time, can be moved meanwhile. */
+/** Editor of one key. Not modal: the shape and the time can be moved while it is open. */
 import { button } from './controls.ts';
 import { h, setHidden, setText } from './dom.ts';
 import type { IconName } from './icons.ts';
@@ -12,7 +12,7 @@ export interface EditedKey extends KeyRef {
 
 export interface KeyEditorProps extends KeyFieldsProps {
   keys: readonly EditedKey[];
-  /** What they are of: the editor closes where that is another one. */
+  /** Owner of the keys: the editor closes when it changes. */
   owner: string | null;
   canRemove: boolean;
 }
@@ -31,7 +31,7 @@ function isOwn(target: EventTarget | null): boolean {
 
 export interface KeyEditor {
   element: HTMLElement;
-  /** `from`: what was pressed, where the focus goes back to. False where that closes the editor. */
+  /** `from`: the pressed element, which gets the focus back. False if that closes the editor. */
   open(index: number, from: HTMLElement): boolean;
   update(props: KeyEditorProps): void;
 }
@@ -123,14 +123,14 @@ function closeForOtherWork(element: HTMLElement, { close, hide }: { close(): voi
     },
     { capture: true },
   );
-  // The shape and the time can be moved meanwhile, and steps be taken back; other work has its room again.
+  // Moving the shape or the time and undo leave it open; other work closes it.
   document.addEventListener('pointerdown', ({ target }) => {
     if (target instanceof Element && target.closest(OTHER_WORK) && !target.closest('.history')) hide();
   });
   window.addEventListener('drop', hide, { capture: true });
 }
 
-/** What is done with a key as a whole. */
+/** Actions on a whole key. */
 function createKeyActions(events: { onMove(by: 1 | -1): void; onReference(): void; onRemove(): void }): {
   elements: HTMLElement[];
   update(props: KeyEditorProps, index: number): void;

@@ -1,4 +1,4 @@
-/** What a key is called, when it is passed, and how. */
+/** Name, time and slope of a key. */
 import { PER_KEY } from '../engine/api/option-table.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from '../model/shaping.ts';
 import { DEFAULT_SHAPING, SHAPING_NUMBERS } from '../model/shaping.ts';
@@ -29,7 +29,7 @@ export interface KeyFields {
   elements: HTMLElement[];
   update(props: KeyFieldsProps, index: number): void;
   focus(): void;
-  /** They are not shown any more. */
+  /** The fields are hidden. */
   leave(): void;
 }
 

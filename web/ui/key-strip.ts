@@ -11,7 +11,7 @@ import { keyLabel, lowerFirst, shortNames } from '../model/key-names.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
 export interface KeyItem extends EditedKey {
-  /** Picture of the key, or null while there is none. */
+  /** Image of the key, or null without one. */
   thumbnail: string | null;
 }
 
@@ -75,7 +75,7 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
   );
   oneStop(list);
   const cards: Card[] = [];
-  // What is dragged is told to the page only when it is dropped.
+  // The page is notified of a drag only on drop.
   const drag = { from: -1 };
   const edit = (index: number, from: HTMLElement, time: number): void => {
     void editor.need().then((opened) => opened?.open(index, from) && events.onSeek(time));
@@ -182,7 +182,7 @@ function createCard(
 
 const DRAGGED_KEY = 'application/x-shapespline-key';
 
-/** A key is dragged to the place of another one. */
+/** A key is dragged to another key's position. */
 function listenToDrags(
   element: HTMLElement,
   dragged: { from: number },

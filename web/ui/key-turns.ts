@@ -1,4 +1,4 @@
-/** Whole turns on the way to a key: of the whole shape, or of one of its components. */
+/** Full turns since the previous key: of the whole shape, or of one component. */
 import { MOST_TURNS, PER_KEY } from '../engine/api/option-table.ts';
 import type { KeyTurns, Shaping } from '../model/shaping.ts';
 import { turnsOf } from '../model/shaping.ts';
@@ -6,7 +6,7 @@ import type { Choice } from './controls.ts';
 import { fieldRow, numberField, select } from './controls.ts';
 import { h, setField, setHidden } from './dom.ts';
 
-/** More of them cannot be told apart in a list. */
+/** More entries are not distinguishable in a list. */
 const MOST_COMPONENTS = 400;
 
 export interface KeyTurnsProps {
@@ -17,7 +17,7 @@ export interface KeyTurnsProps {
   components: number;
 }
 
-/** onComponent hears the component that turns are given to, null for the whole shape. */
+/** onComponent receives the selected component, null for the whole shape. */
 export function createKeyTurns(
   onTurns: (added: KeyTurns) => void,
   onComponent: (component: number | null) => void,
@@ -73,7 +73,7 @@ export function createKeyTurns(
   };
 }
 
-/** Those that turn already say so. */
+/** Marks components that already have turns. */
 function componentChoices(count: number, shaping: Shaping): Choice<string>[] {
   const label = (component: number): string => {
     const turns = turnsOf(shaping, component);

@@ -4,7 +4,7 @@ import { h } from './dom.ts';
 export interface Lazy<T> {
   /** Null until it is loaded. */
   readonly now: T | null;
-  /** Tries again where it could not be loaded. */
+  /** Tries again after a failure. */
   get(): Promise<T>;
 }
 
@@ -37,7 +37,7 @@ export interface LazyComponent<Props, T> {
   element: HTMLElement;
   /** Kept for the component while it is not there. */
   update(props: Props): void;
-  /** The component, as it was last updated; null where it cannot be loaded, which was said. */
+  /** The component, as last updated; null if it cannot be loaded, which is reported. */
   need(): Promise<T | null>;
 }
 

@@ -1,4 +1,4 @@
-/** How the shape is shown: its colours, what is drawn around it, and other shapes beside it. */
+/** Display options: colours, surroundings, and further shapes. */
 import type { Colouring, View } from '../model/state.ts';
 import { LEAST_FILM_SHAPES, LEAST_ONION_SPACING, MOST_FILM_SHAPES } from '../model/state.ts';
 import { MOST_ONION_SKINS, ONION_COLOURS } from '../model/state.ts';

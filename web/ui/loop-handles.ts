@@ -19,7 +19,7 @@ export interface LoopHandlesProps {
 export interface LoopHandlesEvents {
   /** null = the range of the keys again. */
   onBetween(between: Range | null): void;
-  /** The moment to snap to near t. */
+  /** The time to snap to near t. */
   snapped(t: number, free: boolean): number;
 }
 
@@ -31,7 +31,7 @@ export type LoopHandles = Fields<LoopHandlesProps>;
 export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents): LoopHandles {
   let props: LoopHandlesProps | null = null;
   const gap = (): number => (props!.fps === null ? 0.001 * length(props!.range) : 1 / props!.fps);
-  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  // Several events can arrive before the next drawing: each continues from the value last requested.
   const move = (end: End, t: number): void => {
     const between = withEnd(props!.between, props!.range, end, t, gap());
     props = { ...props!, between };

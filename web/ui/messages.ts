@@ -1,4 +1,4 @@
-/** What is laid over the viewport: the work under way, what went wrong, and the sentence of a first visit. */
+/** Overlays of the viewport: running work, errors, and the welcome sentence. */
 import { button } from './controls.ts';
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import { icon } from './icons.ts';
@@ -9,7 +9,7 @@ export interface Working {
   fraction: number;
 }
 
-/** What the engine calls its stages, in words of what they are for. */
+/** The engine's stages in words for users. */
 const STAGE_WORDS: Readonly<Record<string, string>> = {
   reading: 'Reading',
   welding: 'Joining seams',
@@ -19,7 +19,10 @@ const STAGE_WORDS: Readonly<Record<string, string>> = {
   factorising: 'Preparing the motion',
 };
 
-/** The stage, a bar, and a way out; what is open, or the first key of what is being opened, is seen behind it. */
+/**
+ * The stage, a bar, and a cancel button; the open shape, or the first key of the one being opened, stays visible behind
+ * it.
+ */
 export function createProgress(onCancel: () => void): {
   element: HTMLElement;
   update(working: Working | null): void;
@@ -50,7 +53,7 @@ export function createProgress(onCancel: () => void): {
   };
 }
 
-/** Where the shape has left the picture: how it comes back. */
+/** A button that brings the shape back into view. */
 export function createFitHint(onFit: () => void): { element: HTMLElement; update(shown: boolean): void } {
   const element = h(
     'div',
@@ -106,10 +109,10 @@ export function createErrorMessage(
 
 export interface Offer {
   message: string;
-  /** What can be done about it; absent where it is only said. */
+  /** Label of the action; absent for a mere message. */
   action?: string;
   onAccept?(): void;
-  /** What can be done instead. */
+  /** Alternative actions. */
   others?: readonly { action: string; onAccept(): void }[];
   /** It was put off. */
   onDecline?(): void;
@@ -185,7 +188,7 @@ export interface WelcomeProps {
   split: boolean;
 }
 
-/** Says in one sentence what the page does, until the visitor has done something. */
+/** Describes the page in one sentence until the visitor acts. */
 export function createWelcome(onPick: () => void): {
   element: HTMLElement;
   update(props: WelcomeProps): void;

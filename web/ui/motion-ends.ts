@@ -1,4 +1,4 @@
-/** What the motion does at its ends: the boundary, with what it asks for. */
+/** The ends of the motion: the boundary and its options. */
 import { METHOD } from '../engine/api/methods.ts';
 import type { Boundary } from '../engine/api/types.ts';
 import { keyLabel } from '../model/key-names.ts';
@@ -29,7 +29,7 @@ const END_WORDS: Record<End, { speed: string; tangent: string; neighbour: string
   end: { speed: 'End speed', tangent: 'Arrives at the last key from', neighbour: 'the key before' },
 };
 
-/** What no pose is called. */
+/** A value that is not a pose's. */
 const FROM_FILE = 'file';
 
 export interface MotionEndsProps {
@@ -38,7 +38,7 @@ export interface MotionEndsProps {
   /** The fastest on offer at the ends. */
   mostSpeeds: Speeds;
   keys: readonly KeyRef[];
-  /** Of any shape that was opened, a key or not. */
+  /** Name of any opened pose, a key or not. */
   poseName: (pose: number) => string;
   /** The default period, for the field's placeholder. */
   period: number;
@@ -48,7 +48,7 @@ export interface MotionEndsEvents {
   onMotion(change: Partial<Motion>): void;
   onSpeed(end: End, speed: number): void;
   onEncoding(change: Partial<Encoding>): void;
-  /** A file is to be chosen whose shape gives the end tangent. */
+  /** Lets the user choose a file for the end tangent. */
   onTangentFile(end: End): void;
 }
 
@@ -145,7 +145,7 @@ function tangentSelect(
   const { tangent, neighbour } = END_WORDS[end];
   const field = select<string>(tangent, `${end}-tangent`, [], (value) => {
     if (value !== FROM_FILE) return onEncoding({ [TANGENT_NAME[end]]: value === '' ? null : Number(value) });
-    // Until there is one, the choice is what it was.
+    // The choice stays unchanged until a shape is chosen.
     field.update(shown);
     onTangentFile(end);
   });

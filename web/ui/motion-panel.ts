@@ -1,4 +1,4 @@
-/** How the keys are joined: the method, what stands beside it, and the boundary with what it asks for. */
+/** Interpolation of the keys: the method, motions to compare with, and the boundary. */
 import { METHOD, METHODS } from '../engine/api/methods.ts';
 import type { Method } from '../engine/api/types.ts';
 import type { Motion } from '../model/state.ts';
@@ -29,14 +29,14 @@ export interface MotionPanelProps extends MotionEndsProps {
   /** Mean tension of the keys. */
   tightness: number;
   disabled: boolean;
-  /** What the reset button goes back to. */
+  /** Values restored by the reset button. */
   defaults: Motion;
 }
 
 export interface MotionPanelEvents extends MotionEndsEvents {
   onCompare(methods: Method[]): void;
   onPlacing(placing: boolean): void;
-  /** The same tension for every key. */
+  /** Sets the same tension for every key. */
   onTightness(tension: number): void;
   /** As much as keeps the slope at each key within its bound. */
   onAutoTightness(): void;
@@ -46,7 +46,7 @@ export interface MotionPanelEvents extends MotionEndsEvents {
   onReset(): void;
 }
 
-/** `animation`: where the keys come from, on top of it. */
+/** `animation`: the source of the keys, at the top. */
 export function createMotionPanel(
   events: MotionPanelEvents,
   animation: HTMLElement,
@@ -116,7 +116,7 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
   };
 }
 
-/** What stays in its place: by itself, or by hand. */
+/** Parts held in place: automatically, or by pins. */
 function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Fields<MotionPanelProps> {
   const hold = checkbox('Hold what rests', 'hold', (on) => onMotion({ hold: on ? 'on' : 'off' }));
   const holding = h('div', { class: 'group' }, hold.element, h('p', { class: 'hint' }, HOLD_HINT));

@@ -1,14 +1,14 @@
-/** Where files hold several objects: a tick for each of those that are taken. */
+/** Check boxes of the objects, if the files have several. */
 import { checkbox } from './controls.ts';
 import { h, memo, setHidden } from './dom.ts';
 
 export interface ObjectList {
   element: HTMLElement;
-  /** `taken`: empty for all of them. Fewer than two objects are no choice and hide the list. */
+  /** `taken`: empty for all of them. The list is hidden for fewer than two objects. */
   update(props: { names: readonly string[]; taken: readonly string[] }): void;
 }
 
-/** onTake hears the names that stay, in the order of the files. */
+/** onTake receives the remaining names in the order of the files. */
 export function createObjectList(onTake: (names: string[]) => void): ObjectList {
   const boxes = h('div', { class: 'object-boxes' });
   const element = h(

@@ -1,12 +1,11 @@
 /**
- * What a file with animations asks once it is open: one sheet with the choices that otherwise stand in a panel, and
- * with the work under way and what is offered besides. The shape and its time go on; anything else that is pressed
- * sends it away.
+ * Import options, shown after a file with animations opens: the choices of the Motion panel, running work and offers in
+ * one sheet. Shape and time stay usable; any other press closes the sheet.
  */
 import { button } from './controls.ts';
 import { h, setHidden, setStyle } from './dom.ts';
 
-/** What is used with the sheet still there: to see what a choice does. */
+/** Elements that can be used with the sheet open, to see the effect of a choice. */
 const GOES_ON = '.picture, .divider, .view-bar, .transport, .overlay-top, .toast, .opening';
 
 export interface OpeningSheet {
@@ -15,11 +14,11 @@ export interface OpeningSheet {
 }
 
 export interface OpeningSheetParts {
-  /** Where it comes to stand. */
+  /** Container of the sheet. */
   element: HTMLElement;
   /** The choices, in their panel. */
   choices: HTMLElement;
-  /** What is otherwise said over the shape, in its usual place: work under way, what waits for the user's word. */
+  /** Messages that otherwise appear over the shape: running work, and offers. */
   over: readonly HTMLElement[];
   /** Takes the keyboard when the sheet goes. */
   next: HTMLElement;
@@ -39,7 +38,7 @@ export function createOpeningSheet(parts: OpeningSheetParts): OpeningSheet {
   element.append(close, end);
 
   const open = (): void => {
-    // What stands below in the panel stays where it is.
+    // The content below keeps its position in the panel.
     setStyle(place, 'height', `${choices.offsetHeight}px`);
     panel.replaceChild(place, choices);
     end.before(choices, ...over);
@@ -57,11 +56,11 @@ export function createOpeningSheet(parts: OpeningSheetParts): OpeningSheet {
     event.stopPropagation();
     onEscape();
   });
-  // With the click: what is pressed must not move away before.
+  // On click, because the pressed element must not move away before.
   document.addEventListener('click', (event) => {
     if (!element.hidden && !(event.target as Element).closest(GOES_ON)) onClose();
   });
-  // What has the keyboard is not left under it. A press focuses, too, and ends with the click above.
+  // The sheet must not cover the focused element. A press focuses as well, and is handled by the click above.
   document.addEventListener('keyup', () => {
     if (!element.hidden && document.activeElement?.closest('.side .panel')) onClose();
   });

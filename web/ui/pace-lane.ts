@@ -1,4 +1,4 @@
-/** The speed of the motion as a thin curve in the timeline's track; tinted where it swings past a key. */
+/** The motion's speed as a thin curve in the timeline's track; tinted where the motion overshoots a key. */
 import type { Pace } from '../model/pace.ts';
 import { pacePaths } from '../model/pace.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -6,7 +6,7 @@ import { memo, setAttribute, setHidden, svg } from './dom.ts';
 
 export interface PaceLaneProps {
   pace: Pace | null;
-  /** Where the keys define the motion. */
+  /** The range that the keys define. */
   range: Range;
   /** The stretch of time that is shown. */
   part: Range;

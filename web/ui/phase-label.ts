@@ -1,14 +1,14 @@
-/** The phase of the moment in words, over the shape. */
+/** The phase of the current time in words, over the shape. */
 import type { Phase } from '../model/time-scale.ts';
 import { button } from './controls.ts';
 import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setText } from './dom.ts';
 
-/** What of the shape has turned inside out. */
+/** Faces that turned inside out. */
 interface LostFaces {
-  /** Of all faces, in [0, 1]. */
+  /** Share of all faces, in [0, 1]. */
   share: number;
-  /** One of them is known and can be shown. */
+  /** Whether one of them can be shown. */
   hasPlace: boolean;
 }
 
@@ -22,8 +22,8 @@ export interface PhaseLabelProps {
 const SEEN_SHARE = 0.001;
 
 /**
- * Where the moment lies, large enough to read from afar; the colour's meaning in words; a way out where the shape
- * breaks.
+ * The current phase, large enough to read from afar; the meaning of its colour; and a button if faces turned inside
+ * out.
  */
 export function createPhaseLabel(onShowLost: () => void): Component<PhaseLabelProps> {
   const text = h('span', { 'data-testid': 'phase' });

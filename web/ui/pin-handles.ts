@@ -1,22 +1,22 @@
-/** Pins where they are on the shape: dragged with the pointer or moved with the arrow keys, taken away with Delete. */
+/** Pins on the shape: dragged with the pointer or moved with the arrow keys, removed with Delete. */
 import { h, setHidden, setStyle } from './dom.ts';
 import { drag, focusPressed, isPress } from './pointer.ts';
 
-/** From the top left corner of the picture, in CSS pixels. */
+/** From the top left corner of the viewport, in CSS pixels. */
 export interface Place {
   x: number;
   y: number;
 }
 
 export interface PinHandleEvents {
-  /** What is dragged from here on is moved from where it is now. */
+  /** Later moves of the pin are relative to its present position. */
   onStart(index: number): void;
-  /** To a place of the picture. */
+  /** To a position in the viewport. */
   onMove(index: number, to: Place): void;
   onRemove(index: number): void;
 }
 
-/** Of an arrow key, in pixels; ten times that with Shift. */
+/** Step of an arrow key, in pixels; ten times that with Shift. */
 const STEP = 2;
 const ARROWS: Readonly<Record<string, readonly [x: number, y: number]>> = {
   ArrowLeft: [-1, 0],
@@ -27,7 +27,7 @@ const ARROWS: Readonly<Record<string, readonly [x: number, y: number]>> = {
 
 export interface PinHandles {
   element: HTMLElement;
-  /** null: the place is not in the picture. */
+  /** null: the position is outside the viewport. */
   update(places: readonly (Place | null)[]): void;
   /** Marks where a pin would be placed; null: nowhere. */
   mark(place: Place | null): void;

@@ -1,4 +1,4 @@
-/** What is held by hand: a button that takes the next click on the shape for a pin, and a row for each pin. */
+/** Pins: a button that turns the next click on the shape into a pin, and a row for each pin. */
 import type { Pin } from '../engine/api/types.ts';
 import type { KeyRef } from '../model/state.ts';
 import type { Pins } from '../model/pins.ts';
@@ -72,7 +72,7 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
         list.append(row.element);
       }
       rows.forEach((row, index) => row.update(pins[index]!, props));
-      // What comes next is said and chosen below the button, which may be the last that is in sight.
+      // The next step is below the button, which may be the last visible element.
       if (placing && !wasPlacing) hint.scrollIntoView({ block: 'nearest' });
       if (wasPlacing && pins.length > before) rows.at(-1)!.element.scrollIntoView({ block: 'nearest' });
     },
@@ -85,7 +85,7 @@ function hintFor({ placing, pins }: PinListProps): string {
   return 'A pinned place follows its own spline, stays as in a key, or goes where you drag it.';
 }
 
-/** What a pin does that nobody would guess from what is chosen. */
+/** Explains effects of a pin that its options do not show. */
 function noteFor({ stay, path }: Pin, { keys, periodic }: PinListProps): string {
   if (stay !== undefined && !keys.some(({ pose }) => pose === stay))
     return 'The key in which it stayed was removed: it follows its own spline.';

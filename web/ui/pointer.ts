@@ -106,8 +106,8 @@ export function focusPressed(element: HTMLElement): void {
 }
 
 /**
- * Keeps a finger's first moves from whoever listens inside of the element until it has gone further sideways than up or
- * down: those belong to the page's own scrolling, which takes the pointer away once the browser has recognised it.
+ * Withholds a finger's first moves from inner listeners until it has moved further sideways than up or down: vertical
+ * moves scroll the page, and the browser takes the pointer away once it recognises that.
  */
 export function leaveScrolling(element: HTMLElement): void {
   let start: PointerEvent | null = null;

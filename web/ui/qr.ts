@@ -1,4 +1,4 @@
-/** The picture of a QR code: its modules as one SVG path, with the quiet zone that scanners need. */
+/** A QR code: its modules as one SVG path, with the quiet zone that scanners need. */
 
 export interface Modules {
   /** Of either side. */

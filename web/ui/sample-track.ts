@@ -9,7 +9,7 @@ import { clamp } from '../model/time-scale.ts';
 import { h, setAttribute, setStyle } from './dom.ts';
 import { drag } from './pointer.ts';
 
-/** onChange hears of every move, onTake of what is then wanted. */
+/** onChange is called on every move, onTake with the final times. */
 export function createSampleTrack(
   onChange: (times: number[]) => void,
   onTake: (times: number[]) => void,

@@ -1,9 +1,9 @@
-/** How the keys of an animation are chosen: so many at even times, or as few as keep the motion near to it. */
+/** Choice of an animation's keys: a number at even times, or as few as needed to stay within an error. */
 import { MOST_SAMPLED } from '../engine/api/option-table.ts';
 import { fieldRow, numberField } from './controls.ts';
 import { h, say, setField, uniqueId } from './dom.ts';
 
-/** Of the error that the fewest keys are found for, in percent of the diagonal. */
+/** Range of the error for the fewest keys, in percent of the diagonal. */
 const TOLERANCE = { least: 0.1, most: 20, default: 2 };
 
 export interface SampleWayEvents {
@@ -16,7 +16,7 @@ export interface SampleWay {
   elements: HTMLElement[];
   /** `taken`: the keys are of the animation. `fewest`: they were found for an error. */
   update(taken: boolean, fewest: boolean): void;
-  /** Shows how many keys were chosen anew, whatever is being typed. */
+  /** Shows the number of keys, even while a number is being typed. */
   setCount(count: number, taken: boolean): void;
 }
 

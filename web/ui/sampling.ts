@@ -1,6 +1,6 @@
 /**
- * Where a file holds animations: which one the keys are taken from, how many or how near to it, and at which times of
- * its own timeline. What is chosen is taken at once.
+ * Keys from an animation: which animation, how many keys or which error, and at which times. Choices take effect
+ * immediately.
  */
 import { SAMPLED_KEYS } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
@@ -20,15 +20,17 @@ const NO_ANIMATION: AnimationInfo = { name: '', start: 0, end: 1, keys: 0, moves
 export interface SamplingProps {
   /** null: no animation. */
   info: KeysInfo | null;
-  /** What was found for this error. */
+  /** Result for this error. */
   fewest: { keys: number; percent: number } | null;
-  /** The animation is shown beside the motion. */
+  /** The animation is shown next to the motion. */
   original: boolean;
 }
 
 export interface SamplingEvents {
   onTake(animation: number, times: number[]): void;
-  /** As few keys as keep the error below so many percent of the diagonal; resolves when they are taken or not. */
+  /**
+   * Takes as few keys as needed to stay within this percentage of the diagonal; resolves when they are taken or not.
+   */
   onFewest(animation: number, percent: number): Promise<void>;
   onOriginal(shown: boolean): void;
 }
@@ -39,7 +41,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   let animations: readonly AnimationInfo[] = [];
   let chosen = 0;
   let times: number[] = [];
-  /** The keys are of the animation, not beside it. */
+  /** The keys are taken from the animation, rather than compared with it. */
   let taken = false;
   const soon = later(() => onTake(chosen, times), TAKE_DELAY_MS);
   const span = (): AnimationInfo => animations[chosen] ?? NO_ANIMATION;
@@ -93,7 +95,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     animations = info?.animations ?? [];
     const firstMoving = animations.findIndex(({ moves }) => moves);
     setHidden(element, firstMoving < 0);
-    // What was chosen meanwhile is taken next.
+    // A choice made in the meantime is taken next.
     if (!info || firstMoving < 0 || soon.waits()) return;
     chosen = info.animation < 0 ? firstMoving : info.animation;
     animation.update(String(chosen), animations.map(choiceOf));
@@ -101,7 +103,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     const before = taken;
     taken = areSampled(info);
     const next = taken ? info.times : evenTimes(span(), SAMPLED_KEYS);
-    // What was taken is shown already, with what is to be said of the next choice.
+    // The taken times are already shown, with the state of the next choice.
     if (taken !== before || !sameTimes(next, times)) choose(next);
     else track.update(span(), times);
   });

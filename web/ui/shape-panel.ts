@@ -1,4 +1,4 @@
-/** How the shape is measured: stretches, the reference, patches, and what the import found. */
+/** Encoding of the shape: stretches, reference, patches, and the import's report. */
 import type { KeysInfo, SequenceStats, Stretch } from '../engine/api/types.ts';
 import type { Orientation } from '../model/orientation.ts';
 import type { Encoding, KeyRef } from '../model/state.ts';
@@ -20,13 +20,13 @@ export interface ShapePanelProps {
   /** That work on a frame. */
   threads: number | null;
   lriMethod: boolean;
-  /** The user's own files are open: keys and objects may be taken from them anew. */
+  /** The user's own files are open, so keys and objects can be chosen again. */
   canSample: boolean;
-  /** How files were read that do not say it themselves; null where there are none. */
+  /** Orientation of files that do not state it; null without any. */
   orientation: Orientation | null;
-  /** Of the objects that the files hold those that were taken; empty for all of them. */
+  /** The chosen objects of the files; empty for all of them. */
   objects: readonly string[];
-  /** What the reset button goes back to. */
+  /** Values restored by the reset button. */
   defaults: Encoding;
   disabled: boolean;
 }

@@ -13,13 +13,13 @@ import type { Towards } from '../model/state.ts';
 import { fractionIn } from '../model/time-window.ts';
 import { drag, focusPressed, isPress } from './pointer.ts';
 
-/** Pixels of a handle at speed 1, where there is room. */
+/** Length of a handle at speed 1 in pixels, if there is room. */
 const UNIT_PX = 40;
-/** Pixels that the number beside a handle takes, and that words take where the style sheet shows them. */
+/** Width in pixels of the number next to a handle, and of words if the style sheet shows them. */
 const NUMBER_PX = 56;
 const WORDS_PX = 112;
 const ROOM_FOR_WORDS_PX = 480;
-/** Where a shape gives the tangent. */
+/** For a tangent given by a shape. */
 const SHAPED: Record<End, string> = {
   start: 'the first key to the shape of its tangent',
   end: 'the shape of its tangent to the last key',
@@ -37,7 +37,7 @@ export interface SpeedHandlesProps {
   speeds: Speeds | null;
   /** The fastest on offer. */
   most: Speeds;
-  /** What the ends lead towards; null = as speeds. */
+  /** Targets of the end tangents; null = as speeds. */
   towards: Readonly<Record<End, Towards>> | null;
   /** Times of the first and the last key. */
   range: Range;
@@ -77,7 +77,7 @@ export function createSpeedHandles(onSpeed: (end: End, speed: number) => void): 
 
 interface SpeedHandleProps extends SpeedHandlesProps {
   speeds: Speeds;
-  /** Of the timeline, in pixels. */
+  /** Width of the timeline, in pixels. */
   width: number;
 }
 
@@ -89,7 +89,7 @@ function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): num
 
 function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Component<SpeedHandleProps> {
   let props: SpeedHandleProps | null = null;
-  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  // Several events can arrive before the next drawing: each continues from the value last requested.
   const set = (speed: number): void => {
     if (props) props = { ...props, speeds: { ...props.speeds, [end]: speed } };
     onSpeed(speed);

@@ -1,4 +1,4 @@
-/** One quiet line: what is loaded, how fast it is, and how many warnings there are; the count opens the list. */
+/** A status line: the open shape, its speed, and the number of warnings, which opens the list. */
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
@@ -13,7 +13,7 @@ export interface StatusProps {
   offline: boolean;
 }
 
-/** onWarnings hears which button was pressed. */
+/** onWarnings receives the pressed button. */
 export function createStatusLine(onWarnings: (from: HTMLElement) => void): Component<StatusProps> {
   const keys = h('span', { 'data-testid': 'status-keys' });
   const vertices = h('span', { 'data-testid': 'status-vertices' });

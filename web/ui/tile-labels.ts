@@ -6,7 +6,7 @@ export interface TileLabel {
   title: string;
   /** Measures in percent of the first key's; empty = not known. */
   detail: string;
-  /** The same of the volume alone, in whole percent. */
+  /** The volume alone, in whole percent. */
   volume: string;
   x: number;
   y: number;
@@ -19,10 +19,10 @@ export interface TileLabelsProps {
   split: boolean;
 }
 
-/** Between a divider and an edge as near as this there is no room for words. */
+/** Closer to an edge than this, the divider leaves no room for words. */
 const NARROW_PX = 120;
 
-/** The method's name and its measures over each of several views; beside a divider, the volume in large figures. */
+/** Name and measures of the method over each of several views; next to a divider, the volume in large figures. */
 export function createTileLabels(): Component<TileLabelsProps> {
   const element = h('div', { class: 'tile-labels' });
   return {

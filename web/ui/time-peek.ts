@@ -1,4 +1,6 @@
-/** A small picture of the moment under the mouse, over the timeline. Not for touch, and never while something drags. */
+/**
+ * A small image of the shape at the time under the mouse, over the timeline. Not for touch, and never during a drag.
+ */
 import type { Pace } from '../model/pace.ts';
 import { paceAt } from '../model/pace.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -10,18 +12,18 @@ export interface TimePeekProps {
   pace: Pace | null;
   range: Range;
   fps: number | null;
-  /** The last picture that was made, as an address; null: none of what is open now. */
+  /** URL of the last image; null: none of the open shape. */
   picture: string | null;
 }
 
 export interface TimePeekParts {
   /** Over which the mouse moves. */
   over: HTMLElement;
-  /** Within which the picture stays, and from whose left end places are counted. */
+  /** The image stays within this element; positions are relative to its left edge. */
   frame: HTMLElement;
-  /** The moment at a place on the page; null where there is none to look at. */
+  /** The time at a position on the page; null if there is none. */
   timeAt(event: PointerEvent): number | null;
-  /** A picture of this moment is wanted; null: none any more. */
+  /** Requests an image at this time; null: none. */
   onPeek(t: number | null): void;
 }
 
@@ -80,5 +82,5 @@ export function createTimePeek({ over, frame, timeAt, onPeek }: TimePeekParts): 
   };
 }
 
-/** Of the page, that the picture keeps away from. */
+/** Distance from the edges of the page. */
 const EDGE_PX = 8;

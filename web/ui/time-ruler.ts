@@ -12,7 +12,7 @@ const COVERED_PX = 26;
 export interface TimeRulerProps {
   part: Range;
   fps: number | null;
-  /** Of the ruler, in pixels. */
+  /** Width of the ruler, in pixels. */
   width: number;
 }
 
@@ -37,7 +37,7 @@ export function createTimeRuler(): { element: HTMLElement; update(props: TimeRul
       draw(props);
       if (knob === null) return;
       const x = (time: number): number => fractionIn(time, props.part) * props.width;
-      // Half of a number beside the knob reads as none.
+      // Hide a number that the playhead's knob partly covers.
       times.forEach((time, index) =>
         setAttribute(element.children[index]!, 'data-covered', Math.abs(x(time) - x(knob)) < COVERED_PX),
       );

@@ -20,7 +20,7 @@ export interface TimeSliderProps
 
 export interface TimeSlider {
   element: HTMLElement;
-  /** What the window spans. */
+  /** The range that the window shows. */
   track: HTMLElement;
   /** `part`: the stretch of time that is shown. */
   update(props: TimeSliderProps, part: Range): void;

@@ -1,4 +1,4 @@
-/** The timeline's track: the range of the keys between its margins, what of it does not play, and the speed over it. */
+/** The timeline's track: the range of the keys between its margins, the part that does not play, and the speed. */
 import { loopRange } from '../model/frames.ts';
 import type { Pace } from '../model/pace.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -10,7 +10,7 @@ export interface TimeTrackProps {
   range: Range;
   /** The stretch of time that is shown. */
   part: Range;
-  /** What plays; null = the range of the keys. */
+  /** The range that plays; null = the range of the keys. */
   between: Range | null;
   periodic: boolean;
   /** null = not known yet. */

@@ -1,9 +1,8 @@
 /**
- * The time slider, the widest control of the page: a solid key range, hatched margins where the motion is extrapolated,
- * key ticks that the playhead snaps to and that can be dragged to other times, and two handles for what plays. It can
- * be zoomed into, about the pointer. A curve in the track is the speed of the motion, a picture over it the moment
- * under the mouse. A ruler counts seconds, or whole frames. Under it are handles for the speeds at
- * its ends, where the boundary has them.
+ * The time slider: a solid range of the keys, hatched margins for extrapolation, key marks that the playhead snaps to
+ * and that can be dragged, and two handles for the range that plays. It zooms around the pointer. A curve in the track
+ * shows the speed, an image above it the shape at the time under the mouse. A ruler counts seconds or whole frames.
+ * Handles below it set the end speeds, if the boundary has them.
  */
 import { h, setAttribute } from './dom.ts';
 import type { End } from '../model/speeds.ts';
@@ -26,14 +25,14 @@ const SNAP_PX = 7;
 
 export interface TimelineProps extends TimeSliderProps {
   playing: boolean;
-  /** What is shown; null = the whole. */
+  /** The visible window; null = the whole. */
   window: Range | null;
   /** Hermite: how fast the motion leaves the first key and arrives at the last; null = another boundary. */
   speeds: SpeedHandlesProps['speeds'];
   /** The fastest on offer there. */
   mostSpeeds: SpeedHandlesProps['most'];
   towards: SpeedHandlesProps['towards'];
-  /** Of the last moment that was pointed at, as an address; null = none of this motion. */
+  /** URL of the image at the last time under the mouse; null = none of this motion. */
   picture: string | null;
 }
 
@@ -41,7 +40,7 @@ export interface TimelineEvents extends KeyTicksEvents {
   onBetween(between: Range | null): void;
   onWindow(window: Range | null): void;
   onSpeed(end: End, speed: number): void;
-  /** A picture of this moment is wanted; null: none any more. */
+  /** Requests an image at this time; null: none. */
   onPeek(t: number | null): void;
 }
 
@@ -60,7 +59,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const { track } = slider;
   const isOn = (): boolean => props !== null && !props.disabled;
   const shown = (): Range => windowOf(props!.window, props!);
-  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  // Several events can arrive before the next drawing: each continues from the value last requested.
   const setWindow = (window: Range | null): void => {
     if (props) props = { ...props, window };
     events.onWindow(window);

@@ -101,7 +101,7 @@ function createPlayButtons(events: TransportEvents): Component<PlayButtonsProps>
 
 const TYPE_TIME = 'Time in seconds; type a number to go there';
 
-/** The time, or the frame, as a number that can be typed. */
+/** The time or the frame, as a number that can be typed. */
 function createTimeField({ onSeek }: TransportEvents): Fields<TransportProps> {
   let fps: number | null = null;
   const time = numberField({

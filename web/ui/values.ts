@@ -1,4 +1,4 @@
-/** The numbers of a picture as a table to read, and the buttons that save the picture and all of its numbers. */
+/** The numbers of a plot as a table, and buttons that save the plot and all of its numbers. */
 import { h } from './dom.ts';
 import { download } from './download.ts';
 
@@ -6,7 +6,7 @@ export interface NumbersTable {
   names: string[];
   /** All of them, for a file. */
   rows: number[][];
-  /** Those that are read in the page. */
+  /** The numbers shown in the page. */
   brief: number[][];
 }
 
@@ -25,7 +25,7 @@ export function valuesTable(
   );
 }
 
-/** What the table scrolls in. */
+/** Scroll container of the table. */
 export function valuesFrame(title: string): HTMLElement {
   return h('div', { class: 'values-frame', tabindex: 0, role: 'region', 'aria-label': `${title}, values` });
 }

@@ -1,6 +1,6 @@
 /**
- * The warnings in sentences, each with a button that shows its place. Not modal: the shape is seen, and can be turned,
- * beside them.
+ * The warnings as sentences, each with a button that shows its place. Not modal: the shape stays visible and can be
+ * rotated.
  */
 import { button } from './controls.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
@@ -9,7 +9,7 @@ import { icon } from './icons.ts';
 export interface WarningItem {
   code: string;
   message: string;
-  /** There is a place or a moment to be shown. */
+  /** Whether a place or a time can be shown. */
   shows: boolean;
 }
 
@@ -21,12 +21,12 @@ export interface WarningsProps {
 
 export interface WarningsList {
   element: HTMLElement;
-  /** `from`: what was pressed, where the focus goes back to. */
+  /** `from`: the pressed element, which gets the focus back. */
   toggle(from: HTMLElement): void;
   update(props: WarningsProps): void;
 }
 
-/** onShow hears null when nothing is to be marked any more. */
+/** onShow receives null when no mark should be shown. */
 export function createWarnings(onShow: (index: number | null) => void): WarningsList {
   let opener: HTMLElement | null = null;
   const list = h('ul', { class: 'warning-list' });

@@ -1,12 +1,12 @@
-/** What the view needs to know of the poses: their box, and a sample of points to fit. */
+/** Extent of the poses for the view: their box, and a sample of points to fit. */
 import type { Bounds } from './stage.ts';
 
 /** Enough to fit a view tightly, few enough to go through at once. */
 const POINTS_PER_POSE = 1500;
 
 /**
- * What a view has to show: the box, and some vertices of every pose, xyz interleaved, the extreme ones along each axis
- * among them.
+ * The extent that a view shows: the box, and some vertices of every pose, xyz interleaved, including the extreme ones
+ * along each axis.
  */
 export interface Extent {
   bounds: Bounds;

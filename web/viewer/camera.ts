@@ -14,7 +14,7 @@ export class CameraRig {
   private aspect = 1;
   private insets: Insets = NO_INSETS;
   private turn = 0;
-  /** Where a fitted view left it. */
+  /** Camera after the last fit. */
   private whole: CameraPose | null = null;
 
   constructor(
@@ -35,7 +35,7 @@ export class CameraRig {
     return this.controls.target;
   }
 
-  /** Takes it back to where it is now, and to what it is fitted to. */
+  /** Returns a function that restores the present camera and fit. */
   keep(): () => void {
     const { extent, whole } = this;
     const pose = this.pose();
@@ -56,7 +56,7 @@ export class CameraRig {
     this.aspect = aspect;
   }
 
-  /** The picture as a whole moves to the middle of what is left; nothing turns. */
+  /** Moves the whole image to the middle of the free area, without rotation. */
   setInsets(insets: Insets): void {
     this.insets = insets;
   }
@@ -73,7 +73,7 @@ export class CameraRig {
     this.onChange();
   }
 
-  /** Looks from a standard direction, or from where it stands now, at the whole shape. */
+  /** Shows the whole shape from a standard direction, or from the present one. */
   fit(view: ViewName | null, eased: boolean): void {
     const direction = view ? directionOf(view) : this.camera.position.clone().sub(this.target).normalize();
     const pose = this.fitted(direction);
@@ -83,7 +83,7 @@ export class CameraRig {
     this.onUserMove();
   }
 
-  /** It stands, or is on its way, where a fitted view put it: nobody has moved it since. */
+  /** Whether the camera is at its fitted pose, or on its way there. */
   get isFitted(): boolean {
     if (this.turning || !this.whole) return this.turning;
     const { position, target } = this.whole;

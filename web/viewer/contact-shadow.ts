@@ -1,6 +1,6 @@
 /**
- * The shadow where a shape meets the floor: seen from below, the nearer the darker, and blurred. It costs one small
- * picture, drawn anew only when what stands on the floor has changed.
+ * The shadow of a shape on the floor: seen from below, darker if closer, and blurred. It costs one small image, redrawn
+ * only when the casters change.
  */
 import {
   BufferAttribute,
@@ -19,7 +19,7 @@ import type { Texture, Vector3, WebGLRenderer } from 'three';
 
 import { makePrograms } from './programs.ts';
 
-/** Casters of a layer are on this many layers above it, too. */
+/** Casters of a layer are also on the layer this many above it. */
 export const CASTER_LAYERS = 16;
 const PIXELS = 192;
 /** Half its side and its height, in radii of the shape. */
@@ -62,12 +62,12 @@ export class ContactShadow {
     this.shown = '';
   }
 
-  /** What it shows is no longer there. */
+  /** Forgets a shape that is gone. */
   forget(): void {
     this.shown = '';
   }
 
-  /** Resolves once the graphics card has its programs, which it makes meanwhile. */
+  /** Resolves once the graphics card has compiled its programs, which it does asynchronously. */
   async compile(renderer: WebGLRenderer): Promise<void> {
     const caster = new Mesh(this.triangle, this.depth);
     renderer.setRenderTarget(this.targets[0]!);
@@ -76,7 +76,7 @@ export class ContactShadow {
     await Promise.all(both);
   }
 
-  /** `layers` is what the view shows; `version` another one whenever that has changed. */
+  /** `layers`: the layers of the view; `version`: changes with the casters. */
   render(renderer: WebGLRenderer, scene: Scene, layers: number, version: number): void {
     const wanted = `${layers} ${version}`;
     if (wanted === this.shown) return;
@@ -133,7 +133,7 @@ function depthMaterial(): ShaderMaterial {
   });
 }
 
-/** Nine samples along a line, as a Gaussian weighs them. */
+/** Nine samples along a line with Gaussian weights. */
 function blurMaterial(): ShaderMaterial {
   const weights = Array.from({ length: 5 }, (_, i) => Math.exp(-((i / 2.4) ** 2)));
   const sum = 2 * weights.reduce((total, weight) => total + weight, 0) - 1;

@@ -1,4 +1,4 @@
-/** What is in the picture: the shapes, one per view, onion skins or a film strip, and the ghost mesh. */
+/** Content of the view: the shapes, one per view, onion skins or a film strip, and the ghost mesh. */
 import { Group } from 'three';
 import type { Camera, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
@@ -10,13 +10,13 @@ import type { Studio } from './studio.ts';
 import { decodeTextures } from './textures.ts';
 import type { Extra, FirstKey, GhostPicture, Look } from './types.ts';
 
-/** The first picture waits no longer for its textures. */
+/** Longest time that the first image waits for textures. */
 const TEXTURES_MS = 200;
 const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 /**
- * Layers of the scene. Light and floor are on layer 0, as everything that says nothing else; then come the shapes of
- * the views, at most six, then what each has of onion skins or a film strip.
+ * Layers of the scene. Light and floor are on layer 0, the default; then come the shapes of the views, at most six,
+ * then their onion skins or film strips.
  */
 export const FIRST_SHAPE = 2;
 export const FIRST_EXTRAS = 8;
@@ -72,7 +72,7 @@ export class Contents {
     return this.hideShapes && !this.opening;
   }
 
-  /** Of the open import. */
+  /** Textures of the open import. */
   private ownTextures: Promise<void> = Promise.resolve();
 
   /** Resolves once the shape is seen in its own textures. */
@@ -81,9 +81,9 @@ export class Contents {
   }
 
   /**
-   * Draws a triangle without area until there is a shape, with what will draw the shapes of `info`: so that the
-   * graphics card has its programs when the first shape comes, and keeps them from one import to the next. Resolves
-   * once it has been told of all of them, and where it can say so, has made them.
+   * Until the first shape, draws a triangle without area with the materials for `info`, so the graphics card compiles
+   * its programs early and keeps them between imports. Resolves once all are requested and, if the card can report it,
+   * compiled.
    */
   async warm(info: KeysInfo, renderer: WebGLRenderer, camera: Camera): Promise<void> {
     this.prepare(info);
@@ -106,7 +106,7 @@ export class Contents {
     this.colours[0] = opening.colour;
   }
 
-  /** It takes the place of what is shown, which stays as it is. Not seen before its textures, so it is drawn once. */
+  /** Replaces the shown content, which is kept. Hidden until its textures are ready, so it is drawn once. */
   setOpening({ info, positions, normals, colour }: FirstKey): void {
     this.endOpening();
     // The import of a first visit is prepared already.
@@ -126,7 +126,7 @@ export class Contents {
     this.applyColours();
   }
 
-  /** What was shown before is shown again. */
+  /** Shows the previous content again. */
   endOpening(): void {
     const { opening } = this;
     if (!opening) return;
@@ -136,7 +136,7 @@ export class Contents {
     this.open.visible = true;
   }
 
-  /** Its textures are decoded meanwhile. */
+  /** Its textures are decoded in the meantime. */
   private prepare(info: KeysInfo, opening: Opening | null = null): void {
     if (this.of === info && this.shapes.length === 0) return;
     this.of = info;
@@ -147,7 +147,7 @@ export class Contents {
     this.ownTextures = opening?.textured ?? this.loadTextures(this.topology);
   }
 
-  /** Whether a shape is in the picture. */
+  /** Whether a shape is shown. */
   get isShown(): boolean {
     return this.drawn.some(({ object }) => object.visible) || (!this.opening && this.extras.flat().length > 0);
   }
@@ -228,7 +228,7 @@ export class Contents {
     this.shapes[0]?.setMark(index);
   }
 
-  /** The ghost mesh of the first view's shape, as it is at the moment that is drawn; null takes it away. */
+  /** The ghost mesh of the first view's shape at the drawn time; null removes it. */
   setGhost(ghost: GhostPicture | null): void {
     const shape = this.shapes[0];
     if (!ghost || !this.ghost?.fits(ghost)) {
@@ -261,7 +261,7 @@ export class Contents {
       : new Float32Array();
   }
 
-  /** So many vertices of the first view's shape, or all, or none before its first frame. */
+  /** This many vertices of the first view's shape, or all, or none before its first frame. */
   sample(count: number): Float32Array {
     const shape = this.drawn[0];
     if (!shape?.object.visible) return new Float32Array();
@@ -274,8 +274,8 @@ export class Contents {
   }
 
   /**
-   * The masks of the layers that a view shows. What a later one shows lies over all of the earlier ones, as the shape
-   * does over its onion skins. The ghost belongs to the first view's motion.
+   * Masks of the layers of a view. Later layers are drawn over earlier ones, as the shape over its onion skins. The
+   * ghost belongs to the first view's motion.
    */
   layersOf(view: number): number[] {
     const around = 1;
@@ -285,7 +285,7 @@ export class Contents {
     return this.extras[view]?.length ? [around | extras, shape] : [around | shape];
   }
 
-  /** A further shape for a picture of its own, to be disposed of; null for a frame of another import. */
+  /** A separate shape for an image, to be disposed of by the caller; null for a frame of another import. */
   shapeOf(positions: Float32Array, normals: Float32Array, colour: string): Shape | null {
     if (!this.topology || !this.fits(positions)) return null;
     const shape = new Shape(this.topology, this.studio);

@@ -1,4 +1,4 @@
-/** Where an eye stands that sees a whole shape, and its lens. */
+/** Camera pose that shows a whole shape, and its lens. */
 import { PerspectiveCamera, Vector3 } from 'three';
 import type { CameraPose, ViewName } from '../model/camera.ts';
 
@@ -14,7 +14,7 @@ const DIRECTIONS: Record<ViewName, [number, number, number]> = {
 
 export const directionOf = (view: ViewName): Vector3 => new Vector3(...DIRECTIONS[view]).normalize();
 
-/** What a fitted view must show. */
+/** The extent that a fitted view must show. */
 export interface Extent {
   /** xyz interleaved: a sample of the vertices. */
   points: Float32Array;
@@ -30,7 +30,7 @@ export interface Insets {
 
 export const NO_INSETS: Readonly<Insets> = { top: 0, bottom: 0 };
 
-/** The nearest eye along a direction of length 1 from which every point is in the picture. */
+/** The nearest eye along a unit direction that sees every point. */
 export function fittedPose(direction: Vector3, { points, radius }: Extent, aspect: number, insets: Insets): CameraPose {
   const eye = new PerspectiveCamera();
   eye.position.copy(direction);
@@ -59,7 +59,7 @@ export function fittedPose(direction: Vector3, { points, radius }: Extent, aspec
   return { position: target.clone().addScaledVector(direction, distance).toArray(), target: target.toArray() };
 }
 
-/** Sets what depends on the size of the view and the distance to what is looked at; call before drawing. */
+/** Sets the parameters that depend on the view size and the distance to the target; call before drawing. */
 export function setLens(
   camera: PerspectiveCamera,
   target: Vector3,
@@ -68,7 +68,7 @@ export function setLens(
   { top, bottom }: Insets,
 ): void {
   const distance = camera.position.distanceTo(target);
-  // The lens is shifted, as architects do it: the point that is turned about stays the middle of the shape.
+  // The lens is shifted, as in architecture: the centre of rotation stays the middle of the shape.
   camera.setViewOffset(aspect, 1, 0, (bottom - top) / 2, aspect, 1);
   camera.near = Math.max(distance - 12 * radius, 0.01 * radius, distance * 1e-3);
   camera.far = distance + 24 * radius;

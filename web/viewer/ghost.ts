@@ -1,5 +1,5 @@
 /**
- * The ghost mesh: its wireframe over the shape, or itself beside the shape with lines to the vertices it stands for.
+ * The ghost mesh: its wireframe over the shape, or the mesh next to the shape with lines to the corresponding vertices.
  */
 import {
   BufferAttribute,
@@ -20,12 +20,9 @@ import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
 import type { GhostPicture } from './types.ts';
 
-/** More lines than this can no longer be told apart. */
+/** More lines are not distinguishable. */
 const LINKS = 28;
-/**
- * Share of the distance to the eye by which the wireframe comes forward, so that a surface as near as the ghost's does
- * not hide it.
- */
+/** Share of the eye distance by which the wireframe is moved forward, so the shape's surface does not hide it. */
 const FORWARD = 0.006;
 
 export class GhostView {
@@ -50,7 +47,7 @@ export class GhostView {
   private readonly beside = new Group();
   private readonly lines = new Group();
 
-  /** For one mesh; `fits` tells whether another picture is of the same one. */
+  /** For one mesh; `fits` checks whether a picture has the same mesh. */
   constructor({ faces, positions, vertexOf }: GhostPicture, studio: Studio, layer: number) {
     studio.install(this.clay, new Rim());
     this.faces = faces;

@@ -1,4 +1,4 @@
-/** Tells of another size of an element, and of other pixels on the screen for the same size. */
+/** Reports changes of an element's size and of the device pixel ratio. */
 export function listenToSize(host: Element, resized: () => void, zoomed: () => void, signal: AbortSignal): void {
   if (!globalThis.ResizeObserver) return window.addEventListener('resize', resized, { signal });
   const sizes = new ResizeObserver(resized);

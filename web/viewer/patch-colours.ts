@@ -11,7 +11,9 @@ export function patchColours(patches: Int32Array, indices: Uint32Array, vertices
   return colours;
 }
 
-/** The golden angle spreads any number of hues; lightness and strength vary so that neighbours differ in grey too. */
+/**
+ * The golden angle spreads any number of hues; lightness and saturation vary so that neighbours also differ in grey.
+ */
 function hueColour(index: number): [number, number, number] {
   const hue = (index * 137.508) % 360;
   const lightness = 0.5 + 0.14 * ((index % 3) - 1);

@@ -1,7 +1,7 @@
 /** The programs of the graphics card, ahead of the first drawing with them. */
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 
-/** Resolves once it has been told of them, and where it makes them beside other work, has made them. */
+/** Resolves once the programs are requested and, if compiled asynchronously, ready. */
 export async function makePrograms(renderer: WebGLRenderer, object: Object3D, camera: Camera): Promise<void> {
   if (renderer.extensions.has('KHR_parallel_shader_compile')) await renderer.compileAsync(object, camera);
   else renderer.compile(object, camera);

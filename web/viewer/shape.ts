@@ -17,12 +17,12 @@ import type { Studio } from './studio.ts';
 import type { Look } from './types.ts';
 import { Wire, edgesOf } from './wire.ts';
 
-/** What has no material of its own. */
+/** Colour of surfaces without a material. */
 const CLAY = '#c9b5a4';
-/** How much of the outline has the colour of the moment. */
+/** Strength of the phase colour in the outline. */
 const RIM = 0.95;
 
-/** What the shapes of one import share: everything but where their vertices are. */
+/** Data shared by the shapes of an import: everything but vertex positions. */
 export interface Topology {
   vertices: number;
   scene: Scene;
@@ -30,7 +30,7 @@ export interface Topology {
   uv: BufferAttribute | null;
   /** The file's own colours without their opacity, 3 x vertices. */
   tint: Float32Array | null;
-  /** Of each material; empty while they are decoded. */
+  /** Per material; empty while they are decoded. */
   textures: (Texture | null)[];
 }
 
@@ -74,13 +74,13 @@ export class Shape {
     polygonOffsetUnits: 1,
   });
   private textured: MeshStandardMaterial[] = [];
-  /** What those were made of: textures come later than the shape. */
+  /** The list that these were made from: textures come later than the shape. */
   private texturedBy: Topology['textures'] | null = null;
   private patchColours: Float32Array | null = null;
   private heatColours: Float32Array | null = null;
   private mark: Mark | null = null;
   private readonly mesh: Mesh;
-  /** Made when it is first wanted. */
+  /** Created on first use. */
   private wire: Wire | null = null;
 
   /** Drawn by cameras that see the layer. */
@@ -126,7 +126,7 @@ export class Shape {
     this.patchColours = colours;
   }
 
-  /** The same for amounts, which come before every other colouring. */
+  /** The same for heat maps, which override every other colouring. */
   setHeatColours(colours: Float32Array | null): void {
     this.heatColours = colours;
   }
@@ -153,7 +153,7 @@ export class Shape {
     this.showWire(look);
   }
 
-  /** Of the moment: of the outline, or of all of it. */
+  /** Phase colour of the outline, or of the whole shape. */
   setColour(colour: string): void {
     this.plain.color.set(this.plain.vertexColors ? '#ffffff' : this.clay ? CLAY : colour);
     this.rim.set(colour, this.rimmed ? RIM : 0);

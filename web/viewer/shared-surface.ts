@@ -1,12 +1,12 @@
 /**
- * One renderer for all pictures of a page: a browser gives it sixteen contexts at most. Each picture is drawn into the
- * same canvas, which is on no page, and copied to a canvas of its own before the next one is drawn.
+ * One renderer for all element views on a page, because a browser allows about sixteen contexts. Each image is drawn
+ * into the same off-page canvas and copied to the element's canvas before the next is drawn.
  */
 import type { WebGLRenderer } from 'three';
 import { newRenderer } from './surface.ts';
 import type { Surface } from './surface.ts';
 
-/** Made with the first picture; it stays, as making one takes longer than drawing. */
+/** Created with the first image and kept, because creating it takes longer than drawing. */
 let shared: { renderer: WebGLRenderer; width: number; height: number; ratio: number } | null = null;
 
 /** Throws where the browser has no WebGL 2. */
@@ -18,7 +18,7 @@ export function sharedSurface(): Surface {
   const context = canvas.getContext('2d')!;
   let size = { width: 1, height: 1, ratio: 1 };
 
-  /** Large enough for the largest picture so far. */
+  /** Large enough for the largest image so far. */
   const makeRoom = (): void => {
     const { width, height, ratio } = size;
     if (width <= all.width && height <= all.height && ratio === all.ratio) return;
@@ -41,7 +41,7 @@ export function sharedSurface(): Surface {
     begin: makeRoom,
     end() {
       const { width, height } = canvas;
-      // The last picture stays until there is another one.
+      // The last image stays until the context is restored.
       if (renderer.getContext().isContextLost()) return;
       context.clearRect(0, 0, width, height);
       const top = renderer.domElement.height - height;

@@ -1,10 +1,10 @@
-/** The floor: a grid that fades, the shadow that the shape casts on it, and a ring in the colour of the moment. */
+/** The floor: a grid that fades, the shadow of the shape, and a ring in the phase colour. */
 import { Color, Group, Mesh, PlaneGeometry, SRGBColorSpace, ShaderMaterial, Vector3 } from 'three';
 import type { Camera, Scene, WebGLRenderer } from 'three';
 import { makePrograms } from './programs.ts';
 import { ContactShadow, REACH } from './contact-shadow.ts';
 
-/** What the stage is made for: the box around all keys. */
+/** Size of the stage: the box around all keys. */
 export interface Bounds {
   min: [number, number, number];
   max: [number, number, number];
@@ -44,7 +44,7 @@ export class Stage {
     this.set('ring', (RING * Math.hypot(size.x, size.z)) / 2 / (SIDE * radius));
   }
 
-  /** The colour of the moment; null where several are in the picture. */
+  /** The phase colour; null if several phases are shown. */
   setPhase(colour: string | null): void {
     if (colour !== null) this.set('ringColour', raw(colour));
     this.set('ringStrength', colour === null ? 0 : 1);

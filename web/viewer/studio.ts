@@ -1,13 +1,13 @@
 /**
- * The light of the studio and the finish of every surface in it. The environment is a formula and no image: a soft sky
- * over a warm ground and three soft boxes, each a spherical Gaussian, which a rough surface sees wider and dimmer. It
- * costs nothing before the first picture and less in each pixel than lamps, on any graphics card.
+ * Light and surface finish of the studio. The environment is a formula, not an image: a soft sky over a warm ground and
+ * three soft boxes, each a spherical Gaussian, which a rough surface sees wider and dimmer. It costs nothing before the
+ * first image, and less per pixel than lamps.
  */
 import { Color, Vector3 } from 'three';
 import type { Material, PerspectiveCamera, WebGLProgramParametersWithUniforms } from 'three';
 
 interface Box {
-  /** Towards it: in the world, or in what the eye sees (right, up, back). */
+  /** Direction of the light: in the world, or relative to the eye (right, up, back). */
   from: readonly [number, number, number];
   seenFromEye: boolean;
   /** The larger, the smaller the box. */
@@ -17,7 +17,7 @@ interface Box {
   dark: number;
 }
 
-/** Key light from above, fill beside the eye, and a strip behind the shape; no side of it is ever dark. */
+/** Key light from above, fill light next to the eye, and a strip light behind the shape, so no side is ever dark. */
 const BOXES: readonly Box[] = [
   { from: [0.5, 1.2, 0.7], seenFromEye: false, sharpness: 7, colour: 0xfff3e4, light: 3.3, dark: 3.3 },
   { from: [-1, 0.25, 0.55], seenFromEye: true, sharpness: 5, colour: 0xe4edff, light: 1, dark: 0.9 },
@@ -25,7 +25,7 @@ const BOXES: readonly Box[] = [
 ];
 const SKY = { colour: 0xf4f7ff, light: 0.76, dark: 0.62 };
 const GROUND = { colour: 0xcfc4b8, light: 0.34, dark: 0.24 };
-/** Of the lobe that a matt surface gathers light with. */
+/** Sharpness of the lobe from which a matt surface gathers light. */
 const MATT = 2.1;
 
 export class Studio {
@@ -53,7 +53,7 @@ export class Studio {
     });
   }
 
-  /** Before each drawing: everything is told in the eye's own axes. */
+  /** Call before each drawing: light directions are in eye coordinates. */
   follow(camera: PerspectiveCamera): void {
     camera.updateMatrixWorld();
     this.uniforms.studioUp.value.set(0, 1, 0).transformDirection(camera.matrixWorldInverse);
@@ -74,7 +74,7 @@ export class Studio {
   }
 }
 
-/** The colour of an outline, which says what the moment is, and how strong it is. */
+/** The colour of the outline, which shows the phase, and its strength. */
 export class Rim {
   readonly uniforms = { rimColour: { value: new Color() }, rimStrength: { value: 0 } };
 
@@ -84,7 +84,7 @@ export class Rim {
   }
 }
 
-/** Changes a material's shader beside what others change in it; `name` tells programs apart. */
+/** Adds a change to a material's shader, after earlier changes; `name` distinguishes programs. */
 export function extend(
   material: Material,
   name: string,

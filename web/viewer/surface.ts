@@ -1,13 +1,13 @@
-/** Where pictures are drawn, and where they are seen. */
+/** Canvases to draw into and to show. */
 import { Vector2, WebGLRenderer } from 'three';
 
 export interface Surface {
   readonly renderer: WebGLRenderer;
-  /** What is seen on the page, and what pointers act on. */
+  /** The visible canvas, which receives pointer events. */
   readonly canvas: HTMLCanvasElement;
   /** In CSS pixels, each of which is `ratio` wide; `styled`: the canvas takes as much room on the page. */
   setSize(width: number, height: number, ratio: number, styled: boolean): void;
-  /** Before and after the views of a picture are drawn, from the lower left corner of the renderer's canvas. */
+  /** Called before and after the views of an image are drawn, from the lower left corner of the renderer's canvas. */
   begin(): void;
   end(): void;
   dispose(): void;
@@ -16,8 +16,8 @@ export interface Surface {
 /** Throws where the browser has no WebGL 2. */
 export function newRenderer(): WebGLRenderer {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
-  // Each of the two waits for all that the graphics card has been given: asking for the log of every program while it
-  // is made, and for an extension in the middle of the first picture instead of before it.
+  // Both calls would wait for the graphics card: reading the log of every program during compilation, and requesting an
+  // extension during the first image instead of before it.
   renderer.debug.checkShaderErrors = false;
   renderer.capabilities.getMaxAnisotropy();
   renderer.setClearColor(0x000000, 0);
@@ -25,7 +25,7 @@ export function newRenderer(): WebGLRenderer {
   return renderer;
 }
 
-/** A renderer of its own: what it draws is seen as it is. */
+/** A surface with its own renderer, shown directly. */
 export function ownSurface(): Surface {
   const renderer = newRenderer();
   const canvas = renderer.domElement;
@@ -34,7 +34,7 @@ export function ownSurface(): Surface {
     canvas,
     setSize(width, height, ratio, styled) {
       if (styled) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
-      // A canvas is made anew by every setting of its size, even to what it has.
+      // Setting its size recreates a canvas, even without a change.
       const before = renderer.getSize(new Vector2());
       if (before.x !== width || before.y !== height || renderer.getPixelRatio() !== ratio)
         renderer.setDrawingBufferSize(width, height, ratio);

@@ -34,7 +34,7 @@ export async function decodeTextures(
   materials: readonly Material[],
 ): Promise<(Texture | null)[]> {
   const decoded: (Texture | null)[] = [];
-  // One after the other: while it is decoded an image takes more memory than later.
+  // One after the other, because an image takes more memory while it is decoded.
   for (const image of images) decoded.push(image.scale > 0 ? await decode(image).catch(() => null) : null);
   const shared = new Map<string, Texture>();
   return materials.map((material) => {

@@ -1,4 +1,4 @@
-/** Small pictures of shapes. They are drawn beside the canvas, which keeps what it shows. */
+/** Small images of shapes, drawn off screen, so the visible canvas is unchanged. */
 import { Color, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderTarget } from 'three';
 import type { WebGLRenderer } from 'three';
 import { FIELD_OF_VIEW, NO_INSETS, directionOf, fittedPose, setLens } from './fit.ts';
@@ -74,9 +74,7 @@ export class Thumbnails {
   }
 }
 
-/**
- * Rows from the bottom up, sRGB, in linear light multiplied by alpha, as blending and the mean of samples leave them.
- */
+/** Rows from the bottom up, sRGB, multiplied by alpha in linear light, as blending and multisampling produce them. */
 function canvasOf(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): HTMLCanvasElement | null {
   const canvas = document.createElement('canvas');
   canvas.width = width;

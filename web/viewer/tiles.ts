@@ -1,4 +1,4 @@
-/** How the canvas is shared by one to four views: beside each other, or two on either side of a divider. */
+/** Layout of one to four views on the canvas: side by side, or two across a divider. */
 import type { Rect } from './types.ts';
 
 /** Two views over each other, of which either side of a divider shows one: the first is on the right. */
@@ -10,7 +10,7 @@ export function sides(share: number, width: number, height: number): Rect[] {
   ];
 }
 
-/** Equal parts, laid out so that each is as near as it gets to a shape: a square, or so many times wider than high. */
+/** Equal parts, laid out so that each is as close as possible to a square, or to the given aspect ratio. */
 export function tiles(count: number, width: number, height: number, aspect = 1): Rect[] {
   let columns = 1;
   let best = Infinity;

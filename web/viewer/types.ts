@@ -1,9 +1,9 @@
-/** What the viewer is given and gives back: plain data, so that nobody else needs three.js. */
+/** Input and output of the viewer: plain data, so other code does not need three.js. */
 import type { KeysInfo } from '../engine/api/types.ts';
 
 export interface Look {
-  /** `texture`: the file's own materials, or clay where it has none. */
-  /** Amounts come as colours of their own; a shape without these, such as a thumbnail, looks like `texture`. */
+  /** `texture`: the file's own materials, or clay without any. */
+  /** Heat maps have separate colours; a shape without them, such as a thumbnail, is drawn as `texture`. */
   colouring: 'texture' | 'phase' | 'patches' | 'rotation' | 'stretch' | 'distance';
   shading: 'smooth' | 'flat';
   wireframe: boolean;
@@ -11,7 +11,7 @@ export interface Look {
   dark: boolean;
 }
 
-/** A further shape in the picture: an onion skin or one of a film strip. */
+/** An additional shape: an onion skin, or one of a film strip. */
 export interface Extra {
   /** 3 x vertices each; copied. */
   positions: Float32Array;
@@ -19,7 +19,7 @@ export interface Extra {
   colour: string;
   /** 1 is solid. */
   opacity: number;
-  /** How far along x it stands from where it is. */
+  /** Displacement along x. */
   offset: number;
 }
 
@@ -32,7 +32,7 @@ export interface FirstKey {
   colour: string;
 }
 
-/** The ghost mesh at a moment. */
+/** The ghost mesh at a time. */
 export interface GhostPicture {
   /** 3 x ghost faces; the same array as long as it is the same mesh. */
   faces: Uint32Array;
@@ -42,7 +42,7 @@ export interface GhostPicture {
   positions: Float32Array;
   /** Its wireframe over the shape. */
   overlay: boolean;
-  /** How far along x it stands beside the shape, with lines between them; null = not there. */
+  /** Displacement along x next to the shape, with lines between both; null = hidden. */
   offset: number | null;
 }
 

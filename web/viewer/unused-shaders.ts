@@ -1,6 +1,6 @@
 /**
- * Leaves the parts of three's shaders out of the build that none of this viewer's materials uses. Each of them is
- * between an #ifdef and its #endif, or included by a material that the viewer does not have.
+ * Removes parts of three's shaders that no material of this viewer uses from the build. Each is between an #ifdef and
+ * its #endif, or included by an unused material.
  */
 import type { Plugin } from 'vite';
 
@@ -19,7 +19,7 @@ const UNUSED = [
   ...['skinbase_vertex', 'skinning_vertex', 'skinnormal_vertex', 'transmission_pars_fragment', 'transmission_fragment'],
 ];
 
-/** Throws where three has no such part any more. */
+/** Throws if a newer three lacks a part. */
 export function withoutUnusedShaders(code: string): string {
   return UNUSED.reduce((left, name) => {
     const part = new RegExp(`^(var|const) ${name} = ".*";$`, 'm');

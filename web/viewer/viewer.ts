@@ -1,4 +1,4 @@
-/** The picture: what it shows in one to four views with one camera, drawn only when something changed. */
+/** The viewer: one to four views with one camera, drawn only after changes. */
 import { Scene, Vector3 } from 'three';
 import type { WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
@@ -25,17 +25,17 @@ export interface ViewerEvents {
   onContextRestored(): void;
   /** The canvas has another size, and the views stand elsewhere. */
   onResize(): void;
-  /** Pixels at the top and the bottom of each of so many views that other things lie over; two are `split` as one. */
+  /** Pixels at the top and the bottom of each view that are covered by other elements; two are `split` as one. */
   covered(views: number, split: boolean): { top: number; bottom: number };
 }
 
-/** Of views that show film strips: under each other. */
+/** Aspect ratio of views with film strips, which are stacked. */
 const STRIP_ASPECT = 6;
 /** Vertices that tell whether a shape is seen. */
 const SAMPLED = 300;
 /** Between two looks whether the graphics card has finished. */
 const FENCE_MS = 4;
-/** The largest share of a view's height that is given to what lies over it. */
+/** Largest share of a view's height for covering elements. */
 const MOST_COVERED = 0.6;
 
 export class Viewer {
@@ -49,14 +49,14 @@ export class Viewer {
   private readonly thumbnails: Thumbnails;
   /** How many times wider than high views side by side ought to be. */
   private tileAspect = 1;
-  /** Pixels of pictures that are taken instead of what fits the page. */
+  /** Size of exported images in pixels, instead of the page's size. */
   private pictureSize: PixelSize | null = null;
   private split: number | null = null;
   private phase: string | null = null;
   private bounds: Bounds | null = null;
-  /** Takes camera and floor back to what they were before the first key of an import was shown. */
+  /** Restores camera and floor from before the first key of an import was shown. */
   private leaveOpening: (() => void) | null = null;
-  /** Another one whenever what stands on the floor has changed. */
+  /** Changes whenever the casters change. */
   private version = 0;
   private pending = 0;
   private starting: Promise<void> | null = null;
@@ -66,7 +66,7 @@ export class Viewer {
   private floored = false;
   private waiting: (() => void)[] = [];
   private readonly followers: (() => void)[] = [];
-  /** Of the screen for one of the page's, as it is drawn. */
+  /** Device pixels per CSS pixel, as drawn. */
   private ratio = 1;
   private readonly over = new AbortController();
   /** Nothing more is drawn. */
@@ -105,7 +105,7 @@ export class Viewer {
       () => {
         events.onContextRestored();
         this.stage.restore();
-        this.started ||= this.starting !== null; // what was being made is gone
+        this.started ||= this.starting !== null; // the program is gone
         this.floored ||= this.flooring !== null;
         // The first drawing after it has neither floor nor transparent ground; the second one is whole.
         this.draw();
@@ -116,7 +116,7 @@ export class Viewer {
     let width = host.clientWidth;
     const resized = (): void => {
       this.fitCanvas();
-      // A telephone that is turned would cut off what was whole.
+      // After a phone is rotated, the shape must fit again.
       if (host.clientWidth !== width) this.refit(false);
       width = host.clientWidth;
       events.onResize();
@@ -129,7 +129,7 @@ export class Viewer {
     this.fitCanvas();
   }
 
-  /** Never more than two: what is finer is hardly seen, and costs four times as much. */
+  /** At most two: a finer image is hardly distinguishable and costs four times as much. */
   private get wantedRatio(): number {
     // Not every browser tells how a page zooms its parts.
     return Math.min(window.devicePixelRatio * (this.host.currentCSSZoom ?? 1), 2);
@@ -156,7 +156,7 @@ export class Viewer {
     this.change();
   }
 
-  /** A new import; nothing of it is seen until its first frame, unless its first key is. */
+  /** A new import, hidden until its first frame, unless its first key is shown. */
   setImport(info: KeysInfo, bounds: Bounds, points: Float32Array): void {
     this.expect(info);
     this.leaveOpening = null;
@@ -169,8 +169,8 @@ export class Viewer {
   }
 
   /**
-   * The first key of an import that is about to be set, seen alone; `camera` null: as a whole. What is shown until now
-   * stays as it is: either `endOpening` or `setImport` is to follow.
+   * Shows the first key of an import alone, before it is set; `camera` null: the whole key. The present content is
+   * kept: call `endOpening` or `setImport` next.
    */
   setOpening(key: FirstKey, { bounds, points }: Extent, camera: CameraPose | null): void {
     this.leaveOpening ??= this.restoring();
@@ -205,7 +205,7 @@ export class Viewer {
     this.contents.endOpening();
     leave();
     this.change();
-    // Nothing was open before: no later drawing would clear the picture.
+    // Without a previous shape, no later drawing would clear the image.
     if (!this.contents.isShown) this.render();
   }
 
@@ -267,8 +267,8 @@ export class Viewer {
   }
 
   /**
-   * From here on everything is drawn in so many pixels, with what the views show on the page in their middle and
-   * nothing over it; null goes back to what fits the page. Throws where the graphics card has not so many.
+   * Sets a fixed output size in pixels, with the views of the page centred and nothing covering them; null restores the
+   * page size. Throws if the graphics card does not support the size.
    */
   setPictureSize(size: PixelSize | null): void {
     this.pictureSize = size;
@@ -285,17 +285,17 @@ export class Viewer {
     this.rig.fit(view, eased);
   }
 
-  /** Nobody has moved what is looked at since it was fitted. */
+  /** The view has not moved since it was fitted. */
   get isFitted(): boolean {
     return this.rig.isFitted;
   }
 
-  /** Other things cover the views now: a shape that nobody has moved takes what is free. */
+  /** Covering elements changed: fits a view that the user has not moved to the free area. */
   refit(eased: boolean): void {
     if (this.rig.isFitted) this.fit(null, eased);
   }
 
-  /** Lets light, floor and fitted views follow other shapes than the keys: what is extrapolated, a film strip. */
+  /** Adapts light, floor and fitted views to shapes other than the keys: extrapolated ones, a film strip. */
   setExtent(bounds: Bounds, points: Float32Array): void {
     this.setBounds(bounds);
     this.rig.setExtent({ points, radius: radiusOf(bounds) });
@@ -347,12 +347,12 @@ export class Viewer {
     return place.unproject(camera).toArray();
   }
 
-  /** Hears of every drawing on the page: what lies over a shape goes with it. */
+  /** Called after every draw, so overlays can follow the shape. */
   follow(onDrawn: () => void): void {
     this.followers.push(onDrawn);
   }
 
-  /** Where points (xyz interleaved) appear: x, y in CSS pixels from the canvas' top left corner. */
+  /** Projects points (xyz interleaved) to x, y in CSS pixels from the canvas' top left corner. */
   project(points: Float32Array, view = 0): Float32Array {
     return this.projected(points, this.rects()[view], 1);
   }
@@ -376,7 +376,7 @@ export class Viewer {
     return result;
   }
 
-  /** What lies under a place, in CSS pixels from the canvas' top left corner; null outside of every view. */
+  /** View and ray at a position in CSS pixels from the canvas' top left corner; null outside every view. */
   rayAt(x: number, y: number): { view: number; ray: Ray } | null {
     const inside = (rect: Rect): boolean =>
       x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
@@ -393,7 +393,7 @@ export class Viewer {
     return { view, ray: { origin: near.toArray(), direction: direction.toArray() } };
   }
 
-  /** Whether anything of the shape is in the picture; true where none is drawn. A sample of the vertices tells. */
+  /** Whether any of the shape is visible, tested on a sample of vertices; true if none is drawn. */
   seesShape(): boolean {
     const rect = this.fittedRect();
     const points = this.contents.sample(SAMPLED);
@@ -402,7 +402,7 @@ export class Viewer {
     const { camera } = this.rig;
     const point = new Vector3();
     for (let i = 0; i < places.length; i += 2) {
-      // What lies behind the eye is projected as if it lay before it.
+      // Points behind the eye are projected as if in front of it, so skip them.
       if (point.fromArray(points, (3 * i) / 2).applyMatrix4(camera.matrixWorldInverse).z >= 0) continue;
       const x = places[i]! - rect.x;
       const y = places[i + 1]! - rect.y;
@@ -411,24 +411,24 @@ export class Viewer {
     return false;
   }
 
-  /** Where the first shape is to be seen: not behind a divider, unless that hides even what is in the middle. */
+  /** Area in which to fit the first shape: not behind a divider, unless that hides even the middle. */
   private fittedRect(): Rect {
     const [[whole], [side]] = [this.rects(), this.seen()] as [[Rect], [Rect]];
     const middle = whole.x + whole.width / 2;
     return side.x <= middle && middle <= side.x + side.width ? side : whole;
   }
 
-  /** The parts of the page's picture that the views take, in CSS pixels. */
+  /** Areas of the views on the page, in CSS pixels. */
   rects(): Rect[] {
     return this.tiles(this.size());
   }
 
-  /** What is seen of them. */
+  /** Their visible parts. */
   seen(): Rect[] {
     return this.sides(this.size());
   }
 
-  /** What is seen of them on the canvas, in its pixels. */
+  /** Their visible parts on the canvas, in its pixels. */
   drawnRects(): Rect[] {
     return this.sides(this.canvas);
   }
@@ -443,7 +443,7 @@ export class Viewer {
     return this.isSplit ? sides(this.split!, size.width, size.height) : this.tiles(size);
   }
 
-  /** Where a divider stands between two views, as a share of the width; null = they stand beside each other. */
+  /** Position of a divider between two views, relative to the width; null = side by side. */
   setSplit(share: number | null): void {
     const before = this.isSplit;
     this.split = share;
@@ -467,7 +467,7 @@ export class Viewer {
 
   /** Resolves once everything set so far has been drawn, no view is being turned to. */
   async drawn(): Promise<void> {
-    // One draw shows all that was set before it; what is set meanwhile, as by a motion that plays, is not waited for.
+    // One draw shows all earlier changes; it does not wait for later ones, such as playback.
     if (this.pending === 0 && !this.rig.turning && !this.compiling && this.floored === (this.flooring !== null)) return;
     do {
       await Promise.race([this.flooring, this.ended]);
@@ -479,7 +479,7 @@ export class Viewer {
     } while (this.rig.turning || (this.flooring !== null && !this.floored));
   }
 
-  /** The same, once the graphics card has done it. */
+  /** The same, once the graphics card has finished. */
   async finished(): Promise<void> {
     await this.drawn();
     const context = this.renderer.getContext() as WebGL2RenderingContext;
@@ -498,7 +498,7 @@ export class Viewer {
     return use(this.canvas);
   }
 
-  /** A small picture of one shape in the current look, as a data URL; empty for a frame of another import. */
+  /** A small image of one shape in the current look, as a data URL; empty for a frame of another import. */
   thumbnail(positions: Float32Array, normals: Float32Array, width: number, height: number, colour: string): string {
     const shape = this.contents.shapeOf(positions, normals, colour);
     if (!shape) return '';
@@ -523,7 +523,7 @@ export class Viewer {
     return this.starting !== null && !this.started;
   }
 
-  /** What covers the views, as shares of their height; never so much that little is left. */
+  /** Covered parts of the views relative to their height; always leaves room for the shape. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
     const { top, bottom } = this.events.covered(this.isSplit ? 1 : this.contents.views, this.isSplit);
@@ -552,7 +552,7 @@ export class Viewer {
     cancelAnimationFrame(this.pending);
     this.pending = 0;
     if (this.compiling) return;
-    // Until the first frame of what was opened, the picture stays what it was: an empty floor would flash.
+    // Until the first frame of an import, the old image stays: an empty floor would flash.
     if (this.contents.isShown || !this.hasSeen) this.render();
     const waiting = this.waiting;
     this.waiting = [];
