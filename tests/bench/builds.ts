@@ -28,11 +28,11 @@ export interface Builds {
   silence: Silence;
   /** Bytes of the largest wasm heap after a build. */
   heapBytes: number;
-  /** The second build's heap, which held no file, over what of it is used when it is done: how much is not kept. */
+  /** The second build's largest heap, without files, over the heap in use at its end. */
   peakOverKept: number;
   /** The heap after the last build over that after the second: the first one's worker had read the file, too. */
   heapGrowth: number;
-  /** By how much the whole process grew from the second build to the last; NaN where it cannot be told. */
+  /** Growth of the whole process from the second build to the last; NaN if unknown. */
   processGrowth: number;
 }
 

@@ -8,7 +8,7 @@ export interface ExportShape {
   parts: number;
 }
 
-/** Faces in the order of their height in the first key, so that parts of as many faces are bands. */
+/** Faces in the order of their height in the first key, so parts of equal size are bands. */
 function byHeight(keys: Keys): Uint32Array {
   const first = keys.positions(0);
   const { faces } = keys.info;

@@ -59,7 +59,7 @@ export const stagesMs = (stats: SequenceStats): number => stats.framesMs + fromF
 /** The k-th of `count` steps from well before the first key to well after the last. */
 export const timeOf = (k: number, count: number): number => -0.2 + (1.4 * k) / count;
 
-/** One frame, which nobody overtakes. */
+/** One frame that is never overtaken. */
 export async function frameOf(pending: Promise<Frame | null>): Promise<Frame> {
   const frame = await pending;
   if (!frame) throw new Error('a frame was overtaken although none else was asked for');

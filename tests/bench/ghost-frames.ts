@@ -40,7 +40,7 @@ async function passes(times: readonly number[], ask: (t: number) => Promise<numb
   return quantile(totals);
 }
 
-/** All stages of so many exact frames: t_o without a ghost, in milliseconds. */
+/** All stages of this many exact frames: t_o without a ghost, in milliseconds. */
 export function stagesOf(sequence: Sequence, shapes: number): Promise<number> {
   return passes(evenTimes(sequence.range, shapes), async (t) =>
     stagesMs(await statsOf(sequence, sequence.evaluate(t))),

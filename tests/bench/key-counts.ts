@@ -1,4 +1,4 @@
-/** What a frame costs with few keys and with many: the same mesh, in turn, so that both meet the same machine. */
+/** Frame cost with few and with many keys: the same mesh, in turn, so both see the same load. */
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import type { SequenceStats } from '../../web/engine/api/types.ts';
 import { msOf, timeOf } from './frames.ts';
@@ -42,7 +42,7 @@ interface Measured {
   stats: SequenceStats[];
 }
 
-/** A mesh with so many keys: an import takes fewer of many unless it is told. */
+/** A mesh with this many keys; by default an import samples fewer of them. */
 async function build(engine: Engine, mesh: Uint8Array, wanted: number): Promise<Measured> {
   const keys = await engine.importKeyframes([{ name: 'bench.glb', bytes: mesh }], { sample: wanted });
   const count = keys.info.times.length;

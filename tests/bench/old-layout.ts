@@ -16,7 +16,7 @@ interface Document {
 
 const INDEX_BYTES: Record<number, number> = { 5123: 2, 5125: 4 };
 
-/** The mesh in so many primitives of as many faces, each of a material. */
+/** The mesh in this many primitives of equal size, each with its own material. */
 export function sharingVertices(glb: Uint8Array, parts: number): Uint8Array {
   const view = new DataView(glb.buffer, glb.byteOffset, glb.byteLength);
   const length = view.getUint32(12, true);

@@ -68,7 +68,7 @@ export const TABLE_2: readonly Table2Row[] = [
   },
 ];
 
-/** Milliseconds of one shape out of so many. */
+/** Milliseconds per shape. */
 function partsOf({ irMs, tsMs }: GhostFrames, shapes: number): Pick<Times, 'ir' | 'ts'> {
   return { ir: irMs / shapes, ts: tsMs / shapes };
 }

@@ -37,7 +37,7 @@ class Text {
 
 const HALF = MOST_BYTES / 2;
 
-/** Two poses; `line` is told which of them it is in. */
+/** Two poses; `line` receives the index of its pose. */
 function obj(name: string, start: (pose: number) => string, line: (index: number, pose: number) => string): SmallInput {
   const files = [0, 1].map((pose) => {
     const text = new Text(HALF);
@@ -196,7 +196,7 @@ const OBJ_INPUTS: SmallInput[] = [
     () => '#',
   ),
   obj(
-    'a line of blanks',
+    'a line of spaces',
     (pose) => `${one(pose)}f`,
     () => ' ',
   ),

@@ -3,7 +3,7 @@ import type { Distance } from './distance.ts';
 
 /** As far as the slider goes beyond the first and last key, as a share of the range. */
 const MARGIN = 0.4;
-/** Even, so that no time is the middle key's. */
+/** An even number, so no time is the middle key's. */
 const INSIDE = 12;
 /** In each margin, the slider's end among them. */
 const BESIDE = 4;

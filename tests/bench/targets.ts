@@ -17,7 +17,7 @@ export interface Target {
 }
 
 const GB = 2 ** 30;
-/** Faces: at most so many for 60 frames a second, and for 30; above that for 10. */
+/** Most faces for 60 frames per second, and for 30; larger shapes for 10. */
 const SIXTY_A_SECOND = 100_000,
   THIRTY_A_SECOND = 400_000;
 /** The heap of a smaller mesh is too small to matter, whatever is kept of it. */

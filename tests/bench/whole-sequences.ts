@@ -1,4 +1,4 @@
-/** Whole motions as in the paper's Table 2: so many shapes, without a ghost mesh and led by one. */
+/** Whole motions as in the paper's Table 2: numbers of shapes, without a ghost mesh and led by one. */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { createWithGhost, ghostFrames, stagesOf, type GhostFrames } from './ghost-frames.ts';
 

@@ -179,7 +179,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   test.slow();
   await app.open();
   await dropped(app, upload('CesiumMan.glb', bytesOf(file!)));
-  // Escape in the sheet ends the work that it tells of, and nothing else.
+  // Escape in the sheet ends the work that it shows, and nothing else.
   const untouched = await keyTimes(app);
   await app.by('sample-tolerance').fill('0.1');
   await app.by('sample-tolerance').press('Enter');
@@ -199,7 +199,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   await expect.poll(found(/most ([\d.]+) %/), { timeout: 60_000 }).toBeLessThanOrEqual(percent);
   expect(await found(/^(\d+) keys/)()).toBe((await keyTimes(app)).length);
 
-  // What is under way is told in the sheet, and not over the shape.
+  // Progress is shown in the sheet, not over the shape.
   await expect(app.by('opening').getByTestId('progress')).toHaveCount(1);
 
   await expect(app.by('sample-original')).toBeChecked();

@@ -37,7 +37,7 @@ test('where motion is welcome the sample is moving by itself until the slider is
   expect((await app.state()).play.playing).toBe(true);
   const opened = (await app.state()).time;
   await expect.poll(async () => (await app.state()).time).not.toBe(opened);
-  // The address names no sample any more, though the motion plays.
+  // The URL no longer names a sample, though the motion plays.
   await expect.poll(() => app.page.url()).not.toContain('sample');
   await app.expectNoProblems();
 });

@@ -57,7 +57,7 @@ test('what is far below is neither fetched nor computed; keys move the time', as
   await expect.poll(time).toBe(0);
 });
 
-test('a file that is missing is told in a sentence', async ({ page }, info) => {
+test('a missing file is reported in a sentence', async ({ page }, info) => {
   test.skip(info.project.name === 'dev', 'the examples are built');
   await open(page);
   const detail = await page.evaluate(

@@ -38,7 +38,7 @@ interface Display {
   stop(): void;
 }
 
-/** A screen that nobody sees, where Xvfb is installed: without any screen Firefox has no WebGL in software. */
+/** A virtual screen, if Xvfb is installed: without a screen, Firefox has no WebGL in software. */
 async function startDisplay(): Promise<Display | null> {
   const program = find('Xvfb');
   if (!program) return null;

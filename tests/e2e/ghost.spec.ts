@@ -1,5 +1,5 @@
 /**
- * The ghost mesh: what leads the shape, what of it is drawn, how far it is from none, and the comparison of its sizes.
+ * The ghost mesh: options, display, difference from the full solve, and the comparison of its sizes.
  */
 import { readFileSync } from 'node:fs';
 import { changedShare, matching } from './png.ts';
@@ -204,7 +204,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
     .split('\n');
   expect(head).toContain('"Faces, empty without a ghost mesh"');
   expect(rows.at(-1)).toMatch(/^,[\d.]+,[\d.]+$/);
-  // What was measured belongs to the motion: another one takes it away.
+  // Measurements belong to the motion: a different motion removes them.
   await app.by('stretch-log').check();
   await app.settled();
   await expect(app.by('study')).toBeHidden();

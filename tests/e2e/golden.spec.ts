@@ -57,7 +57,7 @@ test.describe('looks as it did', () => {
       // The speed of the motion is asked for when frames leave time.
       await expect(app.by('pace')).toBeVisible();
       if ('keys' in selectors) await expect(app.page.locator('.key-list img[src]')).toHaveCount(3);
-      // The time that a frame takes is another one every time.
+      // The frame time differs every time.
       const style = await app.page.addStyleTag({
         content: '[data-testid="status-ms"], .facts { visibility: hidden }',
       });

@@ -1,6 +1,6 @@
 /**
  * Pictures of the page that are kept, each part of it compared by itself: the stage, and each panel. They are shrunk to
- * a quarter first, so that other software renderers pass.
+ * a quarter first, so other software renderers pass.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';

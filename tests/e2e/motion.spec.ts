@@ -1,4 +1,4 @@
-/** Each option shows in the numbers and on the screen; those that refit only neither encode nor factorise. */
+/** Each option shows in the numbers and on the screen; those that refit only neither encode nor factor. */
 import { writeFileSync } from 'node:fs';
 import type { TestInfo } from '@playwright/test';
 import { changedShare } from './png.ts';
@@ -35,7 +35,7 @@ test('the boundary changes the motion between the keys and the picture, not the 
   await app.expectNoProblems();
 });
 
-/** A strip of a length, or bent by so many radians. */
+/** A strip of a length, or bent by this many radians. */
 function strip(bend: number, long: number): string {
   const rings = Array.from({ length: 9 }, (_, i) => {
     const [x, z] = [Math.sin((bend * i) / 8) * 4, Math.cos((bend * i) / 8) * 4];

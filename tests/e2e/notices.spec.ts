@@ -1,4 +1,4 @@
-/** Whoever has the page can read whose work it is. */
+/** The page lists the authors and licences of its parts. */
 import { readFileSync } from 'node:fs';
 import { expect, test } from './support.ts';
 

@@ -68,7 +68,7 @@ const camera = (app: App): Promise<number[]> =>
   app.page.evaluate(() => Array.from(window.__shapespline!.project([0, 0, 0, 1, 1, 1])));
 const opacity = (app: App): Promise<string> =>
   app.page.locator('.picture canvas').evaluate((canvas) => getComputedStyle(canvas).opacity);
-/** Until the first key is on the screen, of so many vertices as no sample has. */
+/** Until the first key is on the screen, with a number of vertices that no sample has. */
 const whenShown = async (app: App): Promise<void> => {
   await app.page.waitForFunction(() => window.__shapespline!.positions().length > 3 * 40_000);
 };

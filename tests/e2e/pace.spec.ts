@@ -1,4 +1,4 @@
-/** What the timeline tells besides the time: speed, overshoot, and the shape at the moment under the mouse. */
+/** The timeline also shows speed, overshoot, and the shape at the time under the mouse. */
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
@@ -45,7 +45,7 @@ test('the mouse over the timeline shows the shape there, and the shape on the sc
   const [card, track] = [(await peek.boundingBox())!, (await app.by('timeline').boundingBox())!];
   expect(card.y + card.height).toBeLessThanOrEqual(track.y);
   expect(Math.abs(card.x + card.width / 2 - far.x)).toBeLessThan(2);
-  // While something drags it is in nobody's way.
+  // It is hidden during a drag.
   await app.page.mouse.down();
   await expect(peek).toBeHidden();
   await app.page.mouse.move(near.x, near.y, { steps: 3 });

@@ -1,4 +1,4 @@
-/** The playground: dragged, typed, watched, linked, saved, heard, and joined to the app in another tab. */
+/** The playground: dragging, typing, playing, links, saving, screen readers, and the connection to the app. */
 import { readFileSync } from 'node:fs';
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
@@ -60,7 +60,7 @@ class Playground {
   }
 }
 
-/** So many of them are drawn. */
+/** The number drawn. */
 const frames = (page: Page, count: number): Promise<void> =>
   page.evaluate(async (left) => {
     for (let i = 0; i < left; i += 1) await new Promise(requestAnimationFrame);
@@ -257,7 +257,7 @@ test('nothing moves by itself where motion is reduced, until it is asked for', a
   await expect(play.by('scene')).toBeHidden();
 });
 
-test('for who has not asked for less motion it plays until the first touch', async ({ page }) => {
+test('it plays until the first touch, unless the user prefers reduced motion', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'no-preference' });
   const play = await new Playground(page).open();
   await expect(play.by('scene')).toHaveText('1 of 7');

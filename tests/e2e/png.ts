@@ -100,7 +100,7 @@ function chunk(type: string, data = Buffer.alloc(0)): Buffer {
   return Buffer.concat([length, body, sum]);
 }
 
-/** So many times smaller: each pixel is the mean of a square; at the lower and right edge of what is left of one. */
+/** Scales down by a factor: each pixel is the mean of a square, cut off at the lower and right edge. */
 export function shrink(file: Buffer, times: number): Buffer {
   const full = decode(file);
   const [width, height] = [Math.ceil(full.width / times), Math.ceil(full.height / times)];

@@ -1,4 +1,4 @@
-/** Files that nobody here made move by themselves once they are open, and raise no false alarm. */
+/** Files from other sources play once they are open, without false warnings. */
 import type { App } from './support.ts';
 import { expect, realFile, test } from './support.ts';
 

@@ -21,7 +21,7 @@ interface Kept {
   files?: { name: string }[];
 }
 
-/** The same model with so many more bytes that no disk can pack. */
+/** The same model with this many incompressible bytes more. */
 function padded(file: string, bytes: number, info: TestInfo): string {
   const glb = readFileSync(file);
   const end = 20 + glb.readUInt32LE(12);
@@ -299,7 +299,7 @@ test('what does not open is not tried with every visit', { tag: '@all' }, async 
   await untilWritten(app);
   const { project } = (await kept(app.page))['twisted-bar.glb']!;
   // The engine refuses what is in the file.
-  const bytes = new TextEncoder().encode('glTF, but no more');
+  const bytes = new TextEncoder().encode('glTF, but nothing else');
   await app.page.evaluate(
     async ([key, content]) => {
       const open = indexedDB.open('shapespline');

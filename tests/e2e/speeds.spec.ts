@@ -3,7 +3,7 @@ import type { Locator } from '@playwright/test';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-/** Drags by so many pixels and holds on. */
+/** Drags by this many pixels without releasing. */
 async function pull(app: App, handle: Locator, dx: number, dy = 0): Promise<void> {
   const box = (await handle.boundingBox())!;
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

@@ -45,7 +45,7 @@ test('the first picture waits for its own shape alone: not for the floor, a seco
     Object.defineProperty(HTMLCanvasElement.prototype, 'width', {
       ...width,
       set(value: number) {
-        if (this.isConnected) performance.mark('canvas made anew');
+        if (this.isConnected) performance.mark('canvas made again');
         width.set!.call(this, value);
       },
     });
@@ -68,7 +68,7 @@ test('the first picture waits for its own shape alone: not for the floor, a seco
   expect(motions.filter((time) => time < seen!)).toHaveLength(1);
   expect(motions).toHaveLength(2);
   expect(await at('asked: encode')).toHaveLength(1);
-  expect((await at('canvas made anew')).filter((time) => time > read! && time < seen!)).toHaveLength(0);
+  expect((await at('canvas made again')).filter((time) => time > read! && time < seen!)).toHaveLength(0);
   const panels = await app.page.evaluate(() =>
     performance
       .getEntriesByType('resource')

@@ -134,7 +134,7 @@ export class App {
     await this.drag(['dragEnter', 'dragOver', 'drop'], files, at);
   }
 
-  /** Files that are held over a place; what has come to lie there meanwhile hears of it with the second move. */
+  /** Drags files over a position; an element that appears there receives the second move. */
   async dragOver(files: string[], at: { x: number; y: number }): Promise<void> {
     await this.drag(['dragEnter', 'dragOver', 'dragOver'], files, at);
   }
@@ -239,13 +239,13 @@ interface WorkerFixtures {
 const VIEWPORT = { width: 1280, height: 720 };
 
 export const test = base.extend<Fixtures, WorkerFixtures>({
-  // Without autoplay the picture stands still, so that it can be compared.
+  // Without autoplay the image does not change and can be compared.
   contextOptions: async ({ contextOptions }, use) => use({ ...contextOptions, reducedMotion: 'reduce' }),
   ownProfile: [false, { option: true }],
   fresh: [false, { option: true }],
   sharpness: [0.25, { option: true }],
   // A page that opens where another of its site has been open is spared a process and most of the compiling: half of
-  // what opening costs. The first page stays, so that the process does.
+  // what opening costs. The first page stays open, which keeps the process.
   shared: [
     async ({ browser }, use, { project }) => {
       const { baseURL } = project.use;

@@ -102,7 +102,7 @@ test('takes a typed time and puts nonsense back', async ({ app }) => {
   await expect(field).toHaveValue('3.000');
 });
 
-test('lets a key be dragged to another time, and encodes nothing anew', async ({ app }) => {
+test('lets a key be dragged to another time without encoding again', async ({ app }) => {
   await app.open();
   const before = await app.stats();
   const halfway = await app.positionsAt(0.25);

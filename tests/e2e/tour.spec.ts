@@ -345,7 +345,7 @@ test('at 360 px a student goes from the first step to the last, by hand and by k
     if (index === 1) await expectBesideShape(app);
     const [frame, page] = [(await app.by('guide').boundingBox())!, (await app.by('viewport').boundingBox())!];
     expect(page.height, 'the shape is seen').toBeGreaterThan(0.28 * height);
-    // All of the text can be read, however little of it is in sight at once.
+    // All of the text can be read by scrolling.
     const formula = app.by('guide').locator('.formula figcaption');
     await formula.scrollIntoViewIfNeeded();
     const words = (await formula.boundingBox())!;

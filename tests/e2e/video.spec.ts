@@ -123,7 +123,7 @@ test('a video takes as long as was watched, whatever the machine takes, and the 
     await app.by('export-video-mp4').check();
   });
   const canvas = (await app.page.locator('.picture canvas').boundingBox())!;
-  // It goes there and back on the page, and here only where that is chosen.
+  // The page plays back and forth; the video does so only if chosen.
   await expect(app.by('export-bounce')).not.toBeChecked();
   expect(text).toBe(`120 frames, 4 s, ${canvas.width} × ${canvas.height} pixels`);
   await expect(app.by('export-duration')).toHaveValue('4');
@@ -271,7 +271,7 @@ test.describe('with code that is loaded when it is needed', () => {
       await chooseVideo(app, 'gif', { 'export-duration': '0.5', 'export-rate': '30' });
       await size(app, 320, 240);
     });
-    // Nothing of it is fetched before.
+    // It is fetched only now.
     expect(code().filter((url) => url.includes('gif-encoder'))).toHaveLength(1);
     expect(code().filter((url) => !url.includes('gif-encoder'))).toEqual([]);
     expect(text).toBe('15 frames, 0.5 s, 320 × 240 pixels');

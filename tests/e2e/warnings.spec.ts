@@ -32,7 +32,7 @@ const WARNINGS: Warning[] = [
   },
 ];
 
-/** Adds to what the workers reply, before the page hears it. */
+/** Adds to the workers' replies before the page receives them. */
 async function withChangedResults(
   page: Page,
   change: { warnings?: Warning[]; indefiniteFaces?: number; indefiniteFace?: number },

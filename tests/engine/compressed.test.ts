@@ -10,7 +10,7 @@ const poses = [0, 60].map((degrees) => bent(mesh, degrees));
 const plain = poseFiles(mesh, poses);
 const engine = testEngine();
 
-/** Corners in the order of the faces: what remains of a mesh whose vertices were numbered anew. */
+/** Corners in the order of the faces, which do not depend on vertex numbers. */
 const cornersOf = (positions: Float32Array, indices: Uint32Array): string[] =>
   Array.from(indices, (v) =>
     Array.from(positions.subarray(3 * v, 3 * v + 3), (value) => value.toFixed(2)).join(),

@@ -157,7 +157,7 @@ describe('an animated GLB', () => {
     }
   });
 
-  it('goes there and back with the same shapes, and opens again as the same keys at the same speed', async () => {
+  it('plays back and forth with the same shapes, and opens again as the same keys at the same speed', async () => {
     const options = { frames: 5, duration: 4, bounce: true };
     const bytes = await exported(bend.sequence, options);
     await expectValid(bytes);
@@ -404,7 +404,7 @@ describe('single shapes and series of files', () => {
     }
   });
 
-  it('are numbered files, one for each requested time and no more', async () => {
+  it('are numbered files, exactly one for each requested time', async () => {
     const files = await bend.sequence.export({ format: 'obj', times: [1.3, -0.3, 0.5] });
     expect(files.map(({ name }) => name)).toEqual(['0000.obj', '0001.obj', '0002.obj']);
     const keys = await engine.importKeyframes(files);
@@ -414,7 +414,7 @@ describe('single shapes and series of files', () => {
     expect(Math.abs(plan.bytes - written)).toBeLessThan(0.35 * written);
   });
 
-  it('come one by one, and end where nobody takes more', async () => {
+  it('come one by one, and end when the caller stops', async () => {
     const fractions: number[] = [];
     const options = { format: 'obj', frames: 50 } as const;
     const taken: string[] = [];

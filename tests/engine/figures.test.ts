@@ -1,4 +1,4 @@
-/** What figures of the guide tell of a motion, asked of the motion that their links name. */
+/** The guide's statements about figures, checked on the motions of their links. */
 import { readFile } from 'node:fs/promises';
 import { expect, it } from 'vitest';
 import { FIGURES } from '../../web/app/guide/figures.ts';

@@ -47,7 +47,7 @@ describe('a ghost mesh', () => {
     sequence.dispose();
   });
 
-  it('is off by default, and where the shape has no more faces', async () => {
+  it('is off by default, and if the shape has too few faces', async () => {
     for (const options of [{}, { ghostFaces: 5000 }]) {
       const { sequence } = await bendSequence(engine, options);
       expect(await sequence.ghost()).toBeNull();
@@ -68,7 +68,7 @@ describe('a ghost mesh', () => {
     }
     for (const one of [sequence, full]) await one.update({ method: 'linear', boundary: 'natural' });
     expect(await at(sequence)).toEqual(await at(full));
-    // What was made anew would have taken another time.
+    // A new computation would have taken a different time.
     const { encodeMs, factorMs } = await sequence.stats();
     expect([encodeMs, factorMs]).toEqual([before.encodeMs, before.factorMs]);
     for (const one of [sequence, full]) one.dispose();

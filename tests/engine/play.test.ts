@@ -18,7 +18,7 @@ let sequence: Sequence;
 
 beforeAll(async () => {
   const mesh = bar();
-  // Not of one size, so that the shapes do not lie on a line.
+  // Of different sizes, so the shapes do not lie on a line.
   const poses = [0, 60, -40, 90, 20].map((degrees, i) => bent(mesh, degrees).map((x) => x * (1 + 0.2 * ((i * 3) % 5))));
   keys = await engine.importKeyframes(poseFiles(mesh, poses), { keyTimes: times });
   sequence = await engine.createSequence(keys);

@@ -78,7 +78,7 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('encodes and factorises once, whatever is scrubbed, toggled and moved', async () => {
+  it('encodes and factors once, whatever is scrubbed, toggled and moved', async () => {
     const sequence = await engine.createSequence(bend.keys);
     const before = await sequence.stats();
     for (const t of [-0.4, 0, 0.3, 1, 1.4]) (await frameAt(sequence, t)).release();
@@ -90,7 +90,7 @@ describe('a sequence', () => {
     await sequence.update({ keyTimes: [0, 0.1, 5], startSpeed: 0.5, tension: [0, 0.5, 0], bias: [0.5, -1, 0] });
     await frameAt(sequence, 2);
     const after = await sequence.stats();
-    // What was made anew would have taken another time.
+    // A new computation would have taken a different time.
     expect([after.encodeMs, after.factorMs]).toEqual([before.encodeMs, before.factorMs]);
     expect(after.solves).toBeGreaterThan(before.solves);
     sequence.dispose();
@@ -220,7 +220,7 @@ describe('a sequence', () => {
     );
 
     const expectTurned = async (t: number, degrees: number): Promise<void> => {
-      // The point about which it turns is found from the keys, to about so much.
+      // Accuracy of the rotation centre found from the keys.
       expect(largestDistance(await positionsAt(sequence, t), pose(degrees))).toBeLessThan(
         1e-3 * diagonal(mesh.positions),
       );

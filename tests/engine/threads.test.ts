@@ -105,7 +105,7 @@ describe('a large sequence', () => {
     };
     const found = core.eliminationOrder({ ...request, order: empty() });
     expect(factorBy(found)).toBe(own);
-    // One that is none, and another one, which has more fill.
+    // One that is not a permutation, and one with more fill.
     expect(factorBy(found.map(() => 0))).toBe(own);
     const other = [...found.filter((_, at) => at % 2), ...found.filter((_, at) => !(at % 2))];
     expect(factorBy(Int32Array.from(other))).toBeGreaterThan(own);
@@ -119,7 +119,7 @@ describe('a large sequence', () => {
         engine.createSequence((await bendKeys(engine, large)).keys, { patches: 201 }),
       ),
     );
-    // Who is told nothing waits for a minute.
+    // Without a reply it would wait for a minute.
     expect(performance.now() - began).toBeLessThan(60_000);
     expect(bytes(await frameAt(two!, 0.3)).equals(bytes(await frameAt(one!, 0.3)))).toBe(true);
   });

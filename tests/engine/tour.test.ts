@@ -7,7 +7,7 @@ import { make } from '../../web/sculpt/make.ts';
 import { frameAt, testEngine } from './support/engines.ts';
 
 const engine = testEngine();
-/** So many vertices of the one shape are looked for in the other. */
+/** Number of vertices of one shape to look up in the other. */
 const PROBES = 300;
 
 /** How far the surfaces are apart, in percent of the diagonal: whichever vertices are where. */

@@ -16,7 +16,7 @@ async function hint(files: InputFile[]): Promise<string | null> {
 
 const isHinted = async (files: InputFile[]): Promise<boolean> => (await hint(files)) === 'z-up';
 
-/** Points and triangles of an OFF as an OBJ, whose files mostly have y up; `standing`: turned, so that it has. */
+/** Points and triangles of an OFF as an OBJ, whose files mostly have y up; `standing`: rotated to have it as well. */
 function asObj({ name, bytes }: InputFile, standing: boolean): InputFile {
   const [, count = 0, faces = 0, , ...numbers] = new TextDecoder()
     .decode(bytes as Uint8Array)

@@ -163,7 +163,7 @@ TEST_CASE("a mesh of any kind has one order, whatever the file's") {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) checkSameMesh(keyframes(odd, {bend(0), bend(0.3), twist(1)}), seed);
 }
 
-TEST_CASE("parts that only their faces far from the first tell apart are told apart") {
+TEST_CASE("parts that differ only in faces far from the first are distinguished") {
   Shape part = box(1, 1, 3, 3, 3, 8);
   part.positions = mapped(bumpy(part.positions), [](const Vec3& p) -> Vec3 { return p + Vec3(2, 1, 0); });
   Shape other = part;
@@ -179,7 +179,7 @@ TEST_CASE("parts that only their faces far from the first tell apart are told ap
 }
 
 TEST_CASE("a symmetric shape is ordered, too: by what its symmetry leaves") {
-  // Turned about its own axis by 15 degrees a ball is itself, but its poles are told apart by the second key.
+  // Turned about its own axis by 15 degrees a ball is itself, but the second key distinguishes its poles.
   const Shape ball = sphere({0, 0, 0}, 1, 16, 24);
   const Map stretched = [](const Vec3& p) -> Vec3 { return {p.x(), p.y(), p.z() * (p.z() > 0 ? 2 : 1)}; };
   const Keyframes k = keyframes(ball, {turn(Vec3::UnitZ(), 0), stretched});

@@ -353,7 +353,7 @@ TEST_CASE("cholesky: malformed input is refused") {
   CHECK(cholesky.factorise(good).ok());
 }
 
-TEST_CASE("cholesky: factorising again with other values uses them") {
+TEST_CASE("cholesky: factoring again with other values uses them") {
   Random random(12);
   const PlainMesh mesh = irregularSheet(15, 15, random);
   SymmetricMatrix matrix = pinnedLaplacian(mesh);

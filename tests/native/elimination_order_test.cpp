@@ -15,7 +15,7 @@ using namespace shapespline::test;
 namespace {
 
 std::vector<int> found;  // what is handed over
-int asked = 0;           // for so many unknowns
+int asked = 0;           // number of unknowns
 
 std::vector<int> handOver(int unknowns) {
   asked = unknowns;

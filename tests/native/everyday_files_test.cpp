@@ -92,7 +92,7 @@ Bytes binaryStrips(const std::string& type, int width, bool bigEndian) {
 
 }  // namespace
 
-TEST_CASE("OBJ: a line goes on behind its backslash, whatever blanks and ends of line stand there") {
+TEST_CASE("OBJ: a line continues after its backslash, with any spaces and line ends") {
   for (const std::string end : {"\\\n", "\\ \n", "\\\t\n", "\\\r\n", "\\ \t \r\n", "\\\r", "\\\r\r\n"}) {
     CAPTURE(end);
     CHECK(facesOf("a.obj", bytesOf(squareObj() + "f 1 2 " + end + "3" + end + " 4\n")) ==
@@ -103,7 +103,7 @@ TEST_CASE("OBJ: a line goes on behind its backslash, whatever blanks and ends of
   CHECK(facesOf("a.obj", bytesOf("# from C:\\shapes\\\n" + squareObj() + kFace)).size() == 2);
 }
 
-TEST_CASE("OBJ: a line names several material libraries, whose names may hold blanks") {
+TEST_CASE("OBJ: a line names several material libraries, whose names may contain spaces") {
   const std::string faces = "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n";
   const auto colours = [&](const std::string& named, const std::string& first, const std::string& second) {
     Files files;

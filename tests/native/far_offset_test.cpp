@@ -173,7 +173,7 @@ TEST_CASE("shapes near the origin have no offset and keep every bit") {
   }
 }
 
-TEST_CASE("the offset is a power of two times a whole number, so that subtracting and adding it is exact") {
+TEST_CASE("the offset is a power of two times a whole number: subtracting and adding it is exact") {
   for (double scale : {1e-4, 1.0, 37.0, 1e5})
     for (double distance : {50.0, 1118.0, 455'000.0}) {
       Positions first = poseAt(Vec3(distance, 1, -distance), 0), second = poseAt(Vec3(distance, 1, -distance), 0.7);

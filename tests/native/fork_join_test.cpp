@@ -45,7 +45,7 @@ TEST_CASE("forkJoin: every part is done once, by one or the other") {
   CHECK(forkJoin.helped() > 0);
 }
 
-TEST_CASE("forkJoin: a helper that breaks down is told of, and the caller goes on alone") {
+TEST_CASE("forkJoin: a helper that breaks down is reported, and the caller continues alone") {
   ForkJoin forkJoin;
   const HelperThread helper(forkJoin);
   std::atomic<bool> began = false;
@@ -60,7 +60,8 @@ TEST_CASE("forkJoin: a helper that breaks down is told of, and the caller goes o
   CHECK(done == std::array{1, 1});
 }
 
-TEST_CASE("forkJoin: a helper that breaks down before the caller is done is told of, too: its part is half written") {
+TEST_CASE(
+    "forkJoin: a helper that breaks down before the caller is done is reported as well: its part is half written") {
   ForkJoin forkJoin;
   const HelperThread helper(forkJoin);
   CHECK_THROWS_AS(inTwo(&forkJoin,

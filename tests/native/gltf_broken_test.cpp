@@ -75,7 +75,7 @@ TEST_CASE("broken GLB containers") {
   Bytes small = good;
   small[8] = 12, small[9] = small[10] = small[11] = 0;
   checkRefused(small, ErrorCode::MalformedFile, "no JSON chunk");
-  Bytes trailing = good;  // bytes behind the declared length are nobody's
+  Bytes trailing = good;  // bytes after the declared length are ignored
   trailing.resize(good.size() + 7);
   CHECK(Files().add("a.glb", good).add("b.glb", trailing).import().ok());
 }

@@ -100,7 +100,7 @@ TEST_CASE("pointers to morph weights: of a node, of a mesh, of one target") {
     CHECK(distance(moved(pointer, true), boxPose(5)) < 1e-6);
 }
 
-TEST_CASE("pointers that cannot be followed are named; those of materials are nobody's matter") {
+TEST_CASE("pointers that cannot be followed are named; those of materials are ignored") {
   const auto with = [](const char* pointer) {
     GltfMaker maker = morphFile({0, 1});
     const int times = maker.scalars({0, 1});

@@ -283,7 +283,7 @@ TEST_CASE("the size is known beforehand to a few percent") {
   }
 }
 
-TEST_CASE("as many frames as open again, and no more") {
+TEST_CASE("at most as many frames as open again") {
   const Scene scene;
   std::vector<double> seconds(4000);
   for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = static_cast<double>(k);

@@ -275,7 +275,7 @@ TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
   CHECK(shapeAt(updated, 1.4) == shapeAt(plain, 1.4));
 }
 
-TEST_CASE("what is held is factorised once when it is switched on, whatever changes besides") {
+TEST_CASE("holding factors once when it is switched on, whatever else changes") {
   const Keyframes k = standing();
   const std::vector<double> times = {0, 1, 2.5, 3, 4}, later = {0, 1, 1.8, 3, 4};
   Sequence s = make(k, {});

@@ -250,7 +250,7 @@ TEST_CASE("evaluate is a pure function of its arguments") {
   CHECK(first.normals == again.normals);
 }
 
-TEST_CASE("nothing is encoded or factorised anew while scrubbing, toggling and moving key times") {
+TEST_CASE("nothing is encoded or factored again while scrubbing, toggling and moving key times") {
   Sequence s = make(bentBar({0, 70, -50, 120}), {});
   const SequenceStats before = s.stats();
   Frame frame;
@@ -260,7 +260,7 @@ TEST_CASE("nothing is encoded or factorised anew while scrubbing, toggling and m
     REQUIRE(s.update(motion, {0, 0.2, 0.7, 1.5}).ok());
     for (double t : slider) REQUIRE(s.evaluate(t, frame).ok());
   }
-  // What was made anew would have taken another time.
+  // A new computation would have taken a different time.
   CHECK(s.stats().encodeMs == before.encodeMs);
   CHECK(s.stats().factorMs == before.factorMs);
   CHECK(s.stats().solves == before.solves + 3 * static_cast<long long>(slider.size()));

@@ -39,7 +39,7 @@ struct PlainMesh {
   std::vector<Triangle> faces;
 };
 
-/// Numbers the vertices anew in random order.
+/// Numbers the vertices in random order.
 inline void shuffleVertices(PlainMesh& mesh, Random& random) {
   const int n = static_cast<int>(mesh.positions.size());
   std::vector<int> to(n);

@@ -40,7 +40,7 @@ Shape cutApart(const Shape& shape) {
 
 }  // namespace
 
-TEST_CASE("a key that lies far away welds what it would at home, and no more") {
+TEST_CASE("a key that lies far away welds the same vertices as at the origin") {
   Shape fine = box(1, 1, 2, 20, 20, 40);
   fine = joined(fine, sphere({0.6, 0, 1}, 1e-4));  // small, but larger than what welds
   const auto n = static_cast<int>(fine.positions.size());

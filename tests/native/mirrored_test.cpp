@@ -83,7 +83,7 @@ TEST_CASE("a mirrored key of a ball or a bumpy bar is named, whichever it is and
   CHECK(mirroredOf(keyframes(shape, {bend(0), bend(2), twist(3), bend(-3)})).empty());
   CHECK(mirroredOf(keyframes(shape, {bend(0), bend(2), then(bend(-2), mirrorX), twist(3)})) == std::vector{2});
   CHECK(mirroredOf(keyframes(shape, {then(bend(1), mirrorX), bend(2), twist(3)})) == std::vector{0});
-  // Turned round and enlarged, it is still a mirror image.
+  // Rotated and enlarged, it is still a mirror image.
   const Map away = [](const Vec3& p) -> Vec3 { return 100 * turn(Vec3(1, 2, 3), 2.2, Vec3(70, 0, 0))(p); };
   CHECK(mirroredOf(keyframes(shape, {bend(0), then(then(twist(2), mirrorX), away)})) == std::vector{1});
 }

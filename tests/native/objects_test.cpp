@@ -162,7 +162,7 @@ TEST_CASE("objects without names are matched by shape, and alike ones by place")
   checkMoved(joined({kLeft, kRight}, {another, other}), kShift);
 }
 
-TEST_CASE("the whole turned round is no reason to change the places of alike objects") {
+TEST_CASE("a rotation of the whole does not swap similar objects") {
   const auto plain = [](double x) { return Object{"", "", {x, 0, 0}}; };
   const Eigen::Affine3d turned(Eigen::AngleAxisd(3.14159, Vec3::UnitZ()));
   checkMoved(joined({plain(-3), plain(3)}, {plain(-3), plain(3)}, turned), turned);

@@ -1,4 +1,4 @@
-// Files that nobody here wrote, where they are at hand: in the folder that SHAPESPLINE_DATA names, or in shared/data
+// Files from other sources, if available: in the folder that SHAPESPLINE_DATA names, or in shared/data
 // beside the repository.
 #pragma once
 

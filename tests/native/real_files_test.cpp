@@ -1,4 +1,4 @@
-// Files that nobody here wrote, where they are at hand: counts, and that every malformed one is refused or imported.
+// Files from other sources, if available: counts, and that every malformed one is refused or imported.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -87,7 +87,7 @@ TEST_CASE("real OBJ poses") {
               6, 398, 794);
 }
 
-TEST_CASE("keys of two meshes are told apart with both counts") {
+TEST_CASE("keys of two meshes are refused with both counts") {
   if (!hasData()) return;
   const auto mixed = realFiles({"cactus/cactus-1.glb", "obj/wolf/wolf-1.obj"}).import();
   REQUIRE(!mixed.ok());

@@ -203,8 +203,8 @@ TEST_CASE("patch rotations: connections that agree are met, others change nothin
   }
 }
 
-// Where the maps disagree around the ring between the keys, a minimum followed to convergence is lost and another one
-// taken.
+// Where the maps disagree around the ring between the keys, a minimum followed to convergence is lost and a different
+// one taken.
 TEST_CASE("a ring of patches that turn by 170 degrees against each other turns without a jump" * dense) {
   double worst = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {

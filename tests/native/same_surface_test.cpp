@@ -22,7 +22,7 @@ TEST_CASE("polygons may be cut along other diagonals, beside each other and at a
   CHECK(sameSurface(kMesh, {{0, 1, 3}, {1, 4, 2}, {2, 5, 8}, {5, 6, 8}, {6, 7, 8}, {1, 2, 3}, {4, 5, 2}}));
 }
 
-TEST_CASE("other surfaces are told apart") {
+TEST_CASE("other surfaces are distinguished") {
   std::vector<Triangle> turned = kMesh, other = kMesh, twice = kMesh;
   turned[1] = {0, 3, 2};
   CHECK(!sameSurface(kMesh, turned));
@@ -31,7 +31,8 @@ TEST_CASE("other surfaces are told apart") {
   twice[1] = twice[0];
   CHECK(!sameSurface(kMesh, twice));
   CHECK(!sameSurface(kMesh, {kMesh.begin(), kMesh.end() - 1}));
-  // A closed surface over the same vertices, all of whose edges are others: it has no boundary to be told by.
+  // A closed surface over the same vertices, all of whose edges are others: it has no boundary that could distinguish
+  // it.
   const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   CHECK(!sameSurface(tetrahedron, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}));
 }

@@ -81,7 +81,7 @@ TEST_CASE("bench meshes: the wanted number of faces, closed, irregular, shuffled
   }
 }
 
-TEST_CASE("bench meshes: the same arguments give the same mesh, another seed another one") {
+TEST_CASE("bench meshes: the same arguments give the same mesh, another seed a different mesh") {
   const Keyframes a = makeBenchKeyframes(2000, 4, 9), b = makeBenchKeyframes(2000, 4, 9);
   const Keyframes c = makeBenchKeyframes(2000, 4, 10);
   CHECK(a.faces == b.faces);

@@ -15,10 +15,10 @@ namespace {
 
 // Percent of the diagonal that a vertex may still step by at some 1e-10 of the range.
 constexpr double leastStep = 1e-4;
-// A patch turns at no moment faster than so many times the speed at the median moment; times what the end speeds asked
+// A patch never turns faster than this multiple of its median speed; times what the end speeds asked
 // for do to an even turn by themselves.
 constexpr double largestUnevenness = 4;
-// Halving the spacing finds no more than so many times the acceleration: 32 is a corner.
+// Largest ratio of accelerations when the spacing is halved: 32 is a corner.
 constexpr double largestGrowth = 4;
 
 struct Boundary {

@@ -17,7 +17,7 @@ namespace shapespline::test {
 
 /// How closely a sweep looks. Both ways of zooming end at about 1e-10 of the range.
 struct Density {
-  int samples = 10;  ///< between two keys; a multiple of five, so that the ends of the range are samples
+  int samples = 10;  ///< between two keys; a multiple of five, so the ends of the range are samples
   int fold = 4;      ///< parts that each zoom cuts a step into
   int zooms = 14;
 };

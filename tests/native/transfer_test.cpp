@@ -439,7 +439,7 @@ TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its w
     REQUIRE(s.evaluate(0.37, again).ok());
     CHECK(first.positions == again.positions);
     CHECK(first.normals == again.normals);
-    // What was made anew would have taken another time.
+    // A new computation would have taken a different time.
     CHECK(s.stats().encodeMs == before.encodeMs);
     CHECK(s.stats().factorMs == before.factorMs);
     CHECK(s.stats().solves == before.solves + 3 + static_cast<long long>(slider.size()));
@@ -456,7 +456,7 @@ TEST_CASE("ghost: a frame and the ghost's own shape have clocks of their own") {
   const SequenceStats exact = s.stats();
   CHECK(exact.framesMs > 0);
   CHECK(exact.facesMs > 0);
-  CHECK(exact.ghostMs == 0);  // nobody asked for its shape
+  CHECK(exact.ghostMs == 0);  // its shape was not requested
   std::vector<float> ghost;
   REQUIRE(s.evaluateGhost(0.4, ghost).ok());
   CHECK(s.stats().ghostMs > 0);

@@ -30,7 +30,7 @@ it.each([
   ['a web page', 'pose-0.glb page.glb', 'not-a-model', 1, /page\.glb returned a web page instead of a model/],
   ['a GLB of nothing', 'pose-0.glb bad.glb', expect.any(String), 1, /bad\.glb/],
   ['another host', 'http://127.0.0.1:9/a.glb pose-0.glb', 'not-found', 0, /CORS|Could not fetch/],
-])('%s is told in a sentence, and what comes next is shown', async (_, src, code, key, words) => {
+])('%s is reported in a sentence, and the next source is shown', async (_, src, code, key, words) => {
   write('page.glb', '<!DOCTYPE html><title>Not found</title>');
   write('bad.glb', new Uint8Array([...new TextEncoder().encode('glTF'), 2, 0, 0, 0, 99, 0, 0, 0, 1, 2]));
   const page = await openElements(shown(src));
@@ -157,7 +157,7 @@ it('what was set before the element is known counts; children say when their key
   expect(await when(page, 'load', 'b', 2)).toMatchObject({ keyTimes: [1, 3] });
 });
 
-/** What nobody shows any more has ended after a while. */
+/** Unused objects are disposed of after a while. */
 const fewWorkers = (page: Page): Promise<void> =>
   expect.poll(() => page.workers().length, { timeout: 30_000 }).toBeLessThanOrEqual(3);
 
@@ -243,7 +243,7 @@ it('a seek ends wherever the element is removed on the way to its first shape', 
   for (const outcome of outcomes) expect(['not-connected', 'drawn']).toContain(outcome);
 });
 
-it('moves in the document as it is, and begins anew after a while outside of it', async () => {
+it('keeps its state when moved in the document, and starts again after a while outside', async () => {
   const page = await openElements(`<div id="first">${shown(KEYS, 'controls')}</div><div id="second"></div>`);
   await when(page, 'load');
   await seek(page, 0.5);
@@ -263,7 +263,7 @@ it('moves in the document as it is, and begins anew after a while outside of it'
   expect(await picture(page)).toBe(before);
 });
 
-it('lives in a frame, in a shadow root, in a dialog, without a size and with another one', async () => {
+it('lives in a frame, in a shadow root, in a dialog, without a size and with a new one', async () => {
   write('frame.html', '<!doctype html><title>A frame</title><body>');
   const page = await openElements(
     `${shown(KEYS)}<iframe id="frame" src="frame.html" width="400" height="300"></iframe>`,

@@ -65,7 +65,7 @@ it('fetches nothing before it is near, and neither computes nor draws out of vie
   );
 });
 
-it('tells of loading, playing, seeking and keys, each with its detail, and lets no event bubble', async () => {
+it('reports loading, playing, seeking and keys, each with its detail, and lets no event bubble', async () => {
   const page = await openElements(ONE);
   expect(await when(page, 'load')).toEqual({
     vertices: expect.any(Number),
@@ -402,7 +402,7 @@ it('a "false" counts as false, and a wrong value as none; each is said once', as
   ]);
 });
 
-it('every row of the table goes there and back, from the attribute and from the property', async () => {
+it('every row of the table makes a round trip, from the attribute and from the property', async () => {
   const page = await openElements('');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const rows = PROPERTIES.flatMap((property) =>

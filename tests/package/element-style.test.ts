@@ -1,4 +1,4 @@
-/** What a page's style and a reader's settings change at once, and what is told of a loop. */
+/** Effects of a page's style and a user's settings, and the events of a loop. */
 import { expect, it } from 'vitest';
 import { KEYS, on, openElements, picture, seek, told, useElements, when } from './support/element.ts';
 
@@ -27,7 +27,7 @@ it('colours of the phases are those of the style when a shape is shown', async (
   }
 });
 
-it('a loop tells of the key and the time at which it ends', async () => {
+it('a loop reports the key and the time at which it ends', async () => {
   const page = await openElements(`<shape-spline id="a" src="${KEYS}" loop playback-rate="2"></shape-spline>`);
   await when(page, 'load');
   await seek(page, 0);
@@ -82,7 +82,7 @@ it('a page that zooms gets as many pixels as the screen has for the shape', asyn
   }
 });
 
-it('what is no address and no file is told with its key', async () => {
+it('an invalid URL or file is reported with its key', async () => {
   const page = await openElements('<shape-spline id="a"></shape-spline>');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   await on(page, (shape) => (shape.keys = [5 as never]));

@@ -29,7 +29,7 @@ async function middleOf(page: Page, part: string): Promise<{ x: number; y: numbe
   return { x: x + width / 2, y: y + height / 2 };
 }
 
-/** One finger, from there by so much, as the browser gets it from a screen. */
+/** Moves one finger, as the browser gets it from a screen. */
 async function swipe(client: CDPSession, from: { x: number; y: number }, dx: number, dy: number): Promise<void> {
   const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', share: number): Promise<unknown> =>
     client.send('Input.dispatchTouchEvent', {
@@ -73,7 +73,7 @@ it('a finger that goes sideways on the timeline moves the time, and a tap sets i
   const time = (): Promise<number> => on(page, (shape) => shape.currentTime);
   await expect.poll(time, { timeout: 30_000 }).toBeGreaterThan(0.6);
   expect(await scrolled(page)).toBe(0);
-  // The browser takes a tap right after a swipe for the end of its fling, and tells nobody.
+  // The browser takes a tap right after a swipe for the end of its fling, without an event.
   const tapped = async (): Promise<number> => {
     await page.touchscreen.tap(middle.x, middle.y);
     return time();

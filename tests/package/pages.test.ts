@@ -1,4 +1,4 @@
-/** The package on pages without a bundler: on their own host, on another one, under a strict policy. */
+/** The package on pages without a bundler: on their own host, on another host, under a strict policy. */
 import { copyFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { beforeAll, expect, it } from 'vitest';

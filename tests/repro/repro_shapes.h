@@ -1,4 +1,4 @@
-// Inputs that showed defects, made anew each time: small, exact about what they are, the same as files (main.cpp) and
+// Inputs that showed defects, generated each time: small, exact about what they are, the same as files (main.cpp) and
 // in the tests (tests/native/repro_test.cpp).
 #pragma once
 

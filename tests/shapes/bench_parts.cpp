@@ -99,7 +99,7 @@ void append(Surface& whole, const Surface& part) {
   for (const Triangle& face : part.faces) whole.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
 }
 
-// Leaves out the vertices that no face has any more.
+// Removes the vertices that no face uses.
 void dropUnused(Surface& surface) {
   std::vector<int> place(surface.positions.size(), -1);
   Positions used;
@@ -128,7 +128,7 @@ void cutOpenings(Surface& surface, Random& random) {
   dropUnused(surface);
 }
 
-// Cuts edges until there are so many faces, one in four near its end.
+// Cuts edges up to this number of faces, one in four near its end.
 void cutEdges(Surface& surface, int faces, Random& random) {
   splitEdges(surface, faces, random, [&] { return random.below(4) ? 0.5 : 0.02; });
 }

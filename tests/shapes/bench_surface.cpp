@@ -24,7 +24,7 @@ struct Grid {
   int faces() const { return 12 * across * across + 8 * across * along; }
 };
 
-// The finest grid that has at most so many faces, with cells about as long as wide.
+// The finest grid with at most this number of faces and roughly square cells.
 Grid chooseGrid(int faces) {
   const double ratio = tube / (radius * M_PI / 2);  // of along to across
   Grid grid;

@@ -13,10 +13,10 @@ namespace shapespline {
 constexpr double capsuleRadius = 1, capsuleTube = 6;
 
 /// A closed capsule with bumps of up to a sixth of its radius and irregular triangles. faces: even, at least 64;
-/// exactly so many.
+/// exactly this number.
 Surface bumpyCapsule(int faces, Random& random);
 
-/// A unit sphere about the origin with irregular triangles, at most so many; at least 48.
+/// A unit sphere about the origin with irregular triangles, at most this number; at least 48.
 Surface gridSphere(int faces, Random& random);
 
 /// For face f and corner c the half-edge 3 f + c runs from that corner to the next. Gives the opposite half-edges, -1

@@ -68,7 +68,7 @@ describe('the analysis', () => {
     expect(heard.filter((one) => one !== 'stale')).toEqual(['change', 'other shape', 'change']);
   });
 
-  it('is computed once for all who want it, and anew when the motions have changed', async () => {
+  it('is computed once for all callers, and again when the motions have changed', async () => {
     const { cache, asked, heard } = setUp('lri');
     const [one, other] = await Promise.all([cache.get(), cache.get()]);
     expect(one).toBe(other);
@@ -79,7 +79,7 @@ describe('the analysis', () => {
     expect(asked).toHaveLength(2);
   });
 
-  it('of motions that changed meanwhile is not fresh, and somebody is told when it has ended', async () => {
+  it('of motions that changed meanwhile is not fresh, and its end is reported', async () => {
     const { cache, heard } = setUp('lri');
     const first = cache.refresh();
     cache.invalidate();

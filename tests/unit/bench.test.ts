@@ -181,7 +181,7 @@ describe('a motion beside a captured one', () => {
     const sliding = new Sliding(10);
     expect(sliding.percent).toBeNaN();
     sliding.add(shape, shape, true);
-    // The first vertex goes away in truth, so that three of them rest; one of these slides by 1, 10 % of the diagonal.
+    // The first vertex moves in the truth, so three of them rest; one of these slides by 1, 10 % of the diagonal.
     sliding.add(moved(1, 0), moved(1, 3), false);
     sliding.add(moved(1, 0), moved(1, 0), true);
     expect(sliding.percent).toBeCloseTo(10 * Math.sqrt(1 / 3), 5);

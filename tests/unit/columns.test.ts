@@ -15,7 +15,7 @@ const files = execFileSync('git', ['ls-files', '--cached', '--others', '--exclud
   .filter((file) => /(\.(ts|mjs|js|h|cpp|md)|CMakeLists\.txt)$/.test(file) && !file.includes('bench/results/'))
   .filter((file) => existsSync(path.join(root, file)));
 
-/** Lines that somebody has to break by hand; rows of tables and entries of a bibliography cannot be. */
+/** Lines to break by hand; rows of tables and entries of a bibliography cannot be broken. */
 function isText(line: string, file: string): boolean {
   if (file.endsWith('.md')) return !/^\|/.test(line) && !/^ +\w+ += \{/.test(line);
   return file.endsWith('CMakeLists.txt') || /^\s*(\/\/|\/\*|\*)/.test(line) || /[;,{})] \/\/ /.test(line);

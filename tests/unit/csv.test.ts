@@ -17,7 +17,7 @@ it('a table begins with every option that the page offers, those for keys beside
   expect(rows).toEqual(['face,patch', '0,4', '1,5', '']);
 });
 
-it('times of keys are told without the rounding of the machine', () => {
+it('times of keys are written without the rounding of the machine', () => {
   const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 3 * 0.4));
   expect(patchesCsv(Int32Array.of(4), doc, '1.2.3')).toContain('"time":1.2,');
 });

@@ -44,7 +44,7 @@ describe('what an export is', () => {
     expect(numbers({ ...VIDEO, rate: 120 }, {}, 'mp4').rate).toBe(60);
   });
 
-  it('goes there and back in twice the frames, without one twice in a row', () => {
+  it('plays back and forth in twice the frames, without one twice in a row', () => {
     const { frames } = numbers({ ...VIDEO, bounce: true, duration: 0.1 }, {}, 'mp4');
     expect(frames).toBe(6);
     expect(numbers({ ...VIDEO, duration: 0.1 }, {}, 'mp4').frames).toBe(3);

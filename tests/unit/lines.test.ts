@@ -13,7 +13,7 @@ it.each([
   expect(codeLines(text, language)).toBe(count);
 });
 
-it('languages are told by names', () => {
+it('file names determine languages', () => {
   const files = ['a/CMakeLists.txt', 'a.h', 'b.test.ts', 'c.mjs', 'README.md', 'd.png'];
   expect(files.map(languageOf)).toEqual(['CMake', 'C++', 'TypeScript', 'TypeScript', undefined, undefined]);
 });

@@ -1,4 +1,4 @@
-/** Onion skins: when they are, and how they are told apart. */
+/** Onion skins: their times and colours. */
 import { describe, expect, it } from 'vitest';
 import type { Frame } from '../../web/engine/api/types.ts';
 import { onionExtras, onionTimes } from '../../web/app/drawing/onion-skin.ts';

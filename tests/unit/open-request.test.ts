@@ -101,7 +101,7 @@ describe('a request', () => {
 });
 
 describe('what is there when it is met', () => {
-  it('plays clips in a loop and poses there and back, but once where that was chosen', () => {
+  it('plays clips in a loop and poses back and forth, but once if chosen', () => {
     const loopOf = (loop: LoopMode, animation: number): LoopMode =>
       met(pickedRequest([]), { ...files, play: { ...files.play, loop } }, animation).state.play.loop;
     expect([loopOf('bounce', 0), loopOf('loop', -1)]).toEqual(['loop', 'bounce']);

@@ -77,7 +77,7 @@ it('steps back to what was open before, with its edits, and forth again', async 
   expect([idOf(store.get()), opener.openings.all.length]).toEqual(['a', 1]);
 });
 
-it('a sample that is on its way when another one is asked for is not opened', async () => {
+it('a sample is not opened if another is requested while it loads', async () => {
   const { opener, store, sample, onError } = openerOf();
   const late = opener.sample('a', null, new Promise((_, fail) => setTimeout(fail, 5)));
   await sample('b');

@@ -24,7 +24,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-it('an address whose change is still to be heard is not overwritten', () => {
+it('a URL with a pending change event is not overwritten', () => {
   location.hash = '#tour=1';
   const onGuide = vi.fn();
   const parts = { store: createStore(EMPTY_STATE), initial: () => null, say: vi.fn(), onLink: vi.fn(), onGuide };

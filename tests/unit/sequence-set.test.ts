@@ -11,7 +11,7 @@ import { docOfKeys, keyRef } from './documents.ts';
 
 const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
-/** An engine that notes what it is asked and encodes when it is told to. */
+/** An engine that records requests and encodes on command. */
 function fakeEngine() {
   const log: string[] = [];
   const builds: { resolve(): void; reject(error: unknown): void }[] = [];

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import type { PatchCurve } from '../../web/engine/api/types.ts';
 import { turnAlong } from '../../web/study/turn-along.ts';
 
-/** Patches side by side, numbered along the row, each turned about x by so many degrees against the one before. */
+/** Patches side by side, numbered along the row, each rotated about x by this many degrees relative to the previous. */
 function row(patches: number, degrees: readonly number[]): (patch: number) => Promise<PatchCurve> {
   const turn = (angle: number): number[] => {
     const half = (angle * Math.PI) / 360;

@@ -1,4 +1,4 @@
-/** A C++ suite that has passed runs again when something of it has changed, in CI, and after a failure. */
+/** A C++ suite that has passed runs again after a change, in CI, and after a failure. */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';

@@ -15,6 +15,6 @@ it('parts of shaders are left out of three by name, and only shaders', () => {
   expect(left).toMatch(/^var lights_physical_pars_fragment = ".{1000}/m);
 });
 
-it('a part that three does not have any more is told of', () => {
+it('a part missing in a newer three is reported', () => {
   expect(() => withoutUnusedShaders('var fog_vertex = "void";')).toThrow(/no shader part/);
 });

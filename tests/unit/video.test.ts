@@ -19,7 +19,7 @@ describe('what a recorder wrote', () => {
   });
 });
 
-describe('an animation that goes there and back', () => {
+describe('an animation that plays back and forth', () => {
   it('shows each shape twice but the last', () => {
     const { seconds, weights } = thereAndBack({ seconds: [0, 1, 3], weights: null }, 3);
     expect(seconds).toEqual([0, 1, 3, 5, 6]);

@@ -19,7 +19,7 @@ describe('places of warnings', () => {
     expect(partOf(POSITIONS, FACES, 1)).toBe('at the bottom right back');
   });
 
-  it('tells of an interval once a place, and leaves what has no place', () => {
+  it('reports an interval once per place, and leaves warnings without a place', () => {
     const all = [
       warning('ambiguous-patch-turn', 0),
       warning('ambiguous-face-turn', 0),

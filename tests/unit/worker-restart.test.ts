@@ -16,7 +16,7 @@ function setUp() {
 }
 
 describe('the end of a worker', () => {
-  it('is followed by one other try, however many tell of it', () => {
+  it('is followed by one other try, however many report it', () => {
     const { clock, restart } = setUp();
     expect(restart.tryAgain()).toBe(true);
     clock.now = 900;

@@ -11,7 +11,7 @@ extern "C" {
 /// Bytes that readAll() reads.
 __attribute__((export_name("size"))) unsigned size() { return sizeof buffer; }
 
-/// Touches every page once, so that each is memory of its own.
+/// Touches every page once, so each gets its own memory.
 __attribute__((export_name("fill"))) void fill() {
   for (int i = 0; i < numbers; ++i) buffer[i] = 1.0f;
 }

@@ -38,7 +38,7 @@ const orderFaults = {
   202: () => sleep(),
 };
 
-// The fault comes first, then the worker hears the message as ever.
+// The fault comes first, then the worker receives the message as usual.
 const on = parentPort.on.bind(parentPort);
 parentPort.on = (name, listener) => on(name, (message) => {
   if (message.type === 'evaluate') faults[message.t]?.();

@@ -118,7 +118,7 @@ export async function outcomeOf(url: string): Promise<Outcome> {
   }
 }
 
-/** A development server may load the page anew at any time, once it has found out what that needs. */
+/** A development server may reload the page at any time, once it has found its dependencies. */
 async function saidOn(page: Page): Promise<Outcome | null> {
   for (const end = Date.now() + WAIT_MS; Date.now() < end && !page.isClosed(); ) {
     const timeout = Math.max(1, end - Date.now());

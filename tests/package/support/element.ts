@@ -120,7 +120,7 @@ function note(): void {
   } as never;
 }
 
-/** What an element has told of one kind, so far. */
+/** Events of one kind from an element so far. */
 export const told = (page: Page, type: string, id = 'a'): Promise<Told['detail'][]> =>
   page.evaluate(
     ([what, whose]) => window.told.filter((one) => one.type === what && one.id === whose).map(({ detail }) => detail),

@@ -9,7 +9,7 @@ import { bar, bent } from '../../engine/support/shapes.ts';
 /** The package's folder in a project. */
 export const packageIn = (project: string): string => path.join(project, 'node_modules', 'shapespline');
 
-/** Compressed, so that every file of the package is asked for: worker, both wasm files, codecs. */
+/** Compressed, to use every file of the package: worker, both wasm files, codecs. */
 const poses = draco(
   poseFiles(
     bar(),

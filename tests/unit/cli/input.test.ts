@@ -37,7 +37,7 @@ describe('what an OBJ and its materials name', () => {
     expect(withoutOptions(text)).toBe(name);
   });
 
-  it('is found in the time that a test has, also in long lines of blanks, options and numbers', () => {
+  it('is found in the time that a test has, also in long lines of spaces, options and numbers', () => {
     const long = 300_000;
     expect(namedIn(bytes(`mtllib ${' '.repeat(long)}x`), 'mtllib')).toEqual(['x']);
     expect(namedIn(bytes(`map_Kd${' '.repeat(long)}`), 'map_Kd')).toEqual([]);

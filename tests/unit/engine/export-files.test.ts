@@ -64,7 +64,7 @@ describe('materials beside an OBJ', () => {
     images: [{ mimeType: 'image/png', bytes: Uint8Array.of(1), scale: 1 }],
   } as unknown as Scene;
 
-  it('have names of their own without blanks', () => {
+  it('have names of their own without spaces', () => {
     const { file, names } = materialLibrary('my cat', scene);
     expect(file).toBe('my_cat.mtl');
     expect(names).toEqual(['red_skin', 'red_skin_2', 'material_3']);

@@ -40,7 +40,7 @@ describe('the times of an export', () => {
     });
   });
 
-  it('are told by an MDD, which has no keys among its frames', () => {
+  it('are stated by an MDD, which has no keys among its frames', () => {
     expect(plan({ frames: 3, format: 'mdd' }).seconds).toEqual([0, 0.5, 1]);
     expect(plan({ frames: 3, format: 'mdd', duration: 4, range: [1, 2] }).seconds).toEqual([0, 2, 4]);
     expect(plan({ frames: 3, format: 'pc2' }).seconds).toEqual([0, 0, 0]);
@@ -87,7 +87,7 @@ describe('the times of an export', () => {
 describe('what an export leaves out', () => {
   const isThin = (options: object): boolean => isThinned({ ...EXPORT_DEFAULTS, ...options });
 
-  it('is what the tolerance allows, in a GLB whose times nobody asked for', () => {
+  it('is what the tolerance allows, in a GLB without requested times', () => {
     expect(isThin({})).toBe(true);
     expect(isThin({ fps: 24 })).toBe(true);
     expect([{ tolerance: 0 }, { frames: 60 }, { times: [0, 1] }, { pose: 0.5 }, { format: 'pc2' }].map(isThin)).toEqual(
@@ -129,7 +129,7 @@ describe('keys between whole frames', () => {
       ({ message }) => message,
     );
 
-  it('are told of, and that the animation ends before the last one', () => {
+  it('are reported, and that the animation ends before the last one', () => {
     expect(warned({}, [0, 0.33, 1.07])).toEqual([expect.stringMatching(/keys 2, 3 lie.*ends before the last one/)]);
     expect(warned({}, [0, 0.33, 1])).toEqual([expect.stringMatching(/key 2 lies between whole frames\./)]);
   });

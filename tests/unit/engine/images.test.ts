@@ -20,7 +20,7 @@ const webp = (chunk: string, body: number[]): Uint8Array =>
   bytes('RIFF', [0, 0, 0, 0], 'WEBP', chunk, [0, 0, 0, 0], body);
 
 describe('the size of an image', () => {
-  it('is told from the first bytes of every format that browsers read', () => {
+  it('is recognised from the first bytes of every format that browsers read', () => {
     expect(imageSize(png(60_000, 3))).toEqual({ width: 60_000, height: 3 });
     expect(imageSize(jpeg(640, 481))).toEqual({ width: 640, height: 481 });
     expect(imageSize(webp('VP8X', [0, 0, 0, 0, 0xff, 0x3f, 0, 9, 0, 1]))).toEqual({ width: 16_384, height: 65_546 });

@@ -13,7 +13,7 @@ const code = (work: () => unknown): string => {
 };
 
 describe('keys', () => {
-  it('are arranged anew without another import, and leave the first ones as they were', async () => {
+  it('are arranged again without another import, and leave the first ones unchanged', async () => {
     const keys = await fakeEngine().engine.importKeyframes([someFile]);
     const other = keys.arrange([1, 0, 1], [0, 2, 3], ['x', 'y', 'z']);
     expect([other.info.names, other.info.times]).toEqual([

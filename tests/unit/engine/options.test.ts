@@ -136,7 +136,7 @@ describe('options', () => {
     }
   });
 
-  it('are times that can be told from each other', () => {
+  it('are distinguishable times', () => {
     expect(refusal(() => checkTime(1e300))).toContain('from -1,000,000,000 to 1,000,000,000');
     expect(refusal(() => checkTimes([0, -1e300]))).toContain('from -1,000,000,000 to 1,000,000,000');
     expect([checkTime(-1e9), checkTimes([1e9])]).toEqual([-1e9, [1e9]]);

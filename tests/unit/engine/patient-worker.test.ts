@@ -71,7 +71,7 @@ it('the time counts once the rest has loaded, and ends with the first word', asy
   expect([scripts[0]!.ended, errors]).toEqual([false, []]);
 });
 
-it('where every way is refused at once, that is told later, without a DOM', async () => {
+it('reports later that every way was refused, without a DOM', async () => {
   const errors: unknown[] = [];
   const refused: Way = () => {
     throw new Error('refused');

@@ -33,7 +33,7 @@ describe('the scheduler', () => {
     const play = (): Promise<void> => scheduler.run(urgency.shown, frame).then(() => again());
     let over = false;
     const again = (): Promise<void> => (over ? Promise.resolve() : play());
-    // Two, so that there is always one that waits.
+    // Two, so one always waits.
     const playing = [play(), play()];
     const before = await scheduler.run(urgency.batch, async () => shown);
     over = true;

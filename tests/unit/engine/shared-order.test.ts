@@ -11,12 +11,12 @@ describe('shared order', () => {
     expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
   });
 
-  it('is nothing where nobody has begun, where it was given up and where it failed', () => {
+  it('is empty if no worker began, if it was given up and if it failed', () => {
     expect(awaitedOrder(sharedOrder(3))).toBeNull();
     const given = sharedOrder(3);
     giveUpOrder(given);
     expect(awaitedOrder(given)).toBeNull();
-    // Who comes later must not begin: it may end in the middle, and nobody would say so.
+    // A later worker must not begin: it may end in the middle without notice.
     provideOrder(given, () => {
       throw new Error('begun');
     });
