@@ -1,7 +1,4 @@
-/**
- * Our own solver and others, native, on the same system: asked in each round, while the engine rests, so that all meet
- * the same machine.
- */
+/** Our own solver and others, native, on the same system: run in each round between the engine's runs. */
 
 /** Milliseconds: the analysis once; the factorisation and a solve of three columns, medians of up to five. */
 export interface SolverRound {

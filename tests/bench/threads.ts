@@ -1,6 +1,6 @@
 /**
- * npm run bench -- threads [FACES,... --browser]: builds and frames with one thread and with two, in turn, so that both
- * meet the same machine.
+ * npm run bench -- threads [FACES,... --browser]: builds and frames with one thread and with two, in turn, so both
+ * see the same load.
  */
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import { short } from './format.ts';

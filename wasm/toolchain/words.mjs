@@ -37,8 +37,19 @@ export const EXCEPTIONS = [
   { file: 'tests/unit/words.test.ts', words: /./, why: 'tests the banned words' },
 ];
 
-/** Files and folders that the lint covers. */
-const COVERED = ['wasm/toolchain/words.mjs', 'tests/unit/words.test.ts'];
+/** Files and folders still to be cleaned; the lint covers everything else. */
+const LATER = [
+  'wasm/core',
+  'web/app',
+  'web/play',
+  'web/plots',
+  'web/ui/export-fields.ts',
+  'web/ui/help.ts',
+  'web/ui/messages.ts',
+  'web/ui/pin-list.ts',
+  'web/ui/sample-way.ts',
+  'web/ui/shape-panel.ts',
+];
 
 const RECORDS = /bench\/results\/|fuzz\/corpus\/|^public\/samples\/|^LICENSE$/;
 const CODE = /\.(ts|tsx|mts|mjs|js|h|cpp|css)$/;
@@ -99,7 +110,7 @@ export function bannedIn(file, source) {
 }
 
 const isException = (file, words) => EXCEPTIONS.some((one) => one.file === file && one.words.test(words));
-const covers = (file) => COVERED.some((one) => file === one || file.startsWith(`${one}/`));
+const isCovered = (file) => !LATER.some((one) => file === one || file.startsWith(`${one}/`));
 
 /** Files with text that people read, as Git lists them. */
 export const readableFiles = () =>
@@ -109,7 +120,7 @@ export const readableFiles = () =>
     .filter((file) => existsSync(path.join(root, file)));
 
 /** All banned words in the covered files, one sentence each. */
-export function lintWords(files = readableFiles().filter(covers)) {
+export function lintWords(files = readableFiles().filter(isCovered)) {
   return files.flatMap((file) =>
     bannedIn(file, readFileSync(path.join(root, file), 'utf8'))
       .filter(({ words }) => !isException(file, words))
