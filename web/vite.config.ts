@@ -13,13 +13,12 @@ import { unusedShaders } from './viewer/unused-shaders.ts';
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
-// Beside what is served as it is lie a note for those who work on it and the picture of the main README; visitors need
-// neither.
+// The public folder also has a README and the image of the main README; visitors need neither.
 const forReaders: Plugin = {
   name: 'shapespline-for-readers',
   apply: 'build',
   closeBundle: () => {
-    for (const name of ['README.md', 'picture.png']) rmSync(`${repository}dist/${name}`, { force: true });
+    for (const name of ['README.md', 'divider.gif']) rmSync(`${repository}dist/${name}`, { force: true });
   },
 };
 
