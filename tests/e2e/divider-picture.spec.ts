@@ -1,6 +1,6 @@
 /**
- * The moving image of the main README, as the page draws it: a twisted bar on either side of the divider, from key to key
- * and back. To retake it: `npm test -- e2e divider-picture --update-snapshots=all`.
+ * The moving image of the main README, as the page draws it: a twisted bar on either side of the divider, from key to
+ * key and back. To retake it: `npm test -- e2e divider-picture --update-snapshots=all`.
  */
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';

@@ -17,7 +17,7 @@ void wakeOne(std::atomic<std::uint32_t>& number) {
   __builtin_wasm_memory_atomic_notify(reinterpret_cast<int*>(&number), 1);
 }
 #elif defined(__wasm__)
-// A memory that is not shared has nobody to wait for.
+// Memory that is not shared has no other thread to wait for.
 void waitWhile(std::atomic<std::uint32_t>&, std::uint32_t) {}
 void wakeOne(std::atomic<std::uint32_t>&) {}
 #else

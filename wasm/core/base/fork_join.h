@@ -6,10 +6,9 @@
 
 namespace shapespline {
 
-/// Someone who does the first part of a piece of work and a helper who may do the second. No thread is started here:
-/// whoever has one to spare lets it call serve(). Both wait on a futex and never spin. What the helper has not begun
-/// when the first part is done is done by the caller, so that a helper who is late, or was never there, holds nothing
-/// up.
+/// Work in two parts: the caller does the first, a helper may do the second. No thread is started here: a thread that
+/// can help calls serve(). Both wait on a futex and never spin. If the helper has not begun when the first part is
+/// done, the caller does both, so a late or missing helper delays nothing.
 class ForkJoin {
  public:
   using Part = void (*)(const void* work, int part);
@@ -49,7 +48,7 @@ class ForkJoin {
 void inTwo(ForkJoin* forkJoin, ForkJoin::Part part, const void* work);
 
 /// work(0) and work(1), one after the other where there is no second thread. Work is cut in the same way with and
-/// without one, so that every sum is taken in the same order.
+/// without one, so every sum is taken in the same order.
 template <class Work>
 void inTwo(ForkJoin* forkJoin, const Work& work) {
   inTwo(forkJoin, [](const void* w, int part) { (*static_cast<const Work*>(w))(part); }, &work);

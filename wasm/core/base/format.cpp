@@ -7,7 +7,7 @@ namespace shapespline {
 
 namespace {
 
-// Of a finite number, without its sign: so many digits, the first of which stands for 10^exponent.
+// The leading digits of a finite number without its sign; the first stands for 10^exponent.
 std::string leadingDigits(double number, int digits, int& exponent) {
   constexpr double log10of2 = 0.30102999566398120;
   int power = 1;

@@ -65,7 +65,7 @@ using BlockWork = void (*)(void* work, std::size_t begin, std::size_t end);
 void inBlocks(const FractionReport& report, std::size_t n, BlockWork call, void* work);
 
 /// Calls work(begin, end) for one block of n items after the other, with a report before each. Every block is a call of
-/// its own (no_inline_call.h), so that long work does not stay in the browser's baseline compiler.
+/// its own (no_inline_call.h), so long work does not stay in the browser's baseline compiler.
 template <class Work>
 void inBlocks(const FractionReport& report, std::size_t n, Work work) {
   inBlocks(report, n, [](void* w, std::size_t begin, std::size_t end) { (*static_cast<Work*>(w))(begin, end); }, &work);

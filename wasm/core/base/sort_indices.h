@@ -11,7 +11,7 @@ using IndexOrder = bool (*)(const void* context, int a, int b);
 void sortIndices(std::span<int> indices, IndexOrder before, const void* context);
 
 /// As std::sort, in code that exists once for all orders: a sort of its own for each is three kilobytes of the wasm
-/// module. `before(a, b)` should tell all indices apart, so that the result does not depend on the library's algorithm.
+/// module. `before(a, b)` should tell all indices apart, so the result does not depend on the library's algorithm.
 template <class Order>
 void sortIndices(std::span<int> indices, const Order& before) {
   const IndexOrder call = [](const void* order, int a, int b) { return (*static_cast<const Order*>(order))(a, b); };

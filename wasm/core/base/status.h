@@ -16,7 +16,7 @@ enum class ErrorCode {
   NotRecognised,     ///< the bytes are no format that is read here
   MalformedFile,     ///< the right format, but broken: a bad index, size or offset
   Unsupported,       ///< valid, but needs something that is not supported
-  MissingResource,   ///< a file that another one names was not given
+  MissingResource,   ///< a file that a given file refers to was not given
   ExternalResource,  ///< a URI that leaves the given files; never fetched
   TooLarge,          ///< a declared size beyond what can be held
   NoTriangles,

@@ -15,7 +15,7 @@ class UnionFind {
   /// Every number is a set of its own.
   explicit UnionFind(int n) { reset(n); }
 
-  /// The same anew, in the memory that is there.
+  /// Resets it, reusing its memory.
   void reset(int n) {
     parent_.resize(n);
     std::iota(parent_.begin(), parent_.end(), 0);

@@ -44,7 +44,7 @@ class GhostMotion {
     double simplify = 0, encode = 0, match = 0;
   };
 
-  /// Simplifies the shape, encodes the ghost and factorises its systems. Error: that of a solver.
+  /// Simplifies the shape, encodes the ghost and factors its systems. Error: that of a solver.
   static Result<GhostMotion> create(const WeldedShape& shape, const ShapeTopology& topology, const Options& options,
                                     const StageProgress& progress);
 

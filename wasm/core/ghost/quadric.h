@@ -1,5 +1,5 @@
-// Quadratic error forms for edge collapses (Garland and Heckbert 1997). Each is kept about its own vertex, so that
-// nothing cancels: the errors of a fine mesh are 1e-9 of its size.
+// Quadratic error forms for edge collapses (Garland and Heckbert 1997). Each is kept about its own vertex, so nothing
+// cancels: the errors of a fine mesh are 1e-9 of its size.
 #pragma once
 
 #include "core/base/types.h"

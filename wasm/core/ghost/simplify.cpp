@@ -48,8 +48,7 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return cost != o.cost ? cost < o.cost : target < o.target; }
 };
 
-// A vertex's best candidate in the queue. Ties go to vertices in a scattered order, so that regular regions thin out
-// evenly.
+// A vertex's best candidate in the queue. Ties go to vertices in a scattered order, so regular regions thin out evenly.
 struct Entry {
   std::uint32_t cost;
   std::uint32_t scatter;

@@ -47,7 +47,7 @@ Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& in
     if (!system) return system.error();
     held->system_ = std::make_shared<const HoldSystem>(std::move(*system));
   }
-  // What rests is told by the keys and their times alone.
+  // The keys and their times alone decide which vertices rest.
   if (same && before->target_.path().hasSpansOf(held->target_.path())) held->resting_ = before->resting_;
   else held->findResting(input);
   return std::shared_ptr<const HeldMotion>(std::move(held));

@@ -1,6 +1,6 @@
 // Keeps what rests between the keys where it is: the shape is placed by what its vertices do, what hardly turns is
 // drawn to its vertices' paths, and resting patches are held. Every correction is a weight times the difference of two
-// curves that agree at the keys, so that the keys stay exact and the motion as smooth as it was.
+// curves that agree at the keys, so the keys stay exact and the motion as smooth as it was.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ class HeldMotion {
   static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve,
                                                           const HeldMotion* before);
 
-  /// Whether the other's system was taken over, so that nothing was factorised.
+  /// Whether the other's system was taken over, so nothing was factored.
   bool sharesSystem(const HeldMotion* other) const { return other && other->system_ == system_; }
 
   struct Scratch {

@@ -26,7 +26,7 @@ struct FitSums {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
   Mat3 covariance = Mat3::Zero(), ofFrom = Mat3::Zero(), ofTo = Mat3::Zero();
 };
-/// origin: near them, so that little is lost.
+/// origin: near them, so little is lost.
 FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::vector<int>& vertices,
                 const Positions& from, const Positions& to);
 

@@ -26,7 +26,7 @@ double sizeOf(const Positions& positions);
 /// Of each face in the reference pose, as a share of the whole; 0 without area.
 std::vector<double> faceAreas(const HoldMesh& mesh);
 
-/// Likewise of each vertex, which has a third of its faces'.
+/// The same per vertex, which has a third of its faces' areas.
 std::vector<double> vertexAreas(const HoldMesh& mesh);
 
 /// Cotangent of corner c of a face in the reference pose, halved: what ties the other two corners.

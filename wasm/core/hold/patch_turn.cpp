@@ -11,8 +11,8 @@ namespace shapespline {
 
 namespace {
 
-// A solve without turns takes part of the way that patches would turn: so many times that, and never further than the
-// most.
+// A solve without rotations takes part of the rotation that patches need: this multiple of that part, up to the
+// largest.
 constexpr double further = 3, mostTurn = 1.6;  // radians
 
 // What is left of a patch that is crushed says nothing: of its extent in two directions, over what it was.

@@ -15,8 +15,8 @@ class PatchTurn {
   /// modes: of what pulls; patches that these hardly turn are left as they are.
   PatchTurn(const HoldInput& input, const PullModes& modes);
 
-  /// What each patch is to be turned by besides, less the identity, after it has turned as it is. frames: of the shape
-  /// before it was pulled; mode: of the pull.
+  /// The further rotation of each patch, minus the identity, in the frame of its present rotation. frames: of the shape
+  /// before the pull; mode: of the pull.
   void find(const PullModes& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
             std::vector<Mat3>& turn) const;
 

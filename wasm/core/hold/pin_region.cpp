@@ -21,7 +21,7 @@ std::vector<char> inPatchOf(const HoldInput& input, int vertex) {
   return in;
 }
 
-// Grows over faces, so that another limb that comes near is not held, too.
+// Grows over faces, so another limb that comes near is not held, too.
 std::vector<char> inBallAround(const WeldedShape& shape, int vertex, double radius) {
   const Positions& p = shape.poses[shape.reference];
   const VertexFaces facesAt = facesOfVertices(shape.vertexCount(), shape.faces);

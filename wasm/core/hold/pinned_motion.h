@@ -1,5 +1,5 @@
-// A motion whose pins are held: what patches turn by is foretold from where the pins are wanted, and the shape is
-// pulled there. One solve with a factored system, whatever the time: as smooth as what pulls.
+// A motion with pins: the rotations of patches are predicted from the wanted positions of the pins, then the shape is
+// pulled there. One solve per time with a factored system, as smooth as the pull itself.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class PinnedMotion {
                                                             const std::vector<int>& weldedOf,
                                                             const PinnedMotion* before);
 
-  /// Whether the other's system was taken over, so that nothing was factorised.
+  /// Whether the other's system was taken over, so nothing was factored.
   bool sharesSystem(const PinnedMotion* other) const { return other && other->pull_ == pull_; }
 
   struct Scratch {

@@ -1,4 +1,4 @@
-// What a pull at pins does to a shape, foretold without a solve: as if each pin moved by an affine field.
+// The response of a shape to a pull at its pins, predicted without a solve: as if each pin moved by an affine field.
 #pragma once
 
 #include <span>

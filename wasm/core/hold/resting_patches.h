@@ -21,8 +21,7 @@ class RestingPatches {
   /// How much each handle holds at a place, in [0, 1]; false where none does.
   bool weightsAt(const SpanPlace& place, std::vector<double>& weight) const;
 
-  /// What the vertices of each handle are pulled by, so that they move by about what is left of their way. Replaces
-  /// `left`.
+  /// What the vertices of each handle are pulled by, so they move by about what is left of their way. Replaces `left`.
   void pull(std::vector<Vec3>& left) const;
 
   /// Adds the handles' pulls to those of their vertices.

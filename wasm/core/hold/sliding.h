@@ -6,7 +6,7 @@
 
 namespace shapespline {
 
-/// What rests is told by the keys alone, so that motions of every method are measured alike. Immutable.
+/// The keys alone decide which vertices rest, so all methods are measured alike. Immutable.
 class Sliding {
  public:
   /// keys: the natural cubic spline through them. mesh: must outlive it.

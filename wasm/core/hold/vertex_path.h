@@ -12,7 +12,7 @@ namespace shapespline {
 /// Where a path does not overshoot.
 struct PathRest {
   enum { Nowhere, WhereStill, AtEnds } where = Nowhere;
-  double size = 1;  ///< of the whole shape (keySize); what moves by a small share of it is still
+  double size = 1;  ///< of the whole shape (keySize); a vertex that moves by a small share of this is still
 };
 
 /// Of the largest key, whichever way it is turned.
@@ -35,7 +35,7 @@ class VertexPath {
   bool hasSpansOf(const VertexPath& other) const;
 
   /// How little a vertex moves in a span beside the spans before and after it, in [0, 1], and not only turns around.
-  /// Speeds are compared, so that neither size nor unit of time matter.
+  /// Speeds are compared, so neither size nor unit of time matter.
   float rest(int span, std::size_t v) const { return rest_[span][v]; }
 
   /// All vertices at time t: the quintic that has the spline's position at both keys, and there its velocity and

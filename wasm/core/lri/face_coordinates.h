@@ -32,7 +32,7 @@ struct WeightedColumn {
 /// The key that a frame beyond the keys goes on from, and where the columns have the keys.
 struct EndKey {
   int place;       ///< of the end key among the stored columns, or -1 where its faces rest
-  int storedKeys;  ///< stored columns that are keys: the first so many
+  int storedKeys;  ///< the first stored columns, which are keys
   bool anyAtRest;  ///< whether faces rest in one of the keys
 };
 
@@ -45,9 +45,9 @@ struct ColumnWeights {
   std::optional<EndKey> end;
 };
 
-/// Six numbers for each face and column, in blocks of four faces: [block][column][number][lane], so that a frame reads
-/// them once, forwards. The last block is padded. Faces lie in their own order until they are reordered. A column in
-/// which every face rests, as in the reference pose, is not stored.
+/// Six numbers for each face and column, in blocks of four faces: [block][column][number][lane], so a frame reads them
+/// once, forwards. The last block is padded. Faces lie in their own order until they are reordered. A column in which
+/// every face rests, as in the reference pose, is not stored.
 template <class Real>
 class FaceCoordinates {
  public:

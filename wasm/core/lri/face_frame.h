@@ -16,8 +16,8 @@ struct FaceFrame {
 
 FaceFrame faceFrame(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// D_f = R_f S_f. D_f maps the reference normal to the deformed one, so that S_f is a symmetric 2x2 block in the
-/// reference's tangent frame.
+/// D_f = R_f S_f. D_f maps the reference normal to the deformed one, so S_f is a symmetric 2x2 block in the reference's
+/// tangent frame.
 struct FaceDeformation {
   Mat3 rotation;  ///< R_f, det = +1
   Mat2 stretch;   ///< S_f in (t1, t2)

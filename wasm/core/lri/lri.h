@@ -25,8 +25,8 @@ struct AmbiguousFaces {
   double area = 0;  ///< over that of the shape, in the reference pose
 };
 
-/// Coordinates of every pose in given frames G. Logarithms take the representative nearest the pose before, so that a
-/// part may turn far.
+/// Coordinates of every pose in given frames G. Logarithms take the representative nearest the pose before, so a part
+/// may turn far.
 template <class Real>
 struct LriCoordinates {
   FaceCoordinates<Real> face;          ///< log(G^T R_f) and S_f; no column is stored where faces rest in their frames

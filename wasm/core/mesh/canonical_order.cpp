@@ -16,7 +16,7 @@ namespace {
 // detail. The factor moves the steps away from round numbers, of which regular meshes are full.
 constexpr double stepsPerUnit = 0x1p24 * 0.7390851332151607;
 
-// Walks from sides that no length tells apart are compared for so many faces: what differs only beyond them counts as
+// Number of faces over which walks are compared whose sides have equal lengths: shapes that differ only beyond count as
 // symmetric.
 constexpr std::size_t comparedFaces = 4096;
 // Of how many such walks a mesh of no faces may compare, while starts are looked for; larger ones may compare more.

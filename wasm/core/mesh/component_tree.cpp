@@ -52,7 +52,7 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
       std::vector<int> lastFound;
       for (int u : samples[c]) search.nearestOther(u, shared, group[c], nearest[group[c]], lastFound);
     }
-    // Of those that are as near the lowest, so that rounding does not decide.
+    // Of those that are as near the lowest, so rounding does not decide.
     std::vector<Contact> lowest(components);
     for (int c = 0; c < components; ++c) {
       const int g = group[c];

@@ -20,7 +20,7 @@ struct Contact {
 };
 
 /// Finds contacts with the vertices of parts, by a tree of boxes in several poses: whole parts first, and under each of
-/// them its vertices, so that no search wades through what is near and of the same part. The poses must outlive it.
+/// them its vertices, so no search wades through what is near and of the same part. The poses must outlive it.
 /// Deterministic: equal distances go to the lower vertex.
 class ContactSearch {
  public:

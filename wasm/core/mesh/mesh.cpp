@@ -41,7 +41,7 @@ class Side {
   std::uint64_t bits_ = 0;
 };
 
-// Sides of faces, bucketed by their lower vertex and sorted by the higher, so that sides of one edge are consecutive.
+// Sides of faces, bucketed by their lower vertex and sorted by the higher, so sides of one edge are consecutive.
 template <class Use>
 CompressedRows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use,
                                   const FractionReport& onProgress = {}) {

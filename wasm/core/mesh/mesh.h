@@ -41,7 +41,7 @@ std::vector<char> facesWithArea(const std::vector<Triangle>& faces, std::span<co
                                 const FractionReport& onProgress = {});
 
 /// Neighbours across edges, between those faces for which `use` is true. Where faces meet only in a vertex (and no
-/// chain of edges joins them) one link is added, so that the components of this graph are the components that share
+/// chain of edges joins them) one link is added, so the components of this graph are the components that share
 /// vertices.
 FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const std::vector<char>& use,
                     const FractionReport& onProgress = {});

@@ -14,7 +14,7 @@ using Rows = std::vector<std::vector<float>>;
 
 // Components below this share of the first are rounding.
 constexpr double kSmallest = 1e-14;
-// So many columns at a time are turned into double precision, which small components need beside large ones.
+// Number of columns converted to double precision at a time, which small components need next to large ones.
 constexpr Eigen::Index kBlock = 1024;
 
 Row row(std::vector<float>& values) { return {values.data(), static_cast<Eigen::Index>(values.size())}; }

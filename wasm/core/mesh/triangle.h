@@ -8,7 +8,7 @@
 namespace shapespline {
 
 /// Twice the area over the squared longest edge below which a triangle has no usable normal. float32 input places a
-/// corner to about 1e-7 of the size, so that flatter triangles are noise.
+/// corner to about 1e-7 of the size, so flatter triangles are noise.
 inline constexpr double degenerateFlatness = 1e-6;
 
 /// Also true for what is not a number.

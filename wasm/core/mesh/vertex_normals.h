@@ -1,4 +1,4 @@
-// What is drawn of a shape: positions and vertex normals of the raw vertices, so that the page never computes any.
+// What is drawn of a shape: positions and vertex normals of the raw vertices, so the page never computes any.
 #pragma once
 
 #include <array>

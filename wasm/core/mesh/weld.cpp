@@ -16,7 +16,7 @@ constexpr double shareOfDiagonal = 1e-6;
 // Between two roundings of one number, and a bit.
 constexpr double float32Roundings = 4 * 0x1p-24;
 
-// Points hashed by cubes much wider than the tolerance, so that almost every look-up visits one cube.
+// Points hashed by cubes much wider than the tolerance, so almost every look-up visits one cube.
 class Grid {
  public:
   Grid(const Positions& positions, double tolerance)
@@ -49,7 +49,7 @@ class Grid {
   using Cube = std::array<std::int64_t, 3>;
 
   Cube cube(const Vec3& p) const {
-    // Clamped, so that far coordinates over a tiny tolerance cannot overflow the conversion.
+    // Clamped, so far coordinates over a tiny tolerance cannot overflow the conversion.
     const auto index = [&](double x) {
       return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -1e18, 1e18));
     };

@@ -21,7 +21,7 @@ GlobalAlignment::GlobalAlignment(const std::vector<std::vector<Quaternion>>& hal
   }
   double total = 0;
   for (double a : area) total += a;
-  // On a grid, so that rounding decides no tie.
+  // On a grid, so rounding decides no tie.
   for (double& a : agreement) a = std::nearbyint(a / total * 0x1p20);
   medoid_ = static_cast<int>(std::max_element(agreement.begin(), agreement.end()) - agreement.begin());
   double sum = 0;

@@ -16,8 +16,8 @@ namespace {
 // Rounds of growing and re-seeding. The cost hardly falls after the third.
 constexpr int rounds = 4;
 
-// Faces from which on patches are found among clusters first, so many faces in each, where patches have at least so
-// many clusters.
+// From this number of faces on, patches are found among clusters of this many faces, if patches have at least this many
+// clusters.
 constexpr int largeFaceCount = 60000, clusterSize = 8, leastClusters = 8;
 
 // Weight of the squared distance to the patch centre, over the squared mean patch radius, against the rotation cost.
@@ -42,7 +42,7 @@ struct Centre {
   int seed;
 };
 
-// What growing asks of a face, in one place: it comes to faces in no order, so that each look elsewhere would wait for
+// What growing asks of a face, in one place: it comes to faces in no order, so each look elsewhere would wait for
 // memory.
 struct GrowingFace {
   static constexpr int manyNeighbours = -2;
@@ -207,7 +207,7 @@ class Partition {
     return result;
   }
 
-  // Floods all patches at once from what they have, the cheapest face first, so that they stay connected.
+  // Floods all patches at once from what they have, the cheapest face first, so they stay connected.
   void grow(const FractionReport& onProgress) {
     struct Claim {
       double cost;

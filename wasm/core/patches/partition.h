@@ -45,12 +45,12 @@ struct Patches {
 };
 
 /// Number of patches used when none is asked for: the square root of the number of faces, rounded. The pairs then
-/// number a few times sqrt(m), so that the first system stays tiny beside the second.
+/// number a few times sqrt(m), so the first system stays tiny beside the second.
 int defaultPatchCount(int faceCount);
 
 /// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd); of large meshes among
 /// clusters of faces (face_clusters.h), then face by face between the patches. Every component gets at least one patch,
-/// so that the count may exceed `wanted`; it never exceeds the number of faces.
+/// so the count may exceed `wanted`; it never exceeds the number of faces.
 Patches partitionFaces(const PatchInput& input, int wanted, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

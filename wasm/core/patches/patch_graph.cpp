@@ -88,7 +88,7 @@ PatchTree PatchGraph::centreTree(const std::vector<double>& cost) const {
   PatchTree best;
   bool reachesAll = false;
   for (int i = 0; i < tried; ++i) {
-    // A step more, so that rounding drops no tree that is as good.
+    // A step more, so rounding drops no tree that is as good.
     PatchTree tree = grow(grid, static_cast<int>(static_cast<long long>(i) * count / tried), true, distance,
                           {total * (least + 1), reachesAll});
     if (tree.order.empty()) continue;

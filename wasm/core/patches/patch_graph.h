@@ -38,7 +38,7 @@ class PatchGraph {
   void orient(const PatchTree& tree);
 
   /// Shortest paths from the patch in the middle: the one with the least area-weighted distance to all others, of 64
-  /// candidates. cost: of each link, positive; compared on a grid, so that rounding decides no tie.
+  /// candidates. cost: of each link, positive; compared on a grid, so rounding decides no tie.
   PatchTree centreTree(const std::vector<double>& cost) const;
 
   /// The spanning tree of largest weights (Prim), from the given root.

@@ -27,7 +27,7 @@ class PatchMotion {
     PatchRotationSystem::Scratch turn;
   };
 
-  /// Factorises the first system. Error: that of the solver.
+  /// Factors the first system. Error: that of the solver.
   static Result<PatchMotion> create(const WeldedShape& shape, PatchCoordinates coordinates);
 
   /// A turn's component is a component of the shape that the motion was made of. No turns: none.

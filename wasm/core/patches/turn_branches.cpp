@@ -16,7 +16,7 @@ namespace {
 constexpr double ambiguousAngle = 1.75;
 constexpr std::array robustSteps = {1, 1, 1, 1, 1, 1, 1, 1};
 constexpr int mostRounds = 6;
-// Disagreement beyond this costs no more: a few links may be lost.
+// Disagreement beyond this adds no cost: a few links may be lost.
 constexpr double worstResidual = 2;
 // Of a turn against a disagreement.
 constexpr double turnCost = 0.3;

@@ -11,7 +11,7 @@ namespace shapespline {
 
 /// What is chosen for one step between two poses.
 struct TurnBranches {
-  std::vector<Vec3> increment;  ///< of each link: exp of it is C_from^T C_to
+  std::vector<Vec3> increment;  ///< of each link: its exp is C_from^T C_to
   /// Of each link: the angle by which the maps halfway disagree with the rotations found there, radians.
   std::vector<double> residual;
 };

@@ -47,7 +47,7 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   });
 
   // Every side of a face adds to the diagonal and to one entry below it. Column by column the latter are sorted by row
-  // and added up in the order of the faces, so that the sums are reproducible.
+  // and added up in the order of the faces, so the sums are reproducible.
   std::vector<double> diagonal(count, 0.0);
   const auto eachSide = [&](const FractionReport& report, auto visit) {
     inBlocks(report, faces.size(), [&](std::size_t begin, std::size_t end) {

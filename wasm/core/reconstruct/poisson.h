@@ -1,5 +1,5 @@
 // The second system: vertices from face gradients (paper section 4.2). Its matrix is the reference pose's cotangent
-// Laplacian, constant for a sequence, so that a frame costs one back-substitution.
+// Laplacian, constant for a sequence, so a frame costs one back-substitution.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,7 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
 /// The order in which PoissonSystem eliminates the unknowns where it is given none: order[p] is the one at position p.
 std::vector<int> eliminationOrder(const CotangentLaplacian& laplacian);
 
-/// Waits for the order of so many unknowns, which is being made elsewhere, or null. Empty where there is none, which is
-/// no failure.
+/// Waits for an order of this many unknowns from elsewhere, or null. Empty if there is none, which is not a failure.
 using OrderSource = std::vector<int> (*)(int unknowns);
 
 /// The factored system and where each vertex lies in its vectors. Immutable.
@@ -40,8 +39,8 @@ class PoissonSystem {
     double order = 0, factor = 0;
   };
 
-  /// Finds the order of elimination where `order` has none for as many unknowns, then factorises. The reports are
-  /// called at least a few times a second on large meshes. Error: that of the solver.
+  /// Finds the order of elimination where `order` has none for as many unknowns, then factors. The reports are called
+  /// at least a few times a second on large meshes. Error: that of the solver.
   static Result<PoissonSystem> create(const CotangentLaplacian& laplacian, Precision precision, OrderSource order,
                                       const FractionReport& ordering, const FractionReport& factorising);
 
@@ -60,7 +59,7 @@ class PoissonSystem {
     for (int i = 0; i < 4; ++i) xyzp[4 * static_cast<std::size_t>(trashSlot()) + i] = 0;
   }
 
-  /// Likewise to double accuracy, from the x given (iterative_refinement.h); 4 * size() numbers each. Only with
+  /// The same to double accuracy, from the given x (iterative_refinement.h); 4 * size() numbers each. Only with
   /// Precision::Exact.
   void refine(const double* b, double* x, double extent, IterativeRefinement::Scratch& scratch,
               ForkJoin* forkJoin = nullptr) const {

@@ -174,7 +174,7 @@ void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Frames& f
   }
 }
 
-// What everything has to be moved by, so that the mean of all vertices lies where the coordinates have it.
+// What everything has to be moved by, so the mean of all vertices lies where the coordinates have it.
 template <class Real>
 Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Scratch& scratch, const Real* x) const {
   Vec3 sum = sumOf(x, static_cast<std::size_t>(poisson_.unknowns()));

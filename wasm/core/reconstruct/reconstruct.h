@@ -58,7 +58,7 @@ class Reconstructor {
     double order = 0, factor = 0, arrange = 0;
   };
 
-  /// Orders and factorises the system and lays the faces' numbers out for it. Error: that of the solver.
+  /// Orders and factors the system and lays the faces' numbers out for it. Error: that of the solver.
   static Result<Reconstructor> create(const Input& input, LriCoordinates<Real> coordinates,
                                       const StageProgress& onProgress = {});
 
@@ -78,7 +78,7 @@ class Reconstructor {
   const Times& times() const { return times_; }
 
   /// Of each welded vertex, a permutation: as they are eliminated, then those that are not. Neighbours of the mesh are
-  /// near each other in this order, so that passes over it stay in the processor's caches.
+  /// near each other in this order, so passes over it stay in the processor's caches.
   const std::vector<int>& placeOf() const { return placeOf_; }
 
  private:

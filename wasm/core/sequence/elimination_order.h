@@ -1,5 +1,5 @@
-// The order of elimination alone. Nothing of the encoding needs it, nor does it need anything of that, so that both can
-// be made at the same time.
+// The order of elimination alone. Nothing of the encoding needs it, nor does it need anything of that, so both can be
+// made at the same time.
 #pragma once
 
 #include <vector>

@@ -48,8 +48,8 @@ struct DiscretePath {
 struct KeyPace {
   std::vector<double> distance;  ///< J - 1: |x_j - x_(j-1)|, without unit
   /// J, in [0, 1]: the least tension with which the slope at a key is at most three times that of either chord beside
-  /// it (Fritsch and Carlson 1980, one bound for all coordinates, so that the weights stay linear in the keys). 1 where
-  /// two keys are equal: the motion rests there.
+  /// it (Fritsch and Carlson 1980, one bound for all coordinates, so the weights stay linear in the keys). 1 where two
+  /// keys are equal: the motion rests there.
   std::vector<double> tension;
 };
 
@@ -71,14 +71,14 @@ class FeatureCurve {
   /// Blends of vertices are encoded for it, which costs about as much as a frame each.
   ShapePlane plane(const std::vector<double>& times) const;
 
-  /// The minimisation that the splines solve in closed form, done by K samples. With tensions, biases or a linear
-  /// method the curve is another one than its limit. Error: InvalidOption (too few samples or too many).
+  /// The minimisation that the splines solve in closed form, over K samples. With tensions, biases or a linear method,
+  /// the curve is not its limit. Error: InvalidOption (too few samples or too many).
   Result<DiscretePath> discretePath(int samples) const;
 
   /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), by second differences over a
-  /// hundredth of the range and normalised by the average deformation energy |x_j - x_(j-1)|^2 between keys. Corners of
-  /// a piecewise linear curve show as peaks. Of a blend of vertices the curve of its vertices, likewise: each method by
-  /// the representation that it is made in, as the paper compares them.
+  /// hundredth of the range, normalised by the mean deformation energy |x_j - x_(j-1)|^2 between keys. Corners of a
+  /// piecewise linear curve appear as peaks. Vertex blends use the curve of their vertices: each method is measured in
+  /// its own representation, as in the paper.
   std::vector<double> bendingEnergy(const std::vector<double>& times) const;
 
   KeyPace pace() const;
@@ -87,7 +87,7 @@ class FeatureCurve {
   /// The coordinates of a face of the input as the motion's curve has them; of a blend of vertices those that the
   /// coordinates' own curve would have. Error: InvalidOption (no such face).
   Result<PartCurve> face(int inputFace, const std::vector<double>& times) const;
-  /// Likewise of a patch; with a ghost of one of the ghost's.
+  /// The same for a patch; with a ghost, for a patch of the ghost.
   Result<PartCurve> patch(int patch, const std::vector<double>& times) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace shapespline {
 
-/// Counts of the input; edges and components are those of the welded mesh, so that seams are no boundary.
+/// Counts of the input; edges and components are those of the welded mesh, so seams are no boundary.
 struct MeshReport {
   int vertices = 0;
   int weldedVertices = 0;

@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// So many vertices tell enough.
+// This many vertices suffice.
 constexpr int askedVertices = 50000;
 // Curvature of all domes together (a sphere has 4 pi) below which they tell nothing.
 constexpr double leastCurvature = 1;
@@ -23,7 +23,7 @@ constexpr double mirroredAgreement = -0.5;
 // What the faces around a vertex say about the surface there.
 struct Surroundings {
   double cosine = 1, sine = 0;                         // of the angles together, ...
-  int turns = 0;                                       // ... which are so many whole turns more
+  int turns = 0;                                       // ... which stand for this many full turns more
   Vec3 towards = Vec3::Zero(), normal = Vec3::Zero();  // sums over the neighbours and the faces
   int faces = 0;
   std::int64_t open = 0;  // the next neighbours less those before: 0 around a closed fan of faces that run alike

@@ -24,7 +24,7 @@ enum class Method {
 /// Whether every vertex moves on its own: the baselines.
 constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
-/// Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold` and
+/// Choices that refit the spline only: changing them never encodes again, and factors nothing but for `hold` and
 /// `pins`.
 struct MotionOptions {
   Method method = Method::Lri;

@@ -13,9 +13,9 @@ namespace shapespline {
 /// Made once, moved in any number of ways (sequence.h). Not thread-safe.
 class SharedShape {
  public:
-  /// keyframes: moved in where the caller needs them no more; freed once they are welded. progress: called with a
-  /// stage's name and the fraction of the work that is done, in [0, 1] and never falling. Errors: TooLarge for too many
-  /// keys, and those of EncodedShape::build.
+  /// keyframes: move them if the caller no longer needs them; freed once welded. progress: called with a stage's name
+  /// and the finished fraction of the work, in [0, 1], never decreasing. Errors: TooLarge for too many keys, and those
+  /// of EncodedShape::build.
   static Result<std::shared_ptr<SharedShape>> encode(Keyframes keyframes, const EncodingOptions& options,
                                                      const StageProgress& progress = {});
 

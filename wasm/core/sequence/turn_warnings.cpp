@@ -13,8 +13,8 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 // Patches that disagree by more with what surrounds them halfway turned in a way that their neighbours did not.
 constexpr double ambiguousResidual = 60 / degrees;
-// Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise:
-// nobody sees them turn.
+// Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise,
+// because their turns are invisible.
 constexpr double smallPatch = 0.3;
 constexpr double fewFaces = 0.001;
 constexpr int fewestFaces = 4;

@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-// An interval this many times longer than another one is suspicious.
+// An interval this many times longer than its neighbour is suspicious.
 constexpr double kUneven = 4;
 // So are weights of keys whose absolute values sum to more: evenly spaced keys reach 1.6 between them, and 3.6 one
 // interval beyond the last one.

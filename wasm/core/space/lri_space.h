@@ -23,7 +23,7 @@ struct LriOptions {
   int patches =
       0;  ///< wanted number of patches (of the ghost, with one), 0 = the default formula (patches/partition.h)
   Stretch stretch = Stretch::Linear;
-  int ghostFaces = 0;  ///< 0 = off, else at least 4: the splines run on a ghost mesh of about so many faces
+  int ghostFaces = 0;  ///< 0 = off, else at least 4: the splines run on a ghost mesh with about this number of faces
   Transfer transfer = Transfer::Exact;  ///< with a ghost
   bool optimalPlacement = false;        ///< ghost vertices need not be vertices of the shape (simplify.h)
   Precision precision = Precision::Single;
@@ -38,7 +38,7 @@ struct Ghost {
 };
 
 /// What making the space cost. Neither encodings nor factorisations move while t, the motion options or the key times
-/// change. What a motion factorises to hold what rests is not counted.
+/// change. What a motion factors to hold what rests is not counted.
 struct LriStats {
   int encodings = 0;
   int factorisations = 0;

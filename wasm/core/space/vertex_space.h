@@ -1,4 +1,4 @@
-// The space of vertex positions: what the baselines blend. Neither encoded nor factorised.
+// The space of vertex positions: what the baselines blend. Neither encoded nor factored.
 #pragma once
 
 #include <span>

@@ -91,7 +91,7 @@ Status Cholesky::beginFactorise(const SymmetricMatrix& matrix) {
   if (!sameStructure ||
       !std::all_of(matrix.value.begin(), matrix.value.end(), [](double v) { return std::isfinite(v); })) {
     if (Status status = checkSymmetric(matrix); !status) return status;
-    return Error{ErrorCode::Internal, "The matrix to factorise does not have the structure that was analysed."};
+    return Error{ErrorCode::Internal, "The matrix to factor does not have the structure that was analysed."};
   }
   state_->running.emplace(state_->symbolic, state_->assembly, matrix.value);
   state_->factorised = false;

@@ -1,4 +1,4 @@
-// The prefactored solver: analyse once, factorise once, then solve with three right-hand sides for every frame.
+// The prefactored solver: analyse once, factor once, then solve with three right-hand sides for every frame.
 #pragma once
 
 #include <cstdint>

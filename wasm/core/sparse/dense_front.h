@@ -1,10 +1,10 @@
 // The dense part of the factorisation: one front, a lower triangle in strips of four rows.
 //
-// It lies in two places, so that its update matrix is made where it stays and the rest in a place that is at hand:
+// It lies in two places, so its update matrix is made where it stays and the rest in a place that is at hand:
 //  - its columns: those of the pivots. Strip i holds rows 4i .. 4i + 3, of columns 0 .. 4i + 3 as far as these are
 //  pivots';
 //  - its update matrix: what is below and right of the pivots, in strips that are numbered and begin at zero again.
-// A strip has four doubles a column, so that a 4 x 4 tile is contiguous, and strips are what the kernels stream.
+// A strip has four doubles a column, so a 4 x 4 tile is contiguous, and strips are what the kernels stream.
 // Pivots fill whole strips: before the first of them stand up to three of padding, rows and columns of the identity.
 #pragma once
 
@@ -28,7 +28,7 @@ struct PivotReport {
 /// The pivots of a front: `strips` strips of them, of which the first has `padding` columns that are none.
 struct Pivots {
   int strips, padding;
-  /// Of a front with so many pivots.
+  /// Of a front with this number of pivots.
   explicit constexpr Pivots(int columns) : strips(stripsFor(columns)), padding(4 * strips - columns) {}
 
   /// Where strip i of the pivots' columns starts, in doubles; also the size of these columns in i strips.

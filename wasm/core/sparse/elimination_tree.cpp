@@ -44,7 +44,7 @@ std::vector<int> eliminationTree(const Graph& graph, const FractionReport& onPro
 std::vector<int> postorder(const std::vector<int>& parent) {
   const int size = static_cast<int>(parent.size());
   std::vector<int> firstChild(size, -1), sibling(size, -1), order, stack;
-  for (int v = size - 1; v >= 0; --v) {  // backwards, so that the lists ascend
+  for (int v = size - 1; v >= 0; --v) {  // backwards, so the lists ascend
     if (parent[v] == -1) continue;
     sibling[v] = firstChild[parent[v]];
     firstChild[parent[v]] = v;

@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-// A correction leaves about 1e-5 of itself as error, so that the last one leaves less than 1e-11 of the extent.
+// A correction leaves about 1e-5 of itself as error, so the last one leaves less than 1e-11 of the extent.
 constexpr double smallCorrection = 1e-6;
 // Three are usual. Systems so badly conditioned that single precision hardly solves them take more.
 constexpr int mostCorrections = 12;

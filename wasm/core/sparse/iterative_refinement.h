@@ -17,7 +17,7 @@ class IterativeRefinement {
     std::vector<float, Eigen::aligned_allocator<float>> correction;
   };
 
-  /// matrix: what the solver has factorised, in single precision.
+  /// matrix: what the solver has factored, in single precision.
   IterativeRefinement(const SymmetricMatrix& matrix, const Cholesky& solver);
 
   /// Solves A x = b from the x given until a correction is small beside `extent`. b and x: (x, y, z, pad) of every

@@ -72,8 +72,8 @@ class DisjointPaths {
   // The node that one enters to get to an exit; below 0 where a path has its end.
   int entranceBefore(int exit) const { return used(exit) ? successor_[exit] : exit; }
 
-  // The band's nodes in the order of their distances from the sink, so that a search stays where it is; then those
-  // without a way there.
+  // The band's nodes in the order of their distances from the sink, so a search stays where it is; then those without a
+  // way there.
   void number(const Graph& graph, const std::vector<Side>& side) {
     std::vector<int> local(side.size(), kNone), band;
     const auto add = [&](int v, int distance) {
@@ -142,8 +142,8 @@ class DisjointPaths {
     }
   }
 
-  // Depth-first from a node at the source along falling distances. Where that ends the distance is raised, so that
-  // others may still come by on a longer way.
+  // Depth-first from a node at the source along falling distances. Where that ends the distance is raised, so others
+  // may still come by on a longer way.
   void search(int start) {
     entered_.assign(1, start);
     path_.assign(1, exitBehind(start));
@@ -186,8 +186,7 @@ class DisjointPaths {
     next_[from] = 0;
   }
 
-  // Reroutes the paths. No node is entered twice on the way, so that the old predecessors are those that it was found
-  // with.
+  // Reroutes the paths. No node is entered twice on the way, so the old predecessors are those that it was found with.
   void apply() {
     predecessor_[entered_[0]] = kSource;
     for (std::size_t i = 1; i < path_.size(); ++i) {

@@ -144,7 +144,7 @@ class Dissection {
     reportFraction(onProgress_, reported_);
   }
 
-  // Along its longest axis, so that the rows that a neighbouring block shares with it are contiguous.
+  // Along its longest axis, so the rows that a neighbouring block shares with it are contiguous.
   void placeSeparator(const Subgraph& subgraph, const std::vector<Side>& side) {
     std::vector<int> nodes;
     Vec3 low = Vec3::Constant(1e300), high = -low;

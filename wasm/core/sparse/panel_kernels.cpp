@@ -6,7 +6,7 @@
 #include "core/base/simd.h"
 
 // Loops here are as small as they can be. Browsers' optimising compilers move the loads of a loop body to its front, so
-// that an unrolled body runs out of registers: bodies of five loads ran twice as fast as bodies of fourteen.
+// an unrolled body runs out of registers: bodies of five loads ran twice as fast as bodies of fourteen.
 
 namespace shapespline {
 

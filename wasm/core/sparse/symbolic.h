@@ -28,7 +28,7 @@ struct SymbolicFactor {
 };
 
 /// Analyses the factor of a matrix with this graph. order is any elimination order; the result's differs from it only
-/// by equivalent reordering (no more fill). Supernodes are merged where that is cheaper than the zeros it stores, and
+/// by equivalent reordering (without fill). Supernodes are merged where that is cheaper than the zeros it stores, and
 /// siblings are ordered for a small update stack (Liu 1986).
 SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, const FractionReport& onProgress = {});
 

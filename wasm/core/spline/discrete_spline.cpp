@@ -128,7 +128,7 @@ Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, 
   if (samples < least || samples > mostSamples)
     return Error{ErrorCode::InvalidOption, "The path has " + grouped(samples) + " samples. Take from " +
                                                grouped(least) + " to " + grouped(mostSamples) +
-                                               ", so that every interval between keys has one."};
+                                               ", so every interval between keys has one."};
 
   const Index columns = curve.weights(curve.start()).size();
   const Grid grid{curve.start(), span / (curve.periodic() ? samples : samples - 1), samples, curve.periodic(),

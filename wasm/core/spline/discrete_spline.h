@@ -1,6 +1,5 @@
 // The bending energy of a curve's samples, and the samples that minimise it with the keys held: what cubic splines do
-// in closed form (paper Eq. 1-2, Fig. 2). The energy is separable, so that one matrix of weights serves every
-// coordinate.
+// in closed form (paper Eq. 1-2, Fig. 2). The energy is separable, so one matrix of weights serves every coordinate.
 #pragma once
 
 #include <vector>
@@ -16,9 +15,7 @@ namespace shapespline {
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// K evenly spaced samples x_i of a curve's range, h apart: of a periodic curve those of one period, which its first
-/// sample follows again. Each is a row of weights over the curve's columns, so that a path is a K x Columns::count()
-/// matrix.
-///
+/// sample follows again. Each is a row of weights over the curve's columns, so a path is a K x Columns::count() matrix.
 /// The energy is the sum of |x_(i-1) - 2 x_i + x_(i+1)|^2 / h^3 over the inner samples; with Hermite ends half a term
 /// for each end too, with the neighbour beyond it that gives the assigned slope as the central difference. A key
 /// between two samples is held by their linear interpolation: an error of second order in h, as that of the differences

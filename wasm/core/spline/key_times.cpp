@@ -12,7 +12,7 @@ namespace {
 // Of the whole time: closer keys leave no digits for the speeds between them.
 constexpr double closestTimes = 1e-12;
 
-// From 0: a millionth can be told there. web/engine/api/option-table.ts has the same.
+// Largest distance from 0: 1e-6 is still representable there. web/engine/api/option-table.ts has the same.
 constexpr double farthestTime = 1e9;
 
 }  // namespace

@@ -15,7 +15,7 @@ using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
 // Solves a tridiagonal system with a matrix of right-hand sides (Thomas). The spline systems are diagonally dominant,
-// so that no pivoting is needed.
+// so no pivoting is needed.
 MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const VectorXd& upper, MatrixXd rhs) {
   const Eigen::Index n = diagonal.size();
   for (Eigen::Index i = 1; i < n; ++i) {
@@ -90,11 +90,10 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
   return {};
 }
 
-// Bias and tension at one knot: a share |bias| of the C2 slope gives way to the one-sided difference, before the knot
+// Bias and tension at one knot. A share |bias| of the C2 slope is replaced by the one-sided difference, before the knot
 // for a positive bias and after it for a negative one, as in Kochanek and Bartels (1984), whose splines start from the
-// mean of the two; then the whole is scaled. All of it is linear in the columns, so that the weights stay affine. 0
-// leaves the slope as it is, bit for bit; anything else costs the continuity of the second derivative there, never of
-// the first.
+// mean of the two; then the slope is scaled. This is linear in the columns, so the weights stay affine. 0 leaves the
+// slope unchanged, bit for bit; other values cost the continuity of the second derivative there, never of the first.
 void shapeSlope(MatrixXd& slope, const Spans& s, Eigen::Index knot, double bias, double tension) {
   if (bias != 0) {
     const Eigen::Index before = std::max<Eigen::Index>(knot - 1, 0), after = std::min(knot, s.h.size() - 1);
@@ -251,7 +250,7 @@ CurvePoint blendedPoint(const Weights& weights, Columns columns) {
   CurvePoint point;
   point.weights = weights;
   const double startWeight = weights[columns.startTangent()], endWeight = weights[columns.endTangent()];
-  // An end tangent is the end key plus a difference, so that its weight counts for that key too.
+  // An end tangent is the end key plus a difference, so its weight counts for that key too.
   std::vector<StepShare> steps(columns.keys - 1);
   double share = endWeight;
   for (int j = columns.keys - 1; j > 0; --j) {

@@ -100,8 +100,7 @@ struct WrappedTime {
 };
 
 /// A fitted curve: knots and the slope at each as a combination of the columns. A periodic curve is a natural spline
-/// over so many periods to either side that its ends are not felt; so every period is the next one's copy, whatever
-/// turns. Immutable.
+/// over enough periods to either side that its ends have no effect, so every period is a copy of the next. Immutable.
 class Curve {
  public:
   /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, tensions or biases of another count,
@@ -112,7 +111,7 @@ class Curve {
   /// the end derivative. A periodic curve is only defined on one period: wrap() first.
   Weights weights(double t, int derivative = 0) const;
 
-  /// The curve at time t, likewise.
+  /// The curve at time t, in the same form.
   CurvePoint at(double t) const;
 
   WrappedTime wrap(double t) const;
