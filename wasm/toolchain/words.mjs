@@ -38,11 +38,14 @@ export const EXCEPTIONS = [
   { file: 'wasm/core/sparse/README.md', words: /factorise/, why: 'names a function of the solver' },
 ];
 
-/** Files and folders still to be cleaned; the lint covers everything else. */
+/** Files whose texts are still to be cleaned; the lint covers all others. */
 const LATER = [
-  'web/app',
-  'web/play',
-  'web/plots',
+  'web/app/export/export-job.ts',
+  'web/app/guide/figures.ts',
+  'web/app/guide/tour.ts',
+  'web/app/kept/remembered-files.ts',
+  'web/app/panels/distance-figure.ts',
+  'web/play/notices.ts',
   'web/ui/export-fields.ts',
   'web/ui/help.ts',
   'web/ui/messages.ts',
@@ -110,7 +113,7 @@ export function bannedIn(file, source) {
 }
 
 const isException = (file, words) => EXCEPTIONS.some((one) => one.file === file && one.words.test(words));
-const isCovered = (file) => !LATER.some((one) => file === one || file.startsWith(`${one}/`));
+const isCovered = (file) => !LATER.includes(file);
 
 /** Files with text that people read, as Git lists them. */
 export const readableFiles = () =>

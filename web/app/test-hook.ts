@@ -15,8 +15,8 @@ export interface TestHook {
   /** Resolves when nothing is under way: no import, no build, no frame. */
   settled(): Promise<void>;
   /**
-   * Back to how the page opens with this fragment in its address, for somebody who has been there before and has kept
-   * nothing, without loading it again; resolves when that is settled.
+   * Returns to the state in which the page opens with this fragment in its URL, for a returning visitor without stored
+   * files, without loading it again; resolves when settled.
    */
   reset(fragment?: string): Promise<void>;
   readonly state: AppState;

@@ -15,7 +15,7 @@ export interface VisitParts {
 }
 
 export interface Visit {
-  /** Opens what the address names; resolves when all of it is shown. */
+  /** Opens the content of the URL; resolves when it is completely shown. */
   begin(): Promise<void>;
   /** Opens what the address named before the guide was opened. */
   openBegun(): Promise<void>;

@@ -40,7 +40,7 @@ export function axesOf({ plane, taken }: PlayState, id: FigureId): Axes {
   return { x, y: id in y ? y[id as keyof typeof y] : '' };
 }
 
-/** For who hears the page: what is so now. */
+/** Announces the present state to screen readers. */
 export function sentence({ state, derived: { times, bending }, touched }: Shown): string {
   const { keys, selected, plane, time } = state;
   const key = keys[selected]!;

@@ -1,4 +1,4 @@
-/** What the page plays by itself until somebody touches it: scenes, one after the other, in a loop. */
+/** The demonstration that plays until the user touches the page: scenes, one after the other, in a loop. */
 import { INITIAL, MAX_SAMPLES, MIN_SAMPLES, withKey } from './state.ts';
 import type { PlayState, Touched } from './state.ts';
 
@@ -10,7 +10,7 @@ export interface Scene {
   at(share: number): PlayState;
 }
 
-/** There and back again, gently. */
+/** Back and forth, gently. */
 const swing = (share: number): number => Math.sin(share * 2 * Math.PI);
 const rise = (share: number): number => 0.5 - 0.5 * Math.cos(Math.min(share / 0.8, 1) * Math.PI);
 

@@ -40,7 +40,7 @@ export interface Shown {
   state: PlayState;
   derived: Derived;
   touched: Touched;
-  /** A key to point at, besides the selected one; -1: none. */
+  /** A key to point at, in addition to the selected one; -1: none. */
   lit: number;
 }
 

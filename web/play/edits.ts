@@ -11,7 +11,7 @@ import type { Layer, PlayState, Touched } from './state.ts';
 export interface Edits extends PanelEvents, CurveFigureEvents, KeysTableEvents {
   onLayer(layer: Layer, on: boolean): void;
   onTime(time: number): void;
-  /** A key is pointed at; -1: none any more. */
+  /** A key is pointed at; -1: none. */
   onLit(key: number): void;
 }
 

@@ -1,4 +1,4 @@
-/** The playground: one state, its figures and controls, drawn anew when something of it changes. */
+/** The playground: one state, its figures and controls, redrawn after changes. */
 import { button } from '../ui/controls.ts';
 import { h, setText } from '../ui/dom.ts';
 import { createBoard } from './board.ts';
@@ -29,7 +29,7 @@ export interface PageParts {
 export interface PlayPage {
   element: HTMLElement;
   get(): PlayState;
-  /** Another state, as if somebody had made it. */
+  /** Sets a state, as if the user had made it. */
   change(state: PlayState, touched: Touched): void;
 }
 

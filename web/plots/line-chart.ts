@@ -21,7 +21,7 @@ export interface LineChartData {
   keyTimes: readonly number[];
   /** Where the keys define the curve; outside it is extrapolated. */
   range: readonly [number, number];
-  /** The smallest span of the vertical axis, so that noise does not fill the picture. */
+  /** The smallest span of the vertical axis, so noise does not fill the plot. */
   leastSpan?: number;
   /** Always show this value. */
   include?: number;

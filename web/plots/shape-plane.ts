@@ -62,7 +62,7 @@ export interface ShapePlanePlot {
   /** The path that was drawn, or null. */
   setPath(points: readonly Vector[] | null): void;
   setDrawing(on: boolean): void;
-  /** How long the handles are, before the curve is worked out anew, and how long they can be. */
+  /** Length of the handles before the curve is computed again, and their largest length. */
   setSpeeds(speeds: Readonly<Record<End, number>> | null, most: Readonly<Record<End, number>>): void;
 }
 

@@ -46,7 +46,7 @@ export function present(context: Context, what: Presented | null): void {
   changeView(context, { present: what });
 }
 
-/** Puts a divider between the motion and another one, or removes it and restores what was compared before. */
+/** Puts a divider between two motions, or removes it and restores what was compared before. */
 function toggleSplit(context: Context): void {
   const { doc, view } = context.session.store.get();
   const { compare, split } = view;

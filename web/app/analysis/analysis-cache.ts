@@ -1,4 +1,4 @@
-/** The newest analysis, computed when somebody wants it and once for all who do. */
+/** The newest analysis, computed on demand and shared by all callers. */
 import type { Analysis, AnalysisInput } from './analysis.ts';
 import type { Session } from '../session/session.ts';
 import { analyse, analysisInput } from './analysis.ts';

@@ -40,7 +40,7 @@ export async function minimisedCurve(sequence: Motion, samples: number): Promise
   return { points, energy, splineEnergy: curveEnergy, off: extent > 0 ? Math.max(...distances) / extent : 0 };
 }
 
-/** Each point is a shape that has to be encoded, which takes so many times what a frame does. */
+/** Each point is a shape to encode, which takes this many times as long as a frame. */
 const ENCODE_FRAMES = 25;
 const BUDGET_MS = 1200;
 const MOST_POINTS = 49;

@@ -22,7 +22,7 @@ export interface Stage {
   viewport: HTMLElement;
   /** Names on the picture of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
-  /** Pixels that bars and words take at the top and the bottom of each of so many views, or of two that are `split`. */
+  /** Pixels that bars and words take at the top and the bottom of each of the views, or of two that are `split`. */
   covered(views: number, split: boolean): { top: number; bottom: number };
 }
 

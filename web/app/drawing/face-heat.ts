@@ -1,7 +1,7 @@
 /**
- * How every face is turned and stretched against the reference pose, as amounts at the vertices: of whatever shape is
- * drawn, by whichever method, so that no frame is evaluated again. D_f = R_f S_f as in the core (lri/face_frame), by
- * the closed-form polar decomposition of a 3x2 matrix.
+ * Rotation and stretch of every face relative to the reference pose, as amounts at the vertices. They are computed from
+ * the drawn shape, by any method, so no frame is evaluated again. D_f = R_f S_f as in the core (lri/face_frame), by the
+ * closed-form polar decomposition of a 3x2 matrix.
  */
 
 import type { FaceAmount } from '../../model/state.ts';

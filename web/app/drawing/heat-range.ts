@@ -1,8 +1,8 @@
 /** The upper end of a colour scale that a few slivers do not set. */
 
-/** So many vertices are within half of the scale. */
+/** Share of the vertices within half of the scale. */
 const SHARE = 0.99;
-/** In percent. A scale that leaves something out goes at least so far: below it there is little to be told apart. */
+/** In percent. A scale that cuts off values reaches at least this far: smaller differences are invisible. */
 const LEAST = 1;
 
 /** Of amounts in percent, none of them negative; `largest`: of all of them. Nothing is left out needlessly. */

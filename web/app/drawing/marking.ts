@@ -29,7 +29,7 @@ export interface Marking {
   around(face: number): void;
   /** Marks patches. */
   patches(patches: readonly number[]): void;
-  /** The motion is another one now: a place that was marked may be none any more. Components stay what they are. */
+  /** The motion changed, so a marked place may no longer exist. Components stay the same. */
   follow(): void;
 }
 

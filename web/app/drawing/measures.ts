@@ -1,6 +1,6 @@
 /**
- * Volume and area of a frame that is on the page already, so that it is not evaluated again. `wasm/core/mesh/measures`,
- * which serves `Sequence.measures`, defines them alike.
+ * Volume and area of a frame that is already on the page, without evaluating it again. The definitions are those of
+ * `wasm/core/mesh/measures`, which `Sequence.measures` uses.
  */
 
 export interface Measure {

@@ -24,7 +24,7 @@ export interface OnionSkinInput {
   periodic: boolean;
 }
 
-/** Skins before and after the time, the farthest first, so that nearer ones are drawn over them. */
+/** Skins before and after the time, the farthest first, so nearer ones are drawn over them. */
 export function onionTimes({ t, range }: OnionSkinInput, { onionSkins, onionSpacing }: OnionView): number[] {
   const step = onionSpacing ?? ONION_STEP * length(range);
   return Array.from({ length: onionSkins }, (_, i) => (onionSkins - i) * step).flatMap((away) => [t - away, t + away]);

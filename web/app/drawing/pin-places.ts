@@ -33,7 +33,7 @@ export function vertexAt(viewer: Viewer, faces: Uint32Array, face: number, { x, 
   return faces.slice(3 * face, 3 * face + 3).reduce((best, other) => (off(other) < off(best) ? other : best));
 }
 
-/** Nobody means two keys of a path within half a frame of each other, between which it would swing far out. */
+/** Two keys of a path within half a frame are not intended, and the path would overshoot far between them. */
 function sameMoment(range: Range): number {
   return Math.max(length(range) / 1000, Math.min(length(range) / 200, 1 / 60));
 }

@@ -244,7 +244,7 @@ export class SceneController {
     return this.original;
   }
 
-  /** Shows the animation itself beside the motions with the next frame; null: no more. */
+  /** Shows the animation itself next to the motions with the next frame; null: hides it. */
   setOriginal(original: Original | null): void {
     this.original = original;
   }
@@ -463,7 +463,7 @@ function sizeName({ ghost }: RunningMotion, width: number): string {
   return `${width < NARROW_PX ? '' : 'Ghost of '}${ghost.toLocaleString('en')} faces`;
 }
 
-/** Beside a divider, a blend is called what those know it by who have never heard of it. */
+/** Next to a divider, a blend has the name that newcomers know. */
 function titleOf({ ghost, ...motion }: RunningMotion, split: boolean): string {
   const title = motionWords(motion)[split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;

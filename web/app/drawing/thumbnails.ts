@@ -18,7 +18,7 @@ export interface Thumbnails {
   refresh(): void;
 }
 
-/** More cards nobody looks through. */
+/** More cards are not useful. */
 const MAX_KEYS = 256;
 
 export function createThumbnails({ store, workspace, scene, idle, has, onThumbnail }: ThumbnailParts): Thumbnails {

@@ -18,7 +18,7 @@ export interface TimePicturesParts {
 export interface TimePictures {
   /** The pointer is at this moment; null: at none. */
   want(t: number | null): void;
-  /** The motion or the look has changed: what was drawn is of no use any more. */
+  /** The motion or the look changed, so earlier images are outdated. */
   forget(): void;
 }
 

@@ -31,9 +31,7 @@ const exporting = () => import('./export-job.ts');
 
 export class ExportController {
   private abort: AbortController | null = null;
-  /**
-   * Of the plan that is being worked out: it evaluates the motion, which nobody waits for once another is asked for.
-   */
+  /** Cancels the running plan, which evaluates the motion in vain once another is requested. */
   private planning: AbortController | null = null;
   private formats: Promise<VideoFormat[]> | null = null;
 

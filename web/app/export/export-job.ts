@@ -80,7 +80,7 @@ function gridOf(numbers: ExportNumbers, duration: number | null): Partial<Export
   return { fps: duration === null ? rate / speed : rate, range: [...range] };
 }
 
-/** Refuses more frames than anybody means; only whole frames of a long range can be so many. */
+/** Refuses an unintended number of frames, which only whole frames of a long range can reach. */
 function counted(numbers: ExportNumbers): ExportNumbers {
   if (numbers.frames <= MAX_FRAMES) return numbers;
   throw new Error(

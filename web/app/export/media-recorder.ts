@@ -1,6 +1,6 @@
 /**
- * Videos where a browser has no WebCodecs: its recorder stamps frames by the clock, so that a video takes as long as it
- * plays at least; written anew, it has the times that were meant, and a length that players can seek in.
+ * Videos in browsers without WebCodecs. The browser's recorder stamps frames by the clock, so recording takes at least
+ * the duration of the video. The file is then rewritten with the intended times, and a length for seeking.
  */
 import {
   BlobSource,

@@ -19,7 +19,7 @@ export async function takePicture(scene: SceneController, { size, transparent, c
   const ground = transparent ? null : pageColour('--stage-centre');
   try {
     return await withSheet(scene, size, false, async (sheet) => {
-      // What is drawn is told by what is not transparent.
+      // Pixels that are not transparent were drawn.
       scene.setFloorless(transparent || crop);
       const box = crop ? boxOf(sheet) : null;
       scene.setFloorless(transparent);

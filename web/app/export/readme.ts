@@ -5,12 +5,12 @@ type Format = 'obj' | 'pc2' | 'mdd' | 'video' | 'glb';
 
 const SEQUENCE = [
   'Blender',
-  '  1. Enable the add-on "Stop motion OBJ" (or another one for mesh sequences), or use the PC2 export instead.',
+  '  1. Enable the add-on "Stop motion OBJ" (or a similar add-on for mesh sequences), or use the PC2 export instead.',
   '  2. File > Import > Mesh Motion, choose this folder and the file name 0000.',
   '  3. Set the frame rate of the scene to RATE.',
   'Houdini',
   '  1. Put down a File node inside a Geometry object.',
-  '  2. Set its file to $HIP/`padzero(4, $F-1)`.obj, so that frame 1 is 0000.obj.',
+  '  2. Set its file to $HIP/`padzero(4, $F-1)`.obj: frame 1 is then 0000.obj.',
   '  3. Set the frame rate of the scene to RATE.',
   'Unreal',
   '  1. Unreal reads no OBJ sequences: open them in Blender or Houdini and export Alembic (.abc).',

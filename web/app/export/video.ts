@@ -3,14 +3,14 @@ import type { VideoFormat } from '../../model/export-request.ts';
 
 export interface VideoOptions {
   format: VideoFormat;
-  /** Each stands for its part of a second, so that they fill the time exactly. */
+  /** Each covers its part of a second, so they fill the time exactly. */
   frames: number;
   framesPerSecond: number;
   /** Where the frames are drawn, of even size. */
   canvas: HTMLCanvasElement;
   /** Draws a frame; resolves when it is on the canvas. */
   draw(frame: number): Promise<void>;
-  /** So many frames are done. */
+  /** Receives the number of finished frames. */
   onFrame(done: number): void;
   signal: AbortSignal;
 }

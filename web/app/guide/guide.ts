@@ -1,6 +1,6 @@
 /**
- * The guide: pages that are states of the app, told of by their links. What was open before comes back when it is left,
- * unless the reader has opened something else meanwhile.
+ * The guide: pages that are states of the app, named by links. Leaving it restores the content that was open before,
+ * unless the user opened other content in the meantime.
  */
 import type { Plot } from '../../model/state.ts';
 import { createGuidePanel } from '../../ui/guide-panel.ts';
@@ -40,7 +40,7 @@ export interface Guide {
   readonly isOpen: boolean;
   /** The plot that the page on show speaks of, or null. */
   readonly plot: Plot | null;
-  /** Leaves it where a page of it is being opened; true where that is what is under way, or the way back is. */
+  /** Leaves the guide if one of its pages is being opened; true if that, or the way back, is under way. */
   cancel(): boolean;
 }
 
@@ -129,7 +129,7 @@ export function createGuide(parts: GuideParts): Guide {
   return guide;
 }
 
-/** Shows what a page needs besides its state; the result undoes that. */
+/** Shows what a page needs in addition to its state; the result undoes that. */
 function prepare(
   { panel, part, press, fill, beside }: GuidePage,
   { frame, showPanel }: Pick<GuideParts, 'frame' | 'showPanel'>,

@@ -21,7 +21,7 @@ const twistOf: GuidePage['ask'] = async (sequence, { keyTimes }) => {
   );
 };
 
-/** A face in the upper part of the turret, which shrinks; it is told of as far out as the plots go. */
+/** A face in the upper part of the turret, which shrinks; described as far out as the plots go. */
 const [SHRINKING, FAR] = [116, 1.4];
 const narrownessOf: GuidePage['ask'] = async (sequence, { stretch }) => {
   const { numbers } = await sequence.faceCurve(SHRINKING, [FAR]);

@@ -35,7 +35,7 @@ export function createWayBack(parts: WayBackParts) {
       returning += 1;
       await giveBack(comingBack, parts).finally(() => (returning -= 1));
     },
-    /** Something else was opened: there is no way back any more. */
+    /** Other content was opened, so there is no way back. */
     drop(): void {
       if (before) files.openings.left(before);
       before = null;

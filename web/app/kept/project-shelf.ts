@@ -38,7 +38,7 @@ interface ProjectRecord extends Changing {
   id: string;
   opening: boolean;
   changed: number;
-  /** Another one for every write, so that a tab notices what others have written. */
+  /** Differs for every write, so a tab notices the writes of others. */
   version: number;
 }
 
@@ -128,7 +128,7 @@ export function forgetProject(id: string): Promise<void> {
   return atomically((store) => remove(store, id));
 }
 
-/** What is kept. What does not read makes room under another key, where it stays for whoever may need it. */
+/** Stored content. Unreadable content moves to another key, where it stays for recovery. */
 export function readShelf(): Promise<Shelf> {
   return atomically(async (store) => {
     await upgrade(store);

@@ -64,7 +64,7 @@ export class RememberedFiles {
   private readonly tabs =
     typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('shapespline remembered files');
   private readonly kept = new Map<string, Kept>();
-  /** Projects that are not to be written any more: forgotten, or without room. */
+  /** Projects not to be written: forgotten, or without room. */
   private readonly dropped = new Set<string>();
   private readonly lastState = new LastState();
   private shelf: readonly ProjectOnShelf[] = [];
@@ -267,7 +267,7 @@ export class RememberedFiles {
     this.timer = 0;
   }
 
-  /** One after the other, so that a later state is not overtaken. */
+  /** One after the other, so no state overtakes a later one. */
   private writeInTurn(id: string): Promise<void> {
     this.saving = this.saving
       .then(() => this.write(id))

@@ -154,7 +154,7 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
   };
 }
 
-// The same lists until something in them changes, so that strip and warnings are not redrawn on every frame.
+// The same lists until something in them changes, so strip and warnings are not redrawn on every frame.
 const itemsOf = latest(warningItems);
 const keyItems = latest((doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] => {
   const reference = referenceKey(doc);

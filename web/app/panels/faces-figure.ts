@@ -17,7 +17,7 @@ export interface FacesFigureEvents extends ChartEvents {
   onColouring(colouring: Colouring): void;
   /** What distances are from; null where nothing is open. */
   compared(): Compared | null;
-  /** An animation to compare with is to be chosen, or is not wanted any more. */
+  /** Lets the user choose an animation to compare with, or removes it. */
   onPickTruth(): void;
   onLeaveTruth(): void;
   /** Marks what moves with a face, or these patches; null: nothing. */

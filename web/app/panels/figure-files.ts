@@ -21,7 +21,7 @@ function overTime<Name extends Plot>(names: Record<Name, string>): Record<Name, 
   return Object.fromEntries(axes) as Record<Name, Axes>;
 }
 
-/** About so many rows are read. */
+/** Approximate number of rows shown. */
 const READ = 24;
 
 /** The numbers of a figure: all rows go into a file, those at the keys and some between are read. */

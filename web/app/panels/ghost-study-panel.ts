@@ -22,7 +22,7 @@ export interface GhostStudyParts extends FigureEvents {
 
 export interface GhostStudyPanel {
   element: HTMLElement;
-  /** The document may have changed: what was measured for another one goes. */
+  /** Removes measurements if the document changed. */
   update(): void;
 }
 

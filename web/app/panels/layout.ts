@@ -36,7 +36,7 @@ export interface Layout {
   setFramed(page: { href: string; title: string } | null): void;
   /** Names on the picture of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
-  /** Pixels that bars and words take at the top and the bottom of each of so many views, or of two that are `split`. */
+  /** Pixels that bars and words take at the top and the bottom of each of the views, or of two that are `split`. */
   covered(views: number, split: boolean): { top: number; bottom: number };
   /** Nothing but this is on the page; null: all of it. */
   present(what: Presented | null): void;

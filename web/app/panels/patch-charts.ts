@@ -12,7 +12,7 @@ import type { PartCharts } from './face-charts.ts';
 
 interface Loaded {
   own: PatchCurves;
-  /** Of the natural spline, where that is another one. */
+  /** Of the natural spline, if it differs. */
   natural: PatchCurves | null;
   common: Pick<LineChartData, 'times' | 'keyTimes' | 'range' | 'dots'>;
 }

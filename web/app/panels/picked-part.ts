@@ -9,7 +9,7 @@ export type Part = 'face' | 'patch';
 
 export interface PickedPartEvents {
   input(): AnalysisInput | null;
-  /** null: none any more. */
+  /** null: none. */
   onShow(index: number | null): void;
   /** What is to be said of it. */
   onWords(words: string): void;
@@ -42,7 +42,7 @@ export function createPickedPart(part: Part, charts: PartCharts, events: PickedP
   field.placeholder = placeholder;
   let shown: number | null = null;
   let cursor = 0;
-  // What was chosen in another shape, or of other patches, may not be there any more: nothing is wrong then.
+  // A part chosen in another shape, or in other patches, may no longer exist, which is not an error.
   const load = (onMissing: (error: unknown) => void = nothing): void => {
     charts
       .load(shown, input())
@@ -71,7 +71,7 @@ export function createPickedPart(part: Part, charts: PartCharts, events: PickedP
       return shown;
     },
     show: (index: number | null): void => show(index),
-    /** The motion is another one. */
+    /** The motion changed. */
     refresh(): void {
       if (shown !== null) load();
     },

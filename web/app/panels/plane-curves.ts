@@ -122,7 +122,7 @@ async function leastBending(spline: Motion, samples: number, onError: (error: un
     const overlay = { label: 'Least bending', points: found.points, style: 'minimised', marked: true };
     return { overlays: [overlay], sentences: [minimisedWords(found, samples)] };
   } catch (error) {
-    // So many samples cannot work with these keys: the core says why.
+    // This number of samples does not work with these keys: the core gives the reason.
     if (error instanceof EngineError && error.code === 'invalid-option') return { ...NONE, sentences: [error.message] };
     onError(error);
     return NONE;

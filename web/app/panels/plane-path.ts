@@ -13,7 +13,7 @@ export interface PlanePath {
 
 const SECONDS = 4;
 
-/** `onPoint` hears of every refresh while it plays, `onEnd` when it has ended or was stopped. */
+/** `onPoint` is called on every refresh while it plays, `onEnd` when it has ended or was stopped. */
 export function createPlanePath(onPoint: (point: Point) => void, onEnd: () => void): PlanePath {
   let points: readonly Point[] | null = null;
   let frame = 0;

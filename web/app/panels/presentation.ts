@@ -15,7 +15,7 @@ export interface PresentationParts {
 }
 
 export interface Presentation {
-  /** The way out for who has no keys. */
+  /** The way out for users without a keyboard. */
   element: HTMLElement;
   update(what: Presented | null): void;
 }
@@ -53,7 +53,7 @@ export function createPresentation({ presented, present, show, say }: Presentati
       document.documentElement.requestFullscreen?.().catch(() => undefined);
   };
   const leave = (): void => {
-    // Its end is told later, when something else may be presented.
+    // Its end is reported later, when other content may be presented.
     fills = false;
     if (document.fullscreenElement) document.exitFullscreen().catch(() => undefined);
     if (left?.checkVisibility()) left.focus({ preventScroll: true });

@@ -20,7 +20,7 @@ export interface PlaybackParts {
 
 export interface Playback {
   frameLoop: FrameLoop;
-  /** What plays stops until `resume`, whatever the state says; resolves when nothing is under way any more. */
+  /** Stops playback until `resume`, whatever the state; resolves when no work is left. */
   rest(): Promise<void>;
   resume(): void;
   /** The state has changed. */

@@ -11,7 +11,7 @@ export class PosePool {
     this.count = this.imported;
   }
 
-  /** The first so many, one after the other: each is a copy. */
+  /** The first poses, one after the other: each is a copy. */
   *poses(count = this.count): Generator<Float32Array> {
     for (let pose = 0; pose < count; pose += 1) yield this.keys.positions(pose);
   }

@@ -60,7 +60,7 @@ function besideMethod(motion: Motion, other: Method): Omit<Variant, 'ghost'>[] {
   return holds(motion) ? [{ method: other, plain: true }] : [];
 }
 
-/** Where a pin is to stay in a shape that is no key any more, it follows its own splines. */
+/** A pin whose key was removed follows its own spline. */
 function pinsFor({ keys, motion }: Doc): Pin[] {
   return motion.pins.map(({ stay, ...pin }) => {
     const key = keys.findIndex(({ pose }) => pose === stay);

@@ -18,11 +18,11 @@ export interface SessionEvents extends Pick<WorkspaceEvents, 'onRead' | 'onLarge
   onServed(): void;
   /** The engine refused an edit, which is taken back. */
   onError(error: unknown): void;
-  /** A worker has ended; asking for a frame starts another one. */
+  /** A worker has ended; requesting a frame starts a new one. */
   onRestart(): void;
 }
 
-/** An engine that was started before there was anything to hear of it. */
+/** An engine that was started before its listeners existed. */
 export interface StartedEngine {
   engine: Engine;
   /** A worker has ended by itself. */
@@ -37,7 +37,7 @@ export interface Session {
   /** The first running sequence. */
   sequence(): Motion | undefined;
   range(): Range;
-  /** Has the sequences follow the document, if something of it is shown otherwise now. */
+  /** Updates the sequences if the document now looks different. */
   serve(): void;
   /** Ends what is under way and takes back the edit that led to it. */
   cancel(): void;

@@ -7,7 +7,7 @@ export interface StateChanges {
   motions: boolean;
   /** The viewer draws otherwise without asking for another frame. */
   look: boolean;
-  /** The frame that is shown is to be drawn anew, exactly. */
+  /** The shown frame must be drawn again, exactly. */
   drawing: boolean;
   time: boolean;
   started: boolean;

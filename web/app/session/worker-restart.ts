@@ -1,6 +1,6 @@
-/** What follows the end of a worker: the engine starts another one with the next frame that is asked for. */
+/** Handles the end of a worker: the engine starts a new one with the next requested frame. */
 
-/** One end is told by everyone who waited for a result. */
+/** Every caller that waited for a result reports the same end. */
 const SAME_END_MS = 1000;
 /** Another end so soon is a matter of the shape. */
 const NEXT_END_MS = 10_000;

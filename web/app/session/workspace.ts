@@ -62,13 +62,10 @@ export interface OpenFile extends InputFile {
   mesh?: KeyMesh;
 }
 
-/** Files, or where they come from: `report` hears the share that is there. */
+/** Files, or their source: `report` receives the fetched share. */
 export type Input = OpenFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
 
-/**
- * Reading's share of the bar, and of that the share of the bytes' way into memory; the rest is encoding and
- * factorising.
- */
+/** Share of reading in the progress bar, and of fetching in reading; the rest is encoding and factoring. */
 const READING = 0.3;
 const FETCHING = 0.3;
 const NOTHING_RUNNING: readonly RunningMotion[] = [];

@@ -1,4 +1,4 @@
-/** Whether a motion ends as it began, so that it can go on as a loop. */
+/** Whether a motion ends as it began, which allows a loop. */
 import { farthest } from '../../engine/api/distances.ts';
 import type { Doc } from '../../model/state.ts';
 import type { PosePool } from '../session/pose-pool.ts';

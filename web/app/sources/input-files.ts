@@ -2,7 +2,7 @@
 import type { InputFile } from '../../engine/api/types.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 
-/** One after the other; `report` hears the share of all bytes that is there. */
+/** One after the other; `report` receives the fetched share of all bytes. */
 export async function readFiles(
   files: readonly PickedFile[],
   report?: (fraction: number) => void,

@@ -28,7 +28,7 @@ export interface OpenFirstParts {
   onStopped(offer: Offer): void;
 }
 
-/** `address`: the fragment, which may be another one by the time at which there is something to open. */
+/** `address`: the fragment, which may change before there is something to open. */
 export async function openFirst(
   { files, remembered, onSamples, say, onGuide, onStopped }: OpenFirstParts,
   address: () => string,

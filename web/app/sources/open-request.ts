@@ -28,7 +28,7 @@ export interface OpenRequest {
   link?: Permalink | null;
   /** By the user just now, who has chosen nothing about them yet: shapes that seem to lie are stood up. */
   picked?: boolean;
-  /** All of it is as it was left. */
+  /** Restored exactly as it was left. */
   left?: Remembered | Work;
   /** The document that settings are taken from. */
   settings?: Doc;

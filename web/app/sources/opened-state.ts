@@ -127,7 +127,7 @@ function openingPlay(
   return { playing, speed, loop: openingLoop(loop, timed && info.animation >= 0), between: null, fps };
 }
 
-/** A clip plays in a loop, poses there and back, unless the visitor lets motions play once. */
+/** A clip plays in a loop, poses back and forth, unless the visitor lets motions play once. */
 function openingLoop(before: LoopMode, clip: boolean): LoopMode {
   if (before === 'once') return before;
   return clip ? 'loop' : 'bounce';

@@ -55,7 +55,7 @@ export interface OpenerParts {
   onOpened(opened: Opened): void;
   /** The files were read again for the same document: the motions are to be made from them. */
   onRead(): void;
-  /** Of reading further poses; an import is told of by the workspace. */
+  /** Progress of reading more poses; the workspace reports imports. */
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;
 }
@@ -130,7 +130,7 @@ export class Opener {
   again(left: Remembered | Work | null, step: Step | null = 'on'): Promise<boolean> {
     return this.guarded(async () => {
       if (!left) return false;
-      // A sample that is on its way is not wanted any more.
+      // Cancels a sample that is still loading.
       this.fetching.abort();
       return this.meet(leftRequest(left, this.parts.samples(), step));
     });
@@ -225,7 +225,7 @@ export class Opener {
     return true;
   }
 
-  /** What is on its way is not wanted any more; null where this is not either once it is there. */
+  /** Replaces what is being loaded; null if this is replaced as well before it is ready. */
   private async fetched<T>(get: (signal: AbortSignal) => T | Promise<T>): Promise<T | null> {
     this.fetching.abort();
     this.fetching = new AbortController();

@@ -1,4 +1,4 @@
-/** The state in the page's address: written while nothing plays, read when somebody changes it, copied on demand. */
+/** The state in the page's URL: written while nothing plays, read when the user changes it, copied on demand. */
 import type { Doc } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
 import { readPermalink, writePermalink } from './permalink.ts';
@@ -11,12 +11,12 @@ export interface PageLinkParts {
   say(text: string): void;
   /** The address names another state. */
   onLink(link: Permalink): void;
-  /** The address names a page of the guide; null: it named one, and names nothing any more. */
+  /** The URL names a page of the guide; null: it no longer does. */
   onGuide(fragment: string | null): void;
 }
 
 export interface PageLink {
-  /** From now on what the address is changed to is opened; what it is until then, whoever opens the page reads. */
+  /** From now on, changes of the URL are opened; the code that opens the page reads the initial one. */
   listen(): void;
   /** The state has changed: the address follows where it is listened to. */
   follow(): void;
@@ -41,8 +41,8 @@ export function strangeLink(fragment: string): string | null {
 }
 
 /**
- * After the first change that is not in the address: further ones do not put it off. Less than until own files are
- * kept, so that who comes back to them does not find the sample before them.
+ * Delay after the first change that is not in the URL; later changes do not extend it. Shorter than the delay of storing
+ * the user's files, so a returning user finds these and not the sample before them.
  */
 const WRITE_DELAY_MS = 300;
 
@@ -50,7 +50,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   let timer = 0;
   let pinned: string | null = null;
   let listening = false;
-  /** The last fragment that was written or heard of. */
+  /** The last fragment written or received. */
   let known = location.hash;
 
   const replace = (fragment: string): void => {

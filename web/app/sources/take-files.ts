@@ -18,7 +18,7 @@ export interface TakeFilesParts {
   store: Store;
   files: Opener;
   say(text: string): void;
-  /** What waits for the user's word; null: nothing any more. */
+  /** The offer that waits for the user; null: none. */
   onOffer(offer: Offer | null): void;
   /** Has the user choose further files. */
   onPick(): void;
@@ -42,7 +42,7 @@ export class TakeFiles {
     });
   }
 
-  /** Something else was opened: no pose waits any more. */
+  /** Other content was opened, so no pose waits. */
   forget(): void {
     this.waiting = [];
     this.parts.onOffer(null);

@@ -1,4 +1,4 @@
-/** Undo and redo, of the edits of what is open and, when there are no more of them, of its opening. */
+/** Undo and redo of edits and, after the first edit, of the opening itself. */
 import type { Orientation } from '../../model/orientation.ts';
 import type { Source } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';

@@ -1,4 +1,4 @@
-/** What the page shows besides the state: work under way, what was found, thumbnails. It is never saved. */
+/** Content of the page outside the state: running work, results, thumbnails. It is never saved. */
 import type { Frame, KeysInfo, Method, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { Pace } from '../../model/pace.ts';
 import { USUAL_MOST } from '../../model/speeds.ts';

@@ -1,4 +1,4 @@
-/** Curves as lines: sampled within each interval, so that what jumps at a key is drawn as a jump. */
+/** Curves as lines: sampled within each interval, so a jump at a key is drawn as a jump. */
 import { namedCurve } from '../../plots/svg-parts.ts';
 import { inInterval, valueAt } from '../splines/curve.ts';
 import type { Curve, Derivative } from '../splines/curve.ts';

@@ -1,4 +1,4 @@
-/** A picture as wide as its column, drawn anew when that changes, with axes over the keys. */
+/** A plot as wide as its column, redrawn when that changes, with axes over the keys. */
 import { make, text } from '../../plots/svg-parts.ts';
 import { linearScale, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Scale } from '../../plots/scale.ts';

@@ -31,7 +31,7 @@ export function intervalAt(times: readonly number[], t: number): number {
   return index;
 }
 
-/** The same from one interval's own cubic, so that both sides of a knot can be asked for. */
+/** The same from the cubic of one interval, for values on both sides of a knot. */
 export function inInterval(curve: Curve, index: number, t: number, derivative: Derivative): number {
   const { times, values, slopes } = curve;
   const h = times[index + 1]! - times[index]!;

@@ -10,7 +10,7 @@ import type { Data } from './slopes.ts';
 /** More samples are not solved for: the work grows with their third power. */
 export const MOST_SAMPLES = 200;
 
-/** So many that every interval between keys has a sample: fewer could not meet all keys. */
+/** The fewest samples with one in every interval between keys: fewer could not meet all keys. */
 export function leastSamples(times: readonly number[]): number {
   const span = times.at(-1)! - times[0]!;
   const shortest = Math.min(...times.slice(1).map((t, i) => t - times[i]!));
