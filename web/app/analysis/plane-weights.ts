@@ -1,7 +1,7 @@
 /**
  * From a point of the shape plane to weights of the keys. The plane has two coordinates of a shape: several mixtures
- * project to a point. The chosen one is near the shapes of the motion there: the change from them has the least norm, in
- * the weights and in the shapes.
+ * project to a point. The chosen one is near the shapes of the motion there: the change from them has the least norm,
+ * in the weights and in the shapes.
  */
 
 export type Point = readonly [number, number];

@@ -41,8 +41,8 @@ export function strangeLink(fragment: string): string | null {
 }
 
 /**
- * Delay after the first change that is not in the URL; later changes do not extend it. Shorter than the delay of storing
- * the user's files, so a returning user finds these and not the sample before them.
+ * Delay after the first change that is not in the URL; later changes do not extend it. Shorter than the delay of
+ * storing the user's files, so a returning user finds these and not the sample before them.
  */
 const WRITE_DELAY_MS = 300;
 
