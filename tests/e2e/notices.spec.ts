@@ -37,3 +37,15 @@ test('the help has the paper cited with one press, and links the notices of ever
   expect(text).toContain('https://gitlab.com/libeigen/eigen');
   expect(text).toContain('The Emscripten Authors');
 });
+
+test('the help links the manual, a page without scripts', async ({ app }) => {
+  await app.open();
+  await app.by('help').click();
+  const href = await app.by('help-dialog').getByRole('link', { name: 'Manual' }).getAttribute('href');
+  const response = await app.page.request.get(new URL(href!, app.page.url()).href);
+  expect(response.ok()).toBe(true);
+  expect(response.headers()['content-type']).toContain('text/html');
+  const html = await response.text();
+  expect(html).toContain('<h1 id="shapespline-manual">');
+  expect(html).not.toContain('<script');
+});

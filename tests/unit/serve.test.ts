@@ -27,9 +27,9 @@ it.each([false, true])('every answer of npm start is guarded, isolated: %s', asy
   }
 });
 
-it('the policy of the header is the one of the page, and who may frame it; the README has it for other hosts', () => {
+it('the policy of the header is the one of the page, and who may frame it; the manual has it for other hosts', () => {
   const header = directives(guards['content-security-policy']!);
   expect(header).toEqual([...ofPage(inRepository('web/index.html')), "frame-ancestors 'self'"]);
-  const readme = inRepository('README.md').replace(/\s+/g, ' ');
-  expect(readme).toContain(guards['content-security-policy']);
+  const text = inRepository('web/manual/MANUAL.md').replace(/\s+/g, ' ');
+  expect(text).toContain(guards['content-security-policy']);
 });

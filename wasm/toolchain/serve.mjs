@@ -1,4 +1,4 @@
-// A plain static file server, optionally below a sub-path, with the headers that the README asks of a host. With
+// A plain static file server, optionally below a sub-path, with the headers that the manual asks of a host. With
 // --isolated it also sends the two that let a page share memory between threads.
 //   node serve.mjs FOLDER [--port N] [--prefix /sub/path/] [--isolated]
 import { createReadStream, statSync } from 'node:fs';
