@@ -78,7 +78,7 @@ export function takeKeys(
       const read = (how: ImportOptions): Promise<Keys> =>
         withEngine((one) => one.importKeyframes(files, how, { signal: making.signal, onProgress }));
       const keys = await read(all);
-      // As in the app, shapes that seem to lie are stood up where nobody says which axis is up.
+      // As in the app: stand up shapes that seem to lie, unless the page sets the axis.
       if (all.up !== undefined || !keys.info.warnings.some(({ code }) => code === 'z-up')) return keys;
       keys.dispose();
       return read({ ...all, up: 'z' });

@@ -63,7 +63,7 @@ export function timesAt({ keys }: Doc, place: KeyPlace, count: number): number[]
   return timesBefore(keys, at, count);
 }
 
-/** Whether there is a key at this time, or too near for another one. */
+/** Whether a key is at this time, or so near that no other fits. */
 export function isTaken(keys: readonly Pick<KeyRef, 'time'>[], t: number): boolean {
   const whole = (keys.at(-1)?.time ?? 0) - (keys[0]?.time ?? 0);
   return keys.some(({ time }) => Math.abs(time - t) <= 1000 * SAME_TIME * whole);

@@ -1,4 +1,4 @@
-/** What is open, on somebody's own page: a zip with all that this takes, and the lines for a page of one's own. */
+/** Shows how to embed the open motion: a zip with all that it takes, and lines to copy into a page. */
 import { button, dialog } from './controls.ts';
 import { h, setText } from './dom.ts';
 
@@ -8,7 +8,7 @@ export interface EmbedDialog {
 }
 
 export interface EmbedDialogEvents {
-  /** The zip is wanted. */
+  /** Saves the zip. */
   onSave(): void;
   onError(error: unknown): void;
 }
