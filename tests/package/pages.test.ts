@@ -78,7 +78,7 @@ it('says what to do where a web page comes instead of WebAssembly', async () => 
   });
   const url = await host([folder, path.join(folder, 'public')], { spare: '<!doctype html><title>Home</title>' });
   const { error } = await outcomeOf(url);
-  expect(error).toContain(`${url}gone.wasm answered with “<!doctype html>`);
+  expect(error).toContain(`${url}gone.wasm returned “<!doctype html>`);
   expect(error).toMatch(/Put the \.wasm file there, or set its URL: configure/);
 });
 

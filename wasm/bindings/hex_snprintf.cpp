@@ -1,6 +1,6 @@
-// snprintf as far as it is needed here: the JSON library writes numbers in hexadecimal with it, into its messages and
-// into text that is not ASCII. The C library's own brings decimals in 128 bits and the texts of all error numbers,
-// which nothing here writes.
+// The part of snprintf that is needed here: the JSON library uses it to write hexadecimal numbers in messages and
+// escaped text. The C library's version brings 128-bit decimals and the texts of all error numbers, which nothing here
+// uses.
 #include <cstdarg>
 #include <cstddef>
 

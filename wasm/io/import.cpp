@@ -48,7 +48,7 @@ Result<FoundFiles> findMeshes(std::span<const NamedBytes> files) {
   return found;
 }
 
-// Each is said, but of many only the first ones.
+// Every error is reported, up to a limit.
 void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnings) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < others.size() && i < most; ++i)

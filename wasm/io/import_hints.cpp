@@ -102,7 +102,7 @@ double footing(const Positions& positions, const Vec3& centre, int axis) {
   return width > 0 ? *std::min_element(reach.begin(), reach.end()) / width : 0;
 }
 
-// 1: stands along z and would tip over along y; -1: the other way round; 0: neither tells.
+// 1: stands along Z and would tip over along Y; -1: the opposite; 0: undecided.
 int standsRather(const Positions& positions, const std::vector<Triangle>& faces) {
   constexpr double kStable = 0.04;  // of the width
   const Vec3 centre = centreOfArea(positions, faces);

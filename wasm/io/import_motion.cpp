@@ -25,7 +25,7 @@ bool sameKeys(const Keyframes& a, const Keyframes& b) {
                                           [](const Key& x, const Key& y) { return x.positions == y.positions; });
 }
 
-// One key of each file: where actions have one name, files tell them apart.
+// One key per file: if actions have the same name, the file names distinguish them.
 void nameApart(std::vector<Key>& keys, const std::vector<MeshFile>& meshes) {
   std::set<std::string> names;
   for (const Key& key : keys) names.insert(key.name);
@@ -40,7 +40,7 @@ Positions movedBy(const Vec3& way, Positions positions) {
   return positions;
 }
 
-// In which axes the cache shows the mesh: programs write them as they are, or with y and z exchanged.
+// Axes of the cache: programs write the mesh's axes, or exchange Y and Z.
 Axes axesOf(const PointCache& cache, const Positions& mesh) {
   const Positions frames[] = {cache.frame(0), cache.frame(cache.seconds.size() - 1)};
   const Positions* one = &mesh;

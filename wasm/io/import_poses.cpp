@@ -47,7 +47,7 @@ std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std:
   return common.size() < import.objects.size() ? common : std::vector<std::string>();
 }
 
-// Keys are called after the actions that pose their files, where these tell them apart.
+// Keys are named after the actions that pose their files, if these names differ.
 void nameByActions(const std::vector<std::string>& actions, std::vector<Key>& keys) {
   const std::set<std::string> names(actions.begin(), actions.end());
   if (names.size() < keys.size() || names.contains("")) return;

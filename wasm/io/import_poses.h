@@ -27,12 +27,12 @@ Error atKey(Error error, int key);
 /// Errors: as KeyJoiner::add, with the objects where the pose has others than the first one.
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where);
 
-/// Warns where keys of a format that does not say which axis is up seem to have Z up, and no axis was chosen.
-/// `writtenZUp`: the first file says so.
+/// Warns if keys of a format that does not state its up axis seem to be Z up, and no axis was chosen. `writtenZUp`: the
+/// first file states Z.
 void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, const std::string& where,
                   Import& import);
 
-/// Poses say nothing of time: from one to the next it takes a second.
+/// Poses have no times, so they are one second apart.
 void setTimesInSeconds(Keyframes& keyframes);
 
 /// Files -> keys, in their order. If files have different objects (such as a ground plane), the keys use the objects

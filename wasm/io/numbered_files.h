@@ -10,7 +10,7 @@
 namespace shapespline {
 
 struct NumberedFiles {
-  std::string name;             ///< what their names have in common
+  std::string name;             ///< common start of their names
   std::vector<double> seconds;  ///< of each file, from 0, at kFramesPerSecond
 };
 

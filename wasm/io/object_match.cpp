@@ -131,7 +131,7 @@ struct Matcher {
     }
   }
 
-  // Several of one name: which of them is which only their shapes tell.
+  // Objects with one name are distinguished by their shapes only.
   void matchWithinNames(int kind) {
     const ByName ours = byName(first.objects, openFirst(), kind), theirs = byName(other.objects, openOther(), kind);
     for (const auto& [name, mine] : ours)

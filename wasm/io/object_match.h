@@ -1,4 +1,4 @@
-// Which object of one pose is which of another: by name, then by shape and place, then by the order in the files.
+// Matches objects of two poses: by name, then by shape and position, then by the order in the files.
 #pragma once
 
 #include <vector>

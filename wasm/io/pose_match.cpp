@@ -42,9 +42,9 @@ bool allFinite(const Positions& pose) {
   return std::all_of(pose.begin(), pose.end(), [](const Vec3& p) { return p.allFinite(); });
 }
 
-// Whether the corners of two lists tell one surface's vertices. A point of one list may be several of the other, where
-// the shape touches itself; but not where these are several points of the first in their turn: they belong together
-// by chance then.
+// Whether the corners of two lists match as vertices of one surface. A point of one list may match several of the
+// other, where the shape touches itself, but not if these in turn match several points of the first: that is a
+// coincidence.
 bool belongTogether(const std::vector<int>& a, int countA, const std::vector<int>& b, int countB) {
   std::vector<std::pair<int, int>> pairs(a.size());
   for (std::size_t c = 0; c < a.size(); ++c) pairs[c] = {a[c], b[c]};
@@ -111,7 +111,7 @@ std::optional<PoseMatch> PoseMatcher::byCopies(const std::vector<Triangle>& face
 std::optional<PoseMatch> PoseMatcher::byCorners(const std::vector<Triangle>& faces,
                                                 std::span<const Positions* const> poses) const {
   if (!allFinite(positions_) || !std::all_of(poses.begin(), poses.end(), [](auto* p) { return allFinite(*p); }))
-    return {};  // said where keys are checked
+    return {};  // reported when keys are checked
   const Positions* own[] = {&positions_};
   const Welding points = weldPoses(own), theirs = weldPoses(poses);
   const std::vector<int> vertexOf = cornersOf(faces);

@@ -75,7 +75,7 @@ std::vector<Entry> sortedEntries(int count, EntryOf entryOf) {
   return entries;
 }
 
-// How often other faces say that a point of the mesh is one of the pose.
+// Votes of other faces for matching a point of the mesh with one of the pose.
 class Votes {
  public:
   explicit Votes(const Match& match) : match_(match) {
@@ -86,7 +86,7 @@ class Votes {
     }
   }
 
-  // Without what faces f and g say themselves.
+  // Without the votes of faces f and g themselves.
   int of(int corner, int stands, int f, int g) const {
     const int p = match_.meshPoint(corner), q = pointOf(match_.pose, stands);
     const auto it = std::lower_bound(counts_.begin(), counts_.end(), Entry{p, q, 0});
@@ -115,7 +115,7 @@ void markSeveral(const std::vector<Entry>& entries, std::vector<bool>& disputed)
   }
 }
 
-// Faces with a corner whose point is said to be several points of the pose, or whose point there is said to be several.
+// Faces with a corner whose point matches several points of the pose, or the reverse.
 std::vector<bool> disputedFaces(const Match& match) {
   std::vector<bool> disputed(match.mesh.size(), false);
   const int n = match.cornerCount();

@@ -1,5 +1,4 @@
-// Types of the custom element for those who write it in TypeScript's markup, made of its manifest: one table says which
-// attributes there are.
+// Types of the custom element for TypeScript markup, generated from its manifest.
 
 /** For `document.querySelector('shape-spline')`. */
 export const elementTypes = `import type { ShapeSplineElement } from './element-class.js';

@@ -117,7 +117,7 @@ export async function unpackEmscripten() {
     wrapBinaryen(folder);
     writeConfig(folder);
     addAcorn(folder);
-    // Its scripts are CommonJS, whatever this repository's own package.json says.
+    // Its scripts are CommonJS, regardless of this repository's package.json.
     writeFileSync(path.join(folder, 'package.json'), '{ "type": "commonjs" }\n');
     writeFileSync(path.join(folder, 'complete'), '');
   });

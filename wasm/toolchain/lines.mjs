@@ -58,7 +58,7 @@ export function codeLines(text, language) {
       until = comment?.[1] ?? (inText ? line[at] : '');
       isCode ||= !comment && line[at].trim() !== '';
     }
-    // Only comments and templates go on in the next line.
+    // Only comments and templates continue on the next line.
     if (inText && until !== '`') until = '';
     if (isCode) count += 1;
   }

@@ -34,7 +34,7 @@ function holderIn(text) {
   }
 }
 
-// The lock appears with all that it says or not at all, also on a disk that is full.
+// The lock appears completely or not at all, even on a full disk.
 function tryLock(file) {
   const own = `${file}.${process.pid}`;
   const holder = { pid: process.pid, start: startOf(process.pid), since: new Date().toISOString() };

@@ -1,4 +1,4 @@
-// The npm packages, exactly as the lockfile says.
+// The npm packages of the lockfile.
 import { rmSync } from 'node:fs';
 import path from 'node:path';
 import { run, withRetries } from './exec.mjs';

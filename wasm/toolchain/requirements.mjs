@@ -123,7 +123,7 @@ function explain(reason, things) {
   return new Explained(`shapespline cannot be built here yet (${reason}). Missing:\n${list.join('\n')}`);
 }
 
-/** Refuses with one message when something is missing and cannot be installed. `extra` is looked at as well. */
+/** Fails with one message if something is missing and cannot be installed. `extra` is checked as well. */
 export function checkInstallable(names, extra) {
   const reason = whyNoInstall();
   const things = [...missing(names), ...extra];

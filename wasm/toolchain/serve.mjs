@@ -40,7 +40,7 @@ const policy = [
   noFrames,
 ].join('; ');
 const nosniff = { 'x-content-type-options': 'nosniff' };
-/** No file is taken for another type than is said, none does more than the page needs, no other host frames it. */
+/** Files have the declared type only, may do only what the page needs, and other hosts cannot frame them. */
 export const guards = { ...nosniff, 'content-security-policy': policy };
 /** For pages that have no policy: the development server's, and those of tests and benchmarks. */
 export const developmentGuards = { ...nosniff, 'content-security-policy': noFrames };

@@ -72,7 +72,7 @@ export function sizesOf(folder, page = 'index.html') {
   ];
 }
 
-/** A script of the package and all that it imports at once. */
+/** A script of the package with its static imports. */
 function withImports(folder, entry, patterns = NOW.slice(0, 1)) {
   const files = new Set();
   const waiting = [entry];
@@ -85,7 +85,7 @@ function withImports(folder, entry, patterns = NOW.slice(0, 1)) {
   return files;
 }
 
-/** The scripts of the package that are there, each with its size and limit. */
+/** The existing scripts of the package, each with its size and limit. */
 export function packageSizes(folder) {
   const soonOrLater = [NOW[0], ...LATER];
   const engine = withImports(folder, 'index.js', soonOrLater);

@@ -1,6 +1,6 @@
-// clang-tidy over the core, the readers and writers of files, a room at a time: all sources of a room
-// as one, because most of the time goes into the headers of others. A room is checked again when it, a header of ours
-// that it reaches, or the rules have changed.
+// clang-tidy over the core, the readers and writers, one room at a time: all sources of a room together, because most
+// of the time goes into the headers of other rooms. A room is checked again if it, one of our headers that it includes,
+// or the rules changed.
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { configureForTidy } from './build.mjs';
@@ -19,7 +19,7 @@ const rooms = () =>
     .flatMap((folder) => [folder, ...readdirSync(inRoot(folder)).map((name) => path.join(folder, name))])
     .filter((folder) => !path.extname(folder) && sourcesOf(folder).some((name) => name.endsWith('.cpp')));
 
-// The file and all that it includes of ours, directly or not.
+// The file and all our headers that it includes, directly or indirectly.
 function reach(file, found) {
   if (found.has(file)) return;
   found.add(file);

@@ -1,4 +1,4 @@
-// The lint of words: patterns that keep a reader from understanding a sentence at once. CONTRIBUTING.md has the rules.
+// The lint of words: patterns that make sentences hard to understand. CONTRIBUTING.md has the rules.
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';

@@ -59,11 +59,11 @@ export async function inspect(args: Arguments): Promise<string> {
 export interface Completed {
   /** One line that reports the output. */
   text: string;
-  /** Sentences that say where, counted from 1. */
+  /** Adds the place to a sentence, counted from 1. */
   warnings: string[];
 }
 
-/** From here on the size is said before the work. */
+/** From this size on, the size is announced before the work. */
 const LARGE = 100e6;
 
 /** Writes the completed motion and, if requested, the report. `say` receives a message before a large export. */

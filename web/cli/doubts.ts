@@ -5,7 +5,7 @@ const OTHER_SIZE = 3;
 const BETTER = 0.25;
 /** Share of the shape's size within which positions are the same. */
 const SAME_PLACE = 0.01;
-/** Fewer frames say little of a motion. */
+/** Fewer frames are too few to judge a motion. */
 const FEW_FRAMES = 5;
 /** Share of the length of the keys. */
 const SAME_SPAN = 1e-3;
@@ -39,7 +39,7 @@ export interface Pair {
 }
 
 export interface Lying {
-  /** How the animation was read; null where its files say that y is up. */
+  /** Orientation of the animation; null if its files state Y up. */
   up: 'y' | 'z' | null;
   unit: number;
 }

@@ -126,7 +126,7 @@ export function namedIn(bytes: Uint8Array, keyword: string): string[] {
   return [...new Set(named)];
 }
 
-/** A line that goes on in the next one. */
+/** A line that continues on the next one. */
 const CONTINUED = /\\[ \t]{0,100}\r?\n/g;
 
 const OPTION = /-\w+[ \t]+/y;

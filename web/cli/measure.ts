@@ -14,7 +14,7 @@ import { againstOptions, importOptions, measuredMethods, measuredTimes, sequence
 import { noFrames, readTruth } from './truth.ts';
 import type { Truth } from './truth.ts';
 
-/** Frames that are held at once. */
+/** Number of frames held at a time. */
 const AT_ONCE = 16;
 
 const ERROR_UNITS = "# distance: of the vertices from the animation, % of the model's size (diagonal of the keys)";
@@ -107,7 +107,7 @@ async function comparedTimes(
   return { times, frames: times.map((t) => (inside.includes(t) ? sampled.frame(inside.indexOf(t)) : null)) };
 }
 
-/** Frames that are looked at for another size or axis. */
+/** Frames checked for a different size or axis. */
 const LOOKED_AT = 5;
 
 async function doubtsOf(sequence: Sequence, { times, frames }: Compared, truth: Truth): Promise<string[]> {

@@ -125,7 +125,7 @@ async function checkPlaces(moves: Move[]): Promise<void> {
 
 const statsOf = (file: string): Promise<Stats | null> => stat(file).catch(() => null);
 
-/** The nearest folder that is there already. */
+/** The nearest existing folder. */
 async function existing(folder: string): Promise<string> {
   const found = await statsOf(folder);
   const above = path.dirname(folder);

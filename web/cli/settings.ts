@@ -222,7 +222,7 @@ function oneBlend(args: Arguments, output: string, options: Partial<ExportOption
   return options;
 }
 
-/** Options of an export that say which times it has, and how it plays. */
+/** Export options for times and playback. */
 const OF_A_MOTION: readonly string[] = [
   'times',
   'frames',
@@ -262,7 +262,7 @@ const GLB_ONLY = ['tolerance', 'compression', 'targets', 'bounce'] as const;
 /** Formats that hold all frames in one file. */
 const HOLD_ALL: readonly string[] = ['glb', 'pc2', 'mdd'];
 
-/** Files that belong to the output are called as it is. */
+/** Files that belong to the output share its name. */
 function nameOf(output: string): Partial<ExportOptions> {
   const stem = output.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, '');
   return stem === '' || wrongWith(EXPORT.name, stem) ? {} : { name: stem };

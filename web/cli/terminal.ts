@@ -1,7 +1,7 @@
 /** Texts on their way to the terminal, where names out of files must not be more than text. */
 import { messageOf } from '../engine/api/errors.ts';
 
-/** Control characters but the line feed, and what turns the direction of writing: terminals obey them. */
+/** Control characters except the line feed, and marks of the writing direction: terminals obey them. */
 const COMMANDS = /[\p{Cc}\u2028\u2029\u202a-\u202e\u2066-\u2069]/gu;
 
 /** Control characters for a terminal are escaped as in JSON, so JSON keeps its meaning. */

@@ -32,8 +32,8 @@ export interface Truth {
 }
 
 /**
- * `own`: how this animation lies where the files do not say it; by default as the keys do. Files of our own say that y
- * is up, in metres, and when their frames are.
+ * `own`: orientation of this animation if its files do not state it; by default that of the keys. Our files state Y up,
+ * metres and frame times.
  */
 export async function readTruth(
   engine: Engine,
@@ -81,7 +81,7 @@ export async function readTruth(
 
 const isGltf = (input: InputFile[]): boolean => input.some(({ name }) => ['glb', 'gltf'].includes(extensionOf(name)));
 
-/** How fast a project of ours plays, and which of its times; null for other files. */
+/** Playback speed and range of one of our projects; null for other files. */
 async function playOf(
   engine: Engine,
   input: InputFile[],

@@ -24,7 +24,7 @@ export type { CameraOrbit } from '../model/camera-words.ts';
 export interface CanvasViewerEvents {
   /** A new time was drawn. */
   onTime(t: number, phase: Phase): void;
-  /** A motion that plays once has come to its end. */
+  /** A motion that plays once has ended. */
   onEnd(): void;
   onError(error: unknown): void;
   onContext(lost: boolean): void;

@@ -89,7 +89,7 @@ export class Frame {
     return this.names.childElementCount > 0;
   }
 
-  /** Each name stands under its view, above what covers that at the bottom. */
+  /** Each name is below its view, above the covered area. */
   placeNames(rects: readonly Rect[], covered: number): void {
     [...(this.names.children as HTMLCollectionOf<HTMLElement>)].forEach((name, i) => {
       const { x, y, width, height } = rects[i] ?? { x: 0, y: 0, width: 0, height: 0 };

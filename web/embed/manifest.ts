@@ -1,4 +1,4 @@
-/** custom-elements.json: what editors and documentation read of the element. */
+/** custom-elements.json, for editors and documentation. */
 import { PROPERTIES, ROWS, attributeOf } from './attributes.ts';
 import type { Row } from './attributes.ts';
 import { EVENTS } from './events.ts';

@@ -117,7 +117,7 @@ function takeShape(wanted: Wanted, onProgress: (part: Stage) => void): Lease<Sha
   );
 }
 
-/** The motion that is there, or a new one. */
+/** An existing motion, or a new one. */
 export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): Lease<Motion> {
   const { value, release } = motions.take(
     keyOfMotion(wanted),

@@ -332,7 +332,7 @@ export class ShapeSplineElement extends Base {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
-  /** Several changes at once are one. */
+  /** Several changes in one task are handled together. */
   #change(concern: Concern): void {
     // Another motion begins at its own first key.
     if (concern === 'source' && this.#sequence) [this.#time, this.#outdated] = [NaN, true];

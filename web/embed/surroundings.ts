@@ -29,7 +29,7 @@ export function isDark({ colorScheme }: CSSStyleDeclaration): boolean {
   return dark! && (!light || query(DARK)?.matches === true);
 }
 
-/** Returns what ends it. */
+/** Returns a function that ends it. */
 export function watch(element: Element, events: SurroundingsEvents): () => void {
   const ends = [
     whileInView(element, NEAR, events.onNear),
@@ -44,7 +44,7 @@ export function watch(element: Element, events: SurroundingsEvents): () => void 
   };
 }
 
-/** Each returns what ends it. */
+/** Each returns a function that ends it. */
 function whileInView(element: Element, rootMargin: string, tell: (inView: boolean) => void): () => void {
   if (!globalThis.IntersectionObserver) {
     const timer = setTimeout(tell, 0, true);

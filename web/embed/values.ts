@@ -62,7 +62,7 @@ function numbersOf(row: Extract<Row, { kind: 'numbers' }>, word: string): Read {
   return good(numbers);
 }
 
-/** The attribute that says the same as the property; null: none. */
+/** The attribute of the property; null: none. */
 export function writeAttribute(row: Row, value: unknown): string | null {
   if (value === null || value === undefined) return null;
   switch (row.kind) {

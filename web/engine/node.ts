@@ -42,7 +42,7 @@ export async function withEngine<T>(work: (engine: Engine) => Promise<T>, urls?:
   }
 }
 
-// A program that was given as text says so to its worker threads as well, which refuse it.
+// A program given as text passes its options to its worker threads, which refuse them.
 const execArgv = process.execArgv.filter((word) => !word.startsWith('--input-type'));
 
 function spawnFrom(workerUrl: URL, onLost: (() => void) | undefined): Spawn {

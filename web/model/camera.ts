@@ -1,4 +1,4 @@
-/** From where the shape is looked at. */
+/** Position from which the shape is seen. */
 
 export interface CameraPose {
   position: [number, number, number];

@@ -47,11 +47,11 @@ export interface ExportRequest {
   /** In percent of the diagonal. */
   tolerance: number;
   compression: Compression;
-  /** null = as the rate says. At most one of the two is not null. */
+  /** null = given by the rate. At most one of the two is not null. */
   frames: number | null;
   /** Frames per second of the export; null = the whole frames of the timeline, or the usual rate without them. */
   rate: number | null;
-  /** First and last time; null = what plays. */
+  /** First and last time; null = the range that plays. */
   range: [number, number] | null;
   /** Seconds that the range takes in the export; null = as it plays on the page. */
   duration: number | null;

@@ -1,6 +1,6 @@
 /** Names of keys: the number, and a name if there is one. */
 
-/** A key in words; a name that is its number says nothing more. */
+/** Label of a key; a name that equals its number is omitted. */
 export function keyLabel(index: number, name: string): string {
   return name === '' || name === String(index + 1) ? `Key ${index + 1}` : `Key ${index + 1}, ${name}`;
 }

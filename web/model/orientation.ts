@@ -1,4 +1,4 @@
-/** How files are read that do not say it themselves: which of their axes is up, and how long a unit is in metres. */
+/** Orientation of files that do not state it: up axis, and length of a unit in metres. */
 import type { ImportOptions, Point } from '../engine/api/types.ts';
 
 export type Orientation = Required<Pick<ImportOptions, 'up' | 'unit'>>;

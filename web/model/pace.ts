@@ -19,7 +19,7 @@ const LEAST_SAMPLES = 6;
 /** Distance from a key, relative to the range, where the speed of a piecewise linear motion jumps. */
 const NEAR = 1e-7;
 
-/** Times in increasing order that tell the pace everywhere on the timeline, on both sides of every key. */
+/** Increasing times that resolve the pace everywhere on the timeline, on both sides of every key. */
 export function paceTimes(range: Range, keyTimes: readonly number[]): number[] {
   const [low, high] = timeScale(range, keyTimes.length).whole;
   const gap = NEAR * length(range);

@@ -35,7 +35,7 @@ export type PlaygroundMessage =
   | { type: 'done'; page: string };
 
 const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
-/** More keys or coordinates, or longer words, come from no page of ours. */
+/** Our pages send no more keys or coordinates, and no longer words. */
 const [MOST_KEYS, MOST_COORDINATES, LONGEST] = [4096, 64, 300];
 
 /** A valid message from the channel, otherwise null. Any page of the same host can write there. */

@@ -138,7 +138,7 @@ export function wrap(t: number, range: Range): number {
   return range[0] + ((((t - range[0]) % period) + period) % period);
 }
 
-/** A time as people write it: up to three decimals that mean something at this range. */
+/** A time for users: up to three decimals, as many as are significant in this range. */
 export function formatTime(t: number, range: Range = [0, 1]): string {
   const size = Math.max(length(range), 1e-9);
   const decimals = clamp(Math.ceil(3 - Math.log10(size) - 1e-9), 0, 6);

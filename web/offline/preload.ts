@@ -35,7 +35,7 @@ export function preload(): Plugin {
   };
 }
 
-/** Chunks with all that they import at once. */
+/** Chunks with their static imports. */
 function withImports(bundle: Bundle, names: readonly string[]): string[] {
   const found = new Set(names);
   for (const name of found) for (const imported of bundle[name]?.imports ?? []) found.add(imported);

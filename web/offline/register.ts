@@ -2,7 +2,7 @@
  * Starts the service worker of a built page. If it cannot run (no https, forbidden storage), the page works without it.
  */
 
-/** How often at most a page that is looked at again asks for a newer build. */
+/** Most frequent check for a newer build when a page becomes visible again. */
 const ASK_EVERY_MS = 3_600_000;
 
 export interface OfflineEvents {

@@ -118,8 +118,8 @@ async function runsByThis(client) {
   return script === null ? !(await self.clients.get(client.id)) : LISTED.has(script);
 }
 
-// Older builds go when every open page has said that it runs by this one; a page that does not answer may need any of
-// them.
+// Older builds are deleted once every open page has reported that it runs this one; a page that does not reply may need
+// any of them.
 async function dropUnused() {
   const older = (await ownCaches()).filter((name) => name !== CACHE);
   // A worker that waits fills the cache of the build to come.

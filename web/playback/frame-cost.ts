@@ -2,7 +2,7 @@
 import type { FrameSet, RunningMotion } from './frame-set.ts';
 
 const SAMPLES = 3;
-/** The first frames of a sequence are slow, and the machine may be busy with something else: one alone tells little. */
+/** The first frames of a sequence are slow, and the machine may be busy, so a single one is not representative. */
 const ENOUGH = 2;
 
 export class FrameCost {

@@ -36,7 +36,7 @@ export class FrameLoop {
   private running: Promise<void> | null = null;
   private waiting: Waiting[] = [];
   private calls: (() => void)[] = [];
-  /** Until then what plays leaves the machine to other work. */
+  /** Until then playback leaves the machine to other work. */
   private yieldsUntil = -Infinity;
   private readonly cost = new FrameCost();
 
@@ -60,13 +60,13 @@ export class FrameLoop {
     return this.idle();
   }
 
-  /** While the time or the motion changes. What plays goes on. */
+  /** While the time or the motion changes. Playback continues. */
   follow(t: number): void {
     if (!this.lookAhead) this.demand.want(t);
     this.begin();
   }
 
-  /** Shows what plays, until `pause`. The clock calls `advance` when its tick has changed. */
+  /** Starts playback, until `pause`. The clock calls `advance` when its tick changes. */
   play(clock: Clock): void {
     this.lookAhead?.discard();
     this.lookAhead = new LookAhead({

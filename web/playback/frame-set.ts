@@ -7,7 +7,7 @@ export interface Variant {
   method: Method;
   /** Faces of the ghost mesh that leads it; 0 without one. */
   ghost: number;
-  /** The method as published: nothing is held, what rests or is pinned. */
+  /** The method as published, without holding and pins. */
   plain?: true;
 }
 

@@ -44,7 +44,7 @@ export class Player implements Clock {
     this.shown = time;
     // Played once and at its end: from the start again.
     if (play.loop === 'once' && !periodic && time >= this.lastShown(range, play)) this.jump(range[0]);
-    // Coming from outside a chosen stretch would take its time: it plays at once.
+    // Running from outside to a chosen range would take that range's time, so playback starts in it.
     else if (chosen && (time < range[0] || time > range[1])) this.jump(range[0]);
     this.frame = requestAnimationFrame(() => this.step());
   }

@@ -1,4 +1,4 @@
-/** A striped column, twisted from its foot to its head: what blending positions is worst at. */
+/** A striped column, twisted from foot to head: the worst case for blending positions. */
 import type { Sculpture } from './glb.ts';
 import { painted } from './png.ts';
 import { placed, skin } from './skin.ts';

@@ -1,4 +1,4 @@
-/** A striped column whose upper part shrinks alike in all directions: it shows what stretch does beyond the keys. */
+/** A striped column whose upper part shrinks equally in all directions, to compare stretches beyond the keys. */
 import { lobed, striped } from './column.ts';
 import type { Colour, Level } from './column.ts';
 import type { Sculpture } from './glb.ts';

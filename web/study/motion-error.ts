@@ -11,7 +11,7 @@ export class MotionError {
   readonly over: ErrorsOverTime = { largest: [], mean: [] };
   private readonly kg = new KgError();
 
-  /** `diagonal`: what distances are relative to. */
+  /** `diagonal`: the reference length of distances. */
   constructor(private readonly diagonal: number) {}
 
   /** The next time, 3 x vertices of both; null without a reference. */

@@ -43,7 +43,7 @@ export interface Column {
   values: readonly number[];
 }
 
-/** Digits that mean something: the engine computes in single precision. */
+/** Significant digits: the engine computes in single precision. */
 const DIGITS = 7;
 /** Enough digits to distinguish times. */
 const TIME_DIGITS = 12;

@@ -19,7 +19,10 @@ export interface ReferenceMotion extends TimedShapes {
   dispose(): void;
 }
 
-/** `vertices`: of the mesh, for how many samples fit. `options` say how its files were read, and like which keys. */
+/**
+ * `vertices`: number of vertices, which limits the samples. `options`: how the files were read, and the keys that they
+ * match.
+ */
 export async function readReference(
   engine: Engine,
   files: InputFile[],

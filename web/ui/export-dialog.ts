@@ -84,7 +84,7 @@ const VIDEO_FORMATS: readonly Choice<VideoFormat>[] = [
   { value: 'gif', label: 'GIF' },
 ];
 
-/** The rows of choices between kinds and formats, and which of them are shown. */
+/** The options of each kind and format, and which are visible. */
 function createFormatFields(change: Change): Fields<ExportDialogProps> {
   const kind = segments('What', 'export-kind', KINDS, (value) => change({ kind: value }));
   const animation = segments('Format', 'export-animation', ANIMATION_FORMATS, (value) => change({ animation: value }));

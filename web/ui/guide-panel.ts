@@ -18,7 +18,7 @@ export interface GuidePanelProps {
   formula: Formula | null;
   more: string | null;
   beside: { label: string; href: string } | null;
-  /** All pages of the same kind, in their order, and which of them this is. */
+  /** All pages of the same kind in order, and the index of this one. */
   pages: readonly { label: string; title: string; link: string }[];
   current: number;
 }
@@ -28,7 +28,7 @@ export interface GuidePanel {
   show(props: GuidePanelProps): void;
   /** Numbers at the current time; '' for none. */
   setLive(text: string): void;
-  /** The keyboard goes on from its title. */
+  /** Moves the keyboard focus to its title. */
   focus(): void;
   /** Follows the link, if there is one. */
   turn(to: 'previous' | 'next'): void;
@@ -127,7 +127,7 @@ function bodyOf({ text, task, sentence, formula, more, beside }: GuidePanelProps
   return parts;
 }
 
-/** MathML is read by the browser and by screen readers as it is. */
+/** Browsers and screen readers read MathML directly. */
 function math({ math: text, words }: Formula): Element {
   const source = `<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">${text}</math>`;
   const element = document.importNode(new DOMParser().parseFromString(source, 'application/xml').documentElement, true);

@@ -13,7 +13,7 @@ export interface HeaderProps {
   sample: string | null;
   /** Files of the user that can be opened again. */
   own: readonly OwnItem[];
-  /** Which of them are loaded, else null. */
+  /** The loaded ones, otherwise null. */
   project: string | null;
   theme: Theme;
 }

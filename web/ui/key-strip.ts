@@ -32,7 +32,7 @@ export interface KeyStripEvents extends KeyEditorEvents {
 
 interface Card {
   element: HTMLElement;
-  /** `short`: its name without what all names begin with. */
+  /** `short`: its name without the common start of all names. */
   update(item: KeyItem, index: number, props: KeyStripProps, short: string): void;
 }
 

@@ -1,4 +1,4 @@
-/** For files that do not say it themselves: which axis is up, and how long a unit is. */
+/** Orientation of files that do not state it: up axis and unit. */
 import type { Orientation } from '../model/orientation.ts';
 import { segments, select } from './controls.ts';
 import { h, setHidden } from './dom.ts';

@@ -10,7 +10,7 @@ export interface NumbersTable {
   brief: number[][];
 }
 
-/** `word`: a number as it is read. */
+/** `word`: a number as shown. */
 export function valuesTable(
   title: string,
   { names, brief }: NumbersTable,

@@ -10,7 +10,7 @@ import { popover } from './popover.ts';
 
 export interface ViewBarProps {
   view: View;
-  /** Which axis is up where the files do not say it themselves. */
+  /** The up axis of files that do not state it. */
   up: 'y' | 'z' | null;
   disabled: boolean;
 }

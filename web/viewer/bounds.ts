@@ -1,7 +1,7 @@
 /** Extent of the poses for the view: their box, and a sample of points to fit. */
 import type { Bounds } from './stage.ts';
 
-/** Enough to fit a view tightly, few enough to go through at once. */
+/** Enough to fit a view tightly, few enough to process in one frame. */
 const POINTS_PER_POSE = 1500;
 
 /**

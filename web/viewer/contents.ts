@@ -321,7 +321,7 @@ export class Contents {
     return positions.length === 3 * (this.topology?.vertices ?? -1);
   }
 
-  /** A skin, which is drawn through, says by its colour when it is. */
+  /** A skin is transparent; its colour shows its time. */
   private lookOf(opacity: number): Look {
     const { colouring } = this.current;
     const coloured = opacity < 1 || colouring === 'patches';

@@ -159,7 +159,7 @@ export class Shape {
     this.rim.set(colour, this.rimmed ? RIM : 0);
   }
 
-  /** Drawn through, without writing over what lies behind. */
+  /** Transparent, without writing depth. */
   setOpacity(opacity: number): void {
     this.plain.transparent = opacity < 1;
     this.plain.opacity = opacity;

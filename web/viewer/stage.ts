@@ -57,7 +57,7 @@ export class Stage {
     this.shadow.forget();
   }
 
-  /** Resolves once the graphics card has what draws it. */
+  /** Resolves once the graphics card has its programs. */
   async compile(renderer: WebGLRenderer, camera: Camera): Promise<void> {
     await Promise.all([makePrograms(renderer, this.floor, camera), this.shadow.compile(renderer)]);
   }

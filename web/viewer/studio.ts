@@ -63,7 +63,7 @@ export class Studio {
     });
   }
 
-  /** Lights a MeshStandardMaterial; `rim` is what its outline glows in. Call before it is first drawn. */
+  /** Lights a MeshStandardMaterial; `rim` is the colour of its outline. Call before it is first drawn. */
   install(material: Material, rim: Rim): void {
     extend(material, 'studio', (shader) => {
       Object.assign(shader.uniforms, this.uniforms, rim.uniforms);

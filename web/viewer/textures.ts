@@ -50,7 +50,7 @@ export async function decodeTextures(
 
 async function decode({ bytes, mimeType, scale }: TextureImage): Promise<Texture> {
   const blob = new Blob([bytes.slice().buffer], { type: mimeType });
-  // glTF's texture origin is the top left corner, so the rows stay as they are.
+  // glTF's texture origin is the top left corner, so rows are not flipped.
   const bitmap = await createImageBitmap(blob, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const texture = new Texture(scale < 1 ? await smaller(bitmap, scale) : bitmap);
   texture.flipY = false;

@@ -34,7 +34,7 @@ export interface FirstKey {
 
 /** The ghost mesh at a time. */
 export interface GhostPicture {
-  /** 3 x ghost faces; the same array as long as it is the same mesh. */
+  /** 3 x ghost faces; the same array for the same mesh. */
   faces: Uint32Array;
   /** Vertex of the shape for each ghost vertex. */
   vertexOf: Int32Array;

@@ -31,7 +31,7 @@ export interface ViewerEvents {
 
 /** Aspect ratio of views with film strips, which are stacked. */
 const STRIP_ASPECT = 6;
-/** Vertices that tell whether a shape is seen. */
+/** Sample of vertices for testing whether a shape is visible. */
 const SAMPLED = 300;
 /** Between two looks whether the graphics card has finished. */
 const FENCE_MS = 4;
@@ -131,7 +131,7 @@ export class Viewer {
 
   /** At most two: a finer image is hardly distinguishable and costs four times as much. */
   private get wantedRatio(): number {
-    // Not every browser tells how a page zooms its parts.
+    // Not every browser reports the zoom of page parts.
     return Math.min(window.devicePixelRatio * (this.host.currentCSSZoom ?? 1), 2);
   }
 
@@ -183,7 +183,7 @@ export class Viewer {
     this.change();
   }
 
-  /** Back to the camera and the floor as they are now. */
+  /** Returns to the present camera and floor. */
   private restoring(): () => void {
     const restoreCamera = this.rig.keep();
     const { bounds, tileAspect, phase } = this;

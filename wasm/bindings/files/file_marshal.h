@@ -1,4 +1,4 @@
-// JSON and heap ranges <-> what files hold.
+// JSON and heap ranges <-> the content of files.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Keyframes -> a shape; options and times -> its motions; times -> shapes and what can be measured on them. Questions
-// take a handle and JSON, and answer with JSON: web/engine/wire/calls.ts names each.
+// Keyframes -> a shape; options and times -> its motions; times -> shapes and measures. Calls take a handle and JSON
+// and return JSON: web/engine/wire/calls.ts lists them.
 #include <malloc.h>
 
 #include "bindings/export.h"

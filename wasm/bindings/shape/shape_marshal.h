@@ -1,4 +1,4 @@
-// JSON and heap ranges <-> what shapes and motions are made of.
+// JSON and heap ranges <-> data of shapes and motions.
 #pragma once
 
 #include "bindings/marshal.h"

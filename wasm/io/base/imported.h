@@ -30,7 +30,7 @@ struct ImportOptions {
   /// keys use its vertices.
   std::vector<Triangle> like;
   Positions likePose;
-  std::optional<Vec3> offset;            ///< subtracted from all positions (far_offset.h); default: as it is needed
+  std::optional<Vec3> offset;            ///< subtracted from all positions (far_offset.h); default: computed
   std::vector<ObjectFaces> likeObjects;  ///< of these faces; empty if unknown
   std::vector<std::string> objects;      ///< the objects of each file that are taken; empty for all of them
 

@@ -11,7 +11,7 @@ namespace shapespline {
 /// More names than anybody would choose from.
 constexpr std::size_t kMostObjects = 1000;
 
-/// Adds a name to those that are there, once.
+/// Adds a name unless it is in the list.
 void addObject(const std::string& name, std::vector<std::string>& names);
 
 /// Whether the name is one of these.

@@ -14,8 +14,8 @@ namespace shapespline {
 /// Key times up to which an animation that only shows its own shapes gives these as keys.
 constexpr std::size_t kMostOwnKeys = 32;
 
-/// The times that were asked for, or evenly spaced ones over the animation. A warning says so where some lie outside.
-/// `what` names the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.
+/// The requested times, or evenly spaced ones over the animation, with a warning if some lie outside. `what` is the
+/// name of the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.
 Result<std::vector<double>> sampleTimes(const ImportOptions& options, double start, double end, const std::string& what,
                                         std::vector<Warning>& warnings);
 

@@ -12,7 +12,7 @@
 
 namespace shapespline {
 
-/// Frames of files that count them, but do not say how long they last.
+/// Frames of files that state their number, but not their duration.
 constexpr double kFramesPerSecond = 24;
 
 /// A cache whose counts fit its bytes, which must outlive it.

@@ -154,7 +154,7 @@ struct Reader {
     return {};
   }
 
-  // Whether the bytes behind the accessor are there, before anything as large is allocated.
+  // Whether the file has the bytes of the accessor, checked before allocating as much.
   Status fits(const tinygltf::Accessor& a, int components) const {
     if (a.bufferView < 0) return {};
     const auto found =

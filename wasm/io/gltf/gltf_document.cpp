@@ -155,7 +155,7 @@ Status loadModel(json doc, GltfDocument& out) {
   for (const char* unread : {"buffers", "images", "cameras", "extensions", "extras"}) doc.erase(unread);
   const std::vector<std::size_t> primitives = primitiveCounts(doc);
   const std::string text = doc.dump();
-  doc = nullptr;  // tinygltf makes its own; both at once would be the most memory of all
+  doc = nullptr;  // tinygltf makes its own copy; holding both would double the peak
   tinygltf::TinyGLTF loader;
   std::string error, warning;
   if (!loader.LoadASCIIFromString(&out.model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), ""))

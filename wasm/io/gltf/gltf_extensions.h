@@ -1,5 +1,4 @@
-// The extensions of glTF that are registered, and what becomes of each. EXTENSIONS.md has the same
-// lists.
+// The registered extensions of glTF and how each is handled. EXTENSIONS.md has the same lists.
 #pragma once
 
 #include <span>

@@ -28,7 +28,7 @@ class MeshWriter {
   /// Only if a material needs them.
   void makeTangents(std::span<const float> positions, std::span<const float> normals);
 
-  /// Primitives say from here on which of the mesh's vertices theirs are.
+  /// From here on, primitives state the mesh vertices of their vertices.
   void makeVertexNumbers();
 
   /// Adds look, faces and material to the given attributes.

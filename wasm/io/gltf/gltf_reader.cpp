@@ -25,7 +25,7 @@ void append(std::vector<Warning>& to, std::vector<Warning>&& from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
-// Whether the file says which joints its vertices follow; else its node places the mesh.
+// Whether the file assigns joints to its vertices; otherwise its node places the mesh.
 bool hasInfluences(const tinygltf::Mesh& mesh) {
   return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), [](const tinygltf::Primitive& primitive) {
     return primitive.attributes.count("JOINTS_0") > 0 && primitive.attributes.count("WEIGHTS_0") > 0;
@@ -142,7 +142,7 @@ struct KeyReader {
     keysOfFile = plan.size();
   }
 
-  // The frames that a project file says are its keys.
+  // The frames that a project file lists as its keys.
   void planProject(const Project& project) {
     for (const ProjectKey& key : project.keys)
       plan.push_back({key.name, key.time, key.frame >= 0 ? nullptr : &animations[0], key.seconds, key.frame - 1});

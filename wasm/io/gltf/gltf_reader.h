@@ -28,8 +28,8 @@ struct PoseFile {
   bool hides = false;                     ///< some of its meshes are hidden (KHR_node_visibility)
   bool skinned = false;                   ///< bones pose it
   bool writtenZUp = false;                ///< its program writes this format with z up
-  Vec3 offset = Vec3::Zero();             ///< that the file says its numbers are relative to; the positions include it
-  double rounding = 0;                    ///< as Import::rounding
+  Vec3 offset = Vec3::Zero();  ///< stated in the file: its numbers are relative to it; the positions include it
+  double rounding = 0;         ///< as Import::rounding
 };
 
 /// The scene as the file itself poses it. `where` is how messages call the file.

@@ -18,7 +18,7 @@ namespace {
 // Limits for any file, and per byte of the file; counted in vertices.
 constexpr std::uint64_t kSmall = 1'000'000, kPerByte = 16;
 
-// Primitives of all mesh nodes, and morph weights of all nodes: many times what scenes hold.
+// Primitives of all mesh nodes, and morph weights of all nodes: many times those of real scenes.
 constexpr std::int64_t kMostParts = 100'000, kMostWeights = 10'000'000;
 
 // Declared sizes of a mesh.

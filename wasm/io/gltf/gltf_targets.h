@@ -1,4 +1,4 @@
-// Morph targets of several meshes as one list: by name where the files say which belong together, else by place.
+// Morph targets of several meshes as one list: matched by name if the files have names, otherwise by index.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The vertices of the mesh, where a file has others: glTF splits them at seams of a texture, and every primitive has
-// its own. Files of ours say which vertex of the mesh each of theirs is.
+// Restores the vertices of the mesh. A glTF file has more: it splits vertices at texture seams, and every primitive has
+// its own. Our files state the mesh vertex of each of their vertices.
 #pragma once
 
 #include <string_view>

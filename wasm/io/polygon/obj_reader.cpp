@@ -24,7 +24,7 @@ float linear(double srgb) {
   return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
-// More say nothing new.
+// More warnings would add nothing.
 constexpr std::size_t kMostWarnings = 100;
 // Material libraries of one file, and words of a name that one is looked for by.
 constexpr std::size_t kMostLibraries = 256;
@@ -384,7 +384,7 @@ struct ObjReader {
       reportLine(onLine, lines, file.bytes.size());
       const std::string_view line = trimmed(text);
       if (!joined.empty() && line.empty() && !lines.rest().empty()) continue;    // as where ends of line were doubled
-      if (line.ends_with('\\') && !(joined.empty() && line.starts_with('#'))) {  // goes on in the next line
+      if (line.ends_with('\\') && !(joined.empty() && line.starts_with('#'))) {  // continues on the next line
         joined.append(line.substr(0, line.size() - 1)).push_back(' ');
         continue;
       }

@@ -21,7 +21,7 @@ struct PolygonMesh {
   Scene scene;                       ///< its groups and objects count polygons
   std::vector<std::string> objects;  ///< names, each once
   bool writtenZUp = false;           ///< by a program whose files of this kind have z up
-  Vec3 offset = Vec3::Zero();        ///< that a comment says the positions are relative to
+  Vec3 offset = Vec3::Zero();        ///< stated in a comment: the positions are relative to it
   std::vector<Warning> warnings;
 
   int polygonCount() const { return static_cast<int>(ends.size()); }

@@ -1,6 +1,6 @@
 import type { ShapeSplineElement } from '../shape-spline.ts';
 
-/** As far through its motion as it is through the window. */
+/** The time in the motion follows the scroll position in the window. */
 export function followScroll(shape: ShapeSplineElement): void {
   const follow = () => {
     const { top, height } = shape.getBoundingClientRect();

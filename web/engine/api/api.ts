@@ -25,7 +25,7 @@ import type {
 } from './types.ts';
 
 export interface CallOptions {
-  /** Cancels: the promise rejects with code 'cancelled' and everything built so far stays as it was. */
+  /** Cancels: the promise rejects with code 'cancelled' and everything built so far is unchanged. */
   signal?: AbortSignal;
   onProgress?: (progress: Progress) => void;
 }

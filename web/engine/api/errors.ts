@@ -18,7 +18,7 @@ export interface ErrorData {
   place: ErrorPlace;
 }
 
-/** A failure. `code` is stable, `message` is a sentence for the user, `place` says where in numbers. */
+/** A failure. `code` is stable, `message` is a sentence for the user, `place` has the numbers of the place. */
 export class EngineError extends Error {
   override readonly name = 'EngineError';
   readonly code: string;
@@ -97,7 +97,7 @@ export function isOutOfMemory(text: string): boolean {
   );
 }
 
-/** The work's own outcome, or 'cancelled' as soon as the signal says so; the work itself is left to end unheard. */
+/** The result of the work, or 'cancelled' as soon as the signal aborts; the work's later result is ignored. */
 export function untilAborted<T>(signal: AbortSignal | undefined, work: Promise<T>): Promise<T> {
   if (!signal) return work;
   return new Promise<T>((resolve, reject) => {

@@ -66,7 +66,7 @@ export function noteOf(files: readonly InputFile[]): ExportNote | null {
   return { times: times.length === notes.length ? times : null };
 }
 
-/** null where a file has no note of ours. */
+/** null if a file has no such note. */
 export function readNote(bytes: Uint8Array): ExportNote | null {
   if (!new TextDecoder().decode(bytes.subarray(0, BEFORE_MARK)).includes(MARK)) return null;
   const lines = new TextDecoder()

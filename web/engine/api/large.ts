@@ -1,4 +1,4 @@
-/** Vertices. Smaller shapes are made at once: neither a second thread nor an early look is worth it. */
+/** In vertices. Smaller shapes are made quickly: neither a second thread nor an early first key pays off. */
 export const LARGE = 40_000;
 /** Fewest bytes of a vertex in a file without compression. */
 const VERTEX_BYTES = 12;

@@ -60,7 +60,7 @@ export interface SceneObject {
   isGroup: boolean;
 }
 
-/** The values of each kind, where the kind alone says it. */
+/** The values of each kind, if the kind determines them. */
 interface Values {
   number: number;
   flag: boolean;
@@ -90,12 +90,12 @@ interface Values {
 interface Described {
   /** Text of the command-line help and OPTIONS.md. */
   help: string;
-  /** On the command line: the flag without its dashes, and what stands for its value. */
+  /** On the command line: the flag without its dashes, and the placeholder of its value. */
   flag?: string;
   value?: string;
   /** In the page: name in the document and in links. Absent: the page does not offer it. */
   page?: string;
-  /** In the page: what undo calls a change. */
+  /** In the page: undo's name of a change. */
   undo?: string;
   /** In the page: label and tooltip of the control. */
   label?: string;
@@ -465,7 +465,7 @@ export const IMPORT = {
   },
 } as const satisfies OptionTable;
 
-/** Frames of an export that neither says how many nor has a tolerance. */
+/** Frames of an export with neither a number of frames nor a tolerance. */
 export const USUAL_FRAMES = 60;
 
 export const EXPORT = {

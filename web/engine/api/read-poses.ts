@@ -11,8 +11,8 @@ export interface Pose {
 }
 
 /**
- * Every pose that the files hold; `options` say how the keys were read. Errors: those of an import, and another number
- * of vertices or other faces than the keys have.
+ * Every pose in the files; `options`: how the keys were read. Errors: those of an import, and a different number of
+ * vertices or different faces.
  */
 export async function readPoses(
   engine: Engine,

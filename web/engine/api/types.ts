@@ -127,7 +127,7 @@ export interface Seams {
 
 export interface TextureImage {
   mimeType: string;
-  /** The encoded image as it was in the file. */
+  /** The encoded image as in the file. */
   bytes: Uint8Array;
   /** Scale at which it is drawn: below 1 if very large, 0 if not drawn. */
   scale: number;
@@ -228,9 +228,9 @@ export interface KeysInfo {
   scene: Scene;
   /** Options that a project file brought along; null for other files. */
   project: Partial<SequenceOptions> | null;
-  /** How many times faster than its times say a project file plays; null where a file does not say. */
+  /** Playback speed of a project file relative to its times; null if not stated. */
   speed: number | null;
-  /** From which time of its keys to which a project file plays; null where a file does not say. */
+  /** Range of key times that a project file plays; null if not stated. */
   played: [number, number] | null;
 }
 

@@ -2,10 +2,10 @@
 import type { EngineError } from '../api/errors.ts';
 import type { WorkerFiles } from '../wire/protocol.ts';
 
-/** A worker, or what stands for one. */
+/** A worker or its replacement. */
 export interface StartedWorker
   extends Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onmessageerror' | 'onerror'> {
-  /** It did not start because its script says nothing. */
+  /** It did not start because its script is silent. */
   readonly silent?: boolean;
 }
 

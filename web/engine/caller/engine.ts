@@ -47,7 +47,7 @@ export class EngineClient implements Engine {
 
   constructor(platform: Platform) {
     this.platform = platform;
-    platform.module.catch(() => undefined); // said by the first call
+    platform.module.catch(() => undefined); // reported by the first call
   }
 
   /** Starts a worker ahead of the first call, which then need not wait for it. */
@@ -108,7 +108,7 @@ export class EngineClient implements Engine {
     this.workers.clear();
   }
 
-  /** Encodes the keys and goes on with the shape; cancelled or failed, neither is left. */
+  /** Encodes the keys and calls back with the shape; if that is cancelled or fails, neither remains. */
   private async encoded<T>(
     keys: Keys,
     encoding: EncodingOptions,
@@ -169,7 +169,7 @@ export class EngineClient implements Engine {
   private filesWorker(): FilesWorker {
     const { module, filesModule } = this.platform;
     const files = filesModule();
-    files.catch(() => undefined); // said by the first call
+    files.catch(() => undefined); // reported by the first call
     return this.started(
       this.program(
         'files',

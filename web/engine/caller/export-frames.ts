@@ -11,7 +11,7 @@ import type { ExportOptions, SequenceOptions } from '../api/types.ts';
 const MOST_TARGETS = 3999;
 /** Principal targets take their weights at times that use up this share of the tolerance. */
 const SHARE_OF_TIMES = 0.25;
-/** Bytes of frames that are held at once to find the principal targets. */
+/** Bytes of frames held in memory to find the principal targets. */
 const MOST_HELD = 1.5e9;
 /** Tolerance of principal targets that are asked for without one, in percent. */
 const LEAST_TOLERANCE = 0.0001;

@@ -13,7 +13,7 @@ import type { ExportOptions, Point, Warning } from '../api/types.ts';
 const PLAYED_BYTES = { texture: 32, memory: 24, blender: 12 };
 /** Texture bytes that exceed what many phones and integrated GPUs accept for one model. */
 const HEAVY_BYTES = 256e6;
-/** Layers of an array texture, which three.js has one of for each target: what nearly all GPUs can do. */
+/** Layers of an array texture, of which three.js uses one per target: the limit of nearly all GPUs. */
 const MOST_LAYERS = 2048;
 
 /**

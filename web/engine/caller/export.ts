@@ -90,7 +90,7 @@ export async function planExport(
   };
 }
 
-/** The files as they are written: who takes them one by one need not hold them all. */
+/** Yields the files as they are written, so a caller that takes them one by one need not hold all of them. */
 export async function* exportFiles(
   source: ExportSource,
   options: ExportOptions,

@@ -2,7 +2,7 @@
 import type { FrameBuffers, FrameData } from '../wire/protocol.ts';
 import type { Frame } from '../api/types.ts';
 
-/** More than a look-ahead and the frames on show; what comes back beyond it is left to the collector. */
+/** Enough for the look-ahead and the shown frames; further buffers are left to the garbage collector. */
 const MOST_SPARES = 12;
 
 export class FramePool {

@@ -10,7 +10,7 @@ export interface OrderBeside {
   end(): void;
 }
 
-/** A failure is said by the shape, which fails as well, or finds the order itself. */
+/** The shape reports a failure when it fails as well, or finds the order itself. */
 export function orderBeside(client: CoreWorker, request: RequestOf<'encode'>): OrderBeside {
   const order = sharedOrder(request.positions[0]!.length / 3);
   const end = (): void => {

@@ -59,7 +59,7 @@ export class PatientWorker implements StartedWorker {
     } catch {
       return this.start(); // refused at once
     }
-    // Its maker still has to set its handlers, and the browser to report what its policy refused.
+    // The caller must still set its handlers, and the browser must still report a policy violation.
     if (!this.worker) return void setTimeout(() => this.fail(NOT_STARTED), REPORT_MS);
     const { worker } = this;
     worker.onmessage = (event: MessageEvent<Ready>) => {

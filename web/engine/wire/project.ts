@@ -23,7 +23,7 @@ export interface ProjectMesh {
   error: number | null;
 }
 
-/** How many times faster the animation plays than its keys' times say, and from which of their times to which. */
+/** Playback speed of the animation relative to its key times, and the range of key times that it plays. */
 export interface ProjectPlay {
   speed: number;
   start: number;

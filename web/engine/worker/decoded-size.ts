@@ -90,9 +90,7 @@ export function checkCompressedViews(json: unknown): void {
     }
 }
 
-/**
- * Throws a sentence without its end where the nodes form no forest: what reads them next would not notice, or not end.
- */
+/** Throws a sentence without its end if the nodes are not a forest: later code would not notice, or not terminate. */
 export function checkForest(json: unknown): void {
   const nodes = listOf(isObject(json) ? json : {}, 'nodes');
   const parent = new Int32Array(nodes.length).fill(-1);

@@ -1,7 +1,6 @@
 /**
- * glTF files with compressed meshes -> the same files without. KHR_draco_mesh_compression and EXT_meshopt_compression
- * are undone by their own well-kept decoders, which are loaded when the first file needs them; the core reads what
- * remains.
+ * glTF files with compressed meshes -> the same files without compression. KHR_draco_mesh_compression and
+ * EXT_meshopt_compression are undone by their maintained decoders, loaded on first use; the core reads the result.
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';

@@ -14,7 +14,7 @@ declare module '*/build/wasm/shapespline_files.mjs' {
   export default create;
 }
 
-/** Published without types: the decoder module of Draco, handed on to glTF Transform as it is. */
+/** Published without types: Draco's decoder module, passed to glTF-Transform unchanged. */
 declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
   export default function createDecoder(settings: { wasmBinary: Uint8Array }): Promise<object>;
 }

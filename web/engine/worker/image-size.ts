@@ -65,7 +65,7 @@ function webpSize(view: DataView): Size | null {
 
 type Encoded = Pick<TextureImage, 'mimeType' | 'bytes'>;
 
-/** Which of the images that materials are coloured by can be drawn, and how large; what cannot is a warning. */
+/** Selects the colour images of materials that can be drawn, and their sizes; others give a warning. */
 export function drawnImages(
   images: readonly Encoded[],
   materials: readonly Material[],

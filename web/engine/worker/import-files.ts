@@ -49,7 +49,7 @@ export async function importFiles(
   const project = info.project === '' ? null : readOptions(info.project);
   const unreadable = info.project !== '' && !project ? [UNREADABLE] : [];
   const changed = info.project === '' ? null : changedMesh(info.project, info.report);
-  // Shapes of the mesh as it was fit no other.
+  // Shapes computed on the original mesh fit no other.
   if (project && changed) for (const name of SHAPES) project[name] = null;
   return {
     ...poses,
@@ -82,7 +82,7 @@ function changedMesh(project: string, { vertices, faces }: MeshReport): Warning 
   return { ...NO_PLACE, code: 'project-mesh-changed', message, count: Math.abs(mesh.vertices - vertices) };
 }
 
-/** Morph targets that are called as our exports call theirs: by a time at the end. */
+/** Morph targets named as in our exports: with a time at the end. */
 const OUR_TARGET = /"([^"]* )?t=-?\d[\d.e+-]*"/;
 
 function hasOurTargets(text: string): boolean {
@@ -90,7 +90,7 @@ function hasOurTargets(text: string): boolean {
   return start >= 0 && OUR_TARGET.test(text.slice(start, start + 4000));
 }
 
-/** An animation of ours that another program has written again, without the project that it came with. */
+/** An animation of ours that another program saved without its project. */
 function lostProject(files: readonly InputFile[], { project, animation }: Pick<ImportedInfo, 'project' | 'animation'>) {
   const text = files.length === 1 && project === '' && animation >= 0 ? jsonOf(files[0]!.bytes) : null;
   if (text === null || text.includes('"shapespline":') || !hasOurTargets(text)) return [];

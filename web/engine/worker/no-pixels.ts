@@ -1,6 +1,6 @@
 /**
- * In the place of the libraries by which glTF-Transform changes textures, in every bundle: nothing here does that, and
- * they run text as code as soon as they are imported, which strict policies of pages refuse.
+ * Replaces the libraries with which glTF-Transform edits textures, in every bundle. They are not used here, and they
+ * evaluate text as code on import, which strict page policies refuse.
  */
 export function refuse(): never {
   throw new Error('Textures are not changed here.');

@@ -47,7 +47,7 @@ export class RequestHandler {
       this.answers = this.start(message).catch((reason: unknown) => {
         throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
       });
-      this.answers.catch(() => undefined); // said by the first request
+      this.answers.catch(() => undefined); // reported by the first request
       return;
     }
     this.tail = this.tail.then(() => this.serve(message));
@@ -102,7 +102,7 @@ function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
   return { error: { code: error.code, message: error.message, place: error.place }, fatal };
 }
 
-// Files of two releases, say from a cache that holds an old one.
+// Files of two releases, for example from a cache with an old one.
 function mismatch(reason: Error): EngineError {
   return engineError(
     'not-loaded',
