@@ -54,7 +54,7 @@ it('a web page instead of WebAssembly, until it is put right', async () => {
   const page = await openElements(`${shown(KEYS)}<script type="module" src="cdn.js"></script>`, { script: 'none' });
   const detail = await when(page, 'error');
   expect(detail).toMatchObject({ code: 'not-loaded', key: -1 });
-  expect(detail!.message).toMatch(/shapespline\.wasm answered with .*configure\(\{ wasmUrl \}\)/);
+  expect(detail!.message).toMatch(/shapespline\.wasm returned .*configure\(\{ wasmUrl \}\)/);
   copy('shapespline.wasm');
   await page.locator('#a [part=retry]').click();
   await when(page, 'load');

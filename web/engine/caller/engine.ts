@@ -108,7 +108,7 @@ export class EngineClient implements Engine {
     this.workers.clear();
   }
 
-  /** Encodes the keys and calls back with the shape; if that is cancelled or fails, neither remains. */
+  /** Encodes the keys and calls `goOn` with the shape; disposes of the shape if that fails or is cancelled. */
   private async encoded<T>(
     keys: Keys,
     encoding: EncodingOptions,
