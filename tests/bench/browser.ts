@@ -1,6 +1,6 @@
 /**
- * The engine in Chromium: a page of our own, bundled beside the results and served from the repository, isolated: for
- * two threads, and a finer clock.
+ * The engine in Chromium: a page bundled next to the results and served from the repository, isolated for two threads
+ * and a finer clock.
  */
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -11,7 +11,7 @@ import { developmentGuards, serve } from '../../wasm/toolchain/serve.mjs';
 import { wasmStaysOutside } from '../../wasm/toolchain/wasm-outside.mjs';
 import type { Runner } from './runner.ts';
 
-// The address of a worker within a worker stays as it was written.
+// The URL of a worker within a worker is unchanged.
 const secondThreadAddress: Plugin = {
   name: 'second-thread-address',
   setup: ({ onLoad }) =>

@@ -22,7 +22,7 @@ export interface Builds {
   factorMs: number;
   arrangeMs: number;
   finishMs: number;
-  /** What no stage has: checking, the motion, messages between threads. */
+  /** Time outside the stages: checking, the motion, messages between threads. */
   restMs: number;
   buildMs: number;
   silence: Silence;

@@ -8,7 +8,7 @@ import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 // Relative to the bundle, build/node/bench.mjs.
 export const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 
-/** Says what to do where it is not, and ends with a failure. */
+/** If it does not exist, prints what to do and exits with a failure. */
 export function isPageBuilt(): boolean {
   if (existsSync(path.join(dist, 'index.html'))) return true;
   console.error('The page is not built yet: npm run build.');
@@ -16,7 +16,7 @@ export function isPageBuilt(): boolean {
   return false;
 }
 
-/** Of Chromium that draws in software. */
+/** For Chromium that draws in software. */
 export const browserOptions = () => ({
   executablePath: findBrowser(chromium) ?? undefined,
   args: [

@@ -12,10 +12,10 @@ import { quantile } from './quantile.ts';
 const RUNS = 5;
 const COLUMNS = ['read', 'first key', 'made', 'drawn', 'finished', 'longest task'] as const;
 
-/** Milliseconds after the file was given, NaN for what did not happen. */
+/** Milliseconds after the file was given, NaN for missing events. */
 type Times = Record<(typeof COLUMNS)[number], number>;
 
-/** Runs in the page, as what it waits for is soon over. */
+/** Runs in the page, because the observed events are short. */
 function watch(): Promise<Times> {
   const begin = performance.now();
   let longest = 0;

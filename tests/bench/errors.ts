@@ -8,7 +8,7 @@ import { SWEEP, sweptParts, type DistanceAt, type SweptParts } from './sweep.ts'
 export interface Errors {
   /** From the shape computed in double. */
   double: SweptParts;
-  /** Of the shape that a ghost leads; null without one. */
+  /** For the shape led by a ghost; null without one. */
   ghost: SweptParts | null;
 }
 

@@ -23,13 +23,13 @@ interface Row {
   shape: ExportShape;
   frames: number;
   how: string;
-  /** A sentence where there is no file. */
+  /** A sentence if there is no file. */
   written: { targets: number; bytes: number } | string;
   three: Played<InThree>;
   babylon: Played<Loaded>;
 }
 
-/** As many whole frames from the first key, at 0, to the last one, at 1. */
+/** This number of whole frames from the first key, at 0, to the last, at 1. */
 const few = (frames: number): Partial<ExportOptions> => ({ fps: frames - 1 });
 
 interface Way {
@@ -45,7 +45,7 @@ const WAYS: Way[] = [
   { how: 'meshopt', compact: true, options: (frames) => ({ ...few(frames), compression: 'meshopt' }) },
 ];
 
-/** Where the repository is, where files go, and who makes a mesh. */
+/** Folders of the repository and of the files, and the maker of meshes. */
 export interface Place {
   repository: string;
   folder: string;

@@ -11,8 +11,8 @@ const FRAMES = 12;
 const BANDWIDTH_PASSES = 3;
 
 /**
- * Single frames of one build, beside native solvers and the bandwidth of that moment (bytes per second): a machine that
- * others use is not the same for long.
+ * Single frames of one build, with native solvers and the bandwidth (bytes per second) at the same time, because the
+ * load of a shared machine changes.
  */
 export interface Round {
   buildMs: number;
@@ -25,7 +25,7 @@ export interface Round {
 
 /** Milliseconds. */
 export interface ExactFrames {
-  /** Of the first build, when nothing was warm. */
+  /** Of the first build, with cold caches. */
   firstMs: number;
   frames: Spread;
   faces: Spread;
@@ -49,7 +49,7 @@ export interface RoundMedians {
   bandwidth: number;
 }
 
-/** What the last exact frame took from its frames (of patches or of a ghost's faces) to what is drawn. */
+/** Time of the last exact frame from its local frames to the drawn vertices. */
 export const fromFramesMs = ({ facesMs, solveMs, placeMs, normalsMs }: SequenceStats): number =>
   facesMs + solveMs + placeMs + normalsMs;
 

@@ -1,7 +1,6 @@
 /**
- * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces in one tab of Chromium, on
- * the built page: the response to each move of the slider, the main thread's long tasks meanwhile, and the memory of
- * the tab at its worst.
+ * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces on the built page in Chromium:
+ * the response to each move of the slider, the main thread's long tasks, and the tab's peak memory.
  */
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdtemp, rm } from 'node:fs/promises';

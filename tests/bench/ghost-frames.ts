@@ -16,8 +16,8 @@ export interface GhostFrames {
   ghostFaces: number;
   buildMs: number;
   /**
-   * t_ir: interpolation and reconstruction of the ghost's own shape, its vertices included, as in the paper; a frame
-   * needs no more than the rotations of its faces.
+   * t_ir: interpolation and reconstruction of the ghost's own shape with its vertices, as in the paper; a frame needs
+   * only the rotations of its faces.
    */
   irMs: number;
   /** t_ts: from there to the shape: the stages of a frame after those rotations. */
@@ -47,7 +47,7 @@ export function stagesOf(sequence: Sequence, shapes: number): Promise<number> {
   );
 }
 
-/** What is known when a frame is there. */
+/** Known once a frame is ready. */
 async function statsOf(sequence: Sequence, pending: Promise<Frame | null>): Promise<SequenceStats> {
   await msOf(pending);
   return sequence.stats();

@@ -1,7 +1,7 @@
 /**
- * npm run bench -- ghost [FACES[:KEYS],...]: what a ghost mesh costs and saves. Without sizes, error and time over
- * sizes of the ghost as in the paper's Fig. 8 (of the cactus sample and a generated mesh), then one ghost of 2,000
- * faces for large meshes.
+ * npm run bench -- ghost [FACES[:KEYS],...]: costs and benefits of a ghost mesh. Without sizes, error and time over
+ * ghost sizes as in the paper's Fig. 8 (the cactus sample and a generated mesh), then one ghost of 2,000 faces for
+ * large meshes.
  */
 import { execFileSync } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';

@@ -30,7 +30,7 @@ const MOTIONS = {
 type Name = keyof typeof MOTIONS;
 const NAMES = Object.keys(MOTIONS) as Name[];
 
-/** In percent; `sliding` of the diagonal, NaN where nothing rests. */
+/** In percent; `sliding` of the diagonal, NaN if no vertex rests. */
 interface Errors {
   raw: number;
   aligned: number;

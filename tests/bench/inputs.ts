@@ -10,13 +10,13 @@ import { ownPeak } from './process-memory.ts';
 import { SMALL_INPUTS } from './small-inputs.ts';
 import type { SmallInput } from './small-inputs.ts';
 
-/** What no input is to take. */
+/** Limits of time and memory for every input. */
 const MOST_MS = 2000,
   MOST_MB = 200;
 /** After so long a process is ended. */
 const GIVEN_UP_MS = 60_000;
 
-/** Two triangles, for what the process takes by itself. */
+/** Two triangles, to measure the process itself. */
 const LITTLE: SmallInput = {
   name: 'two small triangles',
   files: ['a.obj', 'b.obj'].map((name, pose) => ({
@@ -26,11 +26,11 @@ const LITTLE: SmallInput = {
 };
 
 interface InputRun {
-  /** Of the processor, all threads together: other programs count for nothing. */
+  /** Processor time of all threads, independent of other programs. */
   ms: number;
   /** The largest resident set of the process. */
   mb: number;
-  /** What came of it, in a few words. */
+  /** The outcome in a few words. */
   outcome: string;
 }
 

@@ -4,7 +4,7 @@ import type { SequenceStats } from '../../web/engine/api/types.ts';
 import { msOf, timeOf } from './frames.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
-/** What the others are compared with, and those. */
+/** The reference key count, and the others. */
 export const FEW_KEYS = 3;
 export const MANY_KEYS = [8, 25, 100] as const;
 
@@ -27,7 +27,7 @@ export interface KeysRun {
   faces: number;
   few: KeysCost;
   many: KeysCost;
-  /** Of a frame with many keys to one with few: the median of the rounds' ratios. */
+  /** Ratio of a frame with many keys to one with few: the median over the rounds. */
   ratio: number;
 }
 

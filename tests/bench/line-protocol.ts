@@ -3,7 +3,7 @@ import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 
 export interface LineProtocol {
-  /** What it says unasked. */
+  /** Unrequested output. */
   next(): Promise<unknown>;
   ask(): Promise<unknown>;
 }

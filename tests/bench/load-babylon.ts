@@ -10,7 +10,7 @@ import { ownPeak } from './process-memory.ts';
 
 export interface Loaded {
   seconds: number;
-  /** Of the process, beyond what it had before. */
+  /** Growth of the process. */
   memoryMB: number;
   targets: number;
 }

@@ -1,6 +1,6 @@
 /**
- * npm run bench [-- FACES,FACES,... --browser --save]: every stage over generated meshes, beside native solvers and the
- * paper. Machines differ: compare numbers of one run.
+ * npm run bench [-- FACES,FACES,... --browser --save]: every stage over generated meshes, with native solvers and the
+ * paper's numbers. Machines differ: compare numbers of one run.
  */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -86,7 +86,7 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
     say(`${row.model}, ${row.shapes} shapes`);
     results.motions.push({ row, run: await runner.motion(meshOf(row.faces), row) });
   }
-  // Where the list has a size of about four times the faces.
+  // If the list has a size of about four times the faces.
   for (const faces of sizes.filter((one) => sizes.some((other) => Math.abs(other - 4 * one) < 0.05 * other))) {
     say(`${faces} faces and each of them split into four`);
     results.resolutions.push(await runner.resolutions(meshOf(faces), meshOf(faces, { kind: '-split' })));

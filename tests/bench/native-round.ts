@@ -7,7 +7,7 @@ export interface SolverRound {
   solveMs: number;
   /** Of the triangular factor. */
   entries: number;
-  /** Of the factor as it is stored, indices included. */
+  /** Size of the stored factor, indices included. */
   bytes: number;
   /** Largest distance over the bounding box's diagonal, of a system with a known solution. */
   error: number;
@@ -16,7 +16,7 @@ export interface SolverRound {
 export const PEERS = ['eigen', 'cholmod'] as const;
 export const PEER_NAMES: Record<(typeof PEERS)[number], string> = { eigen: 'Eigen', cholmod: 'CHOLMOD' };
 
-/** Our own in either precision; CHOLMOD where it was installed. */
+/** Our own solver in both precisions; CHOLMOD if installed. */
 export interface NativeRound {
   single: SolverRound;
   double: SolverRound;

@@ -14,7 +14,7 @@ const program = fileURLToPath(new URL('../cmake-release/shapespline_bench_native
 /** CHOLMOD's BLAS would take all cores. */
 const ONE_THREAD = { OPENBLAS_NUM_THREADS: '1', OMP_NUM_THREADS: '1' };
 
-/** The double solutions lie beside the mesh during `work`, which may ask for rounds on the mesh's system. */
+/** The double-precision solutions are next to the mesh during `work`, which may request rounds on the mesh's system. */
 export async function withNative<T>(
   mesh: string,
   work: (unknowns: number, runNative: RunNative) => Promise<T>,

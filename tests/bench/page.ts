@@ -1,4 +1,4 @@
-/** What the benchmark's page runs: the engine in the browser's own worker. Files are addresses. */
+/** Runs in the benchmark's page: the engine in the browser's own worker. Files are URLs. */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { EngineClient, onlyOnce } from '../../web/engine/caller/engine.ts';
 import { endedWorker, type Spawn } from '../../web/engine/caller/worker-client.ts';

@@ -1,10 +1,10 @@
-/** The paper's Tables 1 and 2, laid out as there, with our own numbers beside them. */
+/** The paper's Tables 1 and 2 in the same layout, with our own numbers. */
 import { CLOCK_MS, msText, short, table } from './format.ts';
 import type { GhostFrames } from './ghost-frames.ts';
 import type { Run } from './measure.ts';
 import type { Motion, MotionRun } from './whole-sequences.ts';
 
-/** What the paper's numbers were measured on (section 5). */
+/** The machine of the paper's measurements (section 5). */
 export const PAPER_MACHINE = 'Intel Core i7-3770 at 3.40 GHz, C/C++';
 
 interface Times {
@@ -27,7 +27,7 @@ const TABLE_1: readonly ({ model: string; faces: number } & Times)[] = [
 
 export interface Table2Row extends Motion {
   model: string;
-  /** Seconds, as printed: of the method that the paper compares with, and its own; NaN where that failed. */
+  /** Seconds, as printed: of the paper's reference method and of its own; NaN if that failed. */
   other: Times;
   paper: Times;
 }
@@ -75,12 +75,12 @@ function partsOf({ irMs, tsMs }: GhostFrames, shapes: number): Pick<Times, 'ir' 
 
 const inMs = ({ ir, ts, o }: Times): Times => ({ ir: 1000 * ir, ts: 1000 * ts, o: 1000 * o });
 
-/** How many times as long the paper's took; at least that where ours is below what a clock can tell. */
+/** Ratio of the paper's time to ours; a lower bound if ours is below the clock's resolution. */
 export function timesFaster(paperMs: number, ourMs: number): string {
   return ourMs < CLOCK_MS ? `> ${short(paperMs / CLOCK_MS)}` : short(paperMs / ourMs);
 }
 
-/** One shape, for the sizes that the paper has too; null where there are none. Milliseconds. */
+/** Milliseconds of one shape, for the paper's sizes; null for others. */
 export function table1(runs: Run[]): string | null {
   const columns = TABLE_1.flatMap((row) => {
     const run = runs.find(({ faces }) => Math.abs(faces - row.faces) < 0.03 * row.faces);

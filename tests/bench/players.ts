@@ -1,4 +1,4 @@
-/** What opening a GLB takes in the engines that people play it with, each time in processes of their own. */
+/** Cost of opening a GLB in the engines that play it, each time in a new process. */
 import { execFile } from 'node:child_process';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -16,15 +16,15 @@ const WAIT_MS = 300_000;
 export interface InThree {
   /** Until the scene is there, and from there until it was drawn once. */
   seconds: number;
-  /** A word where there was none. */
+  /** A note if there was none. */
   firstFrame: number | string;
-  /** Of the textures that hold the morph targets. */
+  /** Bytes of the textures with the morph targets. */
   textureMB: number;
-  /** Of all the browser's processes, beyond what they had before; the textures of a software GPU among them. */
+  /** Growth of all browser processes, including the textures of a software GPU. */
   memoryMB: number;
 }
 
-/** A sentence where it did not work. */
+/** A sentence if it failed. */
 export type Played<T> = T | string;
 
 type InPage = Omit<InThree, 'memoryMB'> & { graphicsError: string | null };

@@ -1,4 +1,4 @@
-/** Memory of a process and of those that it started, as Linux tells it. */
+/** Memory of a process and its children, as reported by Linux. */
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 
 const statusOf = (id: string): string => {
@@ -14,7 +14,7 @@ export function ownPeak(): number {
   return Number(/^VmHWM:\s+(\d+)/m.exec(statusOf('self'))?.[1] ?? Number.NaN) / 1024;
 }
 
-/** Resident sets in MB of all processes that `pid` started: what each ever had, and has; null where no system tells. */
+/** Peak and present resident sets in MB of all children of `pid`; null if the system does not report them. */
 export function residentOf(pid: number): { peak: number; now: number }[] | null {
   if (!existsSync('/proc/self/status')) return null;
   const parentOf = new Map(

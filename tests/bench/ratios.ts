@@ -1,4 +1,4 @@
-/** Ratios of what was measured in one round, for tables and targets alike: their medians over the rounds. */
+/** Ratios of numbers from the same round, for tables and targets: medians over the rounds. */
 import { short } from './format.ts';
 import type { RoundMedians } from './frames.ts';
 import type { Run } from './measure.ts';
@@ -17,7 +17,7 @@ export const untilFrameMs: OfRound = ({ importMs }, round) => importMs + round.u
 export const factorMs: OfRound = (_, round) => round.factorMs;
 export const solveMs: OfRound = (_, round) => round.solveMs;
 
-/** What a native solver took, or NaN where it is not there. */
+/** Time of a native solver, or NaN without it. */
 export const ofNative =
   (solver: keyof NativeRound, value: keyof SolverRound): OfRound =>
   (_, { native }) =>

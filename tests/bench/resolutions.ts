@@ -8,7 +8,7 @@ const SHAPES = 13;
 export interface Resolutions {
   coarseFaces: number;
   fineFaces: number;
-  /** Of the vertices that both have, over the whole range. */
+  /** Over the vertices of both, and the whole range. */
   distance: Distance;
 }
 

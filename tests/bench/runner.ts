@@ -1,4 +1,4 @@
-/** Where the engine runs while it is measured: in Node, or in a page. Meshes are files; `mesh` is a path. */
+/** Runs the engine for measurements: in Node, or in a page. Meshes are files; `mesh` is a path. */
 import type { RunNative } from './native-round.ts';
 import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
@@ -9,7 +9,7 @@ import type { Motion, MotionRun } from './whole-sequences.ts';
 export interface Runner {
   /** Program and version. */
   name: string;
-  /** The double references lie beside the mesh. */
+  /** The double-precision references are next to the mesh. */
   measure(mesh: string, runNative: RunNative): Promise<Run>;
   motion(mesh: string, motion: Motion): Promise<MotionRun>;
   resolutions(coarse: string, fine: string): Promise<Resolutions>;

@@ -1,7 +1,7 @@
 /** How far shapes are apart over a sweep of times: between the keys, and in the margins that the slider reaches. */
 import type { Distance } from './distance.ts';
 
-/** As far as the slider goes beyond the first and last key, as a share of the range. */
+/** Reach of the slider beyond the first and last key, as a share of the range. */
 const MARGIN = 0.4;
 /** An even number, so no time is the middle key's. */
 const INSIDE = 12;
@@ -24,7 +24,7 @@ export interface DistanceAt extends Distance {
 export interface Swept {
   /** Over all vertices at all times. */
   mean: number;
-  /** Of the shape whose own mean is largest. */
+  /** Of the shape with the largest mean. */
   largestMean: number;
   worst: number;
   /** The time of the worst. */

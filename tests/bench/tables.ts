@@ -1,4 +1,4 @@
-/** What was measured of each size, as tables. */
+/** Measurements of each size as tables. */
 import { both, msText, short, table } from './format.ts';
 import type { KeysCost, KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';

@@ -1,4 +1,4 @@
-/** What users are promised, and whether it was reached. What only we would notice is in the tables alone. */
+/** Promises to users, and whether they were kept. Other numbers are in the tables only. */
 import { short, table } from './format.ts';
 import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
@@ -81,7 +81,7 @@ export function targetTable(targets: Target[]): string {
   );
 }
 
-/** One sentence, which names what was missed. */
+/** One sentence that names the missed targets. */
 export function verdict(targets: Target[]): string {
   const missed = targets.filter(({ met }) => !met);
   if (missed.length === 0) return `All ${targets.length} targets were met.`;

@@ -1,4 +1,4 @@
-/** What a motion is compared with a captured one by: shapes laid over each other, and how far slides what rests. */
+/** Compares a motion with a captured one: rigid alignment of shapes, and sliding of resting vertices. */
 import { leadingEigenvector } from '../../web/study/symmetric-eigen.ts';
 
 type Vector = [number, number, number];
@@ -9,7 +9,7 @@ function centroidOf(shape: Float32Array): Vector {
   return sum.map((value) => value / (shape.length / 3)) as Vector;
 }
 
-/** `shape` turned and moved to where it is nearest to `target` (Horn 1987); 3 x vertices both. */
+/** `shape` aligned with `target` by a rigid motion (Horn 1987); 3 x vertices both. */
 export function aligned(shape: Float32Array, target: Float32Array): Float32Array {
   const [from, to] = [centroidOf(shape), centroidOf(target)];
   const s = new Float64Array(9);
@@ -23,7 +23,7 @@ export function aligned(shape: Float32Array, target: Float32Array): Float32Array
     [zx! - xz!, xy! + yx!, yy! - xx! - zz!, yz! + zy!],
     [xy! - yx!, zx! + xz!, yz! + zy!, zz! - xx! - yy!],
   ].flat();
-  // Its largest eigenvalue is to be the one of largest size, too.
+  // Its largest eigenvalue must also be the largest in size.
   const shift = matrix.reduce((sum, value) => sum + Math.abs(value), 0);
   const [w, x, y, z] = leadingEigenvector(
     matrix.map((value, index) => value + (index % 5 === 0 ? shift : 0)),
@@ -41,14 +41,14 @@ export function aligned(shape: Float32Array, target: Float32Array): Float32Array
   return result;
 }
 
-/** Of the diagonal: what is no higher than this above the lowest vertex is on the ground. */
+/** Share of the diagonal: vertices up to this height above the lowest one are on the ground. */
 const ON_GROUND = 0.015;
-/** Of the diagonal: what gets no further than this does not walk. */
+/** Share of the diagonal: less movement is not walking. */
 const WALKS = 0.5;
 
 /**
- * A walk in place, y up, moved on frame by frame so that what is on the ground stays there in the mean; null where that
- * leads nowhere. 3 x vertices each.
+ * Turns a walk in place (Y up) into a real one: frame by frame, moves the shape so that vertices on the ground stay
+ * there in the mean; null if that gives no movement. 3 x vertices each.
  */
 export function walkedOn(shapes: readonly Float32Array[], diagonal: number): Float32Array[] | null {
   const way = { x: 0, z: 0 };
@@ -79,7 +79,7 @@ function groundStep(before: Float32Array, after: Float32Array, height: number): 
   return count === 0 ? step : { x: step.x / count, z: step.z / count };
 }
 
-/** Of the diagonal: a vertex rests between two keys where its true path stays within this of where it begins. */
+/** Share of the diagonal: a vertex rests between two keys if its true path stays this close to its start. */
 const RESTS = 0.005;
 
 /**
@@ -114,7 +114,7 @@ export class Sliding {
     }
   }
 
-  /** NaN where nothing rests. */
+  /** NaN if no vertex rests. */
   get percent(): number {
     return (100 * Math.sqrt(this.squares / this.count)) / this.diagonal;
   }

@@ -5,7 +5,7 @@ import { createWithGhost, ghostFrames, stagesOf, type GhostFrames } from './ghos
 export interface Motion {
   faces: number;
   shapes: number;
-  /** Of the vertices that the ghost keeps. */
+  /** Over the vertices that the ghost keeps. */
   fraction: number;
 }
 

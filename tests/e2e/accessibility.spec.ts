@@ -184,7 +184,7 @@ test('contrast themes keep the timeline, the choices and what is chosen', async 
   const segment = (state: string): Promise<string> => background(`[data-testid="boundary"] input${state} + span`);
   expect(await segment(':checked')).not.toBe(await segment(':not(:checked)'));
   await expect(app.page.locator('.segments').first()).toHaveCSS('border-top-width', '1px');
-  // What is said for a moment is written in one colour on another.
+  // Announcements have one text colour on one background.
   await app.page.keyboard.press('x');
   const toast = app.page.locator('.toast');
   await expect(toast).toBeVisible();

@@ -234,7 +234,7 @@ test('one sheet asks how to take the animation, and goes back into its panel', a
   const labels = await app.by('animation').locator('option').allInnerTexts();
   expect(labels.length).toBeGreaterThan(1);
   for (const label of labels) expect(label).toMatch(/\S.*\(\d+\.\d\d s, [\d,]+ keys?\)/);
-  // What shows the effect leaves it there, anything else sends it away.
+  // Controls that show the effect keep the sheet open; other presses close it.
   await app.by('view-front').click();
   await app.by('play').click();
   await app.by('play').click();

@@ -1,4 +1,4 @@
-/** The first five seconds: a shape is there, it moves, the page says what it is. */
+/** The first five seconds: a shape is shown, it moves, and the page explains itself. */
 import { colours, decode, matching, saturation } from './png.ts';
 import { expect, test } from './support.ts';
 

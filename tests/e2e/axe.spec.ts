@@ -1,6 +1,6 @@
 /**
- * One walk with axe through the states of the page: a wide page, a phone, dialogs, charts, the guide, a lecture. A look
- * at the whole page takes a second: of a state only what is new in it is looked at.
+ * One walk with axe through the states of the page: a wide page, a phone, dialogs, charts, the guide, a lecture.
+ * Checking the whole page takes a second, so only the new part of a state is checked.
  */
 import { expectAccessible } from './axe.ts';
 import type { App } from './support.ts';

@@ -1,4 +1,4 @@
-/** What axe finds grave on a page, or in parts of it. */
+/** Serious axe findings on a page, or in parts of it. */
 import { AxeBuilder } from '@axe-core/playwright';
 import { expect } from './support.ts';
 import type { App } from './support.ts';

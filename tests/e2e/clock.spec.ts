@@ -1,4 +1,4 @@
-/** What an animator does with time: play a stretch, count whole frames, look closer at the timeline. */
+/** Time controls for animators: play a range, count whole frames, zoom the timeline. */
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 

@@ -20,7 +20,7 @@ const TYPES: Record<string, string> = {
   '.json': 'application/json',
 };
 
-/** A host of pages with one entrance: for what is not there it answers with the start page. */
+/** A single-page host: it returns the start page for missing files. */
 class Host {
   readonly folder = mkdtempSync(path.join(tmpdir(), 'deployment-'));
   readonly #server: Server;

@@ -1,4 +1,4 @@
-/** One shape, two motions on either side of a divider: what a first visit opens with, and a way of comparing. */
+/** One shape, two motions on either side of a divider: the start of a first visit, and a way to compare. */
 import { colourAt, decode } from './png.ts';
 import type { Picture } from './png.ts';
 import { difference, expect, test } from './support.ts';
@@ -41,7 +41,7 @@ test('each side shows its own motion, as much of it as the divider leaves', asyn
   await app.by('divider').press('End');
   expect(await share(app)).toBeCloseTo(0.98, 6);
   const left = await pictureOf(app);
-  // Beside the grip nothing but the motion differs.
+  // Next to the grip, only the motion differs.
   expect(changed(both, left, 0.03, 0.47)).toBeLessThan(1e-4);
   expect(changed(both, right, 0.53, 0.97)).toBeLessThan(1e-4);
   expect(changed(left, right, 0.03, 0.97)).toBeGreaterThan(0.02);
@@ -60,7 +60,7 @@ test('a shape that its side does not show is out of view, unless the divider was
   await app.by('divider').press('End');
   await app.settled();
   await expect(hint).toBeHidden();
-  // Only another address is opened.
+  // Only a different URL is opened.
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('split=0.98');
   await app.open({ hash: SPLIT });
   const { x, y, width, height } = (await app.by('viewport').boundingBox())!;

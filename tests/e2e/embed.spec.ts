@@ -1,4 +1,4 @@
-/** <shape-spline> on the page of examples, as it is built, and the way there from the app. */
+/** <shape-spline> on the built page of examples, and the path to it from the app. */
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -18,7 +18,7 @@ async function open(page: Page): Promise<string[]> {
   return problems;
 }
 
-/** The picture that is seen, as text. */
+/** The visible image, as text. */
 const picture = (page: Page, id = 'plain'): Promise<string> =>
   page.evaluate((name) => {
     const shape = document.getElementById(name) as ShapeSplineElement;

@@ -1,4 +1,4 @@
-/** Exported files come down, under their names; what is in them is asked of the engine (tests/engine/export). */
+/** Downloads of exported files and their names; tests/engine/export checks the contents. */
 import { exported, stated, type } from './exporting.ts';
 import { expect, test } from './support.ts';
 import { unzip } from '../unzip.ts';

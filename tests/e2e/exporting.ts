@@ -1,4 +1,4 @@
-/** What tests of exports share: the dialog from its opening to the file. */
+/** Shared by tests of exports: from opening the dialog to the file. */
 import { readFileSync } from 'node:fs';
 import type { Download } from '@playwright/test';
 import { expect } from './support.ts';
@@ -7,11 +7,11 @@ import type { App } from './support.ts';
 export interface Exported {
   download: Download;
   bytes: Buffer;
-  /** What the dialog said of the file before, with plain spaces. */
+  /** The dialog's description of the file, with plain spaces. */
   stated: string;
 }
 
-/** Opens the dialog and has its choices made; resolves when it says what the export would be. */
+/** Opens the dialog and makes choices; resolves when it describes the export. */
 export async function stated(app: App, choose: () => Promise<void>): Promise<string> {
   await app.by('export').click();
   await choose();

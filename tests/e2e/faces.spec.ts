@@ -102,7 +102,7 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   const [x, y] = await app.page.evaluate(() => {
     const all = window.__shapespline!.positions();
     const places = window.__shapespline!.project(all);
-    // the middle of what is seen
+    // the middle of the visible part
     let [sx, sy] = [0, 0];
     for (let i = 0; i < places.length; i += 2) [sx, sy] = [sx + places[i]!, sy + places[i + 1]!];
     return [(2 * sx) / places.length, (2 * sy) / places.length] as const;
@@ -117,7 +117,7 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   await app.by('face-number').press('Enter');
   await expect(app.by('face-number')).not.toHaveValue(first);
   await expect(app.by('plot-face-stretch').locator('path.curve')).toHaveCount(3);
-  // Beside other ends than natural ones, the natural spline is drawn, too.
+  // With ends other than natural ones, the natural spline is drawn as well.
   await app.by('boundary-hermite').check();
   await app.by('start-speed-number').fill('0');
   await app.by('start-speed-number').press('Enter');
@@ -323,7 +323,7 @@ test(
     await app.by('method').selectOption('linear');
     await app.by('heat-distance').check({ force: true });
     const drop = async (...files: string[]): Promise<void> => {
-      // As a hand does: it lets go where the page says what becomes of them, and what is above may grow until then.
+      // Like a hand: it releases where the page describes the drop, and content above may grow until then.
       let at = { x: 0, y: 0 };
       await expect(async () => {
         await app.by('truth-pick').scrollIntoViewIfNeeded();
@@ -351,7 +351,7 @@ test(
     expect(difference(await app.positions(1), halfway)).toBeLessThan(1e-3 * diagonal(shape));
     expect((await app.state()).doc.keys).toHaveLength(2);
 
-    // What is no animation is none, and nothing is lost by it.
+    // A file without an animation is refused, and nothing is lost.
     await drop(file('alone.obj', obj(last)));
     await expect(app.by('error-message')).toBeVisible();
     await app.by('error-close').click();

@@ -1,7 +1,7 @@
 /**
- * Each figure of the paper as its preset shows it, against the picture that is kept of it in `figures/`, beside what
- * the paper shows there: the guide, the stage and the panels by themselves. After a wanted change:
- * `SHAPESPLINE_ALL=1 npm test -- e2e figure-pictures --update-snapshots=all`, and look at what has changed.
+ * Each figure of the paper as its preset shows it, compared with the stored image in `figures/`: the guide, the stage
+ * and the panels separately. After an intended change: `SHAPESPLINE_ALL=1 npm test -- e2e figure-pictures
+ * --update-snapshots=all`, and look at the differences.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -25,7 +25,7 @@ const TIMED = ['figure=8', 'figure=9'];
 /** Fig. 2a is a page of its own. */
 const PLAYGROUND = 'figure=2a';
 
-/** The moment that is kept of each, and what has to be there. */
+/** The stored time of each figure, and the required content. */
 const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<void> }>> = {
   'figure=1': { t: 0.56 },
   'figure=2a': { t: 0.4 },
@@ -46,7 +46,7 @@ const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<vo
   'figure=10': { t: 0.3 },
 };
 
-/** What another run measures differently. */
+/** Measured values, which differ between runs. */
 const MEASURED = '[data-testid="status-ms"], [data-testid="guide-live"], .facts { visibility: hidden }';
 
 async function pictureOf(app: App, { link, panel, part, beside }: GuidePage): Promise<Buffer> {

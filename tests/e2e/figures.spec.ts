@@ -17,7 +17,7 @@ async function saved(app: App, testId: string): Promise<{ name: string; bytes: B
   return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };
 }
 
-/** What is written in it, names under the mouse apart. */
+/** Its text, except names under the mouse. */
 const wordsOf = (svg: string): string[] => [...svg.matchAll(/<text[^>]*>([^<]*)/g)].map(([, words]) => words!);
 
 /** As a program that knows no style sheet and no newer colours opens it: its size, and how many colours it has. */
@@ -44,7 +44,7 @@ async function opened(
   }, svg);
 }
 
-/** Everything that is written lies in the picture, and along both axes stands what they count. */
+/** All text lies inside the plot, and both axes have titles. */
 async function expectWhole(app: App, svg: string, plot: string): Promise<void> {
   const outside = await app.page.evaluate((source) => {
     const holder = document.body.appendChild(document.createElement('div'));
@@ -115,7 +115,7 @@ test('no plot of the shape before is seen beside the one that has taken its plac
   await choosePart(app, 'face', '3');
   const plots = ['plane', 'bending', 'face-rotation'];
   for (const plot of plots) await expect(app.by(`plot-${plot}`).locator('.curve').first()).toBeVisible();
-  /** Those that are seen as they were before the other shape was there, at any time until all are drawn again. */
+  /** The plots that still show the earlier shape, at any time until all are drawn again. */
   const late = await app.page.evaluate(async (names) => {
     const figureOf = (name: string): Element => document.querySelector(`[data-testid="plot-${name}"]`)!;
     const drawnIn = (name: string): string =>

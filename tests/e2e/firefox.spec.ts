@@ -13,7 +13,7 @@ test('the page works in Firefox ESR', { tag: '@all' }, async ({}, info) => {
   await inFirefox(program!, async (page) => {
     await page.goto(info.project.use.baseURL!);
     if (!(await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null))) {
-      // Without a screen there is none in software: then the page must say so, and that is all there is to see.
+      // Without a screen, Firefox has no WebGL in software: then the page must report that.
       expect(await page.$eval('[role=alert]', (alert) => alert.textContent)).toContain('WebGL 2');
       test.skip(true, 'this Firefox has no WebGL without a screen; install Xvfb');
     }
@@ -25,7 +25,7 @@ test('the page works in Firefox ESR', { tag: '@all' }, async ({}, info) => {
   });
 });
 
-/** What the page holds and how its shape moves; `inexact`: largest difference to the engine. */
+/** The page's content and the motion of its shape; `inexact`: largest difference from the engine. */
 async function motionIn(page: Page) {
   await page.waitForFunction(() => window.__shapespline !== undefined);
   return page.evaluate(async () => {

@@ -1,6 +1,6 @@
 /**
- * The pictures of the gallery: each sample in motion, as the page draws it, its moments beside each other in one file.
- * After a wanted change: `npm test -- e2e gallery-pictures --update-snapshots=all`, and look at what has changed.
+ * The images of the gallery: each sample in motion, as the page draws it, its frames next to each other in one file.
+ * After an intended change: `npm test -- e2e gallery-pictures --update-snapshots=all`, and look at the differences.
  */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -51,7 +51,7 @@ async function drawn(app: App, t: number): Promise<Buffer> {
   return app.page.screenshot({ omitBackground: true });
 }
 
-/** Beside each other, as WebP. */
+/** Joins the frames next to each other, as WebP. */
 async function strip(app: App, pictures: readonly Buffer[]): Promise<Buffer> {
   const url = await app.page.evaluate(
     async ({ texts, width, height }) => {
@@ -70,7 +70,7 @@ async function strip(app: App, pictures: readonly Buffer[]): Promise<Buffer> {
   return Buffer.from(url.split(',')[1]!, 'base64');
 }
 
-/** The share of a moment of a strip that differs from a picture. */
+/** The share of a strip's frame that differs from an image. */
 async function off(app: App, file: Buffer, index: number, picture: Buffer): Promise<number> {
   const url = await app.page.evaluate(
     async ({ text, at, width, height }) => {

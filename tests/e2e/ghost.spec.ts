@@ -20,7 +20,7 @@ async function pixels(app: App, hue: keyof typeof HUES): Promise<{ count: number
   return matching(await app.picture(), HUES[hue]);
 }
 
-/** Distances of the first two views' vertices in percent of the diagonal over all keys, as the engine has them. */
+/** Distances of the first two views' vertices in percent of the diagonal over all keys, from the engine. */
 async function apart(app: App): Promise<{ percent: number[]; shown: number[] }> {
   return app.page.evaluate(() => {
     const hook = window.__shapespline!;

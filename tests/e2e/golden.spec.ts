@@ -1,6 +1,6 @@
 /**
- * The page's main states against pictures of them: the stage and each panel by itself. After a wanted change:
- * `npm test -- e2e golden --update-snapshots=all`, and look at what has changed.
+ * Compares the page's main states with stored images: the stage and each panel separately. After an intended change:
+ * `npm test -- e2e golden --update-snapshots=all`, and look at the differences.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';

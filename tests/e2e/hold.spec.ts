@@ -83,7 +83,7 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   await app.open({ hash: '#sample=gymnast&hold=contact&t=0.3' });
   await expect(app.by('hold')).toBeChecked();
   const held = await app.positionsAt(0.3);
-  // Beside the method as published, which is gone when nothing is held.
+  // Next to the method as published, which is hidden when nothing is held.
   await app.by('compare-lri').check();
   await app.settled();
   await expect(app.page.getByText('LRI), nothing held').first()).toBeVisible();

@@ -16,7 +16,7 @@ export const SHRUNK = 4;
 const LEVELS = 28;
 const SHARE = 0.01;
 
-/** Where the parts of the page are on the screen, in shrunk pixels, as much of each as is seen. */
+/** Positions of the page's parts on the screen, in shrunk pixels, clipped to the visible area. */
 export async function partsOf(app: App, selectors: Readonly<Record<string, string>>): Promise<Part[]> {
   const { width, height } = app.page.viewportSize()!;
   const parts: Part[] = [];

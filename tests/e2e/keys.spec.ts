@@ -197,7 +197,7 @@ test('methods stand side by side with one camera and one clock', async ({ app })
   await expect(app.by('tile-1')).toContainText('Morph targets (linear)');
   const volume = async (tile: number): Promise<number> =>
     Number(/volume ([\d.]+)\s%/.exec(await app.by(`tile-${tile}`).innerText())![1]);
-  // What the method is for: the spline keeps more of the volume than a blend of positions.
+  // The purpose of the method: the spline keeps more of the volume than a blend of positions.
   expect(Math.abs((await volume(0)) - 100)).toBeLessThan(Math.abs((await volume(1)) - 100));
   await app.setTime(0.6);
   expect(difference(await app.positions(1), linear)).toBeGreaterThan(1e-3 * diagonal(spline));
@@ -226,7 +226,7 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   await plot.scrollIntoViewIfNeeded();
   await plot.click({ position: { x: 60, y: 40 } });
   expect((await app.state()).time).not.toBe(0.8);
-  // The number of the curve stands beside the title.
+  // The number of the curve is next to the title.
   await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+$/);
 });
 
@@ -250,7 +250,7 @@ test('a plot says what all curves are at the moment under the mouse, or at the c
   await point(0.7);
   await expect.poll(time).toBeGreaterThan(middle + 0.1);
   expect((await app.state()).time).toBe(before);
-  // What it says is what is drawn there.
+  // The text matches the drawing.
   const said = async (line: number): Promise<number> =>
     Number(/([\d.]+)\s%$/.exec((await lines.nth(line).textContent())!)![1]);
   const [spline, blend] = [await said(1), await said(2)];

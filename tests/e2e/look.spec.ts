@@ -6,7 +6,7 @@ import type { App } from './support.ts';
 
 test.use({ sharpness: 1 });
 
-/** The paper's colours, as the ring has them. */
+/** The paper's colours, as in the ring. */
 const PHASES = {
   key: { t: 0, colour: [0, 114, 178] },
   between: { t: 0.25, colour: [0, 158, 115] },

@@ -98,7 +98,7 @@ test(
     await app.settled();
     expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
 
-    // Several poses are no tangent, and another mesh is none either; nothing is lost.
+    // Several poses, or a different mesh, are refused as a tangent; nothing is lost.
     await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);
     await expect(app.by('error-message')).toContainText('These files hold 2 poses, but a tangent is one shape.');
     await app.by('error-close').click();

@@ -1,4 +1,4 @@
-/** What is seen while large files are opened: their first key, then the motion, or what was open before. */
+/** The view while large files open: their first key, then the motion, or the earlier content. */
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-// What a service worker answers cannot be held.
+// Responses of a service worker cannot be delayed.
 test.use({ contextOptions: { reducedMotion: 'no-preference', serviceWorkers: 'block' }, ownProfile: true });
 
 const generator = fileURLToPath(new URL('../../build/cmake-wasm/shapespline_meshes.js', import.meta.url));
@@ -34,7 +34,7 @@ async function held(app: App): Promise<(task: Task) => void> {
   return (task) => void free.push(task);
 }
 
-/** In a worker: of what is larger than the samples. */
+/** In a worker: only for data larger than the samples. */
 function waitAtReport(): void {
   const post = self.postMessage.bind(self) as (message: { type: string }, options: object) => void;
   let task = '';
@@ -111,7 +111,7 @@ test('what is open is dimmed and rests until then, and comes back on Cancel', as
   await expect.poll(async () => (await app.positions()).length).toBe(vertices);
   expect(await camera(app)).toEqual(before);
   expect(await opacity(app)).toBe('1');
-  // It plays on from where it was.
+  // It continues playing.
   await expect.poll(async () => (await app.state()).time).not.toBe(time);
   expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
   const t = 0.4;

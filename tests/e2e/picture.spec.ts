@@ -13,7 +13,7 @@ interface Overlap {
   shapePixels: number;
 }
 
-/** Projects the engine's vertices (not what the viewer holds) and compares them with a screenshot of the canvas. */
+/** Projects the engine's vertices (not the viewer's) and compares them with a screenshot of the canvas. */
 async function overlap(app: App, t: number, drawn = t): Promise<Overlap> {
   await app.setTime(drawn);
   const picture = decode(await app.picture());
@@ -64,7 +64,7 @@ test('the drawn silhouette is that of the engine’s vertices', async ({ app }) 
   expect(shapePixels).toBeGreaterThan(2000);
   expect(verticesOnShape).toBeGreaterThan(0.99);
   expect(shapeNearVertices).toBeGreaterThan(0.97);
-  // Another moment's vertices do not fit the picture: the comparison can tell shapes apart.
+  // The vertices of another time do not fit the image, so the comparison can distinguish shapes.
   const wrong = await overlap(app, 1.2, 0);
   expect(Math.min(wrong.verticesOnShape, wrong.shapeNearVertices)).toBeLessThan(0.9);
 });

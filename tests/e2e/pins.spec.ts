@@ -2,7 +2,7 @@
 import { exported, type } from './exporting.ts';
 import { diagonal, difference, expect, test, type App } from './support.ts';
 
-/** The lowest vertex in the first key, and where it is on the page. */
+/** The lowest vertex in the first key, and its position on the page. */
 async function foot(app: App): Promise<{ vertex: number; x: number; y: number }> {
   const first = await app.positionsAt((await app.state()).doc.keys[0]!.time);
   let vertex = 0;
@@ -31,7 +31,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.page.keyboard.press('Space');
   await expect.poll(async () => (await app.state()).play.playing).toBe(true);
   await app.by('pin-place').click();
-  // What plays cannot be hit.
+  // A playing shape cannot be hit.
   expect((await app.state()).play.playing).toBe(false);
   await app.setTime(t0);
   // Before it is placed, a mark shows the vertex under the pointer.
@@ -112,7 +112,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   const [t0, t1] = [keys[0]!, keys[1]!];
   const at = await foot(app);
   await app.setTime(t0);
-  // The button is the last that is in sight: what it says, and then the row, come up from below.
+  // The button is the last visible element: its hint, and then the row, scroll into view.
   await app.page.setViewportSize({ width: 1280, height: 800 });
   await app.by('hold').scrollIntoViewIfNeeded();
   await app.by('pin-place').evaluate((button) => button.scrollIntoView({ block: 'end' }));
@@ -153,7 +153,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   await expect(app.by('pin-0-note')).toBeHidden();
   await app.settled();
 
-  // Dragged once it is moved at all times; dragged again a moment later, that is the same key of its path.
+  // The first drag applies to all times; a second one shortly after changes the same key of its path.
   const t = t0 + 0.5 * (t1 - t0);
   for (const [time, times] of [
     [t, 1],

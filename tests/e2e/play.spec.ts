@@ -185,7 +185,7 @@ test('the address holds everything, and bad ones do no harm', async ({ page, con
   await expect(page).toHaveURL(/plane=1/);
   const drawn = await play.line('periodic');
   const other = new Playground(await context.newPage());
-  // Links have five digits, and the address follows within a moment.
+  // Links have five digits, and the URL follows shortly.
   const numbers = (line: string | null): number[] => (line ?? '').match(/-?[\d.]+/g)!.map(Number);
   await expect(async () => {
     await other.page.goto('about:blank');
@@ -265,7 +265,7 @@ test('it plays until the first touch, unless the user prefers reduced motion', a
   await expect.poll(() => play.line('linear')).not.toBe(moving);
   await page.locator('.curve-figure').click({ position: { x: 20, y: 20 } });
   await expect(play.by('scene')).toBeHidden();
-  await frames(page, 2); // what was on its way is drawn
+  await frames(page, 2); // the pending frame is drawn
   const rests = await play.line('linear');
   await frames(page, 20);
   expect(await play.line('linear')).toBe(rests);

@@ -17,7 +17,7 @@ const args = [
   '--disable-gpu-rasterization',
   '--disable-gpu-compositing',
   '--webgl-antialiasing-mode=none',
-  // What has been compiled for one page of the site is there for the next one: a third of what opening costs.
+  // Compiled code is reused by the next page of the site: a third of the cost of opening.
   '--process-per-site',
   // No traffic of the browser's own.
   '--disable-background-networking',
@@ -28,7 +28,7 @@ const args = [
   '--host-resolver-rules=MAP insecure.test localhost',
 ];
 // Every window of Chromium loads two pages for its own address bar, almost a second of work in each test. Only the last
-// such list counts and Playwright has no way to add to its own: the rest is that.
+// such list counts, and Playwright cannot extend its own, so this list includes Playwright's.
 args.push(
   `--disable-features=${[
     'WebUIOmniboxAimPopup',
@@ -59,7 +59,7 @@ export default defineConfig({
   workers: 2,
   fullyParallel: true,
   timeout: 90_000,
-  // What is tagged @all costs much and rarely finds anything: it runs where everything does (`npm test -- all`).
+  // Tests tagged @all cost much and rarely find anything: they run with `npm test -- all`.
   grepInvert: process.env.SHAPESPLINE_ALL === '1' ? [] : /@all/,
   // A flaky test is a failed test.
   retries: 0,
@@ -67,7 +67,7 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   use: {
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
-    // What is kept of every test for the few that fail costs time in all of them; `--trace on` asks for it.
+    // Traces of every test, for the few that fail, would cost time in all of them; `--trace on` enables them.
     trace: 'off',
     screenshot: 'only-on-failure',
   },

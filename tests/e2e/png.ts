@@ -31,7 +31,7 @@ export function* colours({ data }: Picture): Generator<Colour> {
   for (let at = 0; at < data.length; at += 4) yield [data[at]!, data[at + 1]!, data[at + 2]!];
 }
 
-/** What a strong colour has and grey has not. */
+/** Distance of a colour from grey. */
 export function saturation(colour: Colour): number {
   return Math.max(...colour) - Math.min(...colour);
 }
@@ -62,7 +62,7 @@ export interface Box {
   height: number;
 }
 
-/** The pixels of a box, as far as the picture reaches. */
+/** The pixels of a box, clipped to the image. */
 export function crop(picture: Picture, { x, y, width, height }: Box): Picture {
   const [right, bottom] = [Math.min(x + width, picture.width), Math.min(y + height, picture.height)];
   const rows = Array.from({ length: Math.max(bottom - y, 0) }, (_, row) => 4 * ((y + row) * picture.width + x));

@@ -1,4 +1,4 @@
-/** Poses as exporters write them, caches, numbered files, objects and axes: what the page makes and says of them. */
+/** Poses as exporters write them, caches, numbered files, objects and axes: the page's result and its messages. */
 import { bent, bar } from '../engine/support/shapes.ts';
 import { meshGlb } from '../engine/support/glb.ts';
 import { rigFile } from '../engine/support/rig.ts';
@@ -54,7 +54,7 @@ test('files that hold one animation at rest offer its keys', { tag: '@all' }, as
   await expect.poll(async () => (await names(app)).length).toBe(8);
   await app.settled();
   await expect(app.by('import-offer')).toBeHidden();
-  // A time is no name.
+  // A time is not a name.
   expect((await names(app))[0]).toBe('');
 });
 

@@ -15,7 +15,7 @@ test('X leaves the shape alone on the screen, in large type, and Escape brings t
   const [view, page] = [(await app.by('viewport').boundingBox())!, app.page.viewportSize()!];
   expect([view.width, view.height]).toEqual([page.width, page.height]);
   expect(await sizeOf(app, 'phase')).toBeGreaterThan(1.5 * small);
-  // What a presenter's clicker sends goes from key to key, and the teacher's keys work.
+  // The keys of a presenter's clicker go from key to key, and the teacher's keys work.
   await app.page.keyboard.press('PageDown');
   expect((await app.state()).time).toBe(0.5);
   await app.page.keyboard.press(']');

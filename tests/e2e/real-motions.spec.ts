@@ -20,7 +20,7 @@ async function expectPlaying(app: App): Promise<void> {
   await expect.poll(async () => (await app.state()).time).not.toBe(time);
 }
 
-/** At moments between all keys nothing is said of faces that fold. */
+/** At times between all keys, no folding faces are reported. */
 async function expectNoFolds(app: App): Promise<void> {
   const { keys } = (await app.state()).doc;
   for (let k = 1; k < keys.length; k += 1) {

@@ -139,7 +139,7 @@ test('a file of 200 MB is opened while the page answers', { tag: '@all' }, async
   test.setTimeout(240_000);
   await app.open();
   await openBig(app, 'model', 200_000_000);
-  // The shape before can still be moved; in one call, as a fast machine has the file open soon.
+  // The earlier shape can still be moved; in one call, because a fast machine opens the file quickly.
   const [shown, moved] = await app.page.evaluate(async () => {
     const hook = window.__shapespline!;
     const before = Array.from(hook.positions());
@@ -152,7 +152,7 @@ test('a file of 200 MB is opened while the page answers', { tag: '@all' }, async
   await app.settled();
   await expect(app.by('status-vertices')).toHaveText('6 vertices');
   expect((await app.positionsAt(0.5)).every(Number.isFinite)).toBe(true);
-  // Far below what a person would take for a frozen page, even where everything is slow.
+  // Far below a freeze that a user would notice, even on a slow machine.
   expect((await heart(app)).longest).toBeLessThan(5000);
   await app.expectNoProblems();
 });

@@ -1,7 +1,4 @@
-/**
- * Files that this browser keeps between visits: by several tabs, where something went wrong, and where there is no
- * room.
- */
+/** Files that the browser keeps between visits: with several tabs, after failures, and without room. */
 import { randomBytes } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -70,7 +67,7 @@ async function kept(page: Page): Promise<Record<string, Kept>> {
 const keptTime = async (page: Page, name: string): Promise<number | undefined> =>
   (await kept(page))[name]?.project.state.time;
 
-/** Of the project that the next visit starts with. */
+/** The project that the next visit starts with. */
 async function lastKept(page: Page): Promise<string | undefined> {
   const all = Object.entries(await kept(page)) as [string, { project: { changed?: number } }][];
   return all.sort(([, a], [, b]) => (b.project.changed ?? 0) - (a.project.changed ?? 0))[0]?.[0];
@@ -116,7 +113,7 @@ const names = async (app: App): Promise<string[] | null> => {
 /** Longer than a change waits for others before it is written. */
 const untilWritten = (app: App): Promise<void> => app.page.waitForTimeout(700);
 
-/** The next visit, by an address that names nothing. */
+/** The next visit, with a URL that names nothing. */
 const visitAgain = (app: App): Promise<unknown> => app.open();
 
 /** Chooses from the list of own files. */
@@ -298,7 +295,7 @@ test('what does not open is not tried with every visit', { tag: '@all' }, async 
   await isRemembered(app);
   await untilWritten(app);
   const { project } = (await kept(app.page))['twisted-bar.glb']!;
-  // The engine refuses what is in the file.
+  // The engine refuses the file's content.
   const bytes = new TextEncoder().encode('glTF, but nothing else');
   await app.page.evaluate(
     async ([key, content]) => {

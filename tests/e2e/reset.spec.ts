@@ -2,7 +2,7 @@
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-/** All that can be seen and chosen, where the focus is, and what the browser keeps. */
+/** Everything visible and selectable, the focus, and the browser's storage. */
 async function seen(app: App) {
   const page = await app.page.evaluate(() => {
     // Times of this machine, on which it depends, too, how many points a curve has.

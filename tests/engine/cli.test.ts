@@ -30,7 +30,7 @@ async function objOf(place: string): Promise<{ positions: Float32Array; faces: n
   return { positions: Float32Array.from(numbers('v')), faces: numbers('f').map((v) => v - 1) };
 }
 
-/** A .gltf of a pose, with its buffer beside it. */
+/** A .gltf of a pose, with its buffer in the same folder. */
 function gltfPair(name: string, positions: Float32Array, uri = `${name}.bin`): { name: string; bytes: Uint8Array }[] {
   const bytes = meshGlb(mesh, positions);
   const view = new DataView(bytes.buffer);
@@ -323,7 +323,7 @@ describe('complete', () => {
     };
     const plain = await shape();
     expect(largestDistance(await shape('--start-tangent', 'pose-3.glb'), plain)).toBeGreaterThan(0.1);
-    // The neighbour key itself is what the tangent is taken from without the option.
+    // Without the option, the tangent is taken from the neighbouring key.
     expect(largestDistance(await shape('--start-tangent', 'pose-2.glb'), plain)).toBeLessThan(1e-5 * diagonal(plain));
     const other = await folderOf([{ name: 'other.glb', bytes: meshGlb(bar(2, 10)) }]);
     const { code, stderr } = await runCli(

@@ -13,7 +13,7 @@ interface Input {
   what: string;
   read(): Promise<InputFile> | InputFile;
   there: boolean;
-  /** Of the error between the samples over the tolerance; the rig has steps, which no sampling sees. */
+  /** Ratio of the error between the samples to the tolerance; the rig has steps, which sampling misses. */
   slack: number;
 }
 
@@ -23,7 +23,7 @@ const inputs: Input[] = [
   { what: 'Fox', read: () => dataFile('skin/Fox.glb'), there: hasData, slack: 1.05 },
 ];
 
-/** The largest distance of the motion through these keys from the animation, as a share of the diagonal. */
+/** The largest distance of the motion through these keys from the animation, relative to the diagonal. */
 async function errorAt(file: InputFile, keyTimes: number[], times: number[]): Promise<number> {
   const keys = await engine.importKeyframes([file], { sample: keyTimes });
   const truth = await engine.importKeyframes([file], { sample: times });

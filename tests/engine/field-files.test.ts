@@ -43,7 +43,7 @@ describe('objects in another order', () => {
         { key: 1, object: 'EyeR', found: 'EyeR', by: 'name' },
       ],
     });
-    // As a further pose of what is open.
+    // As an added pose of the open mesh.
     const [pose] = await readPoses(engine, [second], keys);
     expect(pose!.positions).toEqual(b);
   });
@@ -102,7 +102,7 @@ describe('animations', () => {
       const poser = await threePoser(file.bytes, key);
       expect(largestDistance(keys.positions(key), poser.positionsAt(0))).toBeLessThan(1e-5);
     }
-    // The third action alone in a file, as a further pose.
+    // The third action alone in a file, as an added pose.
     const one = field('pose1.glb');
     const poses = await readPoses(engine, [one], keys);
     const poser = await threePoser(one.bytes, 0);

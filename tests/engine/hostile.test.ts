@@ -1,7 +1,6 @@
 /**
- * Files that declare, nest or chain more than they hold. Each is refused in one line, and takes memory in proportion
- * to its size: what the reader of an ordinary file of that size takes, not what the file asks for. The figures are
- * printed.
+ * Files that declare, nest or chain more than they hold. Each is refused in one line, and takes memory in proportion to
+ * its size: as much as reading an ordinary file of that size. The figures are printed.
  */
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
@@ -17,7 +16,7 @@ import { glbParts, gltfInside as gltf, meshGlb, poseFiles } from './support/glb.
 import { bar } from './support/shapes.ts';
 
 const MB = 1e6;
-/** Of Node, its workers and the module, with room for what garbage collection leaves to lie. */
+/** Memory of Node, its workers and the module, with room for garbage. */
 const AT_REST = 450 * MB;
 /** An OBJ as bytes of the program, of its worker and of the module, and as numbers. */
 const TIMES_ITS_SIZE = 5;

@@ -13,7 +13,7 @@ const engine = testEngine();
 async function differenceToThree(file: InputFile, animation: number, times: number[]): Promise<number> {
   const keys = await engine.importKeyframes([file], { animation, sample: times });
   const poser = await threePoser(file.bytes, animation);
-  // What has no name is called by its number here and there.
+  // Unnamed objects are matched by number.
   expect(keys.info.animations.map(({ name }) => name.replace(' ', '_'))).toEqual(
     poser.names.map((name) => name.replace(' ', '_')),
   );

@@ -1,4 +1,4 @@
-/** What is handed on says whose it is, and under which licence. */
+/** Distributed files state their authors and licences. */
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';

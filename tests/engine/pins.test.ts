@@ -80,7 +80,7 @@ it('are in the project that an exported file holds, with the keys as they were g
     expect(again.info.project?.pins).toEqual(pins);
     for (let key = 0; key < files.length; ++key)
       expect(largestDistance(again.positions(key), keys.positions(key))).toBeLessThan(1e-6 * size);
-    // What plays are the shapes that were seen.
+    // Playback shows the same shapes as before.
     const frames = await engine.importKeyframes([file!], { animation: 0, sample: [0, 1] });
     for (const second of [0, 1])
       expect(largestDistance(frames.positions(second), await shapeAt(sequence, first + second))).toBeLessThan(

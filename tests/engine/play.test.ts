@@ -1,4 +1,4 @@
-/** The playground's splines are the core's: what the engine does to the coordinates of real keys, they do to them. */
+/** The playground's splines match the core's, on the coordinates of real keys. */
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { SequenceOptions } from '../../web/engine/api/types.ts';

@@ -34,7 +34,7 @@ const poses = [0, 40, 80].map((degrees) => bent(mesh, degrees));
 /** Only the first file's coordinates count. */
 const files = poses.map((positions, index) => objOf(`pose-${index}.obj`, positions, index / 2));
 
-/** Coordinates of every corner of every face, as they are drawn. */
+/** Drawn coordinates of every corner of every face. */
 function corners({ info }: Keys): number[] {
   return Array.from(info.scene.seams?.indices ?? info.faces).flatMap((v) => [
     info.scene.uvs![2 * v]!,

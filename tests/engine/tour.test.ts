@@ -1,4 +1,4 @@
-/** What the reader does in a step of the tour is seen on the screen. */
+/** The steps of the tour show their effects. */
 import { readFile } from 'node:fs/promises';
 import { expect, it } from 'vitest';
 import { TOUR } from '../../web/app/guide/tour.ts';

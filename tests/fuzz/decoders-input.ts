@@ -1,4 +1,4 @@
-/** What is done with an input of the decoders, and what must hold. */
+/** Runs an input of the decoders and checks the promises. */
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { EngineError } from '../../web/engine/api/errors.ts';
@@ -9,7 +9,7 @@ const require = createRequire(import.meta.url);
 const draco = readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'));
 const decode = decoder(codecs, () => draco);
 
-/** Of the process with what garbage collection leaves: far above what comes out of a small file. */
+/** Memory of the process with garbage: far above the result of a small file. */
 const MOST_MEMORY = 2e9;
 
 /**

@@ -46,7 +46,7 @@ export function mutated(glb: Uint8Array, random: () => number): Uint8Array {
     else if (kind < 5) binary[at] = below(256);
     else if (kind === 5) binary[at]! ^= 1 << below(8);
     else if (kind === 6) binary.splice(at, 1 + below(8), ...Array.from({ length: below(8) }, () => below(256)));
-    // Of Draco and meshopt what counts most stands first.
+    // For Draco and meshopt, the most important bytes come first.
     else binary[below(Math.min(binary.length, 40))] = below(256);
   }
   if (below(20) === 0) binary = binary.slice(0, below(binary.length));

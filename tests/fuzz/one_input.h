@@ -1,5 +1,5 @@
-// What is done with every input of a fuzzer, and with every file of the corpus: import it alone, as both of two
-// keys and beside a mesh, and write what comes of it. Aborts where a promise of import.h or export.h is broken.
+// Runs an input of a fuzzer or a file of the corpus: imports it alone, as both of two keys and with a mesh, and writes
+// the result. Aborts if a promise of import.h or export.h is broken.
 #pragma once
 
 #include <cmath>
@@ -54,7 +54,7 @@ inline void checkImport(const Import& import) {
       promise(image >= -1 && image < images, "images are there");
 }
 
-// Exports what was imported and imports that: same faces, same number of vertices and keys. Small shapes only.
+// Exports an import and imports that again: same faces, same number of vertices and keys. Small shapes only.
 inline void checkRoundTrip(const Import& import) {
   const Keyframes& k = import.keyframes;
   if (k.vertexCount() > 2000 || k.keyCount() > 40) return;
@@ -102,7 +102,7 @@ inline std::span<const std::uint8_t> squareObj() {
   return {reinterpret_cast<const std::uint8_t*>(kText.data()), kText.size()};
 }
 
-/// `name` decides what the bytes themselves do not.
+/// `name` decides the kind if the bytes do not.
 inline void oneInput(const std::string& name, std::span<const std::uint8_t> bytes) {
   const NamedBytes alone[] = {{name, bytes}};
   const NamedBytes twice[] = {{name, bytes}, {"second-" + name, bytes}};

@@ -1,4 +1,4 @@
-/** The package in what people bundle their pages with, as each is set up from the start. */
+/** The package in common bundlers, in their default setup. */
 import { cpSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
@@ -63,7 +63,7 @@ it('webpack 5 builds it', async () => {
   await expectRunsAt(await host([output, folder, path.join(folder, 'public')]));
 });
 
-/** It leaves addresses as they are: the files are copied, as the package's README says. */
+/** It keeps URLs unchanged: the files are copied, as the package's README describes. */
 const copied = ['worker.js', 'codecs.js', 'shapespline.wasm', 'shapespline_files.wasm', 'draco_decoder_gltf.wasm'];
 
 it('esbuild builds it, with the files beside', async () => {

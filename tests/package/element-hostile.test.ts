@@ -142,7 +142,7 @@ it('what was set before the element is known counts; children say when their key
   await page.evaluate((keys) => {
     const shape = document.getElementById('a') as ShapeSplineElement;
     Object.assign(shape, { src: keys, controls: true, currentTime: 0.5, keyTimes: [0, 2] });
-    // What would be thrown later is said, and the rest is shown.
+    // Later errors are reported, and the rest is shown.
     Object.assign(document.getElementById('b')!, { currentTime: NaN });
   }, KEYS);
   await page.addScriptTag({ url: `${libraryAddress()}cdn.js`, type: 'module' });
@@ -363,7 +363,7 @@ it('a lost graphics context shows the poster, and the shape again when it is bac
   expect(await refused(page)).toEqual([]);
 });
 
-/** What the browser itself notes of a page, and keeps. */
+/** The browser's own records about a page. */
 const NOTED =
   /^(Performance|LayoutShift|DOMRect|ScriptTiming|TaskAttribution|CSSNumeric|CSSUnit|blink::|system \/|CppGC)/;
 
@@ -371,13 +371,13 @@ const NOTED =
 const MOST_KEPT = 20_000;
 
 interface Heap {
-  /** How many there are of what a script or a page can make, by kind and class. */
+  /** Numbers of objects that a script or a page can create, by kind and class. */
   counts: Map<string, number>;
-  /** Of what scripts keep, without what the browser compiles of them. */
+  /** Memory of scripts, without compiled code. */
   bytes: number;
 }
 
-/** What is still there when garbage is collected. */
+/** Remaining objects after garbage collection. */
 async function heapOf(client: CDPSession): Promise<Heap> {
   const chunks: string[] = [];
   const take = ({ chunk }: { chunk: string }): void => void chunks.push(chunk);
@@ -419,13 +419,13 @@ it('two hundred that come and go leave nothing behind', { timeout: 600_000 }, as
           await shape.seek(i / 200);
           shape.remove();
         }
-        // What the test and the browser note of every one.
+        // Records of the test and the browser per element.
         window.told.length = 0;
         performance.clearResourceTimings();
       },
       [KEYS, times] as const,
     );
-  /** Once what was shown last is disposed of. */
+  /** Once the last content is disposed of. */
   const kept = async (): Promise<Heap> => {
     await expect.poll(() => page.workers().length, { timeout: 60_000 }).toBeLessThanOrEqual(idle);
     return heapOf(client);

@@ -69,7 +69,7 @@ it('a changed motion is that of an element which had the options from the start,
   expect(started()).toBe(0);
   expect(await asked()).toBe(before);
   expect(await told(page, 'error')).toEqual([]);
-  // What is encoded otherwise needs a worker: the count is no constant.
+  // A different encoding needs a worker, so the count can change.
   await on(page, (shape) => (shape.stretch = 'log'));
   await seek(page, T);
   expect(started()).toBe(1);

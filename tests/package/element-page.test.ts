@@ -1,4 +1,4 @@
-/** What the element does on a page: drawing, laziness, events, methods, keys, and how pages dress it. */
+/** The element on a page: drawing, laziness, events, methods, keys, and styling. */
 import { expect, it } from 'vitest';
 import { PROPERTIES, ROWS, attributeOf } from '../../web/embed/attributes.ts';
 import { customElementsManifest } from '../../web/embed/manifest.ts';
@@ -214,7 +214,7 @@ it('is a labelled region that space, arrows, Home, End and brackets move, and a 
   await page.keyboard.press('Home');
   expect(await time()).toBe(0);
   const slider = page.getByRole('slider', { name: 'Time' }).first();
-  // What a slider says is written with the frame that shows it.
+  // A slider's text is written with the frame that it describes.
   await expect.poll(() => slider.getAttribute('aria-valuetext'), { timeout: 30_000 }).toMatch(/^0(\.0+)? s, /);
   expect(await page.getByRole('img', { name: 'A still bar' }).count()).toBe(1);
   expect(await page.locator('#b [part=viewport]').getAttribute('tabindex')).toBeNull();
@@ -413,7 +413,7 @@ it('every row of the table makes a round trip, from the attribute and from the p
     return all.filter(({ property, attribute, value }) => {
       const [by, to] = [make(), make()];
       to[property] = value;
-      // The time is where it is, and no attribute.
+      // The time is a property, not an attribute.
       by.setAttribute(attribute, property === 'currentTime' ? String(value) : (to.getAttribute(attribute) ?? ''));
       return [by, to].some((shape) => JSON.stringify(shape[property]) !== JSON.stringify(value));
     });

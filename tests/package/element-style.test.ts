@@ -71,7 +71,7 @@ it('a page that zooms gets as many pixels as the screen has for the shape', asyn
   for (const [text, width, expected] of [
     ['', '', 600],
     ['2', '', 600],
-    // As many of the page's pixels as before, each as large as two.
+    // The same number of page pixels as before, each twice as large.
     ['', '200px', 200],
     ['2', '200px', 400],
     ['0.5', '200px', 100],

@@ -20,7 +20,7 @@ const page = (module: string): string =>
 
 const BUNDLED = `<!doctype html>${MARKUP}<script type="module" src="./main.js"></script>`;
 
-/** Says the size of the shape that it evaluates once a time has been drawn. */
+/** Prints the size of the evaluated shape once a time has been drawn. */
 const WATCH = `
   const element = document.querySelector('shape-spline');
   const say = (outcome) => { window.outcome ??= outcome; };
@@ -42,7 +42,7 @@ async function withPeers(files: Record<string, string>, three = 'three'): Promis
   return folder;
 }
 
-/** What TypeScript says of the folder's own files, without the types of any framework that is not there. */
+/** TypeScript's errors in the folder's own files, without types of frameworks that are not installed. */
 async function problemsOf(folder: string): Promise<string> {
   const compilerOptions = {
     strict: true,

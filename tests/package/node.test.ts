@@ -1,4 +1,4 @@
-/** The package in Node, and what is in it. */
+/** The package in Node, and its content. */
 import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -78,7 +78,7 @@ it('every entry can be imported in Node, where there is no page', async () => {
     .filter((name) => !/\.(wasm|json)$/.test(name))
     .map((name) => path.posix.join('shapespline', name));
   expect(entries).toContain('shapespline/worker.js');
-  // What a bundler for browsers takes, too.
+  // Bundlers for browsers use it as well.
   const all = [...entries, path.join(packageIn(project), 'index.js')];
   const importing = all.map((name) => `await import(${JSON.stringify(name)});`).join('\n');
   expect(await node(project, '--input-type=module', '-e', `${importing}\nconsole.log('all')`)).toBe('all\n');

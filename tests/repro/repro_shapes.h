@@ -1,5 +1,5 @@
-// Inputs that showed defects, generated each time: small, exact about what they are, the same as files (main.cpp) and
-// in the tests (tests/native/repro_test.cpp).
+// Inputs that showed defects, generated each time: small, exact, and identical as files (main.cpp) and in the tests
+// (tests/native/repro_test.cpp).
 #pragma once
 
 #include <algorithm>
@@ -49,8 +49,8 @@ struct CarPose {
   double forward = 0, steering = 0, wheels = 0;
 };
 
-/// A body (component 0) and wheels about the y axis beside it (components 1 and on); x is forwards, z up. Single
-/// precision.
+/// A body (component 0) and wheels next to it that turn about the y axis (components 1 and on); x is forwards, z up.
+/// Single precision.
 class Car {
  public:
   explicit Car(const std::vector<Vec3>& hubs) : hubs_(hubs) {
@@ -104,7 +104,7 @@ class Car {
   int bodyVertices_ = 0, wheelVertices_ = 0;
 };
 
-/// One wheel beside the body.
+/// One wheel next to the body.
 inline Car oneWheeled() { return Car({{1.2, -1, 0.1}}); }
 inline Car fourWheeled() { return Car({{1.2, -1, 0.1}, {1.2, 1, 0.1}, {-1.2, -1, 0.1}, {-1.2, 1, 0.1}}); }
 
@@ -153,14 +153,14 @@ inline Keyframes mirroredKey() {
                                                              bend(radians(80))}));
 }
 
-/// A bar with a small bead beside it, whose last key lies `lengths` bar lengths away.
+/// A bar with a small bead next to it, whose last key is `lengths` bar lengths away.
 inline Keyframes farKey(double lengths) {
   const Shape shape = joined(box(1, 1, 10, 3, 3, 24), sphere({0.7, 0, 5}, 0.05));
   const Map away = [=](const Vec3& p) -> Vec3 { return p + Vec3(0, 10 * lengths, 0); };
   return keyframes(shape, {bend(0), bend(0.6), away});
 }
 
-/// All of them, as files are made of them.
+/// All inputs, for writing files.
 inline std::vector<Repro> allRepros() {
   const Car cart = oneWheeled(), car = fourWheeled();
   return {{"wheel", cart.keys(drive(90, 5))},

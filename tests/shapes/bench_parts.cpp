@@ -14,11 +14,11 @@
 namespace shapespline {
 namespace {
 
-constexpr double bodyShare = 0.55, partsShare = 0.42;  // of the faces; cut edges add the rest
+constexpr double bodyShare = 0.55, partsShare = 0.42;  // share of the faces; cut edges add the rest
 constexpr int parts = 20, openings = 5;
 constexpr double reach = 1.3;  // clear of the body's bumps
 
-// What turns about a centre of its own: its vertices are first to last - 1.
+// A part that turns about its own centre; its vertices are first to last - 1.
 struct Part {
   Vec3 centre;
   int first, last;
@@ -146,7 +146,7 @@ std::vector<Part> addParts(Surface& surface, int faces, Random& random) {
   return result;
 }
 
-// What the parts leave of the faces.
+// Faces left after the parts.
 void addBody(Surface& surface, int faces, Random& random) {
   Surface body = bumpyCapsule(2 * static_cast<int>(bodyShare * faces / 2), random);
   cutOpenings(body, random);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double radius = capsuleRadius, tube = capsuleTube;
 
-// A box grid of across x across x (across + along) cells. The ends become half spheres, as a cube is blown up to a
+// A box grid of across x across x (across + along) cells. The ends become half spheres, as a cube is inflated to a
 // sphere, and the cells between them a tube.
 struct Grid {
   int across = 2;  // even: the half spheres meet the tube at a grid line
@@ -26,7 +26,7 @@ struct Grid {
 
 // The finest grid with at most this number of faces and roughly square cells.
 Grid chooseGrid(int faces) {
-  const double ratio = tube / (radius * M_PI / 2);  // of along to across
+  const double ratio = tube / (radius * M_PI / 2);  // ratio of along to across
   Grid grid;
   grid.across = std::max(2, 2 * static_cast<int>(std::sqrt(faces / (12 + 8 * ratio)) / 2));
   grid.along = std::max(0, (faces - 12 * grid.across * grid.across) / (8 * grid.across));

@@ -1,4 +1,4 @@
-// What the generated meshes are made of and bent by.
+// Generates and bends the meshes.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What makes a sample fit to be shown: closed, oriented, well-shaped triangles, no passing through itself.
+// Quality checks of a sample: closed, oriented, well-shaped triangles, no self-intersection.
 #pragma once
 
 #include "core/sequence/keyframes.h"

@@ -1,6 +1,6 @@
 /**
- * Poses as Blender itself writes them (blender-poses.py): each way becomes keys whose every vertex is where Blender has
- * it. Skipped where there is no Python with the module bpy: SHAPESPLINE_BPY names one, .toolchain/blender may hold one.
+ * Poses as Blender itself writes them (blender-poses.py), in several ways: all vertices of the keys are where Blender
+ * has them. Skipped without a Python that has the module bpy: SHAPESPLINE_BPY names one, or .toolchain/blender has one.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';

@@ -1,4 +1,4 @@
-/** What Blender makes of our exports: names, frames, vertices; and what of ours comes back out of it. */
+/** Our exports in Blender: names, frames, vertices; and files that Blender exports from them. */
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-/** Scripts run in the real Blender and tell what they found. */
+/** Scripts that run in the real Blender and report their findings. */
 import { expect, it } from 'vitest';
 import { describeBlender, runInBlender } from './blender.ts';
 

@@ -1,4 +1,4 @@
-/** What went through glTF-Transform opens here again. */
+/** Files saved by glTF-Transform open here again. */
 import { WebIO, type Transform } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import {
@@ -35,7 +35,7 @@ async function through(bytes: Uint8Array, ...transforms: Transform[]): Promise<U
   return io.writeBinary(document);
 }
 
-/** What its `optimize` does by default, but for textures and for thinning. */
+/** The defaults of its `optimize`, except for textures and simplification. */
 const optimised = (): Transform[] => [
   dedup(),
   join(),

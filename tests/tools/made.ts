@@ -1,4 +1,4 @@
-/** What the programs are given: motions of ours with several materials, and what they ought to show. */
+/** Input of the programs: motions with several materials, and the expected result. */
 import { createEngine } from '../../web/engine/node.ts';
 import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { ExportedFile, ExportOptions } from '../../web/engine/api/types.ts';

@@ -1,6 +1,6 @@
 /**
- * <model-viewer> in Chromium, as a web page shows our files: it plays them, and what it shows lies on the surface that
- * was computed. Its own script has everything in it; nothing comes from the network.
+ * <model-viewer> in Chromium, as a web page shows our files: it plays them, and its image lies on the computed surface.
+ * Its script is self-contained; nothing comes from the network.
  */
 import { fileURLToPath } from 'node:url';
 import { type Browser, chromium, type Page } from '@playwright/test';
@@ -19,7 +19,7 @@ const args = [
   ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
 ];
 
-/** What of the element is used here; https://modelviewer.dev/docs tells the rest. */
+/** The used part of the element; https://modelviewer.dev/docs describes the rest. */
 interface ModelViewer extends HTMLElement {
   src: string;
   loaded: boolean;
@@ -48,7 +48,7 @@ afterAll(async () => {
 
 interface Viewer {
   page: Page;
-  /** What went wrong, and addresses beyond this machine that were asked for. */
+  /** Errors, and requested URLs beyond this machine. */
   complaints: string[];
   /** Stands still at a time, and is drawn. */
   showAt(seconds: number): Promise<void>;

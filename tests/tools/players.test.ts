@@ -1,4 +1,4 @@
-/** three.js and Babylon.js play what was computed: exactly at exported times, within the tolerance between them. */
+/** three.js and Babylon.js play the computed vertices: exactly at exported times, within the tolerance between them. */
 import '@babylonjs/loaders/glTF';
 import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js';
 import { ImportMeshAsync } from '@babylonjs/core/Loading/sceneLoader.js';
@@ -65,7 +65,7 @@ async function babylon(bytes: Uint8Array): Promise<Player> {
   return { off };
 }
 
-/** Of each primitive, read from the file itself: Babylon.js keeps no attributes that it does not know. */
+/** Of each primitive, read from the file: Babylon.js drops unknown attributes. */
 function vertexNumbers(bytes: Uint8Array): number[][] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const length = view.getUint32(12, true);

@@ -21,7 +21,7 @@ import { docOfKeys, keyRef } from './documents.ts';
 
 const ofB = { tension: 0.5, turns: [{ turns: 1 }, { component: 4, turns: 2 }] };
 const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.4, ofB), keyRef(2, 'c', 1, { bias: -1 }));
-/** Every key with what was chosen for it. */
+/** Every key with its options. */
 const shapings = {
   0: DEFAULT_SHAPING,
   1: { ...DEFAULT_SHAPING, ...ofB },
@@ -61,7 +61,7 @@ describe('edits of keys', () => {
     expect(poses(next)).toEqual([2, 1, 0]);
     expect(times(next)).toEqual([0, 0.6, 1]);
     expect(next.keys.map(({ shaping }) => shaping.bias)).toEqual([1, 0, 0]);
-    // What turned on the way from the first to the second turns back on the way from that to the first.
+    // Turns between the first and the second key have the opposite sign in the reverse direction.
     expect(next.keys.map(({ shaping }) => shaping.turns)).toEqual([
       [],
       [],

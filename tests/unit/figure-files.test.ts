@@ -1,4 +1,4 @@
-/** What is read of a figure, and what a link says of it. */
+/** The numbers of a figure, and the texts of its link. */
 import { expect, it } from 'vitest';
 import { chartNumbers } from '../../web/app/panels/chart-numbers.ts';
 import { briefly } from '../../web/app/panels/figure-files.ts';

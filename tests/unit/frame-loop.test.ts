@@ -231,7 +231,7 @@ describe('while the motion plays', () => {
       time.tick += 30;
       await pass(500 - drawingMs);
     }
-    // What is asked for is not held up.
+    // Requested frames are not delayed.
     void loop.request(0.7);
     await pass();
     while (wanted().length > 0) await reply();

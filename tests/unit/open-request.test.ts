@@ -1,4 +1,4 @@
-/** What is asked for, as what is to be open; and what is there then. */
+/** Requests as the intended result, and the resulting state. */
 import { describe, expect, it } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
 import type { Opening } from '../../web/app/session/workspace.ts';

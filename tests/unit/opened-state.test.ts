@@ -1,4 +1,4 @@
-/** What is shown first of what was opened. */
+/** The first state of opened files. */
 import { expect, it } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
 import { ofFiles, restored } from '../../web/app/sources/opened-state.ts';

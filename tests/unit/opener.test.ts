@@ -23,7 +23,7 @@ const sampleOf = (id: string): Sample => ({
 const filesOf = (name: string): InputFile[] => [{ name, bytes: new Uint8Array(1) }];
 const read = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
-/** `refuse`: what the engine says of a document. */
+/** `refuse`: the engine's error for a document. */
 function openerOf({ warnings = [] as Warning[], refuse = (_: Doc): void => undefined } = {}) {
   const info = { names: ['a', 'b'], times: [0, 1], offset: [0, 0, 0], faces: new Uint32Array(), warnings };
   const found = { animation: -1, animations: [], project: null, speed: null, report: { components: 1, vertices: 1 } };

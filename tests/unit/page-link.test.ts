@@ -3,7 +3,7 @@ import { createPageLink } from '../../web/app/sources/page-link.ts';
 import { createStore } from '../../web/app/session/store.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 
-/** The address bar: a fragment that the user sets counts at once, and its event comes later. */
+/** The URL: a fragment that the user sets takes effect immediately, and its event comes later. */
 const location = { hash: '', pathname: '/', search: '', href: 'http://a.test/' };
 let hashChange: (event: { newURL: string }) => void;
 
@@ -33,8 +33,8 @@ it('a URL with a pending change event is not overwritten', () => {
   link.pin('tour=2');
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=2');
-  link.pin('tour=3'); // to be written in a moment
-  location.hash = '#tour=4'; // the user turns on meanwhile
+  link.pin('tour=3'); // written shortly after
+  location.hash = '#tour=4'; // the user navigates in the meantime
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=4');
   hashChange({ newURL: 'http://a.test/#tour=4' });
@@ -42,6 +42,6 @@ it('a URL with a pending change event is not overwritten', () => {
   link.pin('tour=5');
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=5');
-  // What is copied, or read as a QR code, names the page as well.
+  // Copied links and QR codes name the page of the guide as well.
   expect(link.address()).toBe('http://a.test/#tour=5');
 });

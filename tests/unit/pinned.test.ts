@@ -1,4 +1,4 @@
-/** What others publish is taken by its digest: a name or a tag may stand for something else tomorrow. */
+/** Published actions are pinned by digest: a name or a tag may change. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 

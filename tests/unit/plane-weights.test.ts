@@ -38,7 +38,7 @@ describe('the mixture at a point of the shape plane', () => {
   });
 
   it('changes the nearby weights by no more than it must', () => {
-    // all shapes but one are far: what is left over is the least norm of weights that lie there
+    // all shapes but one are far: the residual is the least norm of weights at that point
     const one: PlaneShapes = { keys, points: [0, 0], weights: [0.25, 0.25, 0.25, 0.25] };
     expect(mixtureAt(one, [1, 0]).weights).toEqual([0.125, 0.375, 0.125, 0.375]);
   });

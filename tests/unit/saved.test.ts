@@ -1,4 +1,4 @@
-/** What older versions wrote opens with the same state: links, projects, and documents that a browser has kept. */
+/** Files of older versions open with the same state: links, projects, and documents kept by a browser. */
 import { describe, expect, it } from 'vitest';
 import { documentFromImport } from '../../web/app/session/document-from-import.ts';
 import type { PosePool } from '../../web/app/session/pose-pool.ts';
@@ -33,7 +33,7 @@ function spelt(doc: Doc): object {
 const asNow = (text: string): string =>
   text.replace(/(hold\W+)(contact|anchored)/, '$1on').replace(/(precision\W+)double/, '$1exact');
 
-/** What a fixture does not name came later: it is as it is by default. */
+/** Fields missing in a fixture came later and have their defaults. */
 const withDefaults = <T extends { motion: object }>(expected: T): T => ({
   ...expected,
   motion: { ...DEFAULT_MOTION, ...expected.motion },

@@ -1,4 +1,4 @@
-/** Samples that are made on the spot: closed, painted, as large as promised; of one volume where they do not shrink. */
+/** Samples made in the browser: closed, painted, with the promised size; of constant volume unless they shrink. */
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { measure } from '../../web/app/drawing/measures.ts';

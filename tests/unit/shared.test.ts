@@ -1,4 +1,4 @@
-/** What the elements of a page share. */
+/** Objects shared by the elements of a page. */
 import { beforeEach, expect, it, vi } from 'vitest';
 import { Shared } from '../../web/embed/shared.ts';
 import type { Lease } from '../../web/embed/shared.ts';

@@ -1,4 +1,4 @@
-/** What a browser kept between visits: only whole records are opened. */
+/** Storage of a browser between visits: only complete records are opened. */
 import { expect, it } from 'vitest';
 import { areFiles, readRecord } from '../../web/app/kept/project-shelf.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';

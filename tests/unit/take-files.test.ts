@@ -1,4 +1,4 @@
-/** What is meant by picked files, without a page. */
+/** The meaning of picked files, without a page. */
 import { beforeEach, expect, it } from 'vitest';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Opener } from '../../web/app/sources/opener.ts';
@@ -22,7 +22,7 @@ const names = (files: readonly PickedFile[]): string => files.map(({ name }) => 
 const own: Source = { kind: 'files', names: ['mine.obj'] };
 const sample: Source = { kind: 'sample', id: 'box' };
 
-/** `fit`: the files are of the mesh that is open. One file alone is no motion. */
+/** `fit`: the files match the open mesh. A single file is not a motion. */
 function takeFilesOf(source: Source, fit: boolean): TakeFiles {
   const files = {
     run: async (given: PickedFile[], work: (files: PickedFile[]) => Promise<boolean>) => work(await given),

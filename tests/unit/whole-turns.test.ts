@@ -1,4 +1,4 @@
-/** Whole turns on their way between the document, the engine and a saved project. */
+/** Conversions of full turns between the document, the engine and a saved project. */
 import { expect, it } from 'vitest';
 import { documentFromImport } from '../../web/app/session/document-from-import.ts';
 import { sequencePlan } from '../../web/app/session/sequence-plan.ts';

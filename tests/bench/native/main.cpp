@@ -41,7 +41,7 @@ void roundToFloats(Keyframes& keyframes) {
     for (Vec3& position : key.positions) position = position.cast<float>().cast<double>();
 }
 
-// The reference pose's system, as Sequence makes it.
+// The reference pose's system, as in Sequence.
 CotangentLaplacian laplacianOf(const Keyframes& keyframes) {
   std::vector<const Positions*> poses;
   for (const Key& key : keyframes.keys) poses.push_back(&key.positions);

@@ -1,4 +1,4 @@
-// The second system by several solvers: what each step takes, what is stored, how accurate the solution is.
+// The second system by several solvers: times, memory, accuracy.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One streaming read over a buffer far larger than any cache, as WebAssembly: the yardstick of the solve.
+// One streaming read over a buffer far larger than any cache, as WebAssembly: the reference for the solve.
 #include <wasm_simd128.h>
 
 namespace {

@@ -21,7 +21,7 @@ export function dataFile(name: string): InputFile {
   return { name, bytes: readFileSync(path.join(folder, name)) };
 }
 
-/** Paths below the data folder of all files in one of its folders; none where it is missing. */
+/** Paths relative to the data folder of all files in one of its folders; empty if it is missing. */
 export function dataFiles(inside: string): string[] {
   const start = path.join(folder, inside);
   if (!isThere(start)) return [];

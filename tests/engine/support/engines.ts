@@ -47,7 +47,7 @@ export async function frameAt(sequence: Pick<Motion, 'evaluate'>, t: number): Pr
   return frame;
 }
 
-/** What a promise is rejected with, which must be an EngineError. */
+/** The rejection of a promise, which must be an EngineError. */
 export async function failureOf(work: Promise<unknown>): Promise<EngineError> {
   const outcome = await work.then(
     () => 'no error',

@@ -66,7 +66,7 @@ function concatenated(parts: Uint8Array[]): Uint8Array {
   return whole;
 }
 
-/** One mesh at `positions`, with `targets` as morph targets where there are any. */
+/** One mesh at `positions`, with `targets` as morph targets, if any. */
 export function meshGlb(mesh: Mesh, positions = mesh.positions, targets: Float32Array[] = []): Uint8Array {
   const builder: Builder = { views: [], accessors: [], parts: [], length: 0 };
   const attributes = { POSITION: addAccessor(builder, positions, 'VEC3', true) };

@@ -18,7 +18,7 @@ const turn = (degrees: number): number[] => [
   Math.cos((degrees * Math.PI) / 360),
 ];
 
-/** Three rows a key for cubic splines: tangents that are no mere zeros, and the value between them. */
+/** Three rows per key for cubic splines: non-zero tangents, and the value between them. */
 const cubic = (rows: number[][]): number[][] =>
   rows.flatMap((row, i) => [row.map((v, c) => 0.3 * v - 0.1 * c), row, row.map((v, c) => 0.2 * i - 0.4 * v + 0.1 * c)]);
 

@@ -29,8 +29,8 @@ async function listen(server: Server, name: string): Promise<string> {
 }
 
 /**
- * Serves the first of the folders that has a file. `headers` go with every answer; where `spare` is set, it is the
- * answer for what is not there, as on hosts of pages with one entrance.
+ * Serves the first of the folders that has a file. `headers` go with every response; `spare` is the response for
+ * missing files, as on single-page hosts.
  */
 export function host(
   folders: string[],
@@ -90,7 +90,7 @@ afterAll(async () => {
   }
 });
 
-/** What was asked of other hosts since the last time. */
+/** Requests to other hosts since the last call. */
 export const askedElsewhere = (): string[] => elsewhere.splice(0);
 
 /** A page of a reader of its own; it is the caller's to close its context. */
@@ -98,12 +98,12 @@ export async function newPage(options: BrowserContextOptions = {}): Promise<Page
   askedElsewhere();
   const context = await browser.newContext({ proxy: { server: proxy, bypass: 'localhost,127.0.0.1' }, ...options });
   const page = await context.newPage();
-  // A development server prepares what it serves while the page waits.
+  // A development server prepares files while the page waits.
   page.setDefaultTimeout(WAIT_MS);
   return page;
 }
 
-/** What the page says in the end. Nothing may have been asked of another host. */
+/** The page's final text. No other host may have received a request. */
 export async function outcomeOf(url: string): Promise<Outcome> {
   const page = await newPage();
   try {

@@ -1,7 +1,7 @@
 /**
  * Pages with <shape-spline> as a page author writes them: the one-file build on another host, on a page whose policy
- * allows scripts and styles of these two hosts and nothing inline. What the elements tell, and what the policy refuses,
- * is noted.
+ * allows scripts and styles of these two hosts and nothing inline. Events of elements and policy violations are
+ * recorded.
  */
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -32,7 +32,7 @@ export interface Setting extends BrowserContextOptions {
   policy?: string;
   /** Runs before anything of the page. */
   before?: () => void;
-  /** Of the body, after the markup; scripts of the page are none of these tests' business. */
+  /** Content of the body, after the markup. */
   script?: 'first' | 'none';
   /** The package's files come from here. */
   library?: string;
@@ -148,7 +148,7 @@ export const on = <T, A = null>(
     .evaluateHandle((name) => document.getElementById(name) as ShapeSplineElement, id)
     .then((shape) => shape.evaluate(work as never, words) as Promise<T>);
 
-/** What the element has computed and drawn, once that stays as it is for half a second. */
+/** Frames that the element computed and drew, once the numbers are stable for half a second. */
 export async function statsAtRest(page: Page, id = 'a'): Promise<object> {
   const stats = (): Promise<object> => on(page, (shape) => ({ ...shape.stats, t: shape.currentTime }), null, id);
   let last = await stats();
@@ -165,7 +165,7 @@ export async function statsAtRest(page: Page, id = 'a'): Promise<object> {
 export const seek = (page: Page, t: number, id = 'a'): Promise<void> =>
   on(page, (shape, time) => shape.seek(time), t, id);
 
-/** What the canvas shows, as text. */
+/** The canvas image, as text. */
 export const picture = (page: Page, id = 'a'): Promise<string> =>
   on(page, (shape) => shape.shadowRoot!.querySelector('canvas')!.toDataURL(), null, id);
 

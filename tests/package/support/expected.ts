@@ -1,4 +1,4 @@
-/** What Node computes of a project's poses, with the package that is installed in it. */
+/** Node's results for a project's poses, with the installed package. */
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
 import type { Outcome } from './project.ts';

@@ -22,15 +22,15 @@ afterAll(() => {
   for (const folder of folders.splice(0)) rmSync(folder, { recursive: true, force: true });
 });
 
-/** What the page has to say: a number for the frame between the keys, or the sentence of the error. */
+/** Expected output: a number for the frame between the keys, or the sentence of the error. */
 export interface Outcome {
   vertices?: number;
-  /** Of all coordinates. */
+  /** Sum of all coordinates. */
   sum?: number;
   error?: string;
 }
 
-/** `from` is what the script imports the engine from; `first` is run before an engine is made. */
+/** `from`: import path of the engine; `first`: code to run before an engine is made. */
 export const script = (from = 'shapespline', first = ''): string => `
   import { configure, createEngine } from '${from}';
   ${first}

@@ -1,4 +1,4 @@
-/** Packs the package and installs it as a page author would: everything here is tried with what is in the tarball. */
+/** Packs the package and installs it as a page author would, so all tests use the tarball. */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -78,7 +78,7 @@ describe('the times of an export', () => {
     const { times, seconds } = plan({ fps: 2, duration: 2, range: [0.5, 1], tolerance: 0 });
     expect(times).toEqual([0.5, 0.625, 0.75, 0.875, 1]);
     expect(seconds).toEqual([0, 0.5, 1, 1.5, 2]);
-    expect(plan({ fps: 4 }).times).toEqual([0, 0.25, 0.4, 0.5, 0.75, 1]); // with the key that is none
+    expect(plan({ fps: 4 }).times).toEqual([0, 0.25, 0.4, 0.5, 0.75, 1]); // with the invalid key
     expect(() => plan({ fps: 0.5 })).toThrow('fewer than two whole frames');
     expect(() => plan({ fps: 1000, range: [0, 1e6] })).toThrow('1,000,000,001 frames');
   });

@@ -1,4 +1,4 @@
-/** A worker that replies by hand, for tests of what the engine does with one. */
+/** A worker whose replies are made by the test. */
 import { EngineClient, onlyOnce, type Platform } from '../../../web/engine/caller/engine.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
 import type { FromWorker, Program, Request, ToWorker } from '../../../web/engine/wire/protocol.ts';
@@ -72,8 +72,8 @@ export function replyTo(request: Request): FromWorker {
 const EMPTY_MODULE = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
 
 /**
- * An engine over fake workers; `reply` returns null for what the test itself replies to. `threaded`: as of a page where
- * threads can share memory. `fetchFiles`: before the module for files is there.
+ * An engine over fake workers; `reply` returns null for messages that the test answers. `threaded`: as on a page where
+ * threads can share memory. `fetchFiles`: before the module for files is available.
  */
 export function fakeEngine(
   reply: (request: Request) => FromWorker | null = replyTo,

@@ -1,4 +1,4 @@
-/** The second worker of a large sequence: what the two share, and that it ends with the first, however that ends. */
+/** The second worker of a large sequence: the shared memory, and that it ends with the first in any case. */
 import { describe, expect, it } from 'vitest';
 import type { FromWorker, KeyData, Request } from '../../../web/engine/wire/protocol.ts';
 import { awaitedOrder, provideOrder, type SharedOrder } from '../../../web/engine/wire/shared-order.ts';
@@ -10,7 +10,7 @@ function replyLarge(request: Request): FromWorker {
   return reply;
 }
 
-/** A large sequence that is being built; both workers wait for what the test says. */
+/** A large sequence that is being built; both workers wait for the test. */
 async function building() {
   const { engine, workers } = fakeEngine(
     (request) => (request.type === 'order' || request.type === 'motion' ? null : replyLarge(request)),

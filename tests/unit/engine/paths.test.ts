@@ -16,7 +16,7 @@ import {
 interface UriCases {
   sentences: Record<'external' | 'outside' | 'missing', string>;
   cases: { uri: string; from: string; files: string[]; finds?: string; is?: string; said?: string }[];
-  /** Where it comes from, and what is fetched of what it names: addresses on the same host. */
+  /** URL of the model, and URLs of its files to fetch: only those on the same host. */
   model: string;
   fetched: Record<string, string>;
   unfetched: string[];

@@ -12,7 +12,7 @@ const failure = (work: Promise<unknown>): Promise<EngineError> =>
     (e: EngineError) => e,
   );
 
-/** What was measured at these times: their own numbers. */
+/** The measures at these times: the times themselves. */
 const measuredAt = (times: readonly number[], id: number): FromWorker => ({
   type: 'result',
   id,

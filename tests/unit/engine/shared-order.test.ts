@@ -1,4 +1,4 @@
-/** What two workers say to each other about the order of elimination, by memory alone. */
+/** Communication of two workers about the elimination order, by memory alone. */
 import { describe, expect, it } from 'vitest';
 import { awaitedOrder, giveUpOrder, provideOrder, sharedOrder } from '../../../web/engine/wire/shared-order.ts';
 

@@ -1,4 +1,4 @@
-/** What a page says where the computation is not at its address. */
+/** The page's message if the WebAssembly is missing at its URL. */
 import { expect, it } from 'vitest';
 import { compileFrom } from '../../../web/engine/caller/wasm-file.ts';
 

@@ -1,4 +1,4 @@
-/** The playground's state in an address, and its edits. */
+/** The playground's state in a URL, and its edits. */
 import { describe, expect, it } from 'vitest';
 import { derive } from '../../../web/play/derived.ts';
 import { number } from '../../../web/play/figures/words.ts';

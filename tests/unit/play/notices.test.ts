@@ -1,4 +1,4 @@
-/** What the page says and plays agrees with what it shows. */
+/** The page's sentences and its demonstration agree with its figures. */
 import { describe, expect, it } from 'vitest';
 import { SCENES } from '../../../web/play/demonstration.ts';
 import { derive } from '../../../web/play/derived.ts';

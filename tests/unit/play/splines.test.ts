@@ -15,7 +15,7 @@ const none: FitOptions = { speeds: [1, 1], ends: 'natural', shaping: [] };
 const smooth: CurveKind[] = ['natural', 'hermite', 'periodic'];
 const all: CurveKind[] = [...smooth, 'linear', 'catmull-rom', 'shaped'];
 
-/** What a derivative jumps by at each inner knot. */
+/** Jumps of a derivative at each inner knot. */
 const jumps = (curve: Curve, derivative: 1 | 2): number[] =>
   curve.times.slice(1, -1).map((t, i) => {
     const [before, after] = [inInterval(curve, i, t, derivative), inInterval(curve, i + 1, t, derivative)];
@@ -96,7 +96,7 @@ describe('the system', () => {
   });
 });
 
-/** Where a row of the system has no entry: away from the diagonals, and of given slopes beside the one. */
+/** Entries that a row of the system must not have: away from the diagonals, and next to the one of given slopes. */
 function isApart(i: number, j: number, ends: 'natural' | 'hermite'): boolean {
   const atEnd = i === 0 || i === times.length - 1;
   return Math.abs(i - j) > 1 || (ends === 'hermite' && atEnd && i !== j);
