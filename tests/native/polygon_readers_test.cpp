@@ -418,7 +418,7 @@ TEST_CASE("broken PLY files") {
     return text.replace(text.find(from), from.size(), to);
   };
   checkRefused("bad.ply", "ply\n", ErrorCode::TruncatedFile, "header");
-  checkRefused("bad.ply", with("end_header\n", ""), ErrorCode::MalformedFile, "header holds");
+  checkRefused("bad.ply", with("end_header\n", ""), ErrorCode::MalformedFile, "header has");
   checkRefused("bad.ply", with("format ascii 1.0\n", ""), ErrorCode::MalformedFile, "no format");
   checkRefused("bad.ply", with("ascii", "morse"), ErrorCode::MalformedFile, "\"morse\"");
   checkRefused("bad.ply", with("float x", "quad x"), ErrorCode::MalformedFile, "\"quad\"");
