@@ -68,6 +68,7 @@ describe('the bindings', () => {
       at({ method: 'geodesic' }, 0.8),
       at({ method: 'linear' }, 0.8),
       at({ method: 'cubic-vertex' }, 0.8),
+      at({ method: 'rotation-strain' }, 0.8),
       at({ tension: [0, 1, 0] }, 0.8),
       at({ bias: [0, 1, 0] }, 0.8),
       at({ bias: [0, -1, 0] }, 0.8),

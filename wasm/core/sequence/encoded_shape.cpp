@@ -32,13 +32,23 @@ Status EncodedShape::makeLri(const StageProgress& progress, OrderSource order) {
   if (lri_) return {};
   auto made = LriSpace::create(*keys_, *topology_, options_, progress, order);
   if (!made) return made.error();
-  lri_ = std::move(*made);
+  lri_ = std::make_unique<const LriSpace>(std::move(*made));
   topology_.reset();
   return {};
 }
 
 void EncodedShape::makeVertices() {
   if (!vertices_) vertices_.emplace(*keys_);
+}
+
+Status EncodedShape::makeRotationStrain() {
+  if (rotationStrain_) return {};
+  if (lri().ghostMotion() && options_.transfer == Transfer::Paper)
+    return Error{ErrorCode::InvalidOption,
+                 "Rotation-strain coordinates need the stretch of every face, which the paper's transfer from a ghost "
+                 "mesh does not keep. Choose the exact transfer, or no ghost mesh."};
+  rotationStrain_ = std::make_unique<const RotationStrainSpace>(*keys_, lri());
+  return {};
 }
 
 void EncodedShape::numberComponents() {

@@ -15,14 +15,18 @@ namespace shapespline {
 
 /// How the keys are joined. The first is the method; the others are the baselines it is compared with.
 enum class Method {
-  Lri,          ///< cubic splines in LRI space (the method)
-  Geodesic,     ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
-  Linear,       ///< piecewise linear vertex positions: what morph targets do
-  CubicVertex,  ///< cubic splines of the vertex positions
+  Lri,             ///< cubic splines in LRI space (the method)
+  Geodesic,        ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
+  Linear,          ///< piecewise linear vertex positions: what morph targets do
+  CubicVertex,     ///< cubic splines of the vertex positions
+  RotationStrain,  ///< cubic splines of rotation-strain coordinates (Huang et al. 2011)
 };
 
 /// Whether every vertex moves on its own: the baselines.
 constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
+
+/// Whether faces rotate by themselves, so that there are no patches to add turns to or to hold: the rival spaces.
+constexpr bool turnsFaces(Method method) { return method == Method::RotationStrain; }
 
 /// Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold` and
 /// `pins`.

@@ -109,7 +109,10 @@ Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
 
 Result<FeatureCurve> Sequence::featureCurve() {
   if (Status status = shape_->makeSpace(Method::Lri); !status) return status.error();
-  return FeatureCurve(encoded().lri(), encoded().shape(), motion_, shape_->gram());
+  const auto shapeAt = [this](double t, Positions& shape) {
+    shape_->evaluator().unmoved(encoded(), motion_, motion_.at(t), shape);
+  };
+  return FeatureCurve(encoded(), motion_, shape_->gram(), shapeAt);
 }
 
 }  // namespace shapespline

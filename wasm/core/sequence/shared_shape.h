@@ -20,7 +20,8 @@ class SharedShape {
                                                      const StageProgress& progress = {});
 
   /// Makes the space that a method's motions need, where it is not there. progress: as above. order: as for
-  /// LriSpace::create. Errors: those of LriSpace::create.
+  /// LriSpace::create. Errors: those of LriSpace::create
+  /// and of EncodedShape::makeRotationStrain.
   Status makeSpace(Method method, const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const EncodedShape& encoded() const { return encoded_; }
@@ -32,6 +33,8 @@ class SharedShape {
 
  private:
   SharedShape(EncodedShape encoded, bool wantsGhost) : encoded_(std::move(encoded)), wantsGhost_(wantsGhost) {}
+
+  Status makeLri(const StageProgress& progress, OrderSource order);
 
   EncodedShape encoded_;
   bool wantsGhost_;

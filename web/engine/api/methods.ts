@@ -3,19 +3,25 @@ import { MOTION } from './option-table.ts';
 import type { Method } from './types.ts';
 
 export interface MethodFacts {
-  /** What is interpolated: shapes in LRI space, which has stretches, a ghost mesh and a plane, or positions. */
-  space: 'lri' | 'vertices';
+  /**
+   * What is interpolated: shapes in LRI space, which has stretches, a ghost mesh and a plane; positions; or the
+   * rotation and stretch of each face of the whole shape by itself (rotation-strain coordinates).
+   */
+  space: 'lri' | 'vertices' | 'rotation-strain';
   /** Straight from key to key, a polygon has no end derivatives, no tension and no bias. */
   curve: 'spline' | 'polygon';
   /** What rests or is pinned can be held. */
   holds: boolean;
+  /** Whole turns can be added on the way to a key. */
+  turns: boolean;
 }
 
 export const METHOD: Readonly<Record<Method, MethodFacts>> = {
-  lri: { space: 'lri', curve: 'spline', holds: true },
-  geodesic: { space: 'lri', curve: 'polygon', holds: false },
-  linear: { space: 'vertices', curve: 'polygon', holds: false },
-  'cubic-vertex': { space: 'vertices', curve: 'spline', holds: false },
+  lri: { space: 'lri', curve: 'spline', holds: true, turns: true },
+  geodesic: { space: 'lri', curve: 'polygon', holds: false, turns: true },
+  linear: { space: 'vertices', curve: 'polygon', holds: false, turns: false },
+  'cubic-vertex': { space: 'vertices', curve: 'spline', holds: false, turns: false },
+  'rotation-strain': { space: 'rotation-strain', curve: 'spline', holds: false, turns: false },
 };
 
 export const METHODS: readonly Method[] = MOTION.method.choices;

@@ -61,7 +61,7 @@ export class ShapeClient implements Shape {
   }
 
   make(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
-    const needsLri = METHOD[motion.options.method].space === 'lri';
+    const needsLri = METHOD[motion.options.method].space !== 'vertices';
     return needsLri && !this.hasLri ? this.makeWithLri(motion, call) : this.ask('motion', { motion, order: null });
   }
 
@@ -119,7 +119,7 @@ export class ShapeClient implements Shape {
     return this.client.call(type, request, call);
   }
 
-  /** The first motion in LRI space makes that. Who cancels ends the worker; another one encodes when it is asked. */
+  /** The first motion that needs LRI space makes it. Cancelling ends the worker; the next request encodes again. */
   private async makeWithLri(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
     const { workerBeside } = this.parts;
     const beside = workerBeside && orderBeside(workerBeside(), encodeRequest(this.parts));
