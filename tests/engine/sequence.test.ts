@@ -106,7 +106,7 @@ describe('a sequence', () => {
     const before = await sequence.stats();
     for (const t of [-0.4, 0, 0.3, 1, 1.4]) (await frameAt(sequence, t)).release();
     for (const boundary of ['hermite', 'periodic', 'natural'] as const) await sequence.update({ boundary });
-    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'lri'] as const) {
+    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lri'] as const) {
       await sequence.update({ method });
       await frameAt(sequence, 0.3);
     }

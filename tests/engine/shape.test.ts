@@ -24,6 +24,7 @@ describe('a shape', () => {
       { method: 'cubic-vertex' as const },
       { method: 'geodesic' as const },
       { method: 'rotation-strain' as const },
+      { method: 'rimd' as const },
       { boundary: 'hermite' as const, startSpeed: 0 },
       { keyTimes: keys.info.times.map((t) => t * t) },
     ];

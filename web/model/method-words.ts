@@ -41,4 +41,11 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
       'Cubic splines of the rotation and stretch of each face by itself. Smooth; the surface tears where faces turn ' +
       'by nearly 360 degrees between two keys.',
   },
+  rimd: {
+    label: 'Mesh difference spline (RIMD)',
+    short: 'RIMD',
+    hint:
+      'Cubic splines of how each face rotates against its neighbours and stretches, fitted in three steps from the ' +
+      'shape spline. Smooth; close to it, and several times slower.',
+  },
 };

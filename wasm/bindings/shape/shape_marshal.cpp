@@ -10,7 +10,8 @@ constexpr std::pair<const char*, Method> methods[] = {{"lri", Method::Lri},
                                                       {"geodesic", Method::Geodesic},
                                                       {"linear", Method::Linear},
                                                       {"cubic-vertex", Method::CubicVertex},
-                                                      {"rotation-strain", Method::RotationStrain}};
+                                                      {"rotation-strain", Method::RotationStrain},
+                                                      {"rimd", Method::Rimd}};
 constexpr std::pair<const char*, BoundaryKind> boundaries[] = {
     {"natural", BoundaryKind::Natural}, {"hermite", BoundaryKind::Hermite}, {"periodic", BoundaryKind::Periodic}};
 constexpr std::pair<const char*, Stretch> stretches[] = {{"linear", Stretch::Linear}, {"log", Stretch::Log}};

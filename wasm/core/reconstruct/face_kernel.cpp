@@ -324,6 +324,20 @@ IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const 
   return found;
 }
 
+template <class Real>
+void FaceKernel<Real>::stretches(const FaceCoordinates<Real>& coordinates, const ColumnWeights<Real>& weights,
+                                 std::vector<Real>& stretch) const {
+  stretch.resize(blocks_.size() * stretchBlock);
+  Passing<Real> passing;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Real* const block = coordinates.block(static_cast<int>(b));
+    blend(block, weights, passing);
+    if (weights.end) goOnFrom(*weights.end, block, stretch_, passing);
+    if (stretch_ == Stretch::Log) exponentiate(passing);
+    std::copy_n(&passing.number[3][0], stretchBlock, &stretch[b * stretchBlock]);
+  }
+}
+
 template class FaceKernel<float>;
 template class FaceKernel<double>;
 

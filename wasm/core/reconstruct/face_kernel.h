@@ -15,6 +15,9 @@
 
 namespace shapespline {
 
+/// What stretches of four faces take.
+inline constexpr int stretchBlock = 3 * faceLanes;
+
 /// A frame's matrix in the kernel: its columns, four numbers each, the last of them zero.
 inline constexpr int numbersPerFrame = 12;
 
@@ -58,6 +61,10 @@ class FaceKernel {
   /// weights: as the coordinates take them.
   IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const FaceTurns<Real>& turns,
                              const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin = nullptr) const;
+
+  /// S_f of every face as accumulate() takes it: xx, xy, yy in the tangent frame, [block][number][lane].
+  void stretches(const FaceCoordinates<Real>& coordinates, const ColumnWeights<Real>& weights,
+                 std::vector<Real>& stretch) const;
 
  private:
   [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,

@@ -259,6 +259,11 @@ void Reconstructor<Real>::positionsOf(const PlacedShape<Real>& shape, Positions&
   }
 }
 
+template <class Real>
+void Reconstructor<Real>::stretchesAt(const CurvePoint& point, std::vector<Real>& stretch) const {
+  kernel_.stretches(lri_.face, lri_.face.weights(poseWeights(point, shape_->roles())), stretch);
+}
+
 template class Reconstructor<float>;
 template class Reconstructor<double>;
 

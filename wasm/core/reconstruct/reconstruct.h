@@ -74,6 +74,9 @@ class Reconstructor {
   Reconstruction reconstruct(const CurvePoint& point, const RotationBlocks<Real>& rotations, Scratch& scratch,
                              PlacedShape<Real>& shape, ForkJoin* forkJoin = nullptr) const;
 
+  /// S_f of every face at `point`, as the kernel lays them out (face_kernel.h).
+  void stretchesAt(const CurvePoint& point, std::vector<Real>& stretch) const;
+
   /// One position per welded vertex of a shape that was reconstructed.
   void positionsOf(const PlacedShape<Real>& shape, Positions& positions) const;
 

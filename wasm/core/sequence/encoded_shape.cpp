@@ -41,13 +41,15 @@ void EncodedShape::makeVertices() {
   if (!vertices_) vertices_.emplace(*keys_);
 }
 
-Status EncodedShape::makeRotationStrain() {
-  if (rotationStrain_) return {};
+Status EncodedShape::makeFaceSpace(Method method) {
   if (lri().ghostMotion() && options_.transfer == Transfer::Paper)
-    return Error{ErrorCode::InvalidOption,
-                 "Rotation-strain coordinates need the stretch of every face, which the paper's transfer from a ghost "
-                 "mesh does not keep. Choose the exact transfer, or no ghost mesh."};
-  rotationStrain_ = std::make_unique<const RotationStrainSpace>(*keys_, lri());
+    return Error{
+        ErrorCode::InvalidOption,
+        "A method that turns every face by itself needs the stretch of each, which the paper's transfer from a "
+        "ghost mesh does not keep. Choose the exact transfer, or no ghost mesh."};
+  if (method == Method::Rimd && !rimd_) rimd_ = std::make_unique<const RimdSpace>(*keys_, lri());
+  if (method == Method::RotationStrain && !rotationStrain_)
+    rotationStrain_ = std::make_unique<const RotationStrainSpace>(*keys_, lri());
   return {};
 }
 

@@ -11,6 +11,7 @@
 #include "core/sequence/options.h"
 #include "core/sequence/sequence_stats.h"
 #include "core/space/lri_space.h"
+#include "core/space/rimd_space.h"
 #include "core/space/rotation_strain_space.h"
 #include "core/space/vertex_space.h"
 
@@ -32,14 +33,15 @@ class EncodedShape {
   /// Makes the space of vertex positions where it is not there.
   void makeVertices();
 
-  /// Makes the space of rotation-strain coordinates where it is not there; LRI space must have been made. Error:
+  /// Makes a space in which faces rotate by themselves where it is not there; LRI space must have been made. Error:
   /// InvalidOption where the shape has no stretches of its own.
-  Status makeRotationStrain();
+  Status makeFaceSpace(Method method);
 
   /// It must have been made.
   const LriSpace& lri() const { return assert(lri_), *lri_; }
   const VertexSpace& vertices() const { return assert(vertices_), *vertices_; }
   const RotationStrainSpace& rotationStrain() const { return assert(rotationStrain_), *rotationStrain_; }
+  const RimdSpace& rimd() const { return assert(rimd_), *rimd_; }
   bool hasLri() const { return lri_ != nullptr; }
 
   /// Component of each face of the input, numbered by their first faces there; -1 where it has no area.
@@ -68,6 +70,7 @@ class EncodedShape {
   std::unique_ptr<const LriSpace> lri_;
   std::optional<VertexSpace> vertices_;
   std::unique_ptr<const RotationStrainSpace> rotationStrain_;
+  std::unique_ptr<const RimdSpace> rimd_;
   std::vector<int> componentOfInputFace_;
   std::vector<int> firstFaceOf_;  // of each component, in the welded mesh
   std::vector<Warning> warnings_;

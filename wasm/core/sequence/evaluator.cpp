@@ -97,7 +97,9 @@ Reconstruction Evaluator::solve(const EncodedShape& encoded, const Motion& motio
   }
   encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
   stats_.framesMs = watch.lap();
-  return reconstructor.reconstruct(point, frames_, own.scratch, placed, forkJoin);
+  const Reconstruction found = reconstructor.reconstruct(point, frames_, own.scratch, placed, forkJoin);
+  if (motion.options().method != Method::Rimd) return found;
+  return encoded.rimd().improve(point, reconstructor, rimdScratch_, own.scratch, placed, forkJoin);
 }
 
 Reconstruction Evaluator::placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed) {

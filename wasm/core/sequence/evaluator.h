@@ -72,6 +72,7 @@ class Evaluator {
   ForkJoin* forkJoin_ = nullptr;
   FrameStats stats_;
   LriSpace::Scratch framesScratch_;
+  RimdSpace::Scratch rimdScratch_;
   Frames frames_;
   Solved<float> single_;
   Solved<double> double_;

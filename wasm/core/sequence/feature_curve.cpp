@@ -185,7 +185,9 @@ double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) con
 // Of the space that the motion is made in.
 Eigen::MatrixXd FeatureCurve::ownGram() const {
   if (motion_.blendsVertices()) return lri_.vertexGram();
-  return motion_.inLri() ? gram_ : encoded_.rotationStrain().gramMatrix();
+  if (motion_.inLri()) return gram_;
+  return motion_.options().method == Method::Rimd ? encoded_.rimd().gramMatrix()
+                                                  : encoded_.rotationStrain().gramMatrix();
 }
 
 std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {

@@ -111,8 +111,9 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
   if (blendsVertices()) return;
   const LriSpace& lri = encoded.lri();
   warnings_.insert(warnings_.end(), lri.warnings().begin(), lri.warnings().end());
-  std::vector<Warning> turns =
-      turnsFaces(options_.method) ? tornWarnings(encoded.shape(), encoded.rotationStrain()) : patchWarnings(encoded);
+  std::vector<Warning> turns = options_.method == Method::RotationStrain
+                                   ? tornWarnings(encoded.shape(), encoded.rotationStrain())
+                                   : patchWarnings(encoded);
   for (Warning& w : turns)
     if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
   warnings_.insert(warnings_.end(), turns.begin(), turns.end());

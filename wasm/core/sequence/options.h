@@ -20,13 +20,14 @@ enum class Method {
   Linear,          ///< piecewise linear vertex positions: what morph targets do
   CubicVertex,     ///< cubic splines of the vertex positions
   RotationStrain,  ///< cubic splines of rotation-strain coordinates (Huang et al. 2011)
+  Rimd,            ///< cubic splines of rotation-invariant mesh differences (Gao et al. 2016)
 };
 
 /// Whether every vertex moves on its own: the baselines.
 constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
 /// Whether faces rotate by themselves, so that there are no patches to add turns to or to hold: the rival spaces.
-constexpr bool turnsFaces(Method method) { return method == Method::RotationStrain; }
+constexpr bool turnsFaces(Method method) { return method == Method::RotationStrain || method == Method::Rimd; }
 
 /// Choices that refit the spline only: changing them never encodes again, and factorises nothing but for `hold` and
 /// `pins`.

@@ -28,7 +28,7 @@ Result<std::shared_ptr<SharedShape>> SharedShape::encode(Keyframes keyframes, co
 Status SharedShape::makeSpace(Method method, const StageProgress& progress, OrderSource order) {
   if (blendsVertices(method)) return encoded_.makeVertices(), Status();
   if (Status status = makeLri(progress, order); !status) return status;
-  return method == Method::RotationStrain ? encoded_.makeRotationStrain() : Status();
+  return turnsFaces(method) ? encoded_.makeFaceSpace(method) : Status();
 }
 
 Status SharedShape::makeLri(const StageProgress& progress, OrderSource order) {

@@ -21,7 +21,7 @@ class SharedShape {
 
   /// Makes the space that a method's motions need, where it is not there. progress: as above. order: as for
   /// LriSpace::create. Errors: those of LriSpace::create
-  /// and of EncodedShape::makeRotationStrain.
+  /// and of EncodedShape::makeFaceSpace.
   Status makeSpace(Method method, const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const EncodedShape& encoded() const { return encoded_; }

@@ -27,7 +27,7 @@ class RotationStrainSpace {
   /// One per interval between keys (lifted_paths.h).
   const std::vector<AmbiguousFaces>& tornFaces() const { return torn_; }
 
-  /// Inner products of the columns: sums of increments and stretches, weighted as in LRI space (gram_matrix.h).
+  /// Inner products of the columns (path_gram.h), faces by their share of the area.
   Eigen::MatrixXd gramMatrix() const;
 
  private:

@@ -38,7 +38,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   const ghost = plain.ghostFaces;
   // Faces that rotate by themselves need stretches of their own, which the paper's transfer does not keep.
   const leading = (one: Method): number =>
-    plain.transfer === 'paper' && METHOD[one].space === 'rotation-strain' ? 0 : ghost;
+    plain.transfer === 'paper' && !['lri', 'vertices'].includes(METHOD[one].space) ? 0 : ghost;
   const sizes = ghost > 0 && METHOD[method].space === 'lri' ? besides(ghost, shown) : [];
   return {
     order: keys.map((key) => key.pose),

@@ -4,10 +4,10 @@ import type { Method } from './types.ts';
 
 export interface MethodFacts {
   /**
-   * What is interpolated: shapes in LRI space, which has stretches, a ghost mesh and a plane; positions; or the
-   * rotation and stretch of each face of the whole shape by itself (rotation-strain coordinates).
+   * What is interpolated: shapes in LRI space, which has stretches, a ghost mesh and a plane; positions; or faces
+   * of the whole shape: how each rotates by itself (rotation-strain coordinates) or against its neighbours (RIMD).
    */
-  space: 'lri' | 'vertices' | 'rotation-strain';
+  space: 'lri' | 'vertices' | 'rotation-strain' | 'rimd';
   /** Straight from key to key, a polygon has no end derivatives, no tension and no bias. */
   curve: 'spline' | 'polygon';
   /** What rests or is pinned can be held. */
@@ -22,6 +22,7 @@ export const METHOD: Readonly<Record<Method, MethodFacts>> = {
   linear: { space: 'vertices', curve: 'polygon', holds: false, turns: false },
   'cubic-vertex': { space: 'vertices', curve: 'spline', holds: false, turns: false },
   'rotation-strain': { space: 'rotation-strain', curve: 'spline', holds: false, turns: false },
+  rimd: { space: 'rimd', curve: 'spline', holds: false, turns: false },
 };
 
 export const METHODS: readonly Method[] = MOTION.method.choices;

@@ -157,7 +157,7 @@ export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 export const MOTION = {
   method: {
     kind: 'choice',
-    choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain'],
+    choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd'],
     default: 'lri',
     flag: 'method',
     help: "the paper's method (lri), or one of those that it is compared with",
