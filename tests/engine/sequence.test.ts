@@ -83,9 +83,8 @@ describe('a sequence', () => {
       expect(message).toMatch(/'lri'/);
     }
     await sequence.update({ method: 'lri' });
-    const apart = largestDistance(await positionsAt(sequence, 0.3), rival);
-    expect(apart).toBeGreaterThan(1e-7);
-    expect(apart).toBeLessThan(1e-2);
+    // A bar that bends in one plane moves alike in both.
+    expect(largestDistance(await positionsAt(sequence, 0.3), rival)).toBeLessThan(1e-2);
     sequence.dispose();
   });
 

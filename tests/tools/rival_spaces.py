@@ -74,12 +74,13 @@ class Shape:
         return r, r.T @ gradient
 
     def find_pairs(self):
+        """Of neighbours, either way round."""
         sides, pairs = {}, []
         for f, face in enumerate(self.faces):
             for c in range(3):
                 edge = frozenset((int(face[c]), int(face[(c + 1) % 3])))
                 if edge in sides:
-                    pairs.append((sides[edge], f))
+                    pairs += [(sides[edge], f), (f, sides[edge])]
                 sides[edge] = f
         return pairs
 
@@ -153,7 +154,7 @@ class Shape:
         steps = [[log(a.T @ b) for a, b in zip(differences[k], differences[k + 1])] for k in keys[:-1]]
         furthest = np.max([[np.linalg.norm(v) for v in step] for step in steps], axis=0)
         agreement = LEAST_AGREEMENT + ((1 + np.cos(np.minimum(furthest, np.pi))) / 2) ** 6
-        weight = [(self.area[f] + self.area[g]) / 2 * a for (f, g), a in zip(self.pairs, agreement)]
+        weight = [(self.area[f] + self.area[g]) / 4 * a for (f, g), a in zip(self.pairs, agreement)]
         return [self.improve(t, start, differences[0], steps, weight) for t, start in zip(times, starts)]
 
     def improve(self, t, v, first, steps, weight):

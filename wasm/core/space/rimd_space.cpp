@@ -34,11 +34,11 @@ struct Pair {
   int first, second;
 };
 
+// Either way round: a product of increments and that of their inverses are different paths.
 std::vector<Pair> pairsOf(const ShapeTopology& topology) {
   std::vector<Pair> pairs;
   topology.eachUsedFace([&](int f) {
-    for (const int g : topology.graph.of(f))
-      if (g > f) pairs.push_back({f, g});
+    for (const int g : topology.graph.of(f)) pairs.push_back({f, g});
   });
   return pairs;
 }
@@ -60,10 +60,10 @@ RotationSplines differencesOf(const WeldedShape& shape, const std::vector<Pair>&
   return paths;
 }
 
-double agreementOf(const RotationSplines& differences, std::size_t pair) {
+// Between the keys.
+double agreementOf(const RotationSplines& differences, int keys, std::size_t pair) {
   double largest = 0;
-  for (const std::vector<Vec3>& increments : differences.increment)
-    if (!increments.empty()) largest = std::max(largest, increments[pair].norm());
+  for (int s = 0; s + 1 < keys; ++s) largest = std::max(largest, differences.increment[s][pair].norm());
   return leastAgreement + std::pow(agreement(largest), 6);
 }
 
@@ -81,7 +81,7 @@ RimdSpace::RimdSpace(const WeldedKeys& keys, const LriSpace& lri) : keys_(&keys)
   neighbours_ = compressedRows<Side>(shape.faceCount(), [&](auto add) {
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       const auto [f, g] = pairs[p];
-      const double weight = (frame_[f].area + frame_[g].area) / 2 * agreementOf(differences, p);
+      const double weight = (frame_[f].area + frame_[g].area) / 4 * agreementOf(differences, shape.keys, p);
       add(f, {g, static_cast<int>(p), weight, true});
       add(g, {f, static_cast<int>(p), weight, false});
     }

@@ -13,9 +13,10 @@ namespace shapespline {
 
 /// A shape of this space is the shape v with rotations R of its faces that is least in
 ///   sum_f A_f |grad v - R_f S_f|^2 + sum_fg w_fg |R_g - R_f dR_fg|^2
-/// where dR_fg = R_f^T R_g moves through the keys by itself, S_f is splined and w_fg is the mean of both areas, less
-/// where the two turn far against each other. It begins at the shape of LRI space and takes three steps, each of which
-/// finds all R from v and their neighbours, then v from R. At keys nothing is left to improve. Immutable.
+/// where dR_fg = R_f^T R_g moves through the keys by itself, S_f is splined and w_fg is half the mean of both areas,
+/// less where the two turn far against each other; fg is every pair of neighbours, either way round. It begins at the
+/// shape of LRI space and takes three steps, each of which finds all R from v and their neighbours, then v from R. At
+/// keys nothing is left to improve. Immutable.
 class RimdSpace {
  public:
   struct Scratch {
