@@ -181,11 +181,15 @@ export function importOptions(args: Arguments): ImportOptions {
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
-  const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [] } = options;
+  const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(`--boundary hermite sets speeds at the ends: --method ${method} is straight from key to key`);
   if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
     throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} is of --method lri: ${method} holds nothing`);
+  if (ownPaths !== 'off' && method !== OWN_METHOD)
+    throw new UsageError(`--own-paths is of --method ${OWN_METHOD}: ${method} has no patches to leave`);
+  if (ownPaths !== 'off' && turns.length > 0)
+    throw new UsageError('give either --own-paths or --turns: whole turns cannot be added to own paths');
   if (!METHOD[method].turns && turns.length > 0)
     throw new UsageError(`--turns is of --method lri or geodesic: ${method} has no turns to add to`);
   return options;

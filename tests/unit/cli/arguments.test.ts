@@ -119,6 +119,12 @@ describe('the values of options', () => {
       });
   });
 
+  it('refuse own paths beside whole turns, and with other methods', () => {
+    for (const other of ['--method=linear', '--method=geodesic', '--method=rimd', '--turns=2:1'])
+      expect(() => sequenceOptions(parse('--own-paths=root', other))).toThrow(/--own-paths/);
+    expect(sequenceOptions(parse('--own-paths=absolute'))).toEqual({ ownPaths: 'absolute' });
+  });
+
   it('refuse whole turns with methods that have none', () => {
     for (const method of ['linear', 'cubic-vertex', 'rotation-strain', 'rimd'])
       expect(() => sequenceOptions(parse('--turns=2:1', '--method', method))).toThrow(/--turns/);

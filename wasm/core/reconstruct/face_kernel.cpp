@@ -8,7 +8,7 @@
 
 #include "core/base/simd.h"
 #include "core/lri/face_frame.h"
-#include "core/reconstruct/rodrigues.h"
+#include "core/reconstruct/lane_quaternion.h"
 #include "core/reconstruct/stretch_limits.h"
 
 namespace shapespline {
@@ -322,6 +322,36 @@ IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const 
       }
   }
   return found;
+}
+
+template <class Real>
+void FaceKernel<Real>::rotations(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                                 const ColumnWeights<Real>& weights, RotationBlocks<Real>& rotations,
+                                 ForkJoin* forkJoin) const {
+  rotations.resize(blocks_.size() * rotationBlock);
+  const std::size_t middle = blocks_.size() / 2;
+  inTwo(forkJoin, [&](int half) {
+    for (std::size_t b = half == 0 ? 0 : middle; b < (half == 0 ? middle : blocks_.size()); ++b)
+      blockRotation(b, coordinates, frames, weights, &rotations[b * rotationBlock]);
+  });
+}
+
+template <class Real>
+void FaceKernel<Real>::blockRotation(std::size_t block, const FaceCoordinates<Real>& coordinates,
+                                     const std::vector<Real>& frames, const ColumnWeights<Real>& weights,
+                                     Real* rotation) const {
+  using L = Lanes<Real>;
+  Passing<Real> passing;
+  const Real* const numbers = coordinates.block(static_cast<int>(block));
+  blend(numbers, weights, passing);
+  if (weights.end) goOnFrom(*weights.end, numbers, stretch_, passing);
+  alignas(32) Real frame[rotationBlock];
+  for (int lane = 0; lane < faceLanes; ++lane)
+    for (int k = 0; k < 4; ++k)
+      frame[k * faceLanes + lane] = frames[4 * static_cast<std::size_t>(blocks_[block].frame[lane]) + k];
+  const auto r = load(passing.number);
+  const L half = L::splat(Real(0.5));
+  storeUnit(loadRotations<L>(frame) * expOfHalves(half * r.x, half * r.y, half * r.z), rotation);
 }
 
 template <class Real>

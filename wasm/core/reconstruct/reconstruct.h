@@ -74,6 +74,10 @@ class Reconstructor {
   Reconstruction reconstruct(const CurvePoint& point, const RotationBlocks<Real>& rotations, Scratch& scratch,
                              PlacedShape<Real>& shape, ForkJoin* forkJoin = nullptr) const;
 
+  /// R_f of every face at `point` in the frames there, for the kernel; those of faces without area mean nothing.
+  void rotationsAt(const CurvePoint& point, const Frames& frames, Scratch& scratch, RotationBlocks<Real>& rotations,
+                   ForkJoin* forkJoin = nullptr) const;
+
   /// S_f of every face at `point`, as the kernel lays them out (face_kernel.h).
   void stretchesAt(const CurvePoint& point, std::vector<Real>& stretch) const;
 

@@ -1,7 +1,6 @@
 #include "core/reconstruct/rotation_paths.h"
 
-#include "core/base/simd.h"
-#include "core/reconstruct/rodrigues.h"
+#include "core/reconstruct/lane_quaternion.h"
 
 namespace shapespline {
 
@@ -13,43 +12,11 @@ constexpr std::size_t incrementAt(int slot, int k) {
   return static_cast<std::size_t>(slot / faceLanes) * incrementBlock + k * faceLanes + slot % faceLanes;
 }
 
-template <class L>
-struct Quaternions {
-  L x, y, z, w;
-};
-
-template <class L>
-Quaternions<L> operator*(const Quaternions<L>& a, const Quaternions<L>& b) {
-  return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-}
-
 template <class L, class Real>
-Quaternions<L> loadRotations(const Real* q) {
-  return {L::load(q), L::load(q + faceLanes), L::load(q + 2 * faceLanes), L::load(q + 3 * faceLanes)};
-}
-
-template <class L>
-Quaternions<L> splat(const Quaternion& q) {
-  const auto all = [](double x) { return L::splat(static_cast<typename L::Real>(x)); };
-  return {all(q.x()), all(q.y()), all(q.z()), all(q.w())};
-}
-
-// exp of `share` times the increments: half the angle's sine and cosine.
-template <class L, class Real>
-Quaternions<L> expOf(const Real* increment, double share) {
+LaneQuaternion<L> expOf(const Real* increment, double share) {
   const L half = L::splat(static_cast<Real>(share / 2));
-  const L x = half * L::load(increment), y = half * L::load(increment + faceLanes),
-          z = half * L::load(increment + 2 * faceLanes), squared = x * x + y * y + z * z;
-  const Rodrigues<Real> f = rodrigues<Real>(squared);
-  return {f.a * x, f.a * y, f.a * z, L::splat(1) - squared * f.b};
-}
-
-template <class L, class Real>
-void storeUnit(const Quaternions<L>& q, Real* to) {
-  const L f = L::splat(1) / squareRoot(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  (f * q.x).store(to), (f * q.y).store(to + faceLanes);
-  (f * q.z).store(to + 2 * faceLanes), (f * q.w).store(to + 3 * faceLanes);
+  return expOfHalves(half * L::load(increment), half * L::load(increment + faceLanes),
+                     half * L::load(increment + 2 * faceLanes));
 }
 
 }  // namespace
@@ -96,7 +63,7 @@ void RotationPaths<Real>::blocksAt(const CurvePoint& point, const Quaternion& wh
   const RotationBlocks<Real>& base = key_[point.base];
   const bool turned = whole.w() != 1;
   for (std::size_t b = begin; b < end; ++b) {
-    Quaternions<L> q = loadRotations<L>(&base[b * rotationBlock]);
+    LaneQuaternion<L> q = loadRotations<L>(&base[b * rotationBlock]);
     for (const StepShare& step : point.steps) q = q * expOf<L>(&increment_[step.step][b * incrementBlock], step.share);
     if (turned) q = splat<L>(whole) * q;
     storeUnit(q, rotations + b * rotationBlock);

@@ -41,15 +41,25 @@ void EncodedShape::makeVertices() {
   if (!vertices_) vertices_.emplace(*keys_);
 }
 
+Status EncodedShape::checkStretches() const {
+  if (!lri().ghostMotion() || options_.transfer != Transfer::Paper) return {};
+  return Error{ErrorCode::InvalidOption,
+               "A motion that turns every face by itself needs the stretch of each, which the paper's transfer from a "
+               "ghost mesh does not keep. Choose the exact transfer, or no ghost mesh."};
+}
+
 Status EncodedShape::makeFaceSpace(Method method) {
-  if (lri().ghostMotion() && options_.transfer == Transfer::Paper)
-    return Error{
-        ErrorCode::InvalidOption,
-        "A method that turns every face by itself needs the stretch of each, which the paper's transfer from a "
-        "ghost mesh does not keep. Choose the exact transfer, or no ghost mesh."};
+  if (Status status = checkStretches(); !status) return status;
   if (method == Method::Rimd && !rimd_) rimd_ = std::make_unique<const RimdSpace>(*keys_, lri());
   if (method == Method::RotationStrain && !rotationStrain_)
     rotationStrain_ = std::make_unique<const RotationStrainSpace>(*keys_, lri());
+  return {};
+}
+
+Status EncodedShape::makeOwnPaths(OwnPaths base) {
+  if (Status status = checkStretches(); !status) return status;
+  auto& paths = base == OwnPaths::Root ? rootPaths_ : ownPaths_;
+  if (!paths) paths = std::make_unique<const OwnPathsSpace>(*keys_, lri(), base);
   return {};
 }
 

@@ -37,11 +37,15 @@ class EncodedShape {
   /// InvalidOption where the shape has no stretches of its own.
   Status makeFaceSpace(Method method);
 
+  /// The same of own paths. base: not Off.
+  Status makeOwnPaths(OwnPaths base);
+
   /// It must have been made.
   const LriSpace& lri() const { return assert(lri_), *lri_; }
   const VertexSpace& vertices() const { return assert(vertices_), *vertices_; }
   const RotationStrainSpace& rotationStrain() const { return assert(rotationStrain_), *rotationStrain_; }
   const RimdSpace& rimd() const { return assert(rimd_), *rimd_; }
+  const OwnPathsSpace& ownPaths(OwnPaths base) const { return *(base == OwnPaths::Root ? rootPaths_ : ownPaths_); }
   bool hasLri() const { return lri_ != nullptr; }
 
   /// Component of each face of the input, numbered by their first faces there; -1 where it has no area.
@@ -59,6 +63,7 @@ class EncodedShape {
   BuildStats stats() const;
 
  private:
+  Status checkStretches() const;
   EncodedShape(WeldedKeys keys, const EncodingOptions& options)
       : keys_(std::make_unique<const WeldedKeys>(std::move(keys))), options_(options) {}
   void numberComponents();
@@ -71,6 +76,7 @@ class EncodedShape {
   std::optional<VertexSpace> vertices_;
   std::unique_ptr<const RotationStrainSpace> rotationStrain_;
   std::unique_ptr<const RimdSpace> rimd_;
+  std::unique_ptr<const OwnPathsSpace> ownPaths_, rootPaths_;  // absolute, and against the largest frame
   std::vector<int> componentOfInputFace_;
   std::vector<int> firstFaceOf_;  // of each component, in the welded mesh
   std::vector<Warning> warnings_;

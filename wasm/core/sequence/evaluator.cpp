@@ -97,6 +97,10 @@ Reconstruction Evaluator::solve(const EncodedShape& encoded, const Motion& motio
   }
   encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
   stats_.framesMs = watch.lap();
+  if (const OwnPaths base = motion.options().ownPaths; base != OwnPaths::Off) {
+    encoded.ownPaths(base).rotationsAt(point, frames_, reconstructor, own.scratch, own.own, own.rotations, forkJoin);
+    return reconstructor.reconstruct(point, own.rotations, own.scratch, placed, forkJoin);
+  }
   const Reconstruction found = reconstructor.reconstruct(point, frames_, own.scratch, placed, forkJoin);
   if (motion.options().method != Method::Rimd) return found;
   return encoded.rimd().improve(point, reconstructor, rimdScratch_, own.scratch, placed, forkJoin);

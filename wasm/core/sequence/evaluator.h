@@ -63,7 +63,7 @@ class Evaluator {
   template <class Real>
   struct Solved {
     typename Reconstructor<Real>::Scratch scratch;
-    RotationBlocks<Real> rotations;  // where faces rotate by themselves
+    RotationBlocks<Real> rotations, own;  // where faces rotate by themselves
     PlacedShape<Real> placed;
   };
   Solved<float>& solved(const Reconstructor<float>&) { return single_; }

@@ -29,13 +29,23 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int compon
   return {};
 }
 
+bool addsTurns(const MotionOptions& o) {
+  return std::any_of(o.turns.begin(), o.turns.end(), [](const AddedTurns& t) { return t.turns != 0; });
+}
+
+Status checkOwnPaths(const MotionOptions& o) {
+  if (o.ownPaths == OwnPaths::Off || (o.method == Method::Lri && !addsTurns(o))) return {};
+  return Error{ErrorCode::InvalidOption,
+               o.method == Method::Lri ? "Whole turns cannot be added to own paths of faces: switch one of them off."
+                                       : "Own paths of faces belong to the method 'lri': switch them off."};
+}
+
 // Faces that rotate by themselves have no patches that turns are added to or that hold what rests.
 Status checkFaceMethod(const MotionOptions& o) {
   if (!turnsFaces(o.method)) return {};
-  const bool turns = std::any_of(o.turns.begin(), o.turns.end(), [](const AddedTurns& t) { return t.turns != 0; });
   const char* const what = o.hold            ? "It cannot hold what rests"
                            : !o.pins.empty() ? "It cannot hold pins"
-                           : turns           ? "Whole turns cannot be added to it"
+                           : addsTurns(o)    ? "Whole turns cannot be added to it"
                                              : nullptr;
   if (!what) return {};
   return Error{ErrorCode::InvalidOption,
@@ -63,6 +73,7 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
   if (Status status = checkTurns(options.turns, shape.keys, encoded.componentCount()); !status) return status.error();
   if (Status status = checkFaceMethod(options); !status) return status.error();
+  if (Status status = checkOwnPaths(options); !status) return status.error();
   Result<Curve> curve = Curve::fit(keyTimes, curveOptions(shape, options));
   if (!curve) return curve.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);

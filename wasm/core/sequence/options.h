@@ -8,6 +8,7 @@
 #include "core/hold/held_motion.h"
 #include "core/hold/pin.h"
 #include "core/space/lri_space.h"
+#include "core/space/own_paths_space.h"
 #include "core/spline/rotation_spline.h"
 #include "core/spline/spline.h"
 
@@ -44,7 +45,8 @@ struct MotionOptions {
   std::vector<AddedTurns> turns;
   bool hold = false;      ///< what rests between keys stays (hold/); with Method::Lri and three keys or more
   std::vector<Pin> pins;  ///< with Method::Lri
-  bool inPlace = false;   ///< take out the translation that accumulates along the sequence
+  OwnPaths ownPaths = OwnPaths::Off;  ///< with Method::Lri, without added turns
+  bool inPlace = false;               ///< take out the translation that accumulates along the sequence
 };
 
 /// Choices that change the encoding: a new sequence is built for them.

@@ -23,6 +23,8 @@ class SharedShape {
   /// LriSpace::create. Errors: those of LriSpace::create
   /// and of EncodedShape::makeFaceSpace.
   Status makeSpace(Method method, const StageProgress& progress = {}, OrderSource order = nullptr);
+  /// The same of all that a motion needs.
+  Status makeSpaces(const MotionOptions& motion, const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const EncodedShape& encoded() const { return encoded_; }
   Evaluator& evaluator() { return evaluator_; }

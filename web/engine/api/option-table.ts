@@ -232,6 +232,16 @@ export const MOTION = {
     page: 'period',
     undo: 'period',
   },
+  /** With the method 'lri' and no whole turns. */
+  ownPaths: {
+    kind: 'choice',
+    choices: ['off', 'absolute', 'root'],
+    default: 'off',
+    flag: 'own-paths',
+    help:
+      'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
+      "(absolute), or against the largest patch, so that a key's own orientation changes nothing (root)",
+  },
   /** Take out the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'without the overall translation' },
 } as const satisfies OptionTable;
