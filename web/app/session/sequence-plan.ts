@@ -48,7 +48,13 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
     encoding: { reference: referenceKey(doc), ...plain },
     startTangentPose: hermite ? startTangentPose : null,
     endTangentPose: hermite ? endTangentPose : null,
-    motion: { ...rest, pins: pinsFor(doc), ...listsOf(keys.map((key) => key.shaping)), ownPaths: MOTION_DEFAULTS.ownPaths, inPlace: false },
+    motion: {
+      ...rest,
+      pins: pinsFor(doc),
+      ...listsOf(keys.map((key) => key.shaping)),
+      ownPaths: MOTION_DEFAULTS.ownPaths,
+      inPlace: false,
+    },
     variants: [
       { method, ghost: leading(method) },
       ...sizes.map((size) => ({ method, ghost: size })),
