@@ -30,7 +30,7 @@ test('X leaves the shape alone on the screen, in large type, and Escape brings t
     await app.page.keyboard.press('c');
     compared.push((await app.state()).view.compare.join());
   }
-  expect(compared).toEqual(['linear', 'cubic-vertex', 'geodesic', '']);
+  expect(compared).toEqual(['linear', 'cubic-vertex', 'geodesic', 'rotation-strain', 'rimd', '']);
   expect((await app.state()).view.split).toBeNull();
   await app.page.keyboard.press('Escape');
   await expect(app.by('timeline')).toBeVisible();

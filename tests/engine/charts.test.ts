@@ -87,7 +87,7 @@ describe.skipIf(!hasData)('charts of real keys with large turns', () => {
     }
   });
 
-  it.each(['lri', 'geodesic', 'linear', 'cubic-vertex'] as const)(
+  it.each(['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd'] as const)(
     'lion: the bending of %s is known everywhere',
     async (method) => {
       const { sequence, from, to } = await opened(lion, {}, method);

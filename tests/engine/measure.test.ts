@@ -34,7 +34,7 @@ describe('shapespline measure', () => {
     const folder = await folderOf([await rigFile(file)]);
     const { code, stdout, stderr } = await runCli(
       folder,
-      ...['measure', file, '--sample', '0,0.5,1,1.5,2', '--methods', 'lri,linear', '--against', file],
+      ...['measure', file, '--sample', '0,0.5,1,1.5,2', '--methods', 'lri,linear,rotation-strain', '--against', file],
       ...['--range=-0.25:2', '--frames', '10'],
     );
     expect([code, stderr]).toEqual([0, '']);
@@ -49,7 +49,7 @@ describe('shapespline measure', () => {
     for (const cell of column(table, 'linear bending energy').map(Number))
       if (cell !== 0) expect(cell, 'no rounding').toBeGreaterThan(1e-9);
 
-    for (const method of ['lri', 'linear']) {
+    for (const method of ['lri', 'linear', 'rotation-strain']) {
       const largest = column(table, `${method} distance largest`);
       expect(largest[0], 'before the animation').toBe('');
       times.forEach((t, index) => {

@@ -66,6 +66,52 @@ describe('a sequence', () => {
     await bend.sequence.update({ method: 'lri' });
   });
 
+  it('turns every face by itself in rotation-strain coordinates, and refuses what these cannot do', async () => {
+    const sequence = await engine.createSequence(bend.keys, { method: 'rotation-strain', precision: 'exact' });
+    for (const [key, t] of sequence.keyTimes.entries())
+      expect(largestDistance(await positionsAt(sequence, t), bend.poses[key]!)).toBeLessThan(1e-6);
+    const rival = await positionsAt(sequence, 0.3);
+    const { volume } = await sequence.measures([0, 0.3]);
+    expect(Math.abs(volume[1]! / volume[0]! - 1)).toBeLessThan(0.002);
+    for (const change of [
+      { hold: 'on' as const },
+      { pins: [{ vertex: 0, radius: 0.1 }] },
+      { turns: [{ key: 1, turns: 1 }] },
+    ]) {
+      const { code, message } = await failureOf(sequence.update(change));
+      expect(code).toBe('invalid-option');
+      expect(message).toMatch(/'lri'/);
+    }
+    await sequence.update({ method: 'lri' });
+    // A bar that bends in one plane moves alike in both.
+    expect(largestDistance(await positionsAt(sequence, 0.3), rival)).toBeLessThan(1e-2);
+    sequence.dispose();
+  });
+
+  it('leaves patches for own paths of faces, which pass through the keys', async () => {
+    const { mesh, poses } = bend;
+    const twisted = moved(mesh, (x, y, z) => {
+      const [c, s] = [Math.cos(z / 4), Math.sin(z / 4)];
+      return [c * x - s * y, s * x + c * y, z];
+    });
+    const files = poseFiles(mesh, [poses[0]!, poses[2]!, twisted]);
+    const keys = await engine.importKeyframes(files, { keyTimes: [0, 0.5, 1] });
+    const sequence = await engine.createSequence(keys);
+    const plain = await positionsAt(sequence, 0.3);
+    for (const ownPaths of ['absolute', 'root'] as const) {
+      await sequence.update({ ownPaths });
+      const own = largestDistance(await positionsAt(sequence, 0.3), plain);
+      expect(own).toBeGreaterThan(1e-3);
+      expect(own).toBeLessThan(0.5);
+      expect(largestDistance(await positionsAt(sequence, 0.5), poses[2]!)).toBeLessThan(1e-4);
+    }
+    const { code } = await failureOf(sequence.update({ turns: [{ key: 1, turns: 1 }] }));
+    expect(code).toBe('invalid-option');
+    await sequence.update({ ownPaths: 'off' });
+    expect(await positionsAt(sequence, 0.3)).toEqual(plain);
+    sequence.dispose();
+  });
+
   it('measures an open surface as the page does, wherever it stands', async () => {
     const { positions, indices } = bar();
     const open = { positions: positions.map((value) => value + 7), indices: indices.slice(6) };
@@ -83,7 +129,7 @@ describe('a sequence', () => {
     const before = await sequence.stats();
     for (const t of [-0.4, 0, 0.3, 1, 1.4]) (await frameAt(sequence, t)).release();
     for (const boundary of ['hermite', 'periodic', 'natural'] as const) await sequence.update({ boundary });
-    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'lri'] as const) {
+    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lri'] as const) {
       await sequence.update({ method });
       await frameAt(sequence, 0.3);
     }

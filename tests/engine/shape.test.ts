@@ -23,6 +23,8 @@ describe('a shape', () => {
       { method: 'linear' as const },
       { method: 'cubic-vertex' as const },
       { method: 'geodesic' as const },
+      { method: 'rotation-strain' as const },
+      { method: 'rimd' as const },
       { boundary: 'hermite' as const, startSpeed: 0 },
       { keyTimes: keys.info.times.map((t) => t * t) },
     ];

@@ -24,7 +24,8 @@ const std::vector<double> slider = {-0.4, -0.2, -0.05, 0.13, 0.3, 0.5, 0.62, 0.7
 TEST_CASE("keys are reproduced") {
   const Keyframes k = bentBar({0, 70, -50, 120});
   const double diagonal = diagonalOf(k);
-  for (const Method method : {Method::Lri, Method::Geodesic, Method::Linear, Method::CubicVertex})
+  for (const Method method :
+       {Method::Lri, Method::Geodesic, Method::Linear, Method::CubicVertex, Method::RotationStrain, Method::Rimd})
     for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic})
       for (const Stretch stretch : {Stretch::Linear, Stretch::Log}) {
         CAPTURE(int(method));

@@ -57,7 +57,8 @@ std::vector<Real> rightHandSide(const FaceKernel<Real>& kernel, const FaceCoordi
                                 ForkJoin* forkJoin) {
   std::vector<Real> frame = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   std::vector<Real> sums(4 * (static_cast<std::size_t>(vertices) + 1), Real(0));
-  kernel.accumulate(coordinates, frame, coordinates.weights({.column = {0.7, 0.3}, .keys = 2}), sums.data(), forkJoin);
+  const auto weights = coordinates.weights({.column = {0.7, 0.3}, .keys = 2});
+  kernel.accumulate(coordinates, {.frames = frame.data()}, weights, sums.data(), forkJoin);
   return sums;
 }
 

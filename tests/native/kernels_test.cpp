@@ -113,7 +113,8 @@ RightHandSide byKernel(Coordinates<Real> coordinates, const Blend& blend) {
   std::vector<Real> sums(4 * (static_cast<std::size_t>(n) + 1), Real(0));
   RightHandSide result;
   const PoseWeights weights{.column = blend.weights, .keys = columns, .beyond = blend.beyond};
-  result.indefinite = kernel.accumulate(coordinates.numbers, frames, coordinates.numbers.weights(weights), sums.data());
+  result.indefinite = kernel.accumulate(coordinates.numbers, {.frames = frames.data()},
+                                        coordinates.numbers.weights(weights), sums.data());
   for (int v = 0; v < n; ++v) {
     const Real* const at = &sums[4 * static_cast<std::size_t>(position[v])];
     result.at.emplace_back(at[0], at[1], at[2]);

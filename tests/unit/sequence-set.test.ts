@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { SequenceSet } from '../../web/app/session/sequence-set.ts';
 import type { SequencePlan } from '../../web/app/session/sequence-plan.ts';
-import { sequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { motionFor, sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import type { Engine, Keys, Motion, MotionChange, Shape } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
-import type { EncodingOptions } from '../../web/engine/api/types.ts';
+import type { EncodingOptions, Method } from '../../web/engine/api/types.ts';
 import { retimeKey, setEncoding, setMotion } from '../../web/model/edits.ts';
 import { DEFAULT_VIEW } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -164,6 +164,28 @@ describe('sequence sets', () => {
       'linear',
       'lri',
     ]);
+  });
+
+  it('ask of a method only what it can do', () => {
+    const pins = [{ vertex: 3, radius: 0.1 }];
+    const plan = sequencePlan(setMotion(doc, { hold: 'on', pins, boundary: 'hermite' }));
+    plan.motion.turns = [{ key: 2, turns: 1 }];
+    const asked = (method: Method): unknown[] => {
+      const { hold, pins: held, turns, boundary } = motionFor(plan, { method, ghost: 0 });
+      return [hold, held.length, turns.length, boundary];
+    };
+    expect(asked('lri')).toEqual(['on', 1, 1, 'hermite']);
+    expect(asked('geodesic')).toEqual(['off', 0, 1, 'natural']);
+    expect(asked('rotation-strain')).toEqual(['off', 0, 0, 'hermite']);
+    // It has the shape's own stretches only without the paper's transfer.
+    for (const [transfer, ghost] of [
+      ['paper', 0],
+      ['exact', 2000],
+    ] as const) {
+      const led = setEncoding(doc, { ghostFaces: 2000, transfer });
+      const { variants } = sequencePlan(led, { ...DEFAULT_VIEW, compare: ['rotation-strain'] });
+      expect(variants.map((variant) => variant.ghost)).toEqual([2000, ghost]);
+    }
   });
 
   it('give up a build that is no longer wanted', async () => {

@@ -182,13 +182,17 @@ export function importOptions(args: Arguments): ImportOptions {
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
-  const { method = OWN_METHOD, boundary, hold = 'off', pins = [] } = options;
+  const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(
       `--boundary hermite sets end speeds, but --method ${method} has none: it is straight from key to key`,
     );
   if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
     throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} requires --method lri`);
+  if (ownPaths !== 'off' && method !== OWN_METHOD) throw new UsageError(`--own-paths requires --method ${OWN_METHOD}`);
+  if (ownPaths !== 'off' && turns.length > 0)
+    throw new UsageError('give either --own-paths or --turns: full turns cannot be added to own paths');
+  if (!METHOD[method].turns && turns.length > 0) throw new UsageError('--turns requires --method lri or geodesic');
   return options;
 }
 

@@ -34,4 +34,18 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
     short: 'Morph spline',
     hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.',
   },
+  'rotation-strain': {
+    label: 'Rotation-strain spline',
+    short: 'Rotation-strain',
+    hint:
+      'Cubic splines of the rotation and stretch of each face by itself. Smooth; the surface tears where faces turn ' +
+      'by nearly 360 degrees between two keys.',
+  },
+  rimd: {
+    label: 'Mesh difference spline (RIMD)',
+    short: 'RIMD',
+    hint:
+      'Cubic splines of how each face rotates against its neighbours and stretches, fitted in three steps from the ' +
+      'shape spline. Smooth; close to it, and several times slower.',
+  },
 };

@@ -101,12 +101,12 @@ describe('the values of options', () => {
   it('refuse speeds at the ends of a motion that is straight between keys', () => {
     for (const method of ['geodesic', 'linear'])
       expect(() => sequenceOptions(parse('--boundary=hermite', '--method', method))).toThrow(UsageError);
-    for (const method of ['lri', 'cubic-vertex'])
+    for (const method of ['lri', 'cubic-vertex', 'rotation-strain', 'rimd'])
       expect(sequenceOptions(parse('--boundary=hermite', '--method', method))).toEqual({ boundary: 'hermite', method });
   });
 
   it('refuse to hold anything with methods that hold nothing', () => {
-    for (const method of ['geodesic', 'linear', 'cubic-vertex'])
+    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd'])
       for (const held of ['--hold=on', '--pin=3'])
         expect(() => sequenceOptions(parse(held, '--method', method))).toThrow(/--method lri/);
     expect(sequenceOptions(parse('--hold=off', '--method=linear'))).toEqual({ hold: 'off', method: 'linear' });
@@ -117,6 +117,18 @@ describe('the values of options', () => {
         hold: 'on',
         precision: 'exact',
       });
+  });
+
+  it('refuse own paths beside whole turns, and with other methods', () => {
+    for (const other of ['--method=linear', '--method=geodesic', '--method=rimd', '--turns=2:1'])
+      expect(() => sequenceOptions(parse('--own-paths=root', other))).toThrow(/--own-paths/);
+    expect(sequenceOptions(parse('--own-paths=absolute'))).toEqual({ ownPaths: 'absolute' });
+  });
+
+  it('refuse whole turns with methods that have none', () => {
+    for (const method of ['linear', 'cubic-vertex', 'rotation-strain', 'rimd'])
+      expect(() => sequenceOptions(parse('--turns=2:1', '--method', method))).toThrow(/--turns/);
+    expect(sequenceOptions(parse('--turns=2:1', '--method=geodesic'))).toMatchObject({ method: 'geodesic' });
   });
 
   it.each([

@@ -4,60 +4,16 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "core/base/simd.h"
 #include "core/lri/face_frame.h"
+#include "core/reconstruct/lane_quaternion.h"
 #include "core/reconstruct/stretch_limits.h"
-#include "core/rotation/rotation_series.h"
 
 namespace shapespline {
 
 namespace {
-
-// The series' terms up to x = seriesLimit (a little over half a turn). The first term left out is below the precision's
-// rounding there; larger angles go through the C library. Most faces turn by less than half a radian against their
-// frame: they take few terms.
-constexpr double seriesLimit = 10.5, shortLimit = 0.25;
-template <class Real>
-constexpr int seriesTerms = std::is_same_v<Real, float> ? 11 : 17;
-template <class Real>
-constexpr int shortTerms = std::is_same_v<Real, float> ? 4 : 8;
-
-// The two factors of Rodrigues' formula exp(r) = I + a [r] + b [r]^2.
-template <class Real>
-struct Rodrigues {
-  Lanes<Real> a, b;
-};
-
-template <class Real>
-Rodrigues<Real> rodriguesOfLargeAngles(Lanes<Real> squaredAngle) {
-  using L = Lanes<Real>;
-  alignas(32) Real x[faceLanes], a[faceLanes], b[faceLanes];
-  squaredAngle.store(x);
-  horner<seriesTerms<Real>>(rotationSeries.sine, squaredAngle).store(a);
-  horner<seriesTerms<Real>>(rotationSeries.cosine, squaredAngle).store(b);
-  for (int i = 0; i < faceLanes; ++i) {
-    if (x[i] <= Real(seriesLimit)) continue;
-    const double angle = std::sqrt(static_cast<double>(x[i]));
-    a[i] = static_cast<Real>(std::sin(angle) / angle);
-    b[i] = static_cast<Real>((1 - std::cos(angle)) / (angle * angle));
-  }
-  return {L::load(a), L::load(b)};
-}
-
-template <class Real>
-Rodrigues<Real> rodrigues(Lanes<Real> squaredAngle) {
-  using L = Lanes<Real>;
-  if (!notPositive(L::splat(Real(shortLimit)) - squaredAngle))
-    return {horner<shortTerms<Real>>(rotationSeries.sine, squaredAngle),
-            horner<shortTerms<Real>>(rotationSeries.cosine, squaredAngle)};
-  if (!notPositive(L::splat(Real(seriesLimit)) - squaredAngle))
-    return {horner<seriesTerms<Real>>(rotationSeries.sine, squaredAngle),
-            horner<seriesTerms<Real>>(rotationSeries.cosine, squaredAngle)};
-  return rodriguesOfLargeAngles<Real>(squaredAngle);
-}
 
 template <class L>
 struct Vector3 {
@@ -226,6 +182,15 @@ void findFactors(Passing<Real>& passing) {
   f.a.store(passing.factor[0]), f.b.store(passing.factor[1]);
 }
 
+// The rotations of four faces as unit quaternions q, in place of exp(r): Rodrigues' formula with q's vector, 2 q.w, 2.
+template <class Real>
+void takeRotations(const Real* rotations, Passing<Real>& passing) {
+  using L = Lanes<Real>;
+  store(loadThree(rotations), passing.number);
+  const L w = L::load(rotations + 3 * faceLanes);
+  (w + w).store(passing.factor[0]), L::splat(2).store(passing.factor[1]);
+}
+
 // exp(r) [t1 t2] S g of corners 0 and 1.
 template <class Real>
 void diverge(const FaceBlock<Real>& face, Passing<Real>& passing) {
@@ -244,11 +209,10 @@ void diverge(const FaceBlock<Real>& face, Passing<Real>& passing) {
   turned(u + s.y * g1, v + s.z * g1, passing.corner + 3);
 }
 
-// Turns one lane's contributions by its frame and adds them to its three corners.
+// Turns one lane's contributions by a frame's matrix and adds them to its three corners.
 template <class Real>
-void scatter(const FaceBlock<Real>& face, int lane, const Real* frames, const Four<Real>* v, Real* rhs) {
+void scatter(const FaceBlock<Real>& face, int lane, const Real* g, const Four<Real>* v, Real* rhs) {
   using L = Lanes<Real>;
-  const Real* g = frames + numbersPerFrame * static_cast<std::size_t>(face.frame[lane]);
   const L g0 = L::load(g), g1 = L::load(g + 4), g2 = L::load(g + 8);
   const auto turned = [&](int k) {
     return g0 * L::loadSplat(&v[k][lane]) + g1 * L::loadSplat(&v[k + 1][lane]) + g2 * L::loadSplat(&v[k + 2][lane]);
@@ -309,11 +273,11 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& f
 }
 
 template <class Real>
-IndefiniteFaces FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+IndefiniteFaces FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordinates, const FaceTurns<Real>& turns,
                                              const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin) const {
   IndefiniteFaces found[3];
-  inTwo(forkJoin, [&](int half) { found[half] = accumulateRange(ranges_[half], coordinates, frames, weights, rhs); });
-  found[2] = accumulateRange(ranges_[2], coordinates, frames, weights, rhs);
+  inTwo(forkJoin, [&](int half) { found[half] = accumulateRange(ranges_[half], coordinates, turns, weights, rhs); });
+  found[2] = accumulateRange(ranges_[2], coordinates, turns, weights, rhs);
   IndefiniteFaces all;
   for (const IndefiniteFaces& part : found) {
     all.count += part.count;
@@ -324,8 +288,9 @@ IndefiniteFaces FaceKernel<Real>::accumulate(const FaceCoordinates<Real>& coordi
 
 template <class Real>
 IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
-                                                  const std::vector<Real>& frames, const ColumnWeights<Real>& weights,
+                                                  const FaceTurns<Real>& turns, const ColumnWeights<Real>& weights,
                                                   Real* rhs) const {
+  alignas(32) static constexpr Real still[numbersPerFrame] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   IndefiniteFaces found;
   const int end = (range.end + faceLanes - 1) / faceLanes;
   Passing<Real> passing[blocksAtOnce];
@@ -343,14 +308,64 @@ IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const 
         found.slot = (first + i) * faceLanes + std::countr_zero(lanes);
       }
     }
-    for (int i = 0; i < count; ++i) findFactors(passing[i]);
+    for (int i = 0; i < count; ++i) {
+      if (turns.faces) takeRotations(turns.faces + rotationBlock * static_cast<std::size_t>(first + i), passing[i]);
+      else findFactors(passing[i]);
+    }
     for (int i = 0; i < count; ++i) diverge(block[i], passing[i]);
     // Not face after face: neighbours share corners, and each would wait for the sum that the one before has just
     // stored.
     for (int lane = 0; lane < faceLanes; ++lane)
-      for (int i = 0; i < count; ++i) scatter(block[i], lane, frames.data(), passing[i].corner, rhs);
+      for (int i = 0; i < count; ++i) {
+        const std::size_t frame = numbersPerFrame * static_cast<std::size_t>(block[i].frame[lane]);
+        scatter(block[i], lane, turns.faces ? still : turns.frames + frame, passing[i].corner, rhs);
+      }
   }
   return found;
+}
+
+template <class Real>
+void FaceKernel<Real>::rotations(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                                 const ColumnWeights<Real>& weights, RotationBlocks<Real>& rotations,
+                                 ForkJoin* forkJoin) const {
+  rotations.resize(blocks_.size() * rotationBlock);
+  const std::size_t middle = blocks_.size() / 2;
+  inTwo(forkJoin, [&](int half) {
+    for (std::size_t b = half == 0 ? 0 : middle; b < (half == 0 ? middle : blocks_.size()); ++b)
+      blockRotation(b, coordinates, frames, weights, &rotations[b * rotationBlock]);
+  });
+}
+
+template <class Real>
+void FaceKernel<Real>::blockRotation(std::size_t block, const FaceCoordinates<Real>& coordinates,
+                                     const std::vector<Real>& frames, const ColumnWeights<Real>& weights,
+                                     Real* rotation) const {
+  using L = Lanes<Real>;
+  Passing<Real> passing;
+  const Real* const numbers = coordinates.block(static_cast<int>(block));
+  blend(numbers, weights, passing);
+  if (weights.end) goOnFrom(*weights.end, numbers, stretch_, passing);
+  alignas(32) Real frame[rotationBlock];
+  for (int lane = 0; lane < faceLanes; ++lane)
+    for (int k = 0; k < 4; ++k)
+      frame[k * faceLanes + lane] = frames[4 * static_cast<std::size_t>(blocks_[block].frame[lane]) + k];
+  const auto r = load(passing.number);
+  const L half = L::splat(Real(0.5));
+  storeUnit(loadRotations<L>(frame) * expOfHalves(half * r.x, half * r.y, half * r.z), rotation);
+}
+
+template <class Real>
+void FaceKernel<Real>::stretches(const FaceCoordinates<Real>& coordinates, const ColumnWeights<Real>& weights,
+                                 std::vector<Real>& stretch) const {
+  stretch.resize(blocks_.size() * stretchBlock);
+  Passing<Real> passing;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Real* const block = coordinates.block(static_cast<int>(b));
+    blend(block, weights, passing);
+    if (weights.end) goOnFrom(*weights.end, block, stretch_, passing);
+    if (stretch_ == Stretch::Log) exponentiate(passing);
+    std::copy_n(&passing.number[3][0], stretchBlock, &stretch[b * stretchBlock]);
+  }
 }
 
 template class FaceKernel<float>;

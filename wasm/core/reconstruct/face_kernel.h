@@ -11,8 +11,12 @@
 #include "core/lri/face_coordinates.h"
 #include "core/lri/welded_shape.h"
 #include "core/mesh/face_order.h"
+#include "core/reconstruct/rotation_blocks.h"
 
 namespace shapespline {
+
+/// What stretches of four faces take.
+inline constexpr int stretchBlock = 3 * faceLanes;
 
 /// A frame's matrix in the kernel: its columns, four numbers each, the last of them zero.
 inline constexpr int numbersPerFrame = 12;
@@ -25,6 +29,14 @@ struct FaceBlock {
   Real gradient[3][faceLanes];
   std::int32_t frame[faceLanes];      ///< index into the frames
   std::int32_t corner[3][faceLanes];  ///< where each corner's right-hand side lies
+};
+
+/// What stands before S_f: of each frame the matrix G that stands before exp(r_f), numbersPerFrame numbers each; or of
+/// the faces themselves the rotations R_f (rotation_blocks.h), and null otherwise.
+template <class Real>
+struct FaceTurns {
+  const Real* frames = nullptr;
+  const Real* faces = nullptr;
 };
 
 /// Faces whose interpolated S_f is not positive definite.
@@ -46,14 +58,24 @@ class FaceKernel {
   const std::vector<int>& order() const { return order_; }
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
-  /// frames: the matrices G that stand before exp(r_f) S_f, numbersPerFrame numbers each. weights: as the coordinates
-  /// take them.
-  IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+  /// weights: as the coordinates take them.
+  IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const FaceTurns<Real>& turns,
                              const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin = nullptr) const;
 
+  /// R_f of every face as accumulate() takes it. frames: of each frame G as x, y, z, w.
+  void rotations(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                 const ColumnWeights<Real>& weights, RotationBlocks<Real>& rotations,
+                 ForkJoin* forkJoin = nullptr) const;
+
+  /// S_f of every face as accumulate() takes it: xx, xy, yy in the tangent frame, [block][number][lane].
+  void stretches(const FaceCoordinates<Real>& coordinates, const ColumnWeights<Real>& weights,
+                 std::vector<Real>& stretch) const;
+
  private:
+  void blockRotation(std::size_t block, const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
+                     const ColumnWeights<Real>& weights, Real* rotation) const;
   [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
-                                                    const std::vector<Real>& frames, const ColumnWeights<Real>& weights,
+                                                    const FaceTurns<Real>& turns, const ColumnWeights<Real>& weights,
                                                     Real* rhs) const;
 
   std::vector<int> order_;

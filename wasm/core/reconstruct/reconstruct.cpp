@@ -26,6 +26,18 @@ Vec3 sumOf(const Real* places, std::size_t count) {
   return sum;
 }
 
+template <class Real>
+const Real* matricesOf(const Frames& frames, std::vector<Real>& matrices) {
+  const std::size_t count = frames.rotation.size();
+  matrices.resize(numbersPerFrame * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Mat3 g = frames.gradient.empty() ? frames.rotation[k].toRotationMatrix() : frames.gradient[k];
+    for (int i = 0; i < numbersPerFrame; ++i)
+      matrices[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
+  }
+  return matrices.data();
+}
+
 }  // namespace
 
 template <class Real>
@@ -78,11 +90,12 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
 
 template <class Real>
 Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights,
-                                             const Frames& frames) const {
+                                             const Turning& turning) const {
+  if (turning.faces) return rotationOf(*turning.faces, lri_.face.slot(face));
   Vec3 r = Vec3::Zero();
   for (int c = 0; c < lri_.face.columns(); ++c)
     if (weights.column[c] != 0) r += weights.column[c] * lri_.face.rotation(face, c);
-  return frames.rotation[frame] * expQuaternion(r);
+  return turning.frames->rotation[frame] * expQuaternion(r);
 }
 
 template <class Real>
@@ -91,22 +104,17 @@ void Reconstructor<Real>::faceRotations(const CurvePoint& point, const Frames& f
   const PoseWeights w = poseWeights(point, shape_->roles());
   rotation.resize(shape_->faceCount());
   for (int f = 0; f < shape_->faceCount(); ++f)
-    rotation[f] = frameOf_[f] >= 0 ? faceRotation(f, frameOf_[f], w, frames) : Quaternion::Identity();
+    rotation[f] = frameOf_[f] >= 0 ? faceRotation(f, frameOf_[f], w, {&frames}) : Quaternion::Identity();
 }
 
 template <class Real>
-IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch,
+IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
                                               Real* x, ForkJoin* forkJoin) const {
-  const std::size_t count = frames.rotation.size();
-  std::vector<Real>& matrices = scratch.matrices;
-  matrices.resize(numbersPerFrame * count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const Mat3 g = frames.gradient.empty() ? frames.rotation[k].toRotationMatrix() : frames.gradient[k];
-    for (int i = 0; i < numbersPerFrame; ++i)
-      matrices[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
-  }
+  FaceTurns<Real> turns;
+  if (turning.faces) turns.faces = turning.faces->data();
+  else turns.frames = matricesOf(*turning.frames, scratch.matrices);
   std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
-  return kernel_.accumulate(lri_.face, matrices, lri_.face.weights(weights), x, forkJoin);
+  return kernel_.accumulate(lri_.face, turns, lri_.face.weights(weights), x, forkJoin);
 }
 
 // Refinement starts from the key with the largest weight: a frame depends on its weights alone, never on another frame.
@@ -153,23 +161,23 @@ Vec3 Reconstructor<Real>::placedCentroid(int face, const Scratch& scratch, const
 
 // Each component keeps its offset in its anchor face's R_f.
 template <class Real>
-void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch,
+void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
                                           const Real* x) const {
   scratch.shift.assign(verticesOfComponent_.size(), Vec3::Zero());
   for (const ComponentPlace& place : lri_.places) {
-    const Quaternion anchor = faceRotation(place.anchorFace, place.anchorFrame, weights, frames);
-    const Quaternion contact = faceRotation(place.contactFace, place.contactFrame, weights, frames);
+    const Quaternion anchor = faceRotation(place.anchorFace, place.anchorFrame, weights, turning);
+    const Quaternion contact = faceRotation(place.contactFace, place.contactFrame, weights, turning);
     const Vec3 wanted = placedCentroid(place.anchorFace, scratch, x) + anchor * blend(place.offset, weights);
     scratch.shift[place.component] = wanted - (placedCentroid(place.contactFace, scratch, x) + contact * place.pivot);
   }
 }
 
 template <class Real>
-void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Frames& frames, Scratch& scratch,
+void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
                                      const Real* x) const {
   scratch.loose.clear();
   for (const LooseVertex& loose : lri_.loose) {
-    const Quaternion anchor = faceRotation(loose.anchorFace, loose.anchorFrame, weights, frames);
+    const Quaternion anchor = faceRotation(loose.anchorFace, loose.anchorFrame, weights, turning);
     scratch.loose.push_back(placedCentroid(loose.anchorFace, scratch, x) + anchor * blend(loose.offset, weights));
   }
 }
@@ -203,19 +211,31 @@ void Reconstructor<Real>::slotsToPlaces(Scratch& scratch, Real* x) const {
 template <class Real>
 Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
                                                 PlacedShape<Real>& shape, ForkJoin* forkJoin) const {
+  return reconstruct(point, Turning{.frames = &frames}, scratch, shape, forkJoin);
+}
+
+template <class Real>
+Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const RotationBlocks<Real>& rotations,
+                                                Scratch& scratch, PlacedShape<Real>& shape, ForkJoin* forkJoin) const {
+  return reconstruct(point, Turning{.faces = &rotations}, scratch, shape, forkJoin);
+}
+
+template <class Real>
+Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const Turning& turning, Scratch& scratch,
+                                                PlacedShape<Real>& shape, ForkJoin* forkJoin) const {
   Stopwatch watch;
   Reconstruction result;
   const PoseWeights w = poseWeights(point, shape_->roles());
   shape.places.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), placeOf_.size()));
   Real* const x = shape.places.data();
-  const IndefiniteFaces indefinite = assemble(w, frames, scratch, x, forkJoin);
+  const IndefiniteFaces indefinite = assemble(w, turning, scratch, x, forkJoin);
   result.indefiniteFaces = indefinite.count;
   if (indefinite.slot >= 0) result.indefiniteFace = kernel_.order()[indefinite.slot];
   result.facesMs = watch.lap();
   solve(w, scratch, x, forkJoin);
   result.solveMs = watch.lap();
-  placeComponents(w, frames, scratch, x);
-  placeLoose(w, frames, scratch, x);
+  placeComponents(w, turning, scratch, x);
+  placeLoose(w, turning, scratch, x);
   shape.move = meanMove(w, scratch, x);
   slotsToPlaces(scratch, x);
   result.placeMs = watch.lap();
@@ -226,12 +246,32 @@ template <class Real>
 Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
                                                 Positions& positions) const {
   const Reconstruction result = reconstruct(point, frames, scratch, scratch.placed);
+  positionsOf(scratch.placed, positions);
+  return result;
+}
+
+template <class Real>
+void Reconstructor<Real>::positionsOf(const PlacedShape<Real>& shape, Positions& positions) const {
   positions.resize(placeOf_.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const Real* p = &scratch.placed.places[4 * static_cast<std::size_t>(placeOf_[v])];
-    positions[v] = Vec3(p[0], p[1], p[2]) + scratch.placed.move;
+    const Real* p = &shape.places[4 * static_cast<std::size_t>(placeOf_[v])];
+    positions[v] = Vec3(p[0], p[1], p[2]) + shape.move;
   }
-  return result;
+}
+
+template <class Real>
+void Reconstructor<Real>::rotationsAt(const CurvePoint& point, const Frames& frames, Scratch& scratch,
+                                      RotationBlocks<Real>& rotations, ForkJoin* forkJoin) const {
+  scratch.matrices.clear();
+  for (const Quaternion& q : frames.rotation)
+    for (int k = 0; k < 4; ++k) scratch.matrices.push_back(static_cast<Real>(q.coeffs()[k]));
+  kernel_.rotations(lri_.face, scratch.matrices, lri_.face.weights(poseWeights(point, shape_->roles())), rotations,
+                    forkJoin);
+}
+
+template <class Real>
+void Reconstructor<Real>::stretchesAt(const CurvePoint& point, std::vector<Real>& stretch) const {
+  kernel_.stretches(lri_.face, lri_.face.weights(poseWeights(point, shape_->roles())), stretch);
 }
 
 template class Reconstructor<float>;

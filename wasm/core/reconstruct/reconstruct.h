@@ -70,6 +70,20 @@ class Reconstructor {
   Reconstruction reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
                              Positions& positions) const;
 
+  /// The same where every face has a rotation of its own instead of one that follows a frame. rotations: R_f.
+  Reconstruction reconstruct(const CurvePoint& point, const RotationBlocks<Real>& rotations, Scratch& scratch,
+                             PlacedShape<Real>& shape, ForkJoin* forkJoin = nullptr) const;
+
+  /// R_f of every face at `point` in the frames there, for the kernel; those of faces without area mean nothing.
+  void rotationsAt(const CurvePoint& point, const Frames& frames, Scratch& scratch, RotationBlocks<Real>& rotations,
+                   ForkJoin* forkJoin = nullptr) const;
+
+  /// S_f of every face at `point`, as the kernel lays them out (face_kernel.h).
+  void stretchesAt(const CurvePoint& point, std::vector<Real>& stretch) const;
+
+  /// One position per welded vertex of a shape that was reconstructed.
+  void positionsOf(const PlacedShape<Real>& shape, Positions& positions) const;
+
   /// R_f of every face at `point` in the frames there; the identity for faces without area.
   void faceRotations(const CurvePoint& point, const Frames& frames, std::vector<Quaternion>& rotation) const;
 
@@ -84,14 +98,21 @@ class Reconstructor {
  private:
   Reconstructor(const Input& input, LriCoordinates<Real> coordinates, PoissonSystem poisson,
                 const FractionReport& onProgress);
-  Quaternion faceRotation(int face, int frame, const PoseWeights& weights, const Frames& frames) const;
+  // Frames that faces follow, or the faces' own rotations.
+  struct Turning {
+    const Frames* frames = nullptr;
+    const RotationBlocks<Real>* faces = nullptr;
+  };
+  Quaternion faceRotation(int face, int frame, const PoseWeights& weights, const Turning& turning) const;
+  Reconstruction reconstruct(const CurvePoint& point, const Turning& turning, Scratch& scratch,
+                             PlacedShape<Real>& shape, ForkJoin* forkJoin) const;
   // x: (x, y, z, pad) of each slot; the right-hand side and then the solution.
-  IndefiniteFaces assemble(const PoseWeights& weights, const Frames& frames, Scratch& scratch, Real* x,
+  IndefiniteFaces assemble(const PoseWeights& weights, const Turning& turning, Scratch& scratch, Real* x,
                            ForkJoin* forkJoin) const;
   void solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
   void startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const;
-  void placeComponents(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const;
-  void placeLoose(const PoseWeights& weights, const Frames& frames, Scratch& scratch, const Real* x) const;
+  void placeComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;
+  void placeLoose(const PoseWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;
   Vec3 meanMove(const PoseWeights& weights, const Scratch& scratch, const Real* x) const;
   void slotsToPlaces(Scratch& scratch, Real* x) const;
   Vec3 placedVertex(int v, const Scratch& scratch, const Real* x) const;

@@ -32,13 +32,35 @@ Status EncodedShape::makeLri(const StageProgress& progress, OrderSource order) {
   if (lri_) return {};
   auto made = LriSpace::create(*keys_, *topology_, options_, progress, order);
   if (!made) return made.error();
-  lri_ = std::move(*made);
+  lri_ = std::make_unique<const LriSpace>(std::move(*made));
   topology_.reset();
   return {};
 }
 
 void EncodedShape::makeVertices() {
   if (!vertices_) vertices_.emplace(*keys_);
+}
+
+Status EncodedShape::checkStretches() const {
+  if (!lri().ghostMotion() || options_.transfer != Transfer::Paper) return {};
+  return Error{ErrorCode::InvalidOption,
+               "A motion that turns every face by itself needs the stretch of each, which the paper's transfer from a "
+               "ghost mesh does not keep. Choose the exact transfer, or no ghost mesh."};
+}
+
+Status EncodedShape::makeFaceSpace(Method method) {
+  if (Status status = checkStretches(); !status) return status;
+  if (method == Method::Rimd && !rimd_) rimd_ = std::make_unique<const RimdSpace>(*keys_, lri());
+  if (method == Method::RotationStrain && !rotationStrain_)
+    rotationStrain_ = std::make_unique<const RotationStrainSpace>(*keys_, lri());
+  return {};
+}
+
+Status EncodedShape::makeOwnPaths(OwnPaths base) {
+  if (Status status = checkStretches(); !status) return status;
+  auto& paths = base == OwnPaths::Root ? rootPaths_ : ownPaths_;
+  if (!paths) paths = std::make_unique<const OwnPathsSpace>(*keys_, lri(), base);
+  return {};
 }
 
 void EncodedShape::numberComponents() {

@@ -11,6 +11,8 @@
 #include "core/sequence/options.h"
 #include "core/sequence/sequence_stats.h"
 #include "core/space/lri_space.h"
+#include "core/space/rimd_space.h"
+#include "core/space/rotation_strain_space.h"
 #include "core/space/vertex_space.h"
 
 namespace shapespline {
@@ -31,10 +33,20 @@ class EncodedShape {
   /// Makes the space of vertex positions where it is not there.
   void makeVertices();
 
+  /// Makes a space in which faces rotate by themselves where it is not there; LRI space must have been made. Error:
+  /// InvalidOption where the shape has no stretches of its own.
+  Status makeFaceSpace(Method method);
+
+  /// The same of own paths. base: not Off.
+  Status makeOwnPaths(OwnPaths base);
+
   /// It must have been made.
   const LriSpace& lri() const { return assert(lri_), *lri_; }
   const VertexSpace& vertices() const { return assert(vertices_), *vertices_; }
-  bool hasLri() const { return lri_.has_value(); }
+  const RotationStrainSpace& rotationStrain() const { return assert(rotationStrain_), *rotationStrain_; }
+  const RimdSpace& rimd() const { return assert(rimd_), *rimd_; }
+  const OwnPathsSpace& ownPaths(OwnPaths base) const { return *(base == OwnPaths::Root ? rootPaths_ : ownPaths_); }
+  bool hasLri() const { return lri_ != nullptr; }
 
   /// Component of each face of the input, numbered by their first faces there; -1 where it has no area.
   const std::vector<int>& componentOfInputFace() const { return componentOfInputFace_; }
@@ -51,6 +63,7 @@ class EncodedShape {
   BuildStats stats() const;
 
  private:
+  Status checkStretches() const;
   EncodedShape(WeldedKeys keys, const EncodingOptions& options)
       : keys_(std::make_unique<const WeldedKeys>(std::move(keys))), options_(options) {}
   void numberComponents();
@@ -59,8 +72,11 @@ class EncodedShape {
   std::unique_ptr<const WeldedKeys> keys_;  // what follows refers to it
   LriOptions options_;
   std::optional<ShapeTopology> topology_;  // until LRI space is made
-  std::optional<LriSpace> lri_;
+  std::unique_ptr<const LriSpace> lri_;
   std::optional<VertexSpace> vertices_;
+  std::unique_ptr<const RotationStrainSpace> rotationStrain_;
+  std::unique_ptr<const RimdSpace> rimd_;
+  std::unique_ptr<const OwnPathsSpace> ownPaths_, rootPaths_;  // absolute, and against the largest frame
   std::vector<int> componentOfInputFace_;
   std::vector<int> firstFaceOf_;  // of each component, in the welded mesh
   std::vector<Warning> warnings_;

@@ -71,20 +71,39 @@ Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motio
                                 PlacedShape<float>& placed, ForkJoin* forkJoin) {
   stats_.framesMs = 0;
   if (motion.blendsVertices()) return placeBlend(encoded, point, placed);
-  ++stats_.solves;
-  Stopwatch watch;
-  encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
-  stats_.framesMs = watch.lap();
   return encoded.lri().withReconstructor([&]<class Real>(const Reconstructor<Real>& reconstructor) {
     if constexpr (std::is_same_v<Real, float>) {
-      return reconstructor.reconstruct(point, frames_, single_, placed, forkJoin);
+      return solve(encoded, motion, point, reconstructor, placed, forkJoin);
     } else {
-      const Reconstruction found = reconstructor.reconstruct(point, frames_, double_, placedDouble_, forkJoin);
-      placed.places.assign(placedDouble_.places.begin(), placedDouble_.places.end());
-      placed.move = placedDouble_.move;
+      const Reconstruction found = solve(encoded, motion, point, reconstructor, double_.placed, forkJoin);
+      placed.places.assign(double_.placed.places.begin(), double_.placed.places.end());
+      placed.move = double_.placed.move;
       return found;
     }
   });
+}
+
+template <class Real>
+Reconstruction Evaluator::solve(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                                const Reconstructor<Real>& reconstructor, PlacedShape<Real>& placed,
+                                ForkJoin* forkJoin) {
+  ++stats_.solves;
+  Solved<Real>& own = solved(reconstructor);
+  Stopwatch watch;
+  if (motion.options().method == Method::RotationStrain) {
+    encoded.rotationStrain().rotationsAt(point, own.rotations, forkJoin);
+    stats_.framesMs = watch.lap();
+    return reconstructor.reconstruct(point, own.rotations, own.scratch, placed, forkJoin);
+  }
+  encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
+  stats_.framesMs = watch.lap();
+  if (const OwnPaths base = motion.options().ownPaths; base != OwnPaths::Off) {
+    encoded.ownPaths(base).rotationsAt(point, frames_, reconstructor, own.scratch, own.own, own.rotations, forkJoin);
+    return reconstructor.reconstruct(point, own.rotations, own.scratch, placed, forkJoin);
+  }
+  const Reconstruction found = reconstructor.reconstruct(point, frames_, own.scratch, placed, forkJoin);
+  if (motion.options().method != Method::Rimd) return found;
+  return encoded.rimd().improve(point, reconstructor, rimdScratch_, own.scratch, placed, forkJoin);
 }
 
 Reconstruction Evaluator::placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed) {
@@ -96,15 +115,19 @@ Reconstruction Evaluator::placeBlend(const EncodedShape& encoded, const CurvePoi
   return {};
 }
 
+void Evaluator::unmoved(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                        Positions& positions) {
+  if (motion.blendsVertices()) return encoded.vertices().positions(point, positions);
+  encoded.lri().withReconstructor([&](const auto& r) {
+    auto& placed = solved(r).placed;
+    solve(encoded, motion, point, r, placed, nullptr);
+    r.positionsOf(placed, positions);
+  });
+}
+
 void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, double t, Positions& positions) {
   const CurvePoint point = pointAt(motion, t);
-  if (motion.blendsVertices()) {
-    encoded.vertices().positions(point, welded_);
-  } else {
-    ++stats_.solves;
-    encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
-    encoded.lri().withReconstructor([&](const auto& r) { r.reconstruct(point, frames_, scratch(r), welded_); });
-  }
+  unmoved(encoded, motion, point, welded_);
   if (motion.corrects()) hold(encoded, motion, t, point);
   const RigidMotion global = motion.globalMotion(encoded, t, point);
   if (moves(global))

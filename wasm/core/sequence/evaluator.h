@@ -30,6 +30,9 @@ class Evaluator {
   /// The same as n positions in double. As exact as the encoding's precision.
   void positions(const EncodedShape& encoded, const Motion& motion, double t, Positions& positions);
 
+  /// One position per welded vertex at a point of the motion's curve, before anything is held and the whole is moved.
+  void unmoved(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Positions& positions);
+
   /// The shape at an affine combination of the keys, one weight per key.
   void blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& weights, Frame& frame);
 
@@ -52,20 +55,31 @@ class Evaluator {
   void moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);
   void reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame);
   void draw(const EncodedShape& encoded, const Motion& motion, const RigidMotion& global, Frame& frame);
-  Reconstructor<float>::Scratch& scratch(const Reconstructor<float>&) { return single_; }
-  Reconstructor<double>::Scratch& scratch(const Reconstructor<double>&) { return double_; }
+  template <class Real>
+  Reconstruction solve(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                       const Reconstructor<Real>& reconstructor, PlacedShape<Real>& placed, ForkJoin* forkJoin);
+
+  // What shapes are reconstructed in, in either precision.
+  template <class Real>
+  struct Solved {
+    typename Reconstructor<Real>::Scratch scratch;
+    RotationBlocks<Real> rotations, own;  // where faces rotate by themselves
+    PlacedShape<Real> placed;
+  };
+  Solved<float>& solved(const Reconstructor<float>&) { return single_; }
+  Solved<double>& solved(const Reconstructor<double>&) { return double_; }
 
   ForkJoin* forkJoin_ = nullptr;
   FrameStats stats_;
   LriSpace::Scratch framesScratch_;
+  RimdSpace::Scratch rimdScratch_;
   Frames frames_;
-  Reconstructor<float>::Scratch single_;
-  Reconstructor<double>::Scratch double_;
+  Solved<float> single_;
+  Solved<double> double_;
   HeldMotion::Scratch heldScratch_;
   PinnedMotion::Scratch pinnedScratch_;
   VertexNormals::Scratch normalsScratch_;
   PlacedShape<float> placed_;
-  PlacedShape<double> placedDouble_;
   Positions welded_;
 };
 

@@ -37,12 +37,18 @@ ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
   const double step = meanStep();
   for (double t : times) {
     const Eigen::VectorXd weights = poseWeightsAt(t);
-    const ShapeProducts at = motion_.blendsVertices() ? lri_.vertexBlendProducts(weights) : plane.productsOf(weights);
+    const ShapeProducts at = motion_.inLri() ? plane.productsOf(weights) : productsAt(t, weights);
     append(result.curve, plane.project(at));
     result.distance.push_back(step > 0 ? plane.distance(at) / step : 0);
     result.weights.insert(result.weights.end(), weights.begin(), weights.end());
   }
   return result;
+}
+
+ShapeProducts FeatureCurve::productsAt(double t, const Eigen::VectorXd& weights) const {
+  Positions positions;
+  shapeAt_(t, positions);
+  return lri_.productsOf(positions, weights);
 }
 
 double FeatureCurve::meanStep() const {
@@ -176,9 +182,16 @@ double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) con
   return std::max({0.0, -along, along - chord});
 }
 
+// Of the space that the motion is made in.
+Eigen::MatrixXd FeatureCurve::ownGram() const {
+  if (motion_.blendsVertices()) return lri_.vertexGram();
+  if (motion_.inLri()) return gram_;
+  return motion_.options().method == Method::Rimd ? encoded_.rimd().gramMatrix()
+                                                  : encoded_.rotationStrain().gramMatrix();
+}
+
 std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
-  const Eigen::MatrixXd vertexGram = motion_.blendsVertices() ? lri_.vertexGram() : Eigen::MatrixXd();
-  const Eigen::MatrixXd& gram = motion_.blendsVertices() ? vertexGram : gram_;
+  const Eigen::MatrixXd gram = ownGram();
   const auto squared = [&](const Eigen::VectorXd& weights) { return std::max(0.0, weights.dot(gram * weights)); };
   double average = 0;
   for (int j = 1; j < shape_.keys; ++j) {

@@ -1,6 +1,8 @@
 // The motion as a curve of feature vectors: its plane, its bending energy, and the minimisation that it solves.
 #pragma once
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -64,11 +66,20 @@ struct MotionPace {
 /// What can be said of a motion from the inner products of its coordinates alone.
 class FeatureCurve {
  public:
-  /// shape: of LRI space. gram: its gramMatrix(). All must outlive the curve.
-  FeatureCurve(const LriSpace& lri, const WeldedShape& shape, const Motion& motion, const Eigen::MatrixXd& gram)
-      : lri_(lri), shape_(shape), motion_(motion), gram_(gram) {}
+  /// The motion's shape at a time, one position per welded vertex (Evaluator::unmoved).
+  using ShapeAt = std::function<void(double, Positions&)>;
 
-  /// Blends of vertices are encoded for it, which costs about as much as a frame each.
+  /// encoded: LRI space and that of the motion must have been made. gram: that of LRI space. All must outlive the
+  /// curve.
+  FeatureCurve(const EncodedShape& encoded, const Motion& motion, const Eigen::MatrixXd& gram, ShapeAt shapeAt)
+      : encoded_(encoded),
+        lri_(encoded.lri()),
+        shape_(encoded.shape()),
+        motion_(motion),
+        gram_(gram),
+        shapeAt_(std::move(shapeAt)) {}
+
+  /// Shapes of other spaces are encoded for it, which costs about as much as a frame each.
   ShapePlane plane(const std::vector<double>& times) const;
 
   /// The minimisation that the splines solve in closed form, over K samples. With tensions, biases or a linear method,
@@ -91,6 +102,8 @@ class FeatureCurve {
   Result<PartCurve> patch(int patch, const std::vector<double>& times) const;
 
  private:
+  Eigen::MatrixXd ownGram() const;
+  ShapeProducts productsAt(double t, const Eigen::VectorXd& weights) const;
   double squaredLength(const Eigen::VectorXd& poseWeights) const;
   double squaredDistance(int key, int other) const;
   double overshoot(const Eigen::VectorXd& poseWeights, double t) const;
@@ -99,10 +112,12 @@ class FeatureCurve {
   Eigen::VectorXd poseWeightsAt(const Curve& curve, double t) const;
   Eigen::VectorXd poseWeightsAt(double t) const { return poseWeightsAt(motion_.curve(), t); }
 
+  const EncodedShape& encoded_;
   const LriSpace& lri_;
   const WeldedShape& shape_;
   const Motion& motion_;
   const Eigen::MatrixXd& gram_;
+  ShapeAt shapeAt_;
 };
 
 }  // namespace shapespline

@@ -1,8 +1,10 @@
 #include "core/sequence/motion.h"
 
+#include <algorithm>
 #include <string>
 
 #include "core/base/format.h"
+#include "core/sequence/torn_warnings.h"
 #include "core/sequence/turn_warnings.h"
 
 namespace shapespline {
@@ -27,6 +29,29 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int compon
   return {};
 }
 
+bool addsTurns(const MotionOptions& o) {
+  return std::any_of(o.turns.begin(), o.turns.end(), [](const AddedTurns& t) { return t.turns != 0; });
+}
+
+Status checkOwnPaths(const MotionOptions& o) {
+  if (o.ownPaths == OwnPaths::Off || (o.method == Method::Lri && !addsTurns(o))) return {};
+  return Error{ErrorCode::InvalidOption,
+               o.method == Method::Lri ? "Whole turns cannot be added to own paths of faces: switch one of them off."
+                                       : "Own paths of faces belong to the method 'lri': switch them off."};
+}
+
+// Faces that rotate by themselves have no patches that turns are added to or that hold what rests.
+Status checkFaceMethod(const MotionOptions& o) {
+  if (!turnsFaces(o.method)) return {};
+  const char* const what = o.hold            ? "It cannot hold what rests"
+                           : !o.pins.empty() ? "It cannot hold pins"
+                           : addsTurns(o)    ? "Whole turns cannot be added to it"
+                                             : nullptr;
+  if (!what) return {};
+  return Error{ErrorCode::InvalidOption,
+               std::string("The method turns every face by itself. ") + what + ": choose the method 'lri' for that."};
+}
+
 CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {
   return {.linear = o.method == Method::Geodesic || o.method == Method::Linear,
           .boundary = o.boundary,
@@ -47,6 +72,8 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   const WeldedShape& shape = encoded.shape();
   if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
   if (Status status = checkTurns(options.turns, shape.keys, encoded.componentCount()); !status) return status.error();
+  if (Status status = checkFaceMethod(options); !status) return status.error();
+  if (Status status = checkOwnPaths(options); !status) return status.error();
   Result<Curve> curve = Curve::fit(keyTimes, curveOptions(shape, options));
   if (!curve) return curve.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);
@@ -94,13 +121,20 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
   warnings_ = encoded.warnings();
   if (blendsVertices()) return;
   const LriSpace& lri = encoded.lri();
-  const bool closes = options_.boundary == BoundaryKind::Periodic && !curve_.closesOnLastKey();
-  std::vector<Warning> turns = turnWarnings(encoded.shape(), lri.patches(), lri.ambiguousFaces(), lri.patchOfFace(),
-                                            encoded.turnsOfPatchComponents(options_.turns), closes);
+  warnings_.insert(warnings_.end(), lri.warnings().begin(), lri.warnings().end());
+  std::vector<Warning> turns = options_.method == Method::RotationStrain
+                                   ? tornWarnings(encoded.shape(), encoded.rotationStrain())
+                                   : patchWarnings(encoded);
   for (Warning& w : turns)
     if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
-  warnings_.insert(warnings_.end(), lri.warnings().begin(), lri.warnings().end());
   warnings_.insert(warnings_.end(), turns.begin(), turns.end());
+}
+
+std::vector<Warning> Motion::patchWarnings(const EncodedShape& encoded) const {
+  const LriSpace& lri = encoded.lri();
+  const bool closes = options_.boundary == BoundaryKind::Periodic && !curve_.closesOnLastKey();
+  return turnWarnings(encoded.shape(), lri.patches(), lri.ambiguousFaces(), lri.patchOfFace(),
+                      encoded.turnsOfPatchComponents(options_.turns), closes);
 }
 
 Vec3 Motion::loopMove(const EncodedShape& encoded, const CurvePoint& point) const {

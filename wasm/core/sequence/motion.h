@@ -42,6 +42,7 @@ class Motion {
   /// What the shape at `t` is moved by after its reconstruction; point: at(t).
   RigidMotion globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const;
 
+  bool inLri() const { return !blendsVertices() && !turnsFaces(options_.method); }
   bool blendsVertices() const { return shapespline::blendsVertices(options_.method); }
 
   /// What shapes are corrected by, or null.
@@ -59,6 +60,7 @@ class Motion {
       : curve_(std::move(curve)), times_(std::move(times)), options_(options) {}
   Status hold(const EncodedShape& encoded, const Motion* before);
   void collectWarnings(const EncodedShape& encoded);
+  std::vector<Warning> patchWarnings(const EncodedShape& encoded) const;
 
   Curve curve_;
   std::vector<double> times_;

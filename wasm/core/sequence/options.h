@@ -8,6 +8,7 @@
 #include "core/hold/held_motion.h"
 #include "core/hold/pin.h"
 #include "core/space/lri_space.h"
+#include "core/space/own_paths_space.h"
 #include "core/spline/rotation_spline.h"
 #include "core/spline/spline.h"
 
@@ -15,14 +16,19 @@ namespace shapespline {
 
 /// How the keys are joined. The first is the method; the others are the baselines it is compared with.
 enum class Method {
-  Lri,          ///< cubic splines in LRI space (the method)
-  Geodesic,     ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
-  Linear,       ///< piecewise linear vertex positions: what morph targets do
-  CubicVertex,  ///< cubic splines of the vertex positions
+  Lri,             ///< cubic splines in LRI space (the method)
+  Geodesic,        ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
+  Linear,          ///< piecewise linear vertex positions: what morph targets do
+  CubicVertex,     ///< cubic splines of the vertex positions
+  RotationStrain,  ///< cubic splines of rotation-strain coordinates (Huang et al. 2011)
+  Rimd,            ///< cubic splines of rotation-invariant mesh differences (Gao et al. 2016)
 };
 
 /// Whether every vertex moves on its own: the baselines.
 constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
+
+/// Whether faces rotate by themselves, so that there are no patches to add turns to or to hold: the rival spaces.
+constexpr bool turnsFaces(Method method) { return method == Method::RotationStrain || method == Method::Rimd; }
 
 /// Choices that refit the spline only: changing them never encodes again, and factors nothing but for `hold` and
 /// `pins`.
@@ -39,7 +45,8 @@ struct MotionOptions {
   std::vector<AddedTurns> turns;
   bool hold = false;      ///< what rests between keys stays (hold/); with Method::Lri and three keys or more
   std::vector<Pin> pins;  ///< with Method::Lri
-  bool inPlace = false;   ///< take out the translation that accumulates along the sequence
+  OwnPaths ownPaths = OwnPaths::Off;  ///< with Method::Lri, without added turns
+  bool inPlace = false;               ///< take out the translation that accumulates along the sequence
 };
 
 /// Choices that change the encoding: a new sequence is built for them.

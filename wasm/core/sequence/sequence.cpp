@@ -26,7 +26,7 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
 Result<Sequence> Sequence::fit(std::shared_ptr<SharedShape> shape, std::vector<double> keyTimes,
                                const MotionOptions& motion, const Sequence* before, const StageProgress& progress,
                                OrderSource order) {
-  if (Status status = shape->makeSpace(motion.method, progress, order); !status) return status.error();
+  if (Status status = shape->makeSpaces(motion, progress, order); !status) return status.error();
   auto fitted = Motion::fit(shape->encoded(), std::move(keyTimes), motion, before ? &before->motion_ : nullptr);
   if (!fitted) return fitted.error();
   Sequence sequence(std::move(shape), std::move(*fitted));
@@ -50,7 +50,7 @@ void Sequence::collectWarnings() {
 }
 
 Status Sequence::update(const MotionOptions& options, const std::vector<double>& keyTimes) {
-  if (Status status = shape_->makeSpace(options.method); !status) return status.error();
+  if (Status status = shape_->makeSpaces(options); !status) return status.error();
   auto motion = Motion::fit(encoded(), keyTimes, options, &motion_);
   if (!motion) return motion.error();
   motion_ = std::move(*motion);
@@ -109,7 +109,10 @@ Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
 
 Result<FeatureCurve> Sequence::featureCurve() {
   if (Status status = shape_->makeSpace(Method::Lri); !status) return status.error();
-  return FeatureCurve(encoded().lri(), encoded().shape(), motion_, shape_->gram());
+  const auto shapeAt = [this](double t, Positions& shape) {
+    shape_->evaluator().unmoved(encoded(), motion_, motion_.at(t), shape);
+  };
+  return FeatureCurve(encoded(), motion_, shape_->gram(), shapeAt);
 }
 
 }  // namespace shapespline

@@ -20,8 +20,11 @@ class SharedShape {
                                                      const StageProgress& progress = {});
 
   /// Makes the space that a method's motions need, where it is not there. progress: as above. order: as for
-  /// LriSpace::create. Errors: those of LriSpace::create.
+  /// LriSpace::create. Errors: those of LriSpace::create
+  /// and of EncodedShape::makeFaceSpace.
   Status makeSpace(Method method, const StageProgress& progress = {}, OrderSource order = nullptr);
+  /// The same of all that a motion needs.
+  Status makeSpaces(const MotionOptions& motion, const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const EncodedShape& encoded() const { return encoded_; }
   Evaluator& evaluator() { return evaluator_; }
@@ -32,6 +35,8 @@ class SharedShape {
 
  private:
   SharedShape(EncodedShape encoded, bool wantsGhost) : encoded_(std::move(encoded)), wantsGhost_(wantsGhost) {}
+
+  Status makeLri(const StageProgress& progress, OrderSource order);
 
   EncodedShape encoded_;
   bool wantsGhost_;

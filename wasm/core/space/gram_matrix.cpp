@@ -7,10 +7,7 @@
 
 namespace shapespline {
 
-namespace {
-
-// Adds `weight` times the inner products of some numbers of all shapes; numbers: shapes x count, row by row. Plain
-// loops: they are short, and Eigen's products are large.
+// Plain loops: they are short, and Eigen's products are large.
 void addProducts(Eigen::MatrixXd& gram, double weight, const std::vector<double>& numbers) {
   const auto shapes = static_cast<std::size_t>(gram.rows()), count = numbers.size() / shapes;
   for (std::size_t a = 0; a < shapes; ++a)
@@ -20,6 +17,8 @@ void addProducts(Eigen::MatrixXd& gram, double weight, const std::vector<double>
       gram(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) += weight * sum;
     }
 }
+
+namespace {
 
 void putRow(std::vector<double>& numbers, int shape, const Vec3& v) {
   for (int k = 0; k < 3; ++k) numbers[3 * static_cast<std::size_t>(shape) + k] = v[k];

@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/lri/lri.h"
 #include "core/patches/patch_coordinates.h"
-#include "core/space/vertex_blend.h"
+#include "core/space/encoded_positions.h"
 
 namespace shapespline {
 
@@ -18,6 +18,9 @@ namespace shapespline {
 /// other: null, or one more shape, which becomes the last row and column.
 Eigen::MatrixXd gramMatrix(const PoseCoordinates& poses, const WeldedShape& shape, double diagonal,
                            const ShapeCoordinates* other = nullptr);
+
+/// Adds `weight` times the inner products of some numbers of all shapes; numbers: shapes x count, row by row.
+void addProducts(Eigen::MatrixXd& gram, double weight, const std::vector<double>& numbers);
 
 /// Inner products of the poses' vertices, mean over the vertices: the metric that blends of vertices are made in.
 Eigen::MatrixXd vertexGramMatrix(const WeldedShape& shape);

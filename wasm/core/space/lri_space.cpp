@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/space/vertex_space.h"
 
 namespace shapespline {
 
@@ -154,12 +155,24 @@ PoseCoordinates LriSpace::poseCoordinates() const {
   return withReconstructor([&](const auto& r) { return coordinatesOf(patches_->coordinates(), r.coordinates()); });
 }
 
-ShapeProducts LriSpace::vertexBlendProducts(const Eigen::VectorXd& weights) const {
+ShapeProducts LriSpace::productsOf(const Positions& positions, const Eigen::VectorXd& weights) const {
   const PoseCoordinates poses = poseCoordinates();
-  const ShapeCoordinates blend = encodeVertexBlend(poses, ledBy(), stretch_, weights);
-  const Eigen::MatrixXd gram = shapespline::gramMatrix(poses, ledBy(), keys_->diagonal, &blend);
+  const ShapeCoordinates shape =
+      encodeShape(poses, ledBy(), stretch_, weights, ghost_ ? ghostOf(positions, weights) : positions);
+  const Eigen::MatrixXd gram = shapespline::gramMatrix(poses, ledBy(), keys_->diagonal, &shape);
   const int columns = ledBy().columns();
   return {gram.col(columns).head(columns), gram(columns, columns)};
+}
+
+// A ghost vertex moves against its blend as the vertex does that it belongs to.
+Positions LriSpace::ghostOf(const Positions& positions, const Eigen::VectorXd& weights) const {
+  const std::span<const double> w(weights.data(), static_cast<std::size_t>(weights.size()));
+  Positions blend, ghost;
+  blendVertices(keys_->shape, w, blend);
+  blendVertices(ghost_->shape(), w, ghost);
+  const std::vector<int>& vertexOf = ghost_->mesh().vertexOf;
+  for (std::size_t v = 0; v < ghost.size(); ++v) ghost[v] += positions[vertexOf[v]] - blend[vertexOf[v]];
+  return ghost;
 }
 
 Eigen::MatrixXd LriSpace::faceColumns(int inputFace) const {

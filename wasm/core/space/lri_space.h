@@ -97,8 +97,9 @@ class LriSpace {
 
   /// Inner products of the columns in the metric of the coordinates (gram_matrix.h).
   Eigen::MatrixXd gramMatrix() const;
-  /// The same of a blend of vertices with the columns (vertex_blend.h). weights: one per column, sum 1.
-  ShapeProducts vertexBlendProducts(const Eigen::VectorXd& weights) const;
+  /// The same of another shape with the columns (encoded_positions.h). weights: those that it belongs to, one per
+  /// column, sum 1. positions: of the welded vertices.
+  ShapeProducts productsOf(const Positions& positions, const Eigen::VectorXd& weights) const;
   /// Inner products of the columns' vertices: of the ghost's, with one.
   Eigen::MatrixXd vertexGram() const { return vertexGramMatrix(ledBy()); }
 
@@ -122,6 +123,7 @@ class LriSpace {
   Eigen::MatrixXd weldedFaceColumns(int face) const;
   // That the metric is made of: the ghost's, with one.
   PoseCoordinates poseCoordinates() const;
+  Positions ghostOf(const Positions& positions, const Eigen::VectorXd& weights) const;
   void describeGhost();
   void collectWarnings(int wantedGhostFaces);
 

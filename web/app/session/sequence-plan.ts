@@ -36,6 +36,9 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   const { referencePose: _, startTangentPose, endTangentPose, ...plain } = encoding;
   const hermite = motion.boundary === 'hermite';
   const ghost = plain.ghostFaces;
+  // Faces that rotate by themselves need stretches of their own, which the paper's transfer does not keep.
+  const leading = (one: Method): number =>
+    plain.transfer === 'paper' && !['lri', 'vertices'].includes(METHOD[one].space) ? 0 : ghost;
   const sizes = ghost > 0 && METHOD[method].space === 'lri' ? besides(ghost, shown) : [];
   return {
     order: keys.map((key) => key.pose),
@@ -45,11 +48,19 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
     encoding: { reference: referenceKey(doc), ...plain },
     startTangentPose: hermite ? startTangentPose : null,
     endTangentPose: hermite ? endTangentPose : null,
-    motion: { ...rest, pins: pinsFor(doc), ...listsOf(keys.map((key) => key.shaping)), inPlace: false },
+    motion: {
+      ...rest,
+      pins: pinsFor(doc),
+      ...listsOf(keys.map((key) => key.shaping)),
+      ownPaths: MOTION_DEFAULTS.ownPaths,
+      inPlace: false,
+    },
     variants: [
-      { method, ghost },
+      { method, ghost: leading(method) },
       ...sizes.map((size) => ({ method, ghost: size })),
-      ...shown.compare.flatMap((other) => besideMethod(motion, other).map((one) => ({ ...one, ghost }))),
+      ...shown.compare.flatMap((other) =>
+        besideMethod(motion, other).map((one) => ({ ...one, ghost: leading(other) })),
+      ),
     ],
   };
 }
@@ -94,10 +105,10 @@ export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): P
   };
 }
 
-/** The boundary that a method makes use of: straight motion has no end derivatives. */
+/** What a method makes use of: straight motion has no end derivatives, some methods hold and turn nothing. */
 export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
-  const boundary =
-    METHOD[method].curve === 'polygon' && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
-  const { hold, pins } = plain ? MOTION_DEFAULTS : plan.motion;
-  return { ...plan.motion, method, boundary, hold, pins: [...pins] };
+  const { curve, holds: can, turns } = METHOD[method];
+  const boundary = curve === 'polygon' && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
+  const { hold, pins } = plain || !can ? MOTION_DEFAULTS : plan.motion;
+  return { ...plan.motion, method, boundary, hold, pins: [...pins], turns: turns ? plan.motion.turns : [] };
 }

@@ -153,7 +153,7 @@ export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 export const MOTION = {
   method: {
     kind: 'choice',
-    choices: ['lri', 'geodesic', 'linear', 'cubic-vertex'],
+    choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd'],
     default: 'lri',
     flag: 'method',
     help: "the paper's method (lri), or a method to compare with it",
@@ -227,6 +227,16 @@ export const MOTION = {
     help: 'periodic: length of one period',
     page: 'period',
     undo: 'period',
+  },
+  /** With the method 'lri' and no whole turns. */
+  ownPaths: {
+    kind: 'choice',
+    choices: ['off', 'absolute', 'root'],
+    default: 'off',
+    flag: 'own-paths',
+    help:
+      'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
+      "(absolute), or against the largest patch, so that a key's own orientation changes nothing (root)",
   },
   /** Take out the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },

@@ -61,7 +61,7 @@ export class ShapeClient implements Shape {
   }
 
   make(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
-    const needsLri = METHOD[motion.options.method].space === 'lri';
+    const needsLri = METHOD[motion.options.method].space !== 'vertices';
     return needsLri && !this.hasLri ? this.makeWithLri(motion, call) : this.ask('motion', { motion, order: null });
   }
 

@@ -1,14 +1,11 @@
-#include "core/space/vertex_blend.h"
+#include "core/space/encoded_positions.h"
 
 #include "core/rotation/rotation.h"
-#include "core/space/vertex_space.h"
 
 namespace shapespline {
 
-ShapeCoordinates encodeVertexBlend(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
-                                   const Eigen::VectorXd& weights) {
-  Positions pose;
-  blendVertices(shape, {weights.data(), static_cast<std::size_t>(weights.size())}, pose);
+ShapeCoordinates encodeShape(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
+                             const Eigen::VectorXd& weights, const Positions& positions) {
   const Patches& patches = poses.patches.patches;
   ShapeCoordinates out{{}, {}, Vec3::Zero()};
   out.face.resize(shape.faceCount());
@@ -18,7 +15,7 @@ ShapeCoordinates encodeVertexBlend(const PoseCoordinates& poses, const WeldedSha
     if (patches.ofFace[f] < 0) continue;
     const Triangle& t = shape.faces[f];
     const FaceFrame frame = referenceFrame(shape, f);
-    deformed[f] = deformation(frame, pose[t[0]], pose[t[1]], pose[t[2]]);
+    deformed[f] = deformation(frame, positions[t[0]], positions[t[1]], positions[t[2]]);
     mean[patches.ofFace[f]].add(Quaternion(deformed[f].rotation), frame.area);
   }
   std::vector<Quaternion> rotation;

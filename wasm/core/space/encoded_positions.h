@@ -1,4 +1,4 @@
-// Where a blend of vertices lies in shape space: unlike a blend of coordinates it has to be encoded to be compared.
+// Where a shape that is no blend of coordinates lies in shape space: it has to be encoded to be compared.
 #pragma once
 
 #include <array>
@@ -36,9 +36,9 @@ PoseCoordinates coordinatesOf(const PatchCoordinates& patches, const LriCoordina
   return {patches, &x.face, read, x.meanPosition};
 }
 
-/// The shape whose vertices are the poses' in these weights (one per column, sum 1), encoded in the same patches.
-/// Logarithms take the representatives nearest the same blend of the poses' logarithms.
-ShapeCoordinates encodeVertexBlend(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
-                                   const Eigen::VectorXd& weights);
+/// A shape that belongs to these weights (one per column, sum 1), such as the poses' vertices in them, encoded in the
+/// poses' patches. Logarithms take the representatives nearest the same blend of the poses' logarithms.
+ShapeCoordinates encodeShape(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
+                             const Eigen::VectorXd& weights, const Positions& positions);
 
 }  // namespace shapespline

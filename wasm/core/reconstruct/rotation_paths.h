@@ -1,0 +1,36 @@
+// Rotations that move through the keys (rotation_spline.h), four at a time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/fork_join.h"
+#include "core/reconstruct/rotation_blocks.h"
+#include "core/spline/rotation_spline.h"
+
+namespace shapespline {
+
+/// Immutable.
+template <class Real>
+class RotationPaths {
+ public:
+  RotationPaths() = default;
+  /// slotOf: of each path; those without one rest.
+  RotationPaths(const RotationSplines& paths, std::span<const int> slotOf);
+
+  /// The rotations at `point`, all of them turned by `whole` after that.
+  void at(const CurvePoint& point, const Quaternion& whole, RotationBlocks<Real>& rotations,
+          ForkJoin* forkJoin = nullptr) const;
+
+  Vec3 increment(int step, int slot) const;
+
+ private:
+  void blocksAt(const CurvePoint& point, const Quaternion& whole, std::size_t begin, std::size_t end,
+                Real* rotations) const;
+
+  std::size_t blocks_ = 0;
+  std::vector<RotationBlocks<Real>> key_;     // of each column
+  std::vector<std::vector<Real>> increment_;  // of each step: [block][x, y, z][lane]
+};
+
+}  // namespace shapespline

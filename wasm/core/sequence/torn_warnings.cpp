@@ -1,0 +1,37 @@
+#include "core/sequence/torn_warnings.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/format.h"
+
+namespace shapespline {
+
+namespace {
+
+// Fewer or smaller faces than these shares of the shape are slivers.
+constexpr double leastShare = 0.001;
+constexpr int leastCount = 4;
+
+}  // namespace
+
+std::vector<Warning> tornWarnings(const WeldedShape& shape, const RotationStrainSpace& space) {
+  std::vector<Warning> warnings;
+  const double least = std::max<double>(leastCount, leastShare * shape.faceCount());
+  for (int s = 0; s + 1 < shape.keys; ++s) {
+    const AmbiguousFaces& torn = space.tornFaces()[s];
+    if (torn.worst < 0 || torn.count < least || torn.area < leastShare) continue;
+    warnings.push_back({"torn-faces",
+                        "Between key " + std::to_string(s + 1) + " and key " + std::to_string(s + 2) + " " +
+                            grouped(torn.count) +
+                            " faces turn by so nearly a whole turn that their neighbours' axes disagree, and the "
+                            "surface tears. Add a key in between, or choose the method 'lri'.",
+                        torn.count,
+                        s + 1,
+                        torn.worst,
+                        {}});
+  }
+  return warnings;
+}
+
+}  // namespace shapespline

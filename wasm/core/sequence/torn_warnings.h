@@ -1,0 +1,14 @@
+// Where faces that rotate by themselves tear the surface.
+#pragma once
+
+#include <vector>
+
+#include "core/base/warning.h"
+#include "core/space/rotation_strain_space.h"
+
+namespace shapespline {
+
+/// One warning per interval between keys. Warning::face is a face of the welded mesh.
+std::vector<Warning> tornWarnings(const WeldedShape& shape, const RotationStrainSpace& space);
+
+}  // namespace shapespline
