@@ -160,7 +160,7 @@ class ConnectionEncoder {
       out_.connection.increment[s] = std::move(chosen->increment);
       out_.residual[s] = std::move(chosen->residual);
     }
-    continueHalfTurns();
+    chooseBridgeTurns();
     joinSenses();
     if (shape_.closing) closeOnLastKey();
     out_.connection.finish(steps_);
@@ -198,16 +198,21 @@ class ConnectionEncoder {
     out_.graph.orient(out_.graph.centreTree(cost));
   }
 
-  // A component that turns by almost half a turn goes the way that bends least.
-  void continueHalfTurns() {
+  // A component that turns by almost half a turn goes the way that bends least. The closing step follows the others:
+  // an open motion does not take it.
+  void chooseBridgeTurns() {
     auto& increment = out_.connection.increment;
-    for (std::size_t l = 0; l < out_.graph.links().size(); ++l) {
-      if (out_.graph.links()[l].sharedEdges > 0) continue;
+    for (std::size_t l = out_.patches.pairs.size(); l < out_.graph.links().size(); ++l) {
       std::vector<TurnOptions> options;
-      for (int s = 0; s <= steps_.closing(); ++s) options.push_back(turnOptions(increment[s][l]));
+      for (int s = 0; s < steps_.closing(); ++s) options.push_back(turnOptions(increment[s][l]));
       const std::vector<char> other = chooseTurns(options);
-      for (int s = 0; s <= steps_.closing(); ++s)
+      for (int s = 0; s < steps_.closing(); ++s)
         if (other[s]) increment[s][l] = options[s].other;
+      Vec3& closing = increment[steps_.closing()][l];
+      TurnOptions last = turnOptions(increment[steps_.closing() - 1][l]), first = turnOptions(increment[0][l]);
+      last.isOpen = first.isOpen = false;
+      const TurnOptions between = turnOptions(closing);
+      if (chooseTurns({last, between, first})[1]) closing = between.other;
     }
   }
 
