@@ -66,7 +66,7 @@ TEST_CASE("senses do not depend on the signs that they start from") {
   std::vector<Quaternion> turn;
   const int side = 12;
   for (int i = 0; i < side * side; ++i) {
-    turn.push_back(expQuaternion(Vec3(coordinate(), coordinate(), coordinate())));
+    turn.push_back(expQuaternion(Vec3{coordinate(), coordinate(), coordinate()}));
     if (i % side > 0) joints.push_back({i - 1, i, random.uniform(1, 1.2)});
     if (i >= side) joints.push_back({i - side, i, random.uniform(1, 1.2)});
   }
