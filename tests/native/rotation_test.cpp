@@ -87,6 +87,7 @@ RotationSplines pathThrough(const std::vector<Quaternion>& keys) {
   for (const Quaternion& q : keys) paths.key.push_back({q});
   for (std::size_t j = 1; j < keys.size(); ++j)
     paths.increment.push_back({logRotation(Quaternion(keys[j - 1].conjugate() * keys[j]))});
+  paths.finish(KeySteps{static_cast<int>(keys.size())});
   return paths;
 }
 
@@ -167,9 +168,44 @@ TEST_CASE("a rotation path through many keys starts at the last key that is done
   }
 }
 
-TEST_CASE("half turns go on in the same sense") {
-  CHECK((continuedHalfTurn(Vec3(0, 0, -pi + 1e-5), Vec3(0, 0, 3)) - Vec3(0, 0, pi + 1e-5)).norm() < 1e-12);
-  CHECK(continuedHalfTurn(Vec3(0, 0, -3), Vec3(0, 0, 3)) == Vec3(0, 0, -3));
+TEST_CASE("a rotation path through reversed keys is the reversed path") {
+  std::mt19937 random(7);
+  std::vector<Quaternion> keys;
+  for (int j = 0; j < 5; ++j) keys.push_back(expQuaternion(randomVector(random, 2)));
+  const std::vector<Quaternion> reversed(keys.rbegin(), keys.rend());
+  const RotationSplines path = pathThrough(keys), back = pathThrough(reversed);
+  const Curve curve = std::move(*Curve::fit({0, 1, 2.5, 3, 5}, {}));
+  const Curve mirrored = std::move(*Curve::fit({0, 2, 2.5, 4, 5}, {}));
+  for (const double t : {-1.0, 0.3, 1.7, 2.8, 4.1, 6.0})
+    CHECK(at(path, curve.at(t)).angularDistance(at(back, mirrored.at(5 - t))) < 1e-12);
+}
+
+namespace {
+
+// The turns that are chosen about z, degrees.
+std::vector<double> chosenDegrees(const std::vector<double>& degrees) {
+  std::vector<TurnOptions> options;
+  for (const double d : degrees) options.push_back(turnOptions(Vec3(0, 0, d * pi / 180)));
+  const std::vector<char> other = chooseTurns(options);
+  std::vector<double> chosen;
+  for (std::size_t s = 0; s < options.size(); ++s)
+    chosen.push_back(std::round((other[s] ? options[s].other : options[s].turn).z() * 180 / pi));
+  return chosen;
+}
+
+}  // namespace
+
+TEST_CASE("half turns go on in the same sense, from either end") {
+  CHECK(chosenDegrees({-180, 180, -180}) == std::vector<double>{180, 180, 180});
+  CHECK(chosenDegrees({100, -179.9999}) == std::vector<double>{100, 180});
+  CHECK(chosenDegrees({-179.9999, 100}) == std::vector<double>{180, 100});
+  CHECK(chosenDegrees({90, -178, 90}) == std::vector<double>{90, 182, 90});
+}
+
+TEST_CASE("the shorter way is taken unless it is hardly shorter") {
+  CHECK(chosenDegrees({100, -120, 100}) == std::vector<double>{100, -120, 100});
+  CHECK(chosenDegrees({155, -155}) == std::vector<double>{155, -155});
+  CHECK(chosenDegrees({170, -170}) == std::vector<double>{170, 190});
 }
 
 TEST_CASE("patch rotations: connections that agree are met, others change nothing by much") {

@@ -103,18 +103,18 @@ class Encoder {
       if (open[f]) next.emplace_back(f, -1), drain();
   }
 
+  // From the reference, where nothing turns, to both ends: reversed keys unwrap alike.
   void unwrapFace(int f, int neighbour) {
-    for (int c = 0; c < shape_.columns(); ++c) {
-      const Vec3 r = out_.face.rotation(f, c);
-      const bool hasBefore = c > 0;
-      if (!hasBefore && neighbour < 0) continue;
-      // nearest to two targets in least squares = nearest to their midpoint
-      Vec3 target = Vec3::Zero();
-      if (hasBefore) target += out_.face.rotation(f, shape_.before(c));
-      if (neighbour >= 0) target += out_.face.rotation(neighbour, c);
-      if (hasBefore && neighbour >= 0) target /= 2;
-      out_.face.setRotation(f, c, nearestRepresentative(r, target));
-    }
+    const int reference = shape_.reference;
+    for (int c = reference - 1; c >= 0; --c) unwrapPose(f, neighbour, c, c + 1);
+    for (int c = reference + 1; c < shape_.columns(); ++c) unwrapPose(f, neighbour, c, shape_.before(c));
+  }
+
+  void unwrapPose(int f, int neighbour, int column, int before) {
+    // nearest to two targets in least squares = nearest to their midpoint
+    Vec3 target = out_.face.rotation(f, before);
+    if (neighbour >= 0) target = (target + out_.face.rotation(neighbour, column)) / 2;
+    out_.face.setRotation(f, column, nearestRepresentative(out_.face.rotation(f, column), target));
   }
 
   void findAmbiguousFaces(const std::vector<int>& turning, double area) {

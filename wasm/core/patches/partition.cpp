@@ -1,6 +1,7 @@
 #include "core/patches/partition.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -92,8 +93,9 @@ class Partition {
   }
 
   Patches take() {
-    collectPairs();
     patches_.count = static_cast<int>(centres_.size());
+    numberByFaces();
+    collectPairs();
     return std::move(patches_);
   }
 
@@ -273,6 +275,21 @@ class Partition {
       const double c = cost(f, centres_[k]);
       if (c < best[k]) best[k] = c, centres_[k].seed = f;
     });
+  }
+
+  // In the order of their first faces: that of the seeds is a matter of luck, and trees in the graph of patches go by
+  // numbers.
+  void numberByFaces() {
+    std::vector<int> number(patches_.count, -1), componentOf;
+    eachFace({}, [&](int, int k) {
+      if (number[k] >= 0) return;
+      number[k] = static_cast<int>(componentOf.size());
+      componentOf.push_back(patches_.componentOf[k]);
+    });
+    assert(static_cast<int>(componentOf.size()) == patches_.count);
+    for (int& k : patches_.ofFace)
+      if (k >= 0) k = number[k];
+    patches_.componentOf = std::move(componentOf);
   }
 
   void collectPairs() {

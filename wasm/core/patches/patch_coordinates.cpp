@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/patches/turn_branches.h"
+#include "core/rotation/turn_choice.h"
 
 namespace shapespline {
 
 namespace {
+
+std::vector<Quaternion> turnsOf(const std::vector<Quaternion>& from, const std::vector<Quaternion>& to) {
+  std::vector<Quaternion> turns;
+  for (std::size_t k = 0; k < from.size(); ++k) turns.push_back(to[k] * from[k].conjugate());
+  return turns;
+}
 
 class PatchEncoder {
  public:
@@ -47,6 +55,7 @@ class PatchEncoder {
     area_.assign(out_.patches.count, 0);
     topology_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, columns, partOf(onProgress, 0.9, 1));
+    findSenses(area, rotations, columns);
   }
 
   // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.
@@ -61,6 +70,38 @@ class PatchEncoder {
     out_.rotation.assign(shape_.columns(), std::vector<Quaternion>(out_.patches.count, Quaternion::Identity()));
     for (std::size_t i = 0; i < columns.size(); ++i)
       for (int k = 0; k < out_.patches.count; ++k) out_.rotation[columns[i]][k] = mean[columns.size() * k + i].mean();
+  }
+
+  // Of the faces, whatever the patches are; a patch turned as most of it did.
+  void findSenses(const std::vector<double>& area, const FaceRotations& rotations, const std::vector<int>& columns) {
+    std::vector<TurnJoint> joints;
+    topology_.eachUsedFace([&](int f) {
+      for (const int g : topology_.graph.of(f))
+        if (f < g) joints.push_back({f, g, std::sqrt(std::min(area[f], area[g]))});
+    });
+    std::vector<int> indexOf(shape_.columns(), -1);  // -1: nothing turns
+    for (std::size_t i = 0; i < columns.size(); ++i) indexOf[columns[i]] = static_cast<int>(i);
+    const auto rotationOf = [&](int f, int column) {
+      return indexOf[column] < 0 ? Quaternion::Identity() : rotations.of(f)[indexOf[column]];
+    };
+    std::vector<Quaternion> turn(shape_.faceCount(), Quaternion::Identity());
+    out_.turn.resize(KeySteps{shape_.keys}.count());
+    out_.openTurns.resize(out_.turn.size());
+    for (int s = 0; s < static_cast<int>(out_.turn.size()); ++s) {
+      const auto [from, to] = posesOf(shape_, s);
+      if (from < 0 || s == KeySteps{shape_.keys}.turnedClosing()) continue;
+      topology_.eachUsedFace([&](int f) { turn[f] = rotationOf(f, to) * rotationOf(f, from).conjugate(); });
+      out_.openTurns[s] = chooseTurnSenses(joints, area, turn);
+      for (OpenTurn& open : out_.openTurns[s]) open.part = out_.patches.ofFace[open.part];
+      out_.turn[s] = turnsOf(out_.rotation[from], out_.rotation[to]);
+      std::vector<double> agreement(out_.patches.count, 0);
+      topology_.eachUsedFace([&](int f) {
+        const int k = out_.patches.ofFace[f];
+        agreement[k] += area[f] * turn[f].dot(out_.turn[s][k]);
+      });
+      for (int k = 0; k < out_.patches.count; ++k)
+        if (agreement[k] < 0) out_.turn[s][k].coeffs() *= -1;
+    }
   }
 
   // The logarithms of the metric (sequence/gram_matrix.h): the representatives nearest the pose before.
@@ -108,22 +149,36 @@ class ConnectionEncoder {
     }
     out_.connection.increment.resize(steps_.count());
     out_.residual.resize(steps_.count());
+    out_.turn.resize(steps_.count());
+    out_.openTurns.resize(steps_.count());
     for (int s = 0; s < steps_.count(); ++s) {
       const auto [from, to] = posesOf(shape_, s);
       if (from < 0 || s == steps_.turnedClosing()) continue;
-      auto chosen = chooseTurnBranches(out_.graph, out_.connection.key[from], out_.connection.key[to]);
+      if (out_.turn[s].empty()) findSenses(s, from, to);
+      auto chosen = chooseTurnBranches(out_.graph, out_.connection.key[from], out_.connection.key[to], out_.turn[s]);
       if (!chosen) return chosen.error();
       out_.connection.increment[s] = std::move(chosen->increment);
       out_.residual[s] = std::move(chosen->residual);
     }
-    continueHalfTurns();
+    chooseBridgeTurns();
+    joinSenses();
     if (shape_.closing) closeOnLastKey();
+    out_.connection.finish(steps_);
     return {};
   }
 
  private:
   Quaternion connection(int column, const PatchLink& link) const {
     return (out_.rotation[column][link.from].conjugate() * out_.rotation[column][link.to]).normalized();
+  }
+
+  // Where only patches are known.
+  void findSenses(int step, int from, int to) {
+    std::vector<TurnJoint> joints;
+    for (const PatchLink& link : out_.graph.links())
+      if (link.sharedEdges > 0) joints.push_back({link.from, link.to, static_cast<double>(link.sharedEdges)});
+    out_.turn[step] = turnsOf(out_.rotation[from], out_.rotation[to]);
+    out_.openTurns[step] = chooseTurnSenses(joints, out_.graph.area(), out_.turn[step]);
   }
 
   // The cumulative form is not symmetric in the two patches: links lead away from the middle of the shape, not up the
@@ -143,12 +198,37 @@ class ConnectionEncoder {
     out_.graph.orient(out_.graph.centreTree(cost));
   }
 
-  // A component that turns by half a turn goes on the way it came.
-  void continueHalfTurns() {
+  // A component that turns by almost half a turn goes the way that bends least. The closing step follows the others:
+  // an open motion does not take it.
+  void chooseBridgeTurns() {
     auto& increment = out_.connection.increment;
-    for (std::size_t l = 0; l < out_.graph.links().size(); ++l)
-      for (int s = 0; s <= steps_.closing() && out_.graph.links()[l].sharedEdges == 0; ++s)
-        increment[s][l] = continuedHalfTurn(increment[s][l], s > 0 ? increment[s - 1][l] : Vec3(Vec3::Zero()));
+    for (std::size_t l = out_.patches.pairs.size(); l < out_.graph.links().size(); ++l) {
+      std::vector<TurnOptions> options;
+      for (int s = 0; s < steps_.closing(); ++s) options.push_back(turnOptions(increment[s][l]));
+      const std::vector<char> other = chooseTurns(options);
+      for (int s = 0; s < steps_.closing(); ++s)
+        if (other[s]) increment[s][l] = options[s].other;
+      Vec3& closing = increment[steps_.closing()][l];
+      TurnOptions last = turnOptions(increment[steps_.closing() - 1][l]), first = turnOptions(increment[0][l]);
+      last.isOpen = first.isOpen = false;
+      const TurnOptions between = turnOptions(closing);
+      if (chooseTurns({last, between, first})[1]) closing = between.other;
+    }
+  }
+
+  // The senses of a component go with its bridge. Parents come before their children.
+  void joinSenses() {
+    const std::size_t first = out_.patches.pairs.size();
+    for (int s = 0; s < steps_.count(); ++s) {
+      std::vector<Quaternion>& turn = out_.turn[s];
+      for (std::size_t b = 0; b < out_.bridgedComponent.size() && !turn.empty(); ++b) {
+        const auto [from, to, edges] = out_.graph.links()[first + b];
+        const bool goesFar = out_.connection.increment[s][first + b].norm() > std::numbers::pi;
+        if ((turn[from].dot(turn[to]) < 0) == goesFar) continue;
+        for (std::size_t k = 0; k < turn.size(); ++k)
+          if (out_.patches.componentOf[k] == out_.bridgedComponent[b]) turn[k].coeffs() *= -1;
+      }
+    }
   }
 
   // The last step to a last key that is the first one again: the same way as to the last key, but for what the two

@@ -7,6 +7,7 @@
 #include "core/lri/welded_shape.h"
 #include "core/patches/partition.h"
 #include "core/patches/patch_graph.h"
+#include "core/patches/turn_senses.h"
 #include "core/spline/rotation_spline.h"
 
 namespace shapespline {
@@ -14,6 +15,9 @@ namespace shapespline {
 struct PatchCoordinates {
   Patches patches;
   std::vector<std::vector<Quaternion>> rotation;  ///< G_k: rotation[column][patch]
+  /// turn[step][patch]: G_to G_from^T, its sign the sense (turn_senses.h); empty for steps that there are not
+  std::vector<std::vector<Quaternion>> turn;
+  std::vector<std::vector<OpenTurn>> openTurns;  ///< openTurns[step]: those that the keys leave open; parts: patches
   std::vector<std::vector<Vec3>> pair;  ///< log(G_i^T G_j): pair[column][p] for patches.pairs[p], for the metric
   PatchGraph graph;  ///< links: patches.pairs in their order, then a bridge for each component but the root
   std::vector<int> bridgedComponent;          ///< the component that each bridge attaches

@@ -19,6 +19,22 @@ constexpr std::array frameSteps = {1, 16};
 constexpr double noAxis = 1e-6;
 // What turns by less than this may rest: noise decides about which axis.
 constexpr double atRest = 0.01;
+// A root that turns by less does not turn the other way.
+constexpr double surelyShort = 0.5;
+// The shares of a step at which paths are compared.
+constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
+
+// The way that was chosen, as the only one.
+TurnOptions chosen(const TurnOptions& o, bool other) {
+  return other ? TurnOptions{o.other, o.other, o.otherCost, o.otherCost, false}
+               : TurnOptions{o.turn, o.turn, o.cost, o.cost, false};
+}
+
+// Axis times angle, up to a whole turn: of q and of -q, which is the other way.
+Vec3 rotationVector(const Quaternion& q, bool flipped) {
+  const double sign = flipped ? -1 : 1, sine = q.vec().norm();
+  return sine < noAxis / 2 ? Vec3(Vec3::Zero()) : Vec3(sign * 2 * std::atan2(sine, sign * q.w()) / sine * q.vec());
+}
 
 // The axis about which a set of points has the largest moment of inertia: that of a wheel.
 Vec3 wheelAxis(const Positions& positions, const std::vector<Triangle>& faces, const std::vector<char>& ofPart) {
@@ -54,12 +70,62 @@ PatchMotion::PatchMotion(const WeldedShape& shape, PatchCoordinates coordinates)
   for (int s = 0; s < steps_.count(); ++s) posesOf_.push_back(posesOf(shape, s));
   own_.key = patches_.rotation;
   own_.increment.resize(steps_.count());
+  isOpen_.assign(steps_.count(), 0);
 }
 
 void PatchMotion::findOwnPaths(const std::vector<int>& open) {
-  for (const int s : open) findOwnIncrements(*open_, s);
-  findOwnIncrements(*loop_, steps_.closing());
-  if (!closing_) return;
+  std::vector<OwnTurns> keys;
+  for (const int s : open) {
+    OwnTurns turns = ownTurns(*open_, s);
+    if (s < steps_.closing()) keys.push_back(std::move(turns));
+    else take(s, turns, chooseTurns({turns.options})[0] != 0);
+  }
+  std::vector<TurnOptions> options;
+  for (const OwnTurns& turns : keys) options.push_back(turns.options);
+  const std::vector<char> other = chooseTurns(options);
+  for (int s = 0; s < steps_.closing(); ++s) take(s, keys[s], other[s] != 0);
+  const OwnTurns last = ownTurns(*loop_, steps_.closing());
+  take(steps_.closing(), last,
+       chooseTurns({chosen(options.back(), other.back()), last.options, chosen(options[0], other[0])})[1] != 0);
+  if (closing_) closeOwnPaths();
+  own_.finish(steps_);
+}
+
+void PatchMotion::take(int step, const OwnTurns& turns, bool other) {
+  own_.increment[step] = other ? turns.other : turns.first;
+  isOpen_[step] = turns.options.isOpen;
+}
+
+// Both ways of the whole in a step, the shorter first.
+PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) const {
+  const int root = solver.system.tree().root();
+  PartWay partWay;
+  for (std::size_t i = 0; i < shares.size(); ++i) solvePartWay(solver, step, shares[i], partWay[i]);
+  const bool flipped = patches_.turn[step][root].w() < 0;
+  OwnTurns turns{ownIncrements(solver, step, partWay, flipped), {}, {}};
+  const auto cost = [&](const std::vector<Vec3>& increment) {
+    const std::vector<double>& area = patches_.graph.area();
+    double sum = 0, total = 0;
+    for (std::size_t k = 0; k < area.size(); ++k) sum += area[k] * increment[k].squaredNorm(), total += area[k];
+    return sum / total;
+  };
+  TurnOptions& o = turns.options;
+  o.turn = o.other = meanTurn(step, turns.first);
+  o.cost = o.otherCost = cost(turns.first);
+  o.isOpen = turns.first[root].norm() > surelyShort;
+  if (!o.isOpen) return turns;
+  turns.other = ownIncrements(solver, step, partWay, !flipped);
+  o.other = meanTurn(step, turns.other);
+  o.otherCost = cost(turns.other);
+  if (o.otherCost < o.cost)
+    std::swap(o.cost, o.otherCost), std::swap(o.turn, o.other), std::swap(turns.first, turns.other);
+  const double openCost = std::pow(ambiguousTurn / (twoPi - ambiguousTurn), 2);
+  o.isOpen = o.cost > openCost * o.otherCost;
+  return turns;
+}
+
+// As for pairs: the same way as to the last key.
+void PatchMotion::closeOwnPaths() {
   const auto [from, to] = posesOf_[steps_.turnedClosing()];
   for (std::size_t k = 0; k < own_.key[0].size(); ++k) {
     const Quaternion turned = closing_->rotation * own_.key[to][k];
@@ -107,54 +173,60 @@ Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& step
   return Solver{std::move(*system), {}};
 }
 
-// The rotations at a share of one step, the root on its own path.
-void PatchMotion::partWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const {
-  const int from = posesOf_[step].from, root = solver.system.tree().root();
+// The rotations at a share of one step, as the maps give them: up to one rotation of all.
+void PatchMotion::solvePartWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const {
+  const int from = posesOf_[step].from;
   std::vector<Quaternion> connection = patches_.connection.key[from];
   for (std::size_t l = 0; l < connection.size(); ++l)
     connection[l] = connection[l] * expQuaternion(share * patches_.connection.increment[step][l]);
   PatchRotationSystem::Scratch scratch;
   solver.system.solve(connection, frameSteps, scratch, rotation);
-  const Quaternion wanted = own_.key[from][root] * expQuaternion(share * own_.increment[step][root]);
+}
+
+// The same, the root on its own path.
+void PatchMotion::turnPartWay(const Solver& solver, int step, double share, const Vec3& rootTurn,
+                              std::vector<Quaternion>& rotation) const {
+  const int root = solver.system.tree().root();
+  const Quaternion wanted = own_.key[posesOf_[step].from][root] * expQuaternion(share * rootTurn);
   const Quaternion turn = wanted * rotation[root].conjugate();
   for (Quaternion& q : rotation) q = (turn * q).normalized();
 }
 
-// How often a patch turned in a step shows in how its neighbours take it along: of its increments that differ by whole
-// turns the one is taken whose path comes nearest to the shape's own on the way. (Nearest to a neighbour's would lose
-// turns near 360 degrees.)
-void PatchMotion::findOwnIncrements(const Solver& solver, int step) {
-  const auto [from, to] = posesOf_[step];
-  std::vector<Vec3>& increment = own_.increment[step];
-  for (std::size_t k = 0; k < own_.key[from].size(); ++k)
-    increment.push_back(logRotation(Quaternion(own_.key[from][k].conjugate() * own_.key[to][k])));
-  const int root = solver.system.tree().root();
-  if (step <= steps_.closing())
-    increment[root] =
-        continuedHalfTurn(increment[root], step > 0 ? own_.increment[step - 1][root] : Vec3(Vec3::Zero()));
-  constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
-  std::array<std::vector<Quaternion>, 3> rotation;
-  for (int i = 0; i < 3; ++i) partWay(solver, step, shares[i], rotation[i]);
+// How often a patch turned in a step shows in how its neighbours take it along: of its increments that differ by two
+// whole turns the one is taken whose path comes nearest to the shape's own on the way. (Nearest to a neighbour's would
+// lose turns near 360 degrees.) Whether a whole turn more is an even or an odd one, its sense says.
+std::vector<Vec3> PatchMotion::ownIncrements(const Solver& solver, int step, const PartWay& partWay,
+                                             bool flipped) const {
+  const int from = posesOf_[step].from, root = solver.system.tree().root();
+  const std::vector<Quaternion>& turn = patches_.turn[step];
+  std::vector<Vec3> increment;
+  for (std::size_t k = 0; k < turn.size(); ++k)
+    increment.push_back(own_.key[from][k].conjugate() * rotationVector(turn[k], flipped));
+  PartWay rotation = partWay;
+  for (std::size_t i = 0; i < shares.size(); ++i) turnPartWay(solver, step, shares[i], increment[root], rotation[i]);
   for (std::size_t k = 0; k < increment.size(); ++k) {
     if (static_cast<int>(k) == root || increment[k].norm() < noAxis) continue;
-    const Vec3 principal = increment[k], turn = principal.normalized() * twoPi;
+    const Vec3 first = increment[k], turns = first.normalized() * (2 * twoPi);
     double least = std::numeric_limits<double>::infinity();
-    for (const int n : {0, -1, 1, -2, 2}) {
-      const Vec3 candidate = principal + n * turn;
+    for (const int n : {0, -1, 1}) {
+      const Vec3 candidate = first + n * turns;
       double distance = 0;
-      for (int i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < shares.size(); ++i)
         distance +=
             std::pow(rotation[i][k].angularDistance(own_.key[from][k] * expQuaternion(shares[i] * candidate)), 2);
       if (distance < least * (1 - 1e-9) - 1e-12) least = distance, increment[k] = candidate;
     }
   }
+  return increment;
 }
 
 GlobalAlignment PatchMotion::makeAlignment(const Solver& solver, const std::vector<int>& steps) const {
   std::vector<std::vector<Quaternion>> halfway;
   for (const int s : steps) {
     std::vector<Quaternion> x;
-    partWay(solver, s, 0.5, x);
+    solvePartWay(solver, s, 0.5, x);
+    const int root = solver.system.tree().root();
+    turnPartWay(solver, s, 0.5, own_.increment[s][root], x);
     const int from = posesOf_[s].from;
     for (std::size_t k = 0; k < x.size(); ++k)
       x[k] = own_.key[from][k] * expQuaternion(own_.increment[s][k] / 2) * x[k].conjugate();
@@ -163,13 +235,15 @@ GlobalAlignment PatchMotion::makeAlignment(const Solver& solver, const std::vect
   return GlobalAlignment(halfway, patches_.graph.area());
 }
 
-Vec3 PatchMotion::worldTurn(int step) const {
+Vec3 PatchMotion::worldTurn(int step) const { return meanTurn(step, own_.increment[step]); }
+
+Vec3 PatchMotion::meanTurn(int step, const std::vector<Vec3>& increment) const {
   const int from = posesOf_[step].from;
   const std::vector<double>& area = patches_.graph.area();
   Vec3 sum = Vec3::Zero();
   double total = 0;
   for (std::size_t k = 0; k < area.size(); ++k) {
-    sum += area[k] * (own_.key[from][k] * own_.increment[step][k]);
+    sum += area[k] * (own_.key[from][k] * increment[k]);
     total += area[k];
   }
   return sum / total;

@@ -2,6 +2,7 @@
 // the whole turned to where the keys have it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/patches/global_alignment.h"
 #include "core/patches/patch_coordinates.h"
 #include "core/patches/patch_rotations.h"
+#include "core/rotation/turn_choice.h"
 
 namespace shapespline {
 
@@ -41,6 +43,8 @@ class PatchMotion {
 
   /// How far the whole turns in a step between two keys, radians: the mean over the patches.
   double wholeTurn(int step) const { return worldTurn(step).norm(); }
+  /// Whether the keys leave open which way.
+  bool isWholeTurnOpen(int step) const { return isOpen_[step] != 0; }
 
  private:
   // One for the steps of an open curve, one for those of a loop with its closing interval.
@@ -51,12 +55,23 @@ class PatchMotion {
   PatchMotion(const WeldedShape& shape, PatchCoordinates coordinates);
   std::vector<int> stepsOf(const WeldedShape& shape, bool loop) const;
   Result<Solver> makeSolver(const std::vector<int>& steps) const;
-  void partWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const;
+  using PartWay = std::array<std::vector<Quaternion>, 3>;
+  struct OwnTurns {
+    std::vector<Vec3> first, other;  // increments of all patches
+    TurnOptions options;
+  };
+  void solvePartWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const;
+  void turnPartWay(const Solver& solver, int step, double share, const Vec3& rootTurn,
+                   std::vector<Quaternion>& rotation) const;
+  std::vector<Vec3> ownIncrements(const Solver& solver, int step, const PartWay& partWay, bool flipped) const;
+  OwnTurns ownTurns(const Solver& solver, int step) const;
+  void take(int step, const OwnTurns& turns, bool other);
   void findOwnPaths(const std::vector<int>& open);
-  void findOwnIncrements(const Solver& solver, int step);
+  void closeOwnPaths();
   GlobalAlignment makeAlignment(const Solver& solver, const std::vector<int>& steps) const;
   void findAxes();
   Vec3 worldTurn(int step) const;
+  Vec3 meanTurn(int step, const std::vector<Vec3>& increment) const;
   Vec3 turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const;
   Quaternion addedTurn(const CurvePoint& point, const PatchTurns& turns) const;
 
@@ -66,7 +81,8 @@ class PatchMotion {
   PatchCoordinates patches_;
   RotationSplines own_;  // the rotation of each patch by itself
   std::optional<Solver> open_, loop_;
-  std::vector<Vec3> axis_;  // of each step, world, at the key where it begins
+  std::vector<char> isOpen_;  // of each step
+  std::vector<Vec3> axis_;    // of each step, world, at the key where it begins
 };
 
 }  // namespace shapespline

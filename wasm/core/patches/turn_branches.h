@@ -16,11 +16,10 @@ struct TurnBranches {
   std::vector<double> residual;
 };
 
-/// Logarithms near half a turn do not say their sense alone; all of them together do: halfway between the poses the
-/// maps have to agree around cycles of links. A local search over the senses of those links that turn far, from several
-/// trees, for the least disagreement halfway. from, to: the maps C = G_i^T G_j of each link in the two poses. Depends
-/// on them and on the graph alone. Error: that of the solver.
+/// Logarithms near half a turn do not say their sense; the signs of the patches' turns do (turn_senses.h), where a link
+/// turns far. from, to: the maps C = G_i^T G_j of each link in the two poses; turn: G_to G_from^T of each patch. Error:
+/// that of the solver.
 Result<TurnBranches> chooseTurnBranches(const PatchGraph& graph, const std::vector<Quaternion>& from,
-                                        const std::vector<Quaternion>& to);
+                                        const std::vector<Quaternion>& to, const std::vector<Quaternion>& turn);
 
 }  // namespace shapespline

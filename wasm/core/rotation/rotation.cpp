@@ -14,9 +14,6 @@ namespace {
 // Below this angle the axis of a rotation vector is rounding noise (about the square root of double's epsilon).
 constexpr double axisEpsilon = 1e-8;
 
-// Within this of half a turn the sign of the principal logarithm is decided by rounding.
-constexpr double halfTurnMargin = 1e-3;
-
 // Up to one radian nine terms of the series of half an angle leave out less than a rounding, and cost a third of the C
 // library's sine and cosine.
 constexpr double seriesLimit = 1;
@@ -75,14 +72,6 @@ Vec3 addTurns(const Vec3& v, int turns, const Vec3& fallbackAxis) {
   const double angle = v.norm();
   const Vec3 axis = angle < axisEpsilon ? fallbackAxis.normalized() : Vec3(v / angle);
   return v + axis * (turns * twoPi);
-}
-
-Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before) {
-  if (increment.norm() <= std::numbers::pi - halfTurnMargin) return increment;
-  if (!before.isZero()) return nearestRepresentative(increment, before);
-  int largest = 0;
-  increment.cwiseAbs().maxCoeff(&largest);
-  return increment[largest] < 0 ? nearestRepresentative(increment, -increment) : increment;
 }
 
 void RotationMean::add(const Quaternion& q, double weight) {

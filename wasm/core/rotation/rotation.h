@@ -32,10 +32,6 @@ Vec3 nearestRepresentative(const Vec3& rotationVector, const Vec3& target);
 /// The same rotation vector with `turns` whole turns added about its own axis; about `fallbackAxis` where it is zero.
 Vec3 addTurns(const Vec3& rotationVector, int turns, const Vec3& fallbackAxis);
 
-/// An increment of (almost) half a turn goes the way of the one before it, for rounding decides the sign of its
-/// logarithm; where that is zero, to the positive side of its largest coordinate. Others stay as they are.
-Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before);
-
 /// Above this the keys leave open which way and how often something turned between them, radians.
 inline constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 // Patches that disagree by more with what surrounds them halfway turned in a way that their neighbours did not.
-constexpr double ambiguousResidual = 60 / degrees;
+constexpr double ambiguousResidual = 20 / degrees;
 // Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise,
 // because their turns are invisible.
 constexpr double smallPatch = 0.3;
@@ -64,7 +64,7 @@ class TurnWarnings {
 
   void addWhole() {
     const double angle = motion_.wholeTurn(step_);
-    if (angle <= ambiguousTurn) return;
+    if (angle <= ambiguousTurn && !motion_.isWholeTurnOpen(step_)) return;
     add("ambiguous-turn",
         "the whole shape turns by " + angleText(angle) +
             ". The keys alone do not say which way and how often: add whole "
@@ -108,6 +108,12 @@ class TurnWarnings {
       found.insert(found.end(), {i, j});
       const double badness = angle / ambiguousTurn + residual / ambiguousResidual;
       if (badness > furthest) furthest = badness, angleThere = angle, face = faceOf(j);
+    }
+    for (const OpenTurn& open : patches_.openTurns[step_]) {
+      ++count;
+      found.push_back(open.part);
+      const double badness = open.angle / ambiguousTurn;
+      if (badness > furthest) furthest = badness, angleThere = open.angle, face = faceOf(open.part);
     }
     if (count == 0) return;
     std::sort(found.begin(), found.end());

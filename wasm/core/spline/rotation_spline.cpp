@@ -4,17 +4,37 @@
 
 namespace shapespline {
 
+void RotationSplines::finish(KeySteps steps) {
+  stepRotation_.resize(increment.size());
+  for (std::size_t s = 0; s < increment.size(); ++s) {
+    stepRotation_[s].clear();
+    if (static_cast<int>(s) == steps.startTangent() || static_cast<int>(s) == steps.endTangent()) continue;
+    for (const Vec3& w : increment[s]) stepRotation_[s].push_back(expQuaternion(w));
+  }
+}
+
+// The reversed keys go from their first key, R_e = R_b prod_s exp(w_s), back by -w_s, each with its share 1 - C_s:
+// B = R_e prod exp((C_s - 1) w_s), the last step first. A tangent's step leads to no key: its share stays.
 void RotationSplines::at(const CurvePoint& point, std::span<const WholeTurns> turns,
                          std::vector<Quaternion>& rotation) const {
   rotation = key[point.base];
-  for (const StepShare& step : point.steps) {
-    const std::vector<Vec3>& w = increment[step.step];
-    assert(w.size() == rotation.size());
-    for (std::size_t i = 0; i < w.size(); ++i) rotation[i] = rotation[i] * expQuaternion(step.share * w[i]);
-    for (const WholeTurns& t : turns)
-      if (t.step == step.step) rotation[t.path] = rotation[t.path] * expQuaternion(step.share * t.vector);
+  for (std::size_t i = 0; i < rotation.size(); ++i) {
+    Quaternion forward = rotation[i], end = rotation[i], back = Quaternion::Identity();
+    for (const StepShare& step : point.steps) {
+      assert(increment[step.step].size() == rotation.size());
+      Quaternion part = expQuaternion(step.share * increment[step.step][i]), whole = Quaternion::Identity();
+      if (!stepRotation_[step.step].empty()) whole = stepRotation_[step.step][i];
+      for (const WholeTurns& t : turns)
+        if (t.step == step.step && t.path == i) {
+          part = part * expQuaternion(step.share * t.vector);
+          whole = whole * expQuaternion(t.vector);
+        }
+      forward = forward * part;
+      end = end * whole;
+      back = part * whole.conjugate() * back;
+    }
+    rotation[i] = Quaternion(forward.coeffs() + (end * back).coeffs()).normalized();
   }
-  for (Quaternion& q : rotation) q.normalize();
 }
 
 }  // namespace shapespline

@@ -24,15 +24,25 @@ struct WholeTurns {
   Vec3 vector;
 };
 
-/// R(t) = R_b prod_s exp(C_s(t) w_s): R_b the rotation at the curve's base key, w_s with exp(w_s) = R_from^T R_to the
-/// increment of step s and C_s its share (spline.h). Exact at the keys, as smooth as the weights, any number of turns,
-/// and for two keys the geodesic.
-struct RotationSplines {
+/// Rotations through the keys: F(t) = R_b prod_s exp(C_s w_s), R_b the rotation at the curve's base key, w_s with
+/// exp(w_s) = R_from^T R_to the increment of step s and C_s its share (spline.h). Exact at the keys, as smooth as the
+/// weights, any number of turns, and for two keys the geodesic.
+///
+/// Increments do not commute: F of the reversed keys is another motion, B(t). The path is the normalised sum of the two
+/// quaternions, so that reversed keys give the reversed motion.
+class RotationSplines {
+ public:
   std::vector<std::vector<Quaternion>> key;  ///< key[column][path], unit
   std::vector<std::vector<Vec3>> increment;  ///< increment[step][path], radians; empty for steps that there are not
 
+  /// To be called when all increments are known, before at().
+  void finish(KeySteps steps);
+
   /// Every path at `point`, with whole turns added. rotation: resized, unit.
   void at(const CurvePoint& point, std::span<const WholeTurns> turns, std::vector<Quaternion>& rotation) const;
+
+ private:
+  std::vector<std::vector<Quaternion>> stepRotation_;  // exp of the increments, with their sign; none for end tangents
 };
 
 }  // namespace shapespline

@@ -1,0 +1,184 @@
+// The motion is continuous in its keys: what says the same of a shape, up to a little, gives the same motion.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "dense.h"
+#include "real_data.h"
+#include "sequences.h"
+#include "shapes.h"
+#include "shapes/random.h"
+
+using namespace shapespline;
+using namespace shapespline::test;
+
+namespace {
+
+// Bends in one plane, twists, and turns as a whole about a third axis.
+Keyframes poses() {
+  const auto pose = [](double bent, double twisted, double turned) -> Map {
+    return [=](const Vec3& p) -> Vec3 {
+      return turn(Vec3(1, 2, 0.5), radians(turned))(bend(radians(bent))(twist(radians(twisted))(p)));
+    };
+  };
+  return keyframes(box(1, 1.3, 10, 2, 3, 20), {pose(0, 0, 0), pose(110, 60, 80), pose(-40, 130, -20), pose(70, 20, 60)},
+                   {0, 1, 2.2, 3});
+}
+
+// A limb of five segments, each of whose joints turns by up to `most` degrees from its rest, and the whole by up to
+// `whole`. Skinned linearly, so that joints that turn far collapse and leave open which way they went.
+Keyframes limb(unsigned seed, int keys, double most, double whole) {
+  Random random(seed);
+  const auto vector = [&] { return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
+  constexpr int joints = 4;
+  constexpr double spacing = 2, width = 0.8;
+  Shape rest = box(1, 1.2, spacing * (joints + 1), 4, 5, 9 * (joints + 1));
+  for (Vec3& p : rest.positions) p += 0.025 * vector();
+  std::vector<Map> maps;
+  for (int j = 0; j < keys; ++j) {
+    std::vector<Mat3> turns;
+    const auto turnUpTo = [&](double degrees) {
+      const Vec3 axis = vector().normalized();
+      return expRotation(axis * radians(degrees) * random.uniform(0, 1));
+    };
+    for (int i = 0; i < joints; ++i) turns.push_back(turnUpTo(most));
+    const Mat3 all = turnUpTo(whole);
+    maps.push_back([=](const Vec3& from) -> Vec3 {
+      Vec3 p = from;
+      for (int i = joints - 1; i >= 0; --i) {
+        const Vec3 centre(0, 0, spacing * (i + 1));
+        const double w = std::clamp((from.z() - centre.z()) / width + 0.5, 0.0, 1.0), share = w * w * (3 - 2 * w);
+        const Vec3 q = p - centre;
+        p = centre + (1 - share) * q + share * (turns[i] * q);
+      }
+      return all * p;
+    });
+  }
+  return keyframes(rest, maps);
+}
+
+Keyframes reversed(Keyframes k) {
+  const double sum = k.keys.front().time + k.keys.back().time;
+  std::reverse(k.keys.begin(), k.keys.end());
+  for (Key& key : k.keys) key.time = sum - key.time;
+  return k;
+}
+
+// Every vertex moved by up to `size` of the diagonal along each axis.
+Keyframes noisy(Keyframes k, double size, unsigned seed) {
+  Random random(seed);
+  const double most = size * diagonalOf(k);
+  for (Key& key : k.keys)
+    for (Vec3& p : key.positions)
+      p += Vec3{random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)};
+  return k;
+}
+
+// Percent of the diagonal; the mean is that of the worst moment.
+struct Difference {
+  double mean = 0, worst = 0;
+};
+
+Difference differenceBetweenKeys(Sequence& a, Sequence& b, double diagonal) {
+  const int samples = 6 * (static_cast<int>(a.motion().keyTimes().size()) - 1);
+  const auto [start, end] = a.range();
+  Difference found;
+  for (int i = 1; i < samples; ++i) {
+    const double t = start + (end - start) * i / samples;
+    const Positions x = shapeAt(a, t), y = shapeAt(b, t);
+    double sum = 0;
+    for (std::size_t v = 0; v < x.size(); ++v) sum += (x[v] - y[v]).norm();
+    found.mean = std::max(found.mean, 100 * sum / static_cast<double>(x.size()) / diagonal);
+    found.worst = std::max(found.worst, 100 * largestDistance(x, y) / diagonal);
+  }
+  return found;
+}
+
+void checkNoise(const std::string& name, const Keyframes& k, int draws, const std::vector<double>& sizes) {
+  const double diagonal = diagonalOf(k);
+  Sequence sequence = sequenceOf(k, doublePrecision());
+  const bool warns = !sequence.warnings().empty();
+  for (const double size : sizes)
+    for (int draw = 0; draw < draws; ++draw) {
+      Sequence other = sequenceOf(noisy(k, size, 100 + draw), doublePrecision());
+      const Difference d = differenceBetweenKeys(sequence, other, diagonal);
+      MESSAGE("NOISE | " << name << " | " << size << " of the diagonal | mean " << d.mean << " %, worst " << d.worst
+                         << " % | " << std::string(warns ? "warned" : "not warned"));
+      if (warns || size > 1e-6) continue;
+      CHECK(d.mean <= 0.1);
+      CHECK(d.worst <= 1);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("reversed keys give the reversed motion") {
+  const Keyframes k = poses();
+  const double sum = k.keys.front().time + k.keys.back().time;
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic})
+    for (const int ghost : {0, 100}) {
+      CAPTURE(int(boundary));
+      CAPTURE(ghost);
+      MotionOptions motion;
+      motion.boundary = boundary;
+      EncodingOptions encoding = doublePrecision(), mirrored = doublePrecision();
+      encoding.ghostFaces = mirrored.ghostFaces = ghost;
+      mirrored.reference = k.keyCount() - 1;
+      Sequence forward = sequenceOf(k, encoding, motion), back = sequenceOf(reversed(k), mirrored, motion);
+      for (const double t : {-0.6, 0.4, 1.5, 2.7, 3.6})
+        CHECK(largestDistance(shapeAt(forward, t), shapeAt(back, sum - t)) < 5e-4 * diagonalOf(k));
+    }
+}
+
+TEST_CASE("half as many patches hardly change which way limbs go") {
+  for (const unsigned seed : {115u, 130u, 143u}) {
+    CAPTURE(seed);
+    const Keyframes k = limb(seed, 3 + seed % 3, 140, 100);
+    EncodingOptions encoding = doublePrecision();
+    Sequence sequence = sequenceOf(k, encoding);
+    encoding.patches = sequence.stats().patches / 2;
+    Sequence coarse = sequenceOf(k, encoding);
+    const Difference d = differenceBetweenKeys(sequence, coarse, diagonalOf(k));
+    MESSAGE("HALF THE PATCHES | seed " << seed << " | mean " << d.mean << " %, worst " << d.worst << " %");
+    CHECK(d.mean < 2);
+    CHECK(d.worst < 6);
+  }
+}
+
+TEST_CASE("noise of a millionth of the diagonal moves nothing that can be seen") {
+  checkNoise("a bent and twisted box", poses(), 1, {1e-6});
+  checkNoise("a limb", limb(104, 4, 60, 40), 1, {1e-6});
+}
+
+TEST_CASE("noise in real poses" * dense) {
+  const std::vector<double> sizes = {1e-7, 1e-6, 1e-5, 1e-4};
+  const std::vector<std::vector<std::string>> sets = {
+      wolfPoses,
+      {"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"},
+      {"turns/saddle/monkey_saddle_1.ply", "turns/saddle/monkey_saddle_2.ply"},
+      {"turns/plate/plate121.ply", "turns/plate/plate121_rolledA.ply", "turns/plate/plate121_rolledB.ply"},
+      {"turns/cat/cat2.off", "turns/cat/cat5.off", "turns/cat/cat8.off"},
+      lionPoses,
+  };
+  for (const std::vector<std::string>& files : sets)
+    if (hasData(files)) checkNoise(files.front(), realKeyframes(files), 10, sizes);
+}
+
+TEST_CASE("two senses that are about as good are warned of") {
+  const auto codes = [](const Keyframes& k) {
+    const Sequence sequence = sequenceOf(k, doublePrecision());
+    std::vector<std::string> found;
+    for (const Warning& w : sequence.warnings()) found.push_back(w.code);
+    return found;
+  };
+  const Shape shape = bar();
+  for (const double degrees : {163.0, 174.0}) {
+    // The mean turn is less: one end goes on, the other one stays behind.
+    const Map turned = turn(Vec3::UnitX(), radians(degrees));
+    const Keyframes k = keyframes(shape, {bend(0), [=](const Vec3& p) { return turned(twist(radians(100))(p)); }});
+    CHECK(codes(k) == std::vector<std::string>{"ambiguous-turn"});
+  }
+  CHECK(codes(twistedBar({0, 180, 350})).empty());
+  CHECK(codes(bentBar({0, 120, -60, 60})).empty());
+  CHECK(codes(limb(104, 4, 60, 40)).empty());
+}

@@ -1,0 +1,167 @@
+#include "core/patches/turn_senses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+namespace shapespline {
+
+namespace {
+
+constexpr double certainTurn = std::numbers::pi / 3;
+// Certain joints are served in so many groups, those of smaller turns first.
+constexpr int certainGroups = 32;
+constexpr double openTurn = 0.8 * std::numbers::pi;
+// Smaller sets, as a share of the area, are not worth a word.
+constexpr double smallShare = 0.005;
+
+// Parts whose signs are known against each other.
+class SignedSets {
+ public:
+  struct Member {
+    int set;
+    bool flipped;  // against the part that stands for the set
+  };
+
+  explicit SignedSets(std::size_t n) : parent_(n), flipped_(n, 0) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  Member find(int x) {
+    bool flipped = false;
+    for (; parent_[x] != x; x = parent_[x]) {
+      const int next = parent_[x];  // paths are halved
+      if (parent_[next] != next) flipped_[x] ^= flipped_[next], parent_[x] = parent_[next];
+      flipped ^= flipped_[x] != 0;
+    }
+    return {x, flipped};
+  }
+
+  // Both stand for their sets.
+  void join(int set, int other, bool flipped) { parent_[other] = set, flipped_[other] = flipped; }
+
+ private:
+  std::vector<int> parent_;
+  std::vector<char> flipped_;
+};
+
+class SenseSearch {
+ public:
+  SenseSearch(const std::vector<TurnJoint>& joints, const std::vector<double>& area, std::vector<Quaternion>& turn)
+      : joints_(joints), turn_(turn), sets_(turn.size()), area_(area) {}
+
+  std::vector<OpenTurn> run() {
+    believeCertainJoints();
+    sumWhatIsSaid();
+    while (!queue_.empty()) joinNext();
+    for (std::size_t i = 0; i < turn_.size(); ++i)
+      if (sets_.find(static_cast<int>(i)).flipped) turn_[i].coeffs() *= -1;
+    return std::move(open_);
+  }
+
+ private:
+  // What the joints between two sets say: positive where the signs agree.
+  struct Said {
+    double sum = 0, length = 0;
+  };
+  struct Next {
+    double strength;
+    int a, b;
+    bool operator<(const Next& o) const {  // the priority queue serves the greatest
+      if (strength != o.strength) return strength < o.strength;
+      return a != o.a ? a > o.a : b > o.b;
+    }
+  };
+  using Neighbours = std::unordered_map<int, Said>;
+
+  double dot(const TurnJoint& j) const { return turn_[j.first].dot(turn_[j.second]); }
+  static double shorterTurn(double dot) { return 2 * std::acos(std::min(1.0, std::abs(dot))); }
+
+  void believeCertainJoints() {
+    std::array<std::vector<int>, certainGroups> groups;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const double angle = shorterTurn(dot(joints_[j]));
+      if (angle < certainTurn)
+        groups[static_cast<int>(angle / certainTurn * certainGroups)].push_back(static_cast<int>(j));
+      else uncertain_.push_back(static_cast<int>(j));
+    }
+    for (const std::vector<int>& group : groups)
+      for (const int j : group) {
+        const auto a = sets_.find(joints_[j].first), b = sets_.find(joints_[j].second);
+        if (a.set == b.set) continue;
+        sets_.join(std::min(a.set, b.set), std::max(a.set, b.set), a.flipped ^ b.flipped ^ (dot(joints_[j]) < 0));
+      }
+    std::vector<double> sum(area_.size(), 0);
+    for (std::size_t i = 0; i < area_.size(); ++i)
+      total_ += area_[i], sum[sets_.find(static_cast<int>(i)).set] += area_[i];
+    area_ = std::move(sum);
+  }
+
+  void sumWhatIsSaid() {
+    for (const int j : uncertain_) {
+      const auto a = sets_.find(joints_[j].first), b = sets_.find(joints_[j].second);
+      if (a.set == b.set) continue;
+      const double cosine = dot(joints_[j]), says = joints_[j].length * (std::numbers::pi - shorterTurn(cosine));
+      Said& said = neighbours_[std::min(a.set, b.set)][std::max(a.set, b.set)];
+      said.sum += a.flipped ^ b.flipped ^ (cosine < 0) ? -says : says;
+      said.length += joints_[j].length;
+    }
+    std::vector<Next> pairs;
+    for (const auto& [a, others] : neighbours_)
+      for (const auto& [b, said] : others) pairs.push_back({std::abs(said.sum), a, b});
+    for (const auto& [strength, a, b] : pairs) neighbours_[b][a] = neighbours_[a][b];
+    queue_ = std::priority_queue<Next>({}, std::move(pairs));
+  }
+
+  void joinNext() {
+    const Next next = queue_.top();
+    queue_.pop();
+    const auto found = neighbours_[next.a].find(next.b);
+    if (found == neighbours_[next.a].end() || std::abs(found->second.sum) != next.strength) return;
+    const Said said = found->second;
+    const auto [small, large] = area_[next.a] < area_[next.b] ? std::pair(next.a, next.b) : std::pair(next.b, next.a);
+    noteIfOpen(small, said);
+    int set = next.a, other = next.b;
+    if (neighbours_[set].size() < neighbours_[other].size()) std::swap(set, other);
+    sets_.join(set, other, said.sum < 0);
+    area_[set] += area_[other];
+    neighbours_[set].erase(other);
+    neighbours_[other].erase(set);
+    for (const auto& [c, toOther] : neighbours_[other]) {
+      Said& sum = neighbours_[set][c];
+      sum.sum += said.sum < 0 ? -toOther.sum : toOther.sum;
+      sum.length += toOther.length;
+      neighbours_[c].erase(other);
+      neighbours_[c][set] = sum;
+      queue_.push({std::abs(sum.sum), std::min(set, c), std::max(set, c)});
+    }
+    neighbours_.erase(other);
+  }
+
+  void noteIfOpen(int set, const Said& said) {
+    const double angle = std::numbers::pi - std::abs(said.sum) / said.length, share = area_[set] / total_;
+    if (angle >= openTurn && share >= smallShare) open_.push_back({set, angle, share});
+  }
+
+  const std::vector<TurnJoint>& joints_;
+  std::vector<Quaternion>& turn_;
+  SignedSets sets_;
+  std::vector<double> area_;  // of each set, by the part that stands for it
+  double total_ = 0;
+  std::vector<int> uncertain_;
+  std::unordered_map<int, Neighbours> neighbours_;  // of sets
+  std::priority_queue<Next> queue_;
+  std::vector<OpenTurn> open_;
+};
+
+}  // namespace
+
+std::vector<OpenTurn> chooseTurnSenses(const std::vector<TurnJoint>& joints, const std::vector<double>& area,
+                                       std::vector<Quaternion>& turn) {
+  return SenseSearch(joints, area, turn).run();
+}
+
+}  // namespace shapespline
