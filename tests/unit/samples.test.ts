@@ -1,7 +1,9 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { expect, it } from 'vitest';
+import { expect, it, vi } from 'vitest';
+import { fetchSample } from '../../web/app/sources/samples.ts';
+import type { Sample } from '../../web/app/sources/samples.ts';
 
 const folder = path.resolve(import.meta.dirname, '../../public/samples');
 const MOST_BYTES = 120_000;
@@ -21,4 +23,14 @@ it('the list names each sample and its file', () => {
       .filter((name) => name.endsWith('.glb'))
       .sort(),
   );
+});
+
+it('a sample that does not arrive is named, with what to do', async () => {
+  vi.stubGlobal('document', { baseURI: 'http://localhost/' });
+  vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')));
+  const hand = { made: false, files: ['hand.glb'] } as Sample;
+  await expect(fetchSample(hand, new AbortController().signal)).rejects.toThrow(
+    'The sample could not be fetched: samples/hand.glb. Check the connection and try again.',
+  );
+  vi.unstubAllGlobals();
 });

@@ -12,6 +12,7 @@ import type { Turn } from '../session/store.ts';
 import type { Input } from '../session/workspace.ts';
 import { readFiles } from './input-files.ts';
 import type { Permalink } from './permalink.ts';
+import { readingOf } from './samples.ts';
 import type { Sample } from './samples.ts';
 
 export interface OpenRequest {
@@ -47,7 +48,7 @@ export function sampleRequest(
   link: Permalink | null,
   step: Step | null,
 ): OpenRequest {
-  const options = sample.times ? { keyTimes: sample.times } : {};
+  const options = readingOf(sample);
   return { input, options, source: { kind: 'sample', id: sample.id }, project: null, step, begins: sample, link };
 }
 

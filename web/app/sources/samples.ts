@@ -1,5 +1,5 @@
 /** The built-in samples: a list and their files, fetched from beside the page. */
-import type { Boundary, Hold, InputFile } from '../../engine/api/types.ts';
+import type { Boundary, Hold, ImportOptions, InputFile } from '../../engine/api/types.ts';
 import { BOUNDARIES } from '../../model/state.ts';
 import type { OpenFile } from '../session/workspace.ts';
 
@@ -74,6 +74,9 @@ export async function fetchSample(sample: Sample, signal: AbortSignal, detail = 
   );
 }
 
+/** How its files are read. */
+export const readingOf = ({ times }: Sample): ImportOptions => (times ? { keyTimes: times } : {});
+
 /** One of those that are made. */
 export async function makeSample(id: string, detail = 1): Promise<OpenFile[]> {
   const { make } = await import('../../sculpt/make.ts');
@@ -81,7 +84,9 @@ export async function makeSample(id: string, detail = 1): Promise<OpenFile[]> {
 }
 
 async function request(path: string, signal?: AbortSignal): Promise<Response> {
-  const response = await fetch(new URL(path, document.baseURI), signal ? { signal } : {});
+  const response = await fetch(new URL(path, document.baseURI), signal ? { signal } : {}).catch((cause: unknown) => {
+    throw new Error(`The sample could not be fetched: ${path}. Check the connection and try again.`, { cause });
+  });
   if (!response.ok)
     throw new Error(
       `The sample could not be fetched: ${path} answered ${response.status}. Is the page's folder complete?`,
