@@ -10,7 +10,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
 import type { Engine, Keys } from '../../web/engine/api/api.ts';
-import { msText, studyGhosts, verdictOf, type GhostStudy } from '../../web/study/ghost-study.ts';
+import { msText, studyGhosts, studyTimes, verdictOf, type GhostStudy } from '../../web/study/ghost-study.ts';
 import { createEngine } from '../../web/engine/node.ts';
 import type { ImportOptions } from '../../web/engine/api/types.ts';
 
@@ -65,8 +65,7 @@ async function bench(name: string, file: string, options: ImportOptions = {}): P
 
 async function study(engine: Engine, keys: Keys): Promise<void> {
   const { times } = keys.info;
-  const at = Array.from({ length: FRAMES }, (_, i) => times[0]! + ((i + 0.5) / FRAMES) * (times.at(-1)! - times[0]!));
-  const result = await studyGhosts(engine, keys, {}, { times: at });
+  const result = await studyGhosts(engine, keys, {}, { times: studyTimes(times[0]!, times.at(-1)!) });
   print(
     [
       'ghost',

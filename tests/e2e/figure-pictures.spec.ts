@@ -38,7 +38,7 @@ const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<vo
   'figure=5': { t: 0.6 },
   'figure=6': { t: 0.3 },
   'figure=7': { t: 0.25, ready: (app) => expect(app.by('colour-bar-now')).toContainText('at most') },
-  'figure=8': { t: 0.3, ready: (app) => expect(app.by('plot-ghost-time')).toBeVisible({ timeout: 80_000 }) },
+  'figure=8': { t: 0.3, ready: (app) => expect(app.by('plot-ghost-time')).toBeVisible({ timeout: 170_000 }) },
   'figure=9': {
     t: 0.25,
     ready: (app) => expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3),

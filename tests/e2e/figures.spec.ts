@@ -199,3 +199,31 @@ test('a figure fills the screen by key, in type that is read from afar, and give
   }
   await app.expectNoProblems();
 });
+
+// Only the built page joins samples, engine and chart.
+test('Fig. 8 compares four shapes: the error of each falls with the size of its ghost', { tag: '@all' }, async ({
+  app,
+}) => {
+  test.slow();
+  await app.open({ hash: '#figure=8' });
+  await expect(app.by('study-working')).toContainText(/(Octopus|Hand|Dachshund|Cactus) \(\d of 4\): /);
+  await expect(app.by('plot-ghost-time')).toBeVisible({ timeout: 170_000 });
+  await expect(app.by('plot-ghost-error').locator('path.curve')).toHaveCount(4);
+  await app.by('ghost-error-values').locator('summary').press('Enter');
+  const table = (await saved(app, 'ghost-error-csv')).bytes.toString().trim().split('\n');
+  const [head, ...rows] = table.map((line) => line.split(','));
+  expect(head).toEqual(['Faces of the ghost mesh', 'Octopus', 'Hand', 'Dachshund', 'Cactus']);
+  expect(rows.map(([faces]) => faces)).toEqual(['500', '1000', '2000', '3000', '5000', '10000']);
+  for (const [column, name] of head!.entries()) {
+    if (column === 0) continue;
+    const errors = rows.map((row) => row[column]!).filter((cell) => cell !== '');
+    expect(errors.length, name).toBeGreaterThanOrEqual(5);
+    for (const [i, error] of errors.slice(1).entries()) expect(Number(error), name).toBeLessThan(Number(errors[i]));
+    expect(Number(errors.at(-1)), name).toBeGreaterThan(0);
+  }
+  const svg = (await saved(app, 'ghost-error-svg')).bytes.toString();
+  await opened(app, svg);
+  await expectWhole(app, svg, 'ghost-error');
+  expect(wordsOf(svg)).toEqual(expect.arrayContaining(head!.slice(1)));
+  await app.expectNoProblems();
+});

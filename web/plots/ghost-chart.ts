@@ -1,10 +1,10 @@
-/** Error or time over sizes of the ghost mesh (the paper's Fig. 8): one line for each way of transfer. */
+/** Error or time over sizes of the ghost mesh (the paper's Fig. 8): one line for each transfer, or for each shape. */
 import { make, named, namedCurve, text } from './svg-parts.ts';
 import { extent, linearScale, padded, tickLabel, ticks } from './scale.ts';
 
 export interface GhostSeries {
   label: string;
-  /** One value for each size. */
+  /** One value for each size, or for the first ones. */
   values: readonly number[];
   /** CSS class that colours it. */
   style: string;

@@ -9,6 +9,7 @@ import type { SequenceOptions, SequenceStats, Transfer } from '../engine/api/typ
 /** Sizes in the paper's figure. */
 export const GHOST_SIZES: readonly number[] = [500, 1000, 2000, 3000, 5000, 10000];
 export const TRANSFERS: readonly Transfer[] = ['exact', 'paper'];
+const FRAMES = 24;
 /** Two times of a frame that differ by less than this share are called the same. */
 const SAME_MS = 0.1;
 
@@ -40,6 +41,11 @@ export interface GhostStudyOptions extends CallOptions {
   /** Default: those of the figure. Only ghosts smaller than the shape are made. */
   sizes?: readonly number[];
   transfers?: readonly Transfer[];
+}
+
+/** Where a motion is measured between two times. */
+export function studyTimes(start: number, end: number): number[] {
+  return Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
 }
 
 export async function studyGhosts(

@@ -113,12 +113,13 @@ const LIST: readonly Figure[] = [
     name: 'Error and time by size',
     state: 'sample=cactus&ghostFaces=500&between=0,1&t=0&loop=bounce&play=1',
     panel: 'shape',
-    text: 'The paper plots the KG error of a sequence and the time of a frame against the size of the ghost.',
-    part: 'study-start',
+    text: 'The paper plots the KG error of four shapes, and the time of a frame of one of them, against the size of the ghost.',
+    part: 'study-charts',
     plot: 'ghost-error',
-    press: 'study-start',
-    task: 'Wait for the two charts under Shape, Ghost mesh; “Compare sizes” measures anew.',
-    sentence: 'The same two curves are measured here, in your browser, on one shape instead of four.',
+    press: 'study-shapes',
+    task: 'Wait for the two charts in Shape, Ghost mesh. “Compare sizes” shows both transfers on the open shape.',
+    sentence:
+      'As in the paper, the error of every shape falls as its ghost gets finer. Your browser measures four samples. A line ends where the ghost would have as many faces as the shape.',
   },
   {
     number: '9',

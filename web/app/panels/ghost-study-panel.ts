@@ -1,23 +1,26 @@
-/** "Compare sizes": error and time over sizes of the ghost mesh, worked out when asked for, in workers of its own. */
+/**
+ * "Compare sizes" measures error and time of the open shape over sizes of the ghost mesh. "Compare shapes" measures the
+ * error of several samples as well. Both run when asked for, in workers of their own.
+ */
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Engine } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { Range } from '../../model/time-scale.ts';
-import type { GhostStudy } from '../../study/ghost-study.ts';
 import { button } from '../../ui/controls.ts';
 import { h, setHidden, setStyle, setText } from '../../ui/dom.ts';
 import { encodingFor, motionFor, sequencePlan } from '../session/sequence-plan.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
+import type { Sample } from '../sources/samples.ts';
 import type { FigureEvents } from './figure-tools.ts';
-
-const FRAMES = 24;
+import type { Found } from './ghost-study-result.ts';
 
 export interface GhostStudyParts extends FigureEvents {
   engine: Engine;
   store: Store;
   pool(): PosePool | null;
   range(): Range;
+  samples(): readonly Sample[];
 }
 
 export interface GhostStudyPanel {
@@ -31,18 +34,24 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
   const start = button({
     label: 'Compare sizes of the ghost mesh',
     testId: 'study-start',
-    icon: 'chart',
     text: 'Compare sizes',
-    onClick: () => void run(),
+    onClick: () => void run(studyOf),
   });
+  const startShapes = button({
+    label: 'Compare shapes: the errors of four samples over sizes of the ghost mesh',
+    testId: 'study-shapes',
+    text: 'Compare shapes',
+    onClick: () => void run(studyWithShapes),
+  });
+  const starts = h('div', { class: 'button-row' }, start, startShapes);
   const working = createWorking(() => abort?.abort());
   const result = h('div', { class: 'group', 'data-testid': 'study', hidden: true });
-  const element = h('div', { class: 'group' }, start, working.element, result);
+  const element = h('div', { class: 'group', 'data-testid': 'study-charts' }, starts, working.element, result);
   let abort: AbortController | null = null;
   /** What the study is of; null without one. */
   let of: { pool: PosePool; subject: string } | null = null;
 
-  const run = async (): Promise<void> => {
+  const run = async (measure: Measure): Promise<void> => {
     const poses = pool();
     if (!poses || abort) return;
     const own = new AbortController();
@@ -50,11 +59,11 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
     of = { pool: poses, subject: subjectOf(store) };
     show(null);
     try {
-      const study = await studyOf(parts, poses, own.signal, working.update);
+      const found = await measure(parts, poses, own.signal, working.update);
       const { ghostStudyResult } = await import('./ghost-study-result.ts');
-      if (!own.signal.aborted) result.replaceChildren(...ghostStudyResult(study, parts));
+      if (!own.signal.aborted) result.replaceChildren(...ghostStudyResult(found, parts));
     } catch (error) {
-      if (!isCancelled(error)) parts.onError(error);
+      if (!own.signal.aborted && !isCancelled(error)) parts.onError(error);
     } finally {
       abort = null;
       show(result.childElementCount > 0);
@@ -65,14 +74,14 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
   const show = (done: boolean | null): void => {
     if (done === null) result.replaceChildren();
     setHidden(working.element, done !== null);
-    setHidden(start, done === null);
+    setHidden(starts, done === null);
     setHidden(result, !done);
   };
 
   return {
     element,
     update() {
-      start.disabled = pool() === null;
+      for (const one of [start, startShapes]) one.disabled = pool() === null;
       if (!of || (of.pool === pool() && of.subject === subjectOf(store))) return;
       of = null;
       abort?.abort();
@@ -107,29 +116,45 @@ function createWorking(onCancel: () => void) {
   };
 }
 
-async function studyOf(
-  { engine, store, range }: GhostStudyParts,
+type Measure = (
+  parts: GhostStudyParts,
   poses: PosePool,
   signal: AbortSignal,
   onProgress: (progress: Progress) => void,
-): Promise<GhostStudy> {
+) => Promise<Found>;
+
+/** Of the bar: the samples' share. */
+const SHAPES_SHARE = 0.8;
+
+const studyWithShapes: Measure = async (parts, poses, signal, onProgress) => {
+  const { chosenSamples, studyShapes } = await import('./ghost-shapes.ts');
+  const shapes = await studyShapes(parts.engine, chosenSamples(parts.samples()), {
+    signal,
+    onProgress: ({ stage, fraction }) => onProgress({ stage, fraction: SHAPES_SHARE * fraction }),
+  });
+  const { study } = await studyOf(parts, poses, signal, ({ stage, fraction }) =>
+    onProgress({ stage: `Open shape: ${stage}`, fraction: SHAPES_SHARE + (1 - SHAPES_SHARE) * fraction }),
+  );
+  return { study, shapes };
+};
+
+const studyOf: Measure = async ({ engine, store, range }, poses, signal, onProgress) => {
   const plan = sequencePlan(store.get().doc);
   const [variant] = plan.variants;
   const keys = poses.keys.arrange(plan.order, plan.times, plan.names);
   try {
-    const { studyGhosts } = await import('../../study/ghost-study.ts');
-    const [start, end] = range();
-    const times = Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
+    const { studyGhosts, studyTimes } = await import('../../study/ghost-study.ts');
     const options = {
       ...encodingFor(plan, variant!, poses.keys),
       ...motionFor(plan, variant!),
       placement: plan.encoding.placement,
     };
-    return await studyGhosts(engine, keys, options, { times, signal, onProgress });
+    const call = { times: studyTimes(...range()), signal, onProgress };
+    return { study: await studyGhosts(engine, keys, options, call), shapes: null };
   } finally {
     keys.dispose();
   }
-}
+};
 
 /** What a study depends on: the motion as it is without a ghost. */
 function subjectOf(store: Store): string {

@@ -1,4 +1,4 @@
-/** What a comparison of sizes of the ghost mesh has found: a sentence, two charts, and their numbers. */
+/** What a comparison over sizes of the ghost mesh has found: a sentence, two charts, and their numbers. */
 import type { Transfer } from '../../engine/api/types.ts';
 import type { Plot } from '../../model/state.ts';
 import { drawGhostChart } from '../../plots/ghost-chart.ts';
@@ -9,8 +9,19 @@ import { h } from '../../ui/dom.ts';
 import { legendEntry } from './chart-figure.ts';
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
+import { shapeLines } from './ghost-shapes.ts';
+import type { ShapeErrors } from './ghost-shapes.ts';
+
+/** What was measured; `shapes`: null for the open shape only. */
+export interface Found {
+  study: GhostStudy;
+  shapes: readonly ShapeErrors[] | null;
+}
 
 const NAMES: Record<Transfer, string> = { exact: 'Exact', paper: 'As published' };
+
+/** `faces`: null without a ghost mesh. */
+type SizesChart = Omit<GhostChartData, 'sizes'> & { faces: readonly (number | null)[] };
 
 type Measured = Pick<GhostRow, 'kg' | 'ms'>;
 
@@ -20,20 +31,30 @@ export interface SizeRow {
   measured: Record<Transfer, Measured>;
 }
 
-export function ghostStudyResult(study: GhostStudy, events: FigureEvents): HTMLElement[] {
+/** With shapes, the chart of the error is theirs; time and numbers are always those of the open shape. */
+export function ghostStudyResult({ study, shapes }: Found, events: FigureEvents): HTMLElement[] {
   const verdict = h('p', { class: 'verdict', 'data-testid': 'study-verdict' }, verdictOf(study));
-  if (study.rows.length === 0) return [verdict];
   const rows = sizeRows(study);
-  const level = { label: 'No ghost mesh', value: study.ms };
-  const error = { title: 'Error', unit: 'KG error against the full solve, %', level: null };
-  const time = { title: 'Time', unit: 'median of a frame, ms', level };
+  const error = shapes ? shapesChart(shapes) : sizesChart(rows);
+  const ofOpen = study.rows.length > 0;
   return [
     verdict,
-    h('div', { class: 'legend' }, ...TRANSFERS.map((transfer) => legendEntry(`transfer-${transfer}`, NAMES[transfer]))),
-    figure('ghost-error', { ...error, ...chartSeries(rows, 'kg') }, rows, events),
-    figure('ghost-time', { ...time, ...chartSeries(rows, 'ms') }, rows, events),
-    h('details', { class: 'details' }, h('summary', {}, 'Numbers'), table(rows)),
+    ...(shapes || ofOpen ? [figure('ghost-error', error, events)] : []),
+    ...(ofOpen ? [figure('ghost-time', timeChart(rows, study.ms), events), numbersOf(rows)] : []),
   ];
+}
+
+function sizesChart(rows: readonly SizeRow[]): SizesChart {
+  return { title: 'Error', unit: 'KG error against the full solve, %', level: null, ...sizeLines(rows, 'kg') };
+}
+
+function timeChart(rows: readonly SizeRow[], ms: number): SizesChart {
+  const level = { label: 'No ghost mesh', value: ms };
+  return { title: 'Time', unit: 'median of a frame of the open shape, ms', level, ...sizeLines(rows, 'ms') };
+}
+
+function shapesChart(shapes: readonly ShapeErrors[]): SizesChart {
+  return { title: 'Error by shape', unit: 'KG error, transfer as published, %', level: null, ...shapeLines(shapes) };
 }
 
 /** Those of the study by their sizes; the last is without a ghost mesh. */
@@ -48,9 +69,9 @@ export function sizeRows({ rows, ms }: GhostStudy): SizeRow[] {
   ];
 }
 
-function chartSeries(rows: readonly SizeRow[], what: keyof Measured): Pick<GhostChartData, 'sizes' | 'series'> {
+function sizeLines(rows: readonly SizeRow[], what: keyof Measured): Pick<SizesChart, 'faces' | 'series'> {
   return {
-    sizes: rows.map(({ size }) => (size === null ? 'none' : short(size))),
+    faces: rows.map(({ size }) => size),
     series: TRANSFERS.map((transfer) => ({
       label: NAMES[transfer],
       style: `transfer-${transfer}`,
@@ -59,20 +80,28 @@ function chartSeries(rows: readonly SizeRow[], what: keyof Measured): Pick<Ghost
   };
 }
 
-function figure(plot: Plot, data: GhostChartData, rows: readonly SizeRow[], events: FigureEvents): HTMLElement {
-  const { title, unit, series } = data;
+function figure(plot: Plot, { faces, ...chart }: SizesChart, events: FigureEvents): HTMLElement {
+  const { title, unit, series } = chart;
+  const legend = h('span', { class: 'legend' }, ...series.map(({ style, label }) => legendEntry(style, label)));
   const element = h(
     'figure',
     { class: 'figure', 'data-testid': `plot-${plot}` },
-    h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit)),
-    drawGhostChart(data),
+    h('figcaption', {}, h('strong', {}, title), h('span', { class: 'unit' }, unit), legend),
+    drawGhostChart({ ...chart, sizes: faces.map(sizeName) }),
   );
   const numbers = {
-    names: ['Faces, empty without a ghost mesh', ...series.map(({ label }) => label)],
-    rows: rows.map(({ size }, i) => [size ?? NaN, ...series.map(({ values }) => values[i]!)]),
+    names: [
+      faces.includes(null) ? 'Faces, empty without a ghost mesh' : 'Faces of the ghost mesh',
+      ...series.map(({ label }) => label),
+    ],
+    rows: faces.map((size, i) => [size ?? NaN, ...series.map(({ values }) => values[i] ?? NaN)]),
   };
   addFigureTools(element, { ...events, plot, title, numbers: () => numbers });
   return element;
+}
+
+function numbersOf(rows: readonly SizeRow[]): HTMLElement {
+  return h('details', { class: 'details' }, h('summary', {}, 'Numbers'), table(rows));
 }
 
 function table(rows: readonly SizeRow[]): HTMLElement {
@@ -96,4 +125,7 @@ function table(rows: readonly SizeRow[]): HTMLElement {
   );
 }
 
-const short = (size: number): string => (size < 1000 ? String(size) : `${size / 1000}K`);
+function sizeName(size: number | null): string {
+  if (size === null) return 'none';
+  return size < 1000 ? String(size) : `${size / 1000}K`;
+}

@@ -138,7 +138,7 @@ function createShape(context: Context, commands: Commands, connect: Connect): HT
   return shapePanel.element;
 }
 
-function createGhostStudy({ session, feedback }: Context, commands: Commands) {
+function createGhostStudy({ session, feedback, viewState }: Context, commands: Commands) {
   const { engine, store, range, workspace } = session;
   const { onError } = feedback;
   return lazyComponent(async () => {
@@ -148,6 +148,7 @@ function createGhostStudy({ session, feedback }: Context, commands: Commands) {
       store,
       range,
       pool: () => workspace.pool,
+      samples: () => viewState.get().samples,
       onEnlarge: commands.enlarge,
       onError,
     });

@@ -1,0 +1,70 @@
+/** The KG error of several samples over sizes of the ghost mesh (the paper's Fig. 8a), one sample after the other. */
+import type { CallOptions, Engine } from '../../engine/api/api.ts';
+import type { Progress } from '../../engine/api/types.ts';
+import { GHOST_SIZES, studyGhosts, studyTimes } from '../../study/ghost-study.ts';
+import { fetchSample, readingOf } from '../sources/samples.ts';
+import type { Sample } from '../sources/samples.ts';
+
+/** They differ in shape and error; the largest error first, as in the chart from the top down. */
+const SHAPES: readonly string[] = ['octopus', 'hand', 'dachshund', 'cactus'];
+
+/** Those of the page's samples that are compared. */
+export function chosenSamples(samples: readonly Sample[]): Sample[] {
+  return SHAPES.map((id) => {
+    const sample = samples.find((one) => one.id === id);
+    if (!sample) throw new Error(`The shapes cannot be compared: this page has no sample “${id}”.`);
+    return sample;
+  });
+}
+
+export interface ShapeErrors {
+  id: string;
+  title: string;
+  /** In percent, for the first of the sizes: a ghost has fewer faces than its shape. */
+  kg: number[];
+}
+
+export interface ShapesCall {
+  signal: AbortSignal;
+  onProgress: NonNullable<CallOptions['onProgress']>;
+}
+
+/** With the transfer of the paper. */
+export async function studyShapes(
+  engine: Engine,
+  samples: readonly Sample[],
+  { signal, onProgress }: ShapesCall,
+): Promise<ShapeErrors[]> {
+  const found: ShapeErrors[] = [];
+  for (const [index, sample] of samples.entries()) {
+    const report = (progress: Progress): void => {
+      const name = `${sample.title} (${index + 1} of ${samples.length})`;
+      onProgress(partOf(progress, name, index, samples.length));
+    };
+    report({ stage: 'reading', fraction: 0 });
+    const keys = await engine.importKeyframes(await fetchSample(sample, signal), readingOf(sample), { signal });
+    try {
+      const { boundary, hold, id, title } = sample;
+      const { times } = keys.info;
+      const call = { times: studyTimes(times[0]!, times.at(-1)!), signal, onProgress: report };
+      const { rows } = await studyGhosts(engine, keys, { boundary, hold }, { ...call, transfers: ['paper'] });
+      found.push({ id, title, kg: rows.map(({ kg }) => kg) });
+    } finally {
+      keys.dispose();
+    }
+  }
+  return found;
+}
+
+/** Progress of one of several equal parts, as that of the whole. */
+export function partOf({ stage, fraction }: Progress, name: string, index: number, count: number): Progress {
+  return { stage: `${name}: ${stage}`, fraction: (index + fraction) / count };
+}
+
+/** One line for each shape, over the sizes that at least one of them has. */
+export function shapeLines(shapes: readonly ShapeErrors[]) {
+  return {
+    faces: GHOST_SIZES.slice(0, Math.max(...shapes.map(({ kg }) => kg.length))),
+    series: shapes.map(({ id, title, kg }) => ({ label: title, style: `ghost-${id}`, values: kg })),
+  };
+}
