@@ -26,7 +26,7 @@ Keyframes poses() {
 }
 
 // A limb of five segments, each of whose joints turns by up to `most` degrees from its rest, and the whole by up to
-// `whole`. Skinned linearly, so that joints that turn far collapse and leave open which way they went.
+// `whole`. Skinned linearly, so joints that turn far collapse, and leave open which way they went.
 Keyframes limb(unsigned seed, int keys, double most, double whole) {
   Random random(seed);
   const auto vector = [&] { return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };

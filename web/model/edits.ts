@@ -54,8 +54,8 @@ export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
 export type KeyPlace = { before: number } | { time: number };
 
 /**
- * Times for new keys. One key goes to the time of its place, unless there is one already. Others go evenly between their
- * neighbours; beyond the ends they lie as far apart as the keys do on average.
+ * Times for new keys. A single key gets the time of its place, if that is free. Several are spread evenly between their
+ * neighbours; beyond the ends they are as far apart as the keys are on average.
  */
 export function timesAt({ keys }: Doc, place: KeyPlace, count: number): number[] {
   if ('time' in place && count === 1 && !isTaken(keys, place.time)) return [place.time];

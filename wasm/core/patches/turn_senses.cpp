@@ -14,7 +14,7 @@ namespace shapespline {
 namespace {
 
 constexpr double certainTurn = std::numbers::pi / 3;
-// Certain joints are served in so many groups, those of smaller turns first.
+// Certain joints are served in this number of groups, smaller turns first.
 constexpr int certainGroups = 32;
 constexpr double openTurn = 0.8 * std::numbers::pi;
 // Smaller sets, as a share of the area, are not worth a word.

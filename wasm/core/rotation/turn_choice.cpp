@@ -8,7 +8,7 @@ namespace shapespline {
 
 namespace {
 
-// Of turning against bending. A swing there and back by 165 degrees costs as much as a whole turn in two steps.
+// Of turning against bending. A swing by 165 degrees and its return cost as much as a whole turn in two steps.
 constexpr double turningWeight = 10;
 // Costs that differ by less are decided by rounding, radians squared.
 constexpr double sameCost = 1e-2;

@@ -27,7 +27,7 @@ enum class Method {
 /// Whether every vertex moves on its own: the baselines.
 constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
-/// Whether faces rotate by themselves, so that there are no patches to add turns to or to hold: the rival spaces.
+/// Whether faces rotate by themselves, without patches that could be held or take turns: the rival spaces.
 constexpr bool turnsFaces(Method method) { return method == Method::RotationStrain || method == Method::Rimd; }
 
 /// Choices that refit the spline only: changing them never encodes again, and factors nothing but for `hold` and

@@ -14,7 +14,7 @@ namespace shapespline {
 
 namespace {
 
-// Costs on a grid, so that rounding decides no tree.
+// Rounds costs to a grid: rounding errors decide no tree.
 double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
 
 class Lift {

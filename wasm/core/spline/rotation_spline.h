@@ -29,7 +29,7 @@ struct WholeTurns {
 /// weights, any number of turns, and for two keys the geodesic.
 ///
 /// Increments do not commute: F of the reversed keys is another motion, B(t). The path is the normalised sum of the two
-/// quaternions, so that reversed keys give the reversed motion.
+/// quaternions, so reversed keys give the reversed motion.
 class RotationSplines {
  public:
   std::vector<std::vector<Quaternion>> key;  ///< key[column][path], unit

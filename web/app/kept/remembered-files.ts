@@ -119,7 +119,7 @@ export class RememberedFiles {
     this.keep(id);
   }
 
-  /** What earlier visits left: first that of this tab, then the last changed. Nothing that goes wrong here keeps the page from starting. */
+  /** The projects of earlier visits: first that of this tab, then the last changed. The page starts even if this fails. */
   async recall(): Promise<readonly ProjectOnShelf[]> {
     const setAside = await within(RECALL_MS, this.readList()).catch(() => 0);
     if (setAside)

@@ -83,7 +83,7 @@ export class TakeFiles {
     return false;
   }
 
-  /** The poses that the files hold, as keys of what is open. Resolves to what differs where they are of another mesh. */
+  /** Adds the poses in the files as keys. Resolves to the mismatch if they are of another mesh, else to null. */
   private async add(picked: readonly PickedFile[], place: KeyPlace | null): Promise<EngineError | null> {
     const { files, say } = this.parts;
     try {

@@ -236,7 +236,7 @@ export const MOTION = {
     flag: 'own-paths',
     help:
       'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
-      "(absolute), or against the largest patch, so that a key's own orientation changes nothing (root)",
+      "(absolute), or against the largest patch, so a key's own orientation changes nothing (root)",
   },
   /** Take out the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
