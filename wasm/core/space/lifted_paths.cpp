@@ -14,6 +14,19 @@ namespace shapespline {
 
 namespace {
 
+// Within this of half a turn, rounding decides the sign of the principal logarithm.
+constexpr double halfTurnMargin = 1e-3;
+
+// An increment of about half a turn goes the way of the one before it; without one, to the positive side of its largest
+// coordinate. Others stay as they are.
+Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before) {
+  if (increment.norm() <= std::numbers::pi - halfTurnMargin) return increment;
+  if (!before.isZero()) return nearestRepresentative(increment, before);
+  int largest = 0;
+  increment.cwiseAbs().maxCoeff(&largest);
+  return increment[largest] < 0 ? nearestRepresentative(increment, -increment) : increment;
+}
+
 // Rounds costs to a grid: rounding errors decide no tree.
 double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
 

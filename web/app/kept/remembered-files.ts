@@ -119,7 +119,7 @@ export class RememberedFiles {
     this.keep(id);
   }
 
-  /** The projects of earlier visits: first that of this tab, then the last changed. The page starts even if this fails. */
+  /** The projects of earlier visits: first that of this tab, then the last changed. A failure stops nothing. */
   async recall(): Promise<readonly ProjectOnShelf[]> {
     const setAside = await within(RECALL_MS, this.readList()).catch(() => 0);
     if (setAside)
