@@ -39,7 +39,7 @@ function correlation(a: number[], b: number[]): number {
 test('pixels follow the numbers: where vertices are further off, the colour is further up the map', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
   await app.setTime(0.3);
-  await expect(app.by('colour-bar')).toContainText('% of the diagonal');
+  await expect(app.by('colour-bar')).toContainText('% of the model’s size');
   const { places, far } = await app.page.evaluate(() => {
     const [a, b] = [window.__shapespline!.positions(0), window.__shapespline!.positions(1)];
     const apart = Array.from({ length: a.length / 3 }, (_, v) =>

@@ -131,7 +131,7 @@ test('the difference to no ghost is shown as colours, with its range', { tag: '@
   const top = parseFloat((await app.by('colour-bar').locator('.ramp-ticks span').first().textContent())!);
   expect(top).toBeGreaterThanOrEqual(most);
   expect(top).toBeLessThan(10 * most);
-  await expect(app.by('colour-bar')).toContainText('% of the diagonal');
+  await expect(app.by('colour-bar')).toContainText('% of the model’s size');
   expect((await pixels(app, 'purple')).count).toBeGreaterThan(1000);
   await app.by('transfer-exact').check();
   await app.setTime(0);

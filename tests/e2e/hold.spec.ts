@@ -1,4 +1,4 @@
-/** "Hold what rests": feet that stand between two keys stay, and the choice is undone, kept and linked. */
+/** "Hold still parts": feet that stand between two keys stay, and the choice is undone, kept and linked. */
 import { writeFileSync } from 'node:fs';
 import { diagonal, difference, expect, test, type App } from './support.ts';
 

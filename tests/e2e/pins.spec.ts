@@ -84,10 +84,10 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
 
   const { download } = await exported(app, async () => {
     await app.by('export-targets-principal').check();
-    await expect(app.by('export-dialog')).toContainText('keeps only pins on their own splines');
+    await expect(app.by('export-dialog')).toContainText('only pins on their own splines are kept');
     await app.by('export-targets-every').check();
     await type(app, 'export-frames', '4');
-    await expect(app.by('export-dialog')).not.toContainText('keeps only pins on their own splines');
+    await expect(app.by('export-dialog')).not.toContainText('only pins on their own splines are kept');
   });
   const saved = testInfo.outputPath('pinned.glb');
   await download.saveAs(saved);
@@ -121,7 +121,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   // Nothing of the shape is there: said, and the next click still counts.
   const box = (await app.by('viewport').boundingBox())!;
   await app.page.mouse.click(box.x + 6, box.y + box.height / 2);
-  await expect(app.page.getByText('There is nothing of the shape to pin')).toBeVisible();
+  await expect(app.page.getByText('That is not part of the shape')).toBeVisible();
   const again = await placeOf(app, point(await app.positions(), at.vertex));
   await app.page.mouse.click(again.x, again.y - 4);
   await expect(app.by('pin-0-mode')).toBeInViewport({ ratio: 0.9 });

@@ -252,7 +252,7 @@ test.describe('two tabs', () => {
     await other.setTime(0.3);
     await expect.poll(() => keptTime(app.page, 'twisted-bar.glb')).toBe(0.3);
     await app.setTime(0.7);
-    await expect(app.by('toast')).toContainText('Both versions are kept');
+    await expect(app.by('toast')).toContainText('Both versions were kept');
     const projects = Object.entries(await shelf(app.page)).filter(([key]) => key.startsWith('project '));
     expect(projects.map(([, project]) => (project as Kept['project']).state.time).sort()).toEqual([0.3, 0.7]);
   });

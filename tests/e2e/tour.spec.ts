@@ -59,9 +59,9 @@ test('of the eighth step, a face would be inside out far out; with logarithmic s
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ hash: '#tour=8' });
-  await expect(app.by('guide-live')).toHaveText(/has -\d+ % of its width at 1\.4: it would be inside out/);
+  await expect(app.by('guide-live')).toHaveText(/has -\d+ % of its width at 1\.4 s: it would be inside out/);
   await app.by('stretch-log').check();
-  await expect(app.by('guide-live')).toHaveText(/has [1-9]\d* % of its width at 1\.4: it only grows narrower/);
+  await expect(app.by('guide-live')).toHaveText(/has [1-9]\d* % of its width at 1\.4 s: it only becomes narrower/);
   await app.expectNoProblems();
 });
 

@@ -38,21 +38,6 @@ export const EXCEPTIONS = [
   { file: 'wasm/core/sparse/README.md', words: /factorise/, why: 'names a function of the solver' },
 ];
 
-/** Files whose texts are still to be cleaned; the lint covers all others. */
-const LATER = [
-  'web/app/export/export-job.ts',
-  'web/app/guide/figures.ts',
-  'web/app/guide/tour.ts',
-  'web/app/kept/remembered-files.ts',
-  'web/app/panels/distance-figure.ts',
-  'web/play/notices.ts',
-  'web/ui/export-fields.ts',
-  'web/ui/help.ts',
-  'web/ui/messages.ts',
-  'web/ui/pin-list.ts',
-  'web/ui/sample-way.ts',
-  'web/ui/shape-panel.ts',
-];
 
 const RECORDS = /bench\/results\/|fuzz\/corpus\/|^public\/samples\/|^LICENSE$/;
 const CODE = /\.(ts|tsx|mts|mjs|js|h|cpp|css)$/;
@@ -113,7 +98,6 @@ export function bannedIn(file, source) {
 }
 
 const isException = (file, words) => EXCEPTIONS.some((one) => one.file === file && one.words.test(words));
-const isCovered = (file) => !LATER.includes(file);
 
 /** Files with text that people read, as Git lists them. */
 export const readableFiles = () =>
@@ -123,7 +107,7 @@ export const readableFiles = () =>
     .filter((file) => existsSync(path.join(root, file)));
 
 /** All banned words in the covered files, one sentence each. */
-export function lintWords(files = readableFiles().filter(isCovered)) {
+export function lintWords(files = readableFiles()) {
   return files.flatMap((file) =>
     bannedIn(file, readFileSync(path.join(root, file), 'utf8'))
       .filter(({ words }) => !isException(file, words))

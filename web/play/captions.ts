@@ -24,7 +24,7 @@ export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, str
   }
   return {
     ...common,
-    curve: plane ? 'value over across' : 'value over time t',
+    curve: plane ? 'value against x' : 'value over time t',
     slope: plane ? 'speed: the length of the first derivative' : 'first derivative',
     bend: plane ? 'length of the second derivative' : 'second derivative',
     bending: 'total bending: the integral of the squared bend',

@@ -16,7 +16,7 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
     case 'natural':
       return 'Notice that a thin ruler held at the keys would lie like this: it passes them all and bends as little as it can.';
     case 'catmull-rom':
-      return `Notice that Catmull-Rom stays within ${number(apart(curves['catmull-rom'][0]!, curves.natural[0]!, times))} of the natural spline and looks as smooth. The bend below says where it is not.`;
+      return `Notice that Catmull-Rom stays within ${number(apart(curves['catmull-rom'][0]!, curves.natural[0]!, times))} of the natural spline and looks as smooth. The second derivative below shows where it is not.`;
     case 'hermite':
     case 'speed':
       return `Notice that a speed given at an end is felt most there, and the whole bends ${number(derived.bending.hermite / derived.bending.natural)} times as much as with free ends.`;
@@ -27,14 +27,14 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
       const off = Math.max(
         ...samples[0]!.values.map((v, i) => Math.abs(v - valueAt(curves.natural[0]!, samples[0]!.times[i]!))),
       );
-      return `Notice that ${sampleCount} samples come within ${number(off)} of the natural spline. They solve ${sampleCount + times.length} equations for what the spline finds from ${times.length}.`;
+      return `Notice that ${sampleCount} samples come within ${number(off)} of the natural spline. They take ${sampleCount + times.length} equations; the spline needs ${times.length}.`;
     }
     case 'shaped':
     case 'shaping': {
       const { tension, bias } = state.keys[selected]!;
       if (tension === 0 && bias === 0)
         return `Notice that without tension and bias key ${selected + 1} is passed with the slope that the natural spline has there.`;
-      return `Notice that tension ${number(tension)} and bias ${number(bias)} change the slope at key ${selected + 1} alone, so that only the two pieces beside it move. The bend jumps there where the slope is another one now.`;
+      return `Notice that tension ${number(tension)} and bias ${number(bias)} change the slope at key ${selected + 1} alone: only the two pieces beside it move. The second derivative now jumps there.`;
     }
     case 'plane':
       return 'Notice that two coordinates are two curves of the same kind, drawn against each other; a shape has thousands.';
@@ -46,8 +46,8 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
 }
 
 const SPACING_NOTICE: Record<PlayState['spacing'], string> = {
-  hand: 'Notice that a key that comes later is passed with another slope: its time belongs to the curve.',
-  even: 'Notice that with even times a short step takes as long as a long one: the curve swings out or loops where keys lie close.',
+  hand: 'Notice that changing a key’s time changes the slope there: time is part of the curve.',
+  even: 'Notice that with even times a short step takes as long as a long one: the curve overshoots or loops where keys lie close.',
   root: 'Notice that times by the square root of the distance (centripetal) keep the curve closest to its keys.',
   difference: 'Notice that times by distance (chord length) make the speed even, and wide steps swing out a little.',
 };
@@ -55,9 +55,9 @@ const SPACING_NOTICE: Record<PlayState['spacing'], string> = {
 function keyNotice({ selected }: PlayState, { curves, times, weights }: Derived, layers: readonly Layer[]): string {
   const key = `key ${selected + 1}`;
   if (layers.length > 0 && layers.every((layer) => layer === 'linear' || layer === 'catmull-rom'))
-    return `Notice that ${key} moves only the pieces beside it: these curves ask no key that is farther off.`;
+    return `Notice that ${key} moves only the pieces beside it: these curves depend only on nearby keys.`;
   if (times.length < 4 || !curves.natural[0]) return `Notice that ${key} moves the curve everywhere.`;
-  return `Notice that ${key} is felt everywhere, and hardly beyond its neighbours: at most ${number(100 * reach(weights[selected]!, times, selected))} % of its movement arrive there, turned round.`;
+  return `Notice that moving ${key} changes the whole curve, but hardly beyond its neighbours: at most ${number(100 * reach(weights[selected]!, times, selected))} % of its movement arrives there, with opposite sign.`;
 }
 
 const SAMPLED = 40;
@@ -94,7 +94,8 @@ export function rateNotice({ layers }: PlayState, derived: Derived, derivative: 
     return derivative === 1
       ? 'Notice that no slope jumps at a key: no corner (C1).'
       : `Notice that no bend jumps either (C2)${shown.includes('natural') ? ', and that it is 0 at free ends: that is what natural means' : ''}.`;
-  const what = derivative === 1 ? 'the slope jumps at the keys: a corner' : 'the bend jumps at a key: felt as a jerk';
+  const what =
+    derivative === 1 ? 'the slope jumps at the keys: a corner' : 'the bend jumps at a key: visible as a jerk';
   return `Notice where ${what} (${names(jumping)})${calm.length > 0 ? `; it goes on without a step (${says}) for ${names(calm)}` : ''}.`;
 }
 

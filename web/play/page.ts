@@ -105,7 +105,7 @@ function createLead(player: Player, onReset: () => void): HTMLElement {
     h(
       'p',
       {},
-      'A motion through key poses is this picture, once for every coordinate of the shape. Drag a key; switch curves on and off.',
+      'A motion through key poses is this picture, repeated for every coordinate of the shape. Drag a key; switch curves on and off.',
     ),
     h('div', { class: 'demonstration' }, player.scene, player.button, reset),
   );

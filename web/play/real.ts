@@ -82,7 +82,7 @@ export function createReal({ get, change }: RealParts): Panel {
     },
   });
   return {
-    element: h('section', { class: 'real', 'data-testid': 'real' }, h('h2', {}, 'Take a real one'), none, some),
+    element: h('section', { class: 'real', 'data-testid': 'real' }, h('h2', {}, 'Use real data'), none, some),
     update: draw,
   };
 }

@@ -140,13 +140,13 @@ function createGlbFields(change: Change) {
     (value) => change({ compression: value }),
   );
   const tolerance = numberField({
-    label: 'Tolerance in percent of the diagonal',
+    label: 'Tolerance in percent of the model’s size',
     testId: 'export-tolerance',
     min: EXPORT.tolerance.least,
     max: EXPORT.tolerance.most,
     onInput: (value) => change({ tolerance: value }),
   });
-  const toleranceRow = fieldRow('Off by at most, % of the diagonal', tolerance);
+  const toleranceRow = fieldRow('Off by at most, % of the model’s size', tolerance);
   return {
     before: [targets.element, toleranceRow],
     after: [compression.element],

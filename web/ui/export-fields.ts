@@ -74,7 +74,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
     max: 1000,
     onInput: (value) => change({ rate: value, frames: null }),
   });
-  const bounce = checkbox('There and back again, in twice the time', 'export-bounce', (on) => change({ bounce: on }));
+  const bounce = checkbox('Forwards, then backwards (twice as long)', 'export-bounce', (on) => change({ bounce: on }));
   const rangeRow = fieldRow('Range', from, unit('to'), to, unit('s'));
   const secondsRow = fieldRow('Seconds', pace, reset, seconds);
   const framesRow = fieldRow('Frames', frames, unit('at'), rate, unit('fps'));

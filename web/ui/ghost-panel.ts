@@ -44,7 +44,7 @@ export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): 
   const transfer = segments<Transfer>('Transfer', 'transfer', TRANSFERS, (value) =>
     events.onEncoding({ transfer: value }),
   );
-  const placement = checkbox('Vertices may leave the surface', 'placement', (on) =>
+  const placement = checkbox('Optimal vertex placement (off the surface)', 'placement', (on) =>
     events.onEncoding({ placement: on ? 'optimal' : DEFAULT_ENCODING.placement }),
   );
   const shown = createShown(events);
@@ -117,7 +117,7 @@ function createShown({ onView }: GhostPanelEvents): Component<GhostPanelProps> {
   const difference = checkbox('Difference from the full solve', 'ghost-difference', (on) =>
     onView({ ghostDifference: on }),
   );
-  const sizes = checkbox('Twice and four times the faces', 'ghost-sizes', (on) => onView({ ghostSizes: on }));
+  const sizes = checkbox('Also show 2× and 4× the faces', 'ghost-sizes', (on) => onView({ ghostSizes: on }));
   const chips = h('div', { class: 'chips' }, wire.element, beside.element, difference.element, sizes.element);
   return {
     element: h('fieldset', { class: 'field' }, h('legend', {}, 'Show'), chips),

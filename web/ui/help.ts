@@ -65,7 +65,7 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
     h(
       'p',
       {},
-      'Open two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. It finds the smooth motion through them. Cubic splines run through rotations and stretches, not through positions, so that the shape bends and twists and hardly shrinks.',
+      'Open two or more poses of one mesh, with the same vertices and faces: several glTF, OBJ, PLY or OFF files, or one glTF with morph targets or an animation. shapespline finds a smooth motion through them. It interpolates rotations and stretches instead of positions, so the shape bends and twists with almost no loss of volume.',
     ),
     h('p', {}, 'Your files stay on your machine.'),
     h('p', {}, h('a', { href: './manual.html', target: '_blank', rel: 'noopener' }, 'Manual')),

@@ -21,7 +21,7 @@ const COLOURINGS: readonly Choice<Colouring>[] = [
   {
     value: 'texture',
     label: 'Material',
-    hint: 'From the file, or clay; the ring on the floor and the outline show the phase',
+    hint: 'The file’s materials, or clay. The floor ring and the outline show the phase.',
   },
   { value: 'phase', label: 'Phase', hint: 'Colour by phase: blue at a key, green between, yellow beyond the ends' },
   { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },

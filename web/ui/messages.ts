@@ -84,7 +84,7 @@ export function createErrorMessage(
   const details = h('p', { class: 'expert' });
   const more = h('details', {}, h('summary', {}, 'Details'), details);
   const retry = button({
-    label: 'Try again: load the page anew',
+    label: 'Try again: load the page again',
     testId: 'error-retry',
     text: 'Try again',
     onClick: onRetry,

@@ -19,7 +19,11 @@ const HOLD_HINT =
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
   { value: 'even', text: 'Evenly', hint: 'Intervals of equal length' },
   { value: 'root', text: 'Softly', hint: 'Intervals as the square root of how different the poses are' },
-  { value: 'difference', text: 'By difference', hint: 'Intervals as how different the poses are: an even pace' },
+  {
+    value: 'difference',
+    text: 'By difference',
+    hint: 'Interval lengths proportional to pose difference: constant pace',
+  },
 ];
 
 export interface MotionPanelProps extends MotionEndsProps {
@@ -118,7 +122,7 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
 
 /** Parts held in place: automatically, or by pins. */
 function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Fields<MotionPanelProps> {
-  const hold = checkbox('Hold what rests', 'hold', (on) => onMotion({ hold: on ? 'on' : 'off' }));
+  const hold = checkbox('Hold still parts', 'hold', (on) => onMotion({ hold: on ? 'on' : 'off' }));
   const holding = h('div', { class: 'group' }, hold.element, h('p', { class: 'hint' }, HOLD_HINT));
   const pins = createPinList({
     onPins: (list) => onMotion({ pins: list.length > 0 ? list : DEFAULT_MOTION.pins }),
@@ -150,7 +154,7 @@ function createPace(events: MotionPanelEvents): Fields<MotionPanelProps> {
   });
   const auto = button({
     label:
-      'Tension at each key as much as keeps its slope within three times that of the straight way to either neighbour',
+      'Adds just enough tension at each key to keep its slope within three times that of the straight path to either neighbour',
     testId: 'tightness-auto',
     text: 'Limit overshoot',
     onClick: () => events.onAutoTightness(),

@@ -14,7 +14,7 @@ export function createObjectList(onTake: (names: string[]) => void): ObjectList 
   const element = h(
     'div',
     { class: 'group', role: 'group', 'aria-label': 'Objects', hidden: true, 'data-testid': 'objects' },
-    h('span', { class: 'label', title: 'Untick what is not part of the shape, such as a floor' }, 'Objects'),
+    h('span', { class: 'label', title: 'Clear anything that is not part of the shape, such as a floor' }, 'Objects'),
     boxes,
   );
   const draw = memo(({ names, taken }: { names: readonly string[]; taken: readonly string[] }) => {

@@ -45,7 +45,7 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
   const element = h(
     'div',
     { class: 'field', role: 'group', 'aria-label': 'Pins' },
-    h('div', { class: 'pin-title' }, h('span', { class: 'label' }, 'Hold by hand'), place),
+    h('div', { class: 'pin-title' }, h('span', { class: 'label' }, 'Pins'), place),
     hint,
     list,
   );
@@ -80,17 +80,19 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
 }
 
 function hintFor({ placing, pins }: PinListProps): string {
-  if (placing) return 'Click the place on the shape that is to be held. Escape ends this.';
-  if (pins.length > 0) return 'Drag a pin in the view: where it is let go is where it is at this time.';
-  return 'A pinned place follows its own spline, stays as in a key, or goes where you drag it.';
+  if (placing) return 'Click the place to hold. Press Esc to cancel.';
+  if (pins.length > 0) return 'Drag a pin in the view to set its position at the current time.';
+  return 'A pin follows its own spline, keeps its position from a key, or goes where you drag it.';
 }
 
 /** Explains effects of a pin that its options do not show. */
 function noteFor({ stay, path }: Pin, { keys, periodic }: PinListProps): string {
   if (stay !== undefined && !keys.some(({ pose }) => pose === stay))
     return 'The key in which it stayed was removed: it follows its own spline.';
-  if (path?.length === 1) return 'It is moved as far at all other times, until it is dragged at one of them.';
-  return stay !== undefined && periodic ? 'Where a loop ends elsewhere than it began, it goes along evenly.' : '';
+  if (path?.length === 1) return 'It moves by the same amount at all other times until you drag it there, too.';
+  return stay !== undefined && periodic
+    ? 'If a loop ends away from where it began, the shape travels at constant speed.'
+    : '';
 }
 
 function createRow(

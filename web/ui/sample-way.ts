@@ -27,7 +27,7 @@ export function createSampleWay({ onCount, onFewest }: SampleWayEvents): SampleW
   let searching = 0;
   const most = h('p', { class: 'reason', role: 'status', 'data-testid': 'sample-most', hidden: true });
   const count = numberField({
-    label: 'Number of keys; another one spaces them evenly',
+    label: 'Number of keys; changing it spaces them evenly',
     testId: 'sample-count',
     min: 2,
     step: 1,
@@ -37,7 +37,7 @@ export function createSampleWay({ onCount, onFewest }: SampleWayEvents): SampleW
     },
   });
   const tolerance = numberField({
-    label: 'Largest error in percent of the diagonal',
+    label: 'Largest error in percent of the model’s size',
     testId: 'sample-tolerance',
     min: TOLERANCE.least,
     max: TOLERANCE.most,
@@ -72,7 +72,7 @@ export function createSampleWay({ onCount, onFewest }: SampleWayEvents): SampleW
       fieldRow(wayLabel(byCount, 'Number of keys', 'Keys at even times'), count),
       most,
       fieldRow(
-        wayLabel(byError, 'Fewest within', 'As few keys as keep the motion this near to the animation'),
+        wayLabel(byError, 'Fewest within', 'As few keys as needed to stay within this error'),
         tolerance,
         h('span', { class: 'muted' }, '%'),
       ),

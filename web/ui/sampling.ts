@@ -174,7 +174,7 @@ function choiceOf({ name, start, end, keys, moves }: AnimationInfo, index: numbe
 }
 
 function foundText({ keys, percent }: { keys: number; percent: number }): string {
-  return `${keys} keys: the motion is at most ${Number(percent.toPrecision(2))} % of the diagonal off.`;
+  return `${keys} keys: the motion is at most ${Number(percent.toPrecision(2))} % of the model’s size off.`;
 }
 
 /** Keys far apart are not the animation. */

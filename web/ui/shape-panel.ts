@@ -42,7 +42,7 @@ const NO_NAMES: readonly string[] = [];
 
 const STRETCHES: readonly Choice<Stretch>[] = [
   { value: 'linear', label: 'Linear', hint: 'Blends stretches, as in the paper' },
-  { value: 'log', label: 'Logarithmic', hint: 'Blends logarithms of stretches, so that no face turns inside out' },
+  { value: 'log', label: 'Logarithmic', hint: 'Blends logarithms of stretches; no face turns inside out' },
 ];
 
 /** `ghost`: the section on the ghost mesh. */

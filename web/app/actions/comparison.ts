@@ -25,7 +25,7 @@ export const COMPARISON = {
     does: 'Presentation: the shape alone, in large type',
     run: (context) => present(context, presented(context) === null ? 'shape' : null),
   },
-  nextPlot: { keys: ['a'], shown: 'A', does: 'Presentation: the next plot, then none', run: nextPlot },
+  nextPlot: { keys: ['a'], shown: 'A', does: 'Presentation: cycle through plots', run: nextPlot },
   turnPage: {
     shown: 'Page Up  Page Down',
     does: 'Presentation: previous or next key, or page of the tour (elsewhere ten steps in time)',

@@ -23,7 +23,7 @@ export const TIME = {
       if (playing) used(context);
     },
   },
-  step: { shown: '←  →', does: 'One step in time; with Shift, ten', run: step },
+  step: { shown: '←  →', does: 'Step one frame; Shift: ten', run: step },
   goToEnd: { shown: 'Home  End', does: 'First or last key; again for the end of the extrapolation', run: step },
   previousKey: { keys: ['['], shown: '[', does: 'Previous key', run: (context) => jumpKey(context, -1) },
   nextKey: { keys: [']'], shown: ']', does: 'Next key', run: (context) => jumpKey(context, 1) },

@@ -77,7 +77,7 @@ export class HeatMap {
   ): void {
     const [main] = sequences;
     const views = [...sequences.keys()].filter((i) => sequences[i]!.ghost > 0 && sequences[i]!.method === main!.method);
-    const unit = '% of the diagonal';
+    const unit = '% of the model’s size';
     const reference = frames[full]!.positions;
     this.difference = this.showApart(frames, views, reference, diagonal, main!, { kind: 'difference', unit });
   }
@@ -94,7 +94,7 @@ export class HeatMap {
     if (!main || frames.length <= first) return this.clear();
     const word = (of: RunningMotion | undefined): string => (of ? motionWords(of).label : '');
     const from = original ? 'the animation' : word(main);
-    const unit = `${word(sequences[first])} from ${from}, % of the diagonal`;
+    const unit = `${word(sequences[first])} from ${from}, % of the model’s size`;
     const views = [...frames.keys()].slice(first);
     if (first === 1) this.viewer.setHeatColours(null, 0);
     const reference = original ?? frames[0]!.positions;

@@ -92,7 +92,7 @@ function counted(numbers: ExportNumbers): ExportNumbers {
 function lostPins({ kind, animation, targets }: ExportRequest, { options }: Motion): string[] {
   const lost = options.pins.some(({ stay, path }) => stay !== undefined || path !== undefined);
   if (kind !== 'animation' || animation !== 'glb' || targets !== 'principal' || !lost) return [];
-  return ['Opened here again, it keeps only pins on their own splines: between its keys it moves otherwise.'];
+  return ['When reopened here, only pins on their own splines are kept, so the motion between keys differs.'];
 }
 
 /** What would be made, in words. */
@@ -153,7 +153,7 @@ function planText(request: ExportRequest, playing: Playing, { times, targets, er
   const size = `about ${bytesText(bytes)}`;
   if (request.animation !== 'glb') return `${grouped(times.length)} frames, ${size}`;
   const bounces = goesBack(request);
-  const back = bounces ? ' there and back' : '';
+  const back = bounces ? ' forwards and backwards' : '';
   const length = secondsText(bounces ? 2 * seconds : seconds);
   if (request.targets !== 'every')
     return `${length}${back}, ${targets} morph ${targets === 1 ? 'target' : 'targets'}${off}, ${size}`;

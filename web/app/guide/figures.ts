@@ -19,7 +19,7 @@ const middleOf: GuidePage['ask'] = async (sequence, { keyTimes }, poses) => {
   const [frame] = await sequence.evaluateMany([(keyTimes[0]! + keyTimes.at(-1)!) / 2]);
   error.add(poses.positions(MIDDLE), frame!.positions);
   frame!.release();
-  return `Halfway, vertices are on average ${error.mean.toFixed(1)} % of the diagonal from the middle pose.`;
+  return `Halfway, vertices are on average ${error.mean.toFixed(1)} % of the model’s size from the middle pose.`;
 };
 
 const LIST: readonly Figure[] = [
@@ -30,17 +30,16 @@ const LIST: readonly Figure[] = [
     text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys.',
     task: 'Watch the middle key: the geodesic turns sharply there, the spline does not.',
     sentence:
-      'Here are the paper’s own spline and the geodesic, on another cactus; the spline in shell space is not here.',
+      'Shown here: the paper’s spline and the geodesic, on a different cactus. The spline in shell space is not implemented.',
   },
   {
     number: '2a',
     name: 'Curves through points',
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
     panel: 'analysis',
-    text: 'The paper draws three curves through nine values: the one that bends least, found by brute force, the cubic spline, and straight lines.',
-    task: 'Drag a value of the playground, which has nine of them and these three curves.',
-    sentence:
-      'The curve of least bending and the spline lie on each other, there as here; the values are yours to choose.',
+    text: 'The paper draws three curves through nine values: the one that bends least, found by direct minimisation, the cubic spline, and straight lines.',
+    task: 'Drag a point in the playground. It has nine points and these three curves.',
+    sentence: 'As in the paper, the two curves coincide. Drag the points to try other values.',
     beside: { label: 'Open the playground', href: `./play.html#${NINE_POINTS}`, framed: 'Playground' },
     wide: true,
   },
@@ -54,9 +53,9 @@ const LIST: readonly Figure[] = [
     plot: 'plane',
     wide: true,
     press: 'minimised',
-    task: 'Enlarge the shape plane under Analysis, and change the number of samples of the minimisation.',
+    task: 'Enlarge the shape plane in Analysis, and change the number of samples of the minimiser.',
     sentence:
-      'The minimisation falls onto the spline, there as here; blends of vertices are drawn, too, with their distance from the plane.',
+      'As in the paper, the minimiser coincides with the spline. Vertex blends are drawn as well, with their distance from the plane.',
   },
   {
     number: '3',
@@ -74,17 +73,18 @@ const LIST: readonly Figure[] = [
     number: '4',
     name: 'Two poses only',
     state: 'sample=cactus&keys=0@0,1@1&compare=geodesic&colour=phase&between=-0.5,1.5&t=-0.5&loop=bounce&play=1',
-    text: 'The paper compares its spline with the geodesic on two poses of an elephant, also beyond both of them.',
-    task: 'Drag the time: both are the same shape at every moment.',
-    sentence: 'Through two keys the spline is the geodesic; here on a cactus.',
+    text: 'The paper compares its spline with the geodesic on two poses of an elephant, including extrapolation.',
+    task: 'Drag the time slider: both are the same shape at every time.',
+    sentence: 'With two keys, the spline is the geodesic. Shown here on a cactus.',
   },
   {
     number: '5',
     name: 'Large turns',
     state: 'sample=gymnast&between=0,1&t=0&loop=bounce&play=1',
-    text: 'The paper completes five poses of a person of which the first and the last differ by almost 180 degrees.',
-    task: 'Watch the arms: more than half a turn from the first pose to the last, and no arm takes the short way back.',
-    sentence: 'Rotations add up from key to key, so that a turn may be larger than any single rotation can say.',
+    text: 'The paper completes five poses of a person, the first and last of which are rotated by almost 180 degrees.',
+    task: 'Watch the arms: more than half a turn from the first pose to the last, and no arm takes the shortcut back.',
+    sentence:
+      'Rotations accumulate from key to key, so a turn can exceed 180 degrees, which no single rotation can express.',
   },
   {
     number: '6',
@@ -92,10 +92,10 @@ const LIST: readonly Figure[] = [
     state: 'sample=cactus&ghostFaces=500&ghostWire=1&ghostBeside=1&between=0,1&t=0&loop=bounce&play=1',
     panel: 'shape',
     part: 'panel-ghost',
-    text: 'The paper shows coarse ghost meshes of its shapes, and lines from each to the vertices that it leads.',
-    task: 'Change the number of faces under Shape, Ghost mesh.',
+    text: 'The paper shows coarse ghost meshes of its shapes, and lines from each ghost vertex to its corresponding vertex.',
+    task: 'Change the number of faces in Shape, Ghost mesh.',
     sentence:
-      'Ghost and correspondence are made automatically, as in the paper; here the ghost stands beside the shape.',
+      'As in the paper, the ghost and its correspondences are found automatically. Here the ghost stands beside the shape.',
     live: ({ stats }) => `${stats.ghostFaces.toLocaleString('en')} faces lead the shape.`,
   },
   {
@@ -104,16 +104,17 @@ const LIST: readonly Figure[] = [
     state: 'sample=cactus&ghostFaces=250&ghostSizes=1&between=0,1&t=0.25&loop=bounce&play=1',
     panel: 'shape',
     part: 'panel-ghost',
-    text: 'The paper colours a centaur by how far it is from the motion without a ghost, for four sizes of ghost.',
-    task: 'Drag the time, and compare the colours; then choose another size under Shape, Ghost mesh.',
-    sentence: 'The difference falls as the ghost grows, there as here: three sizes beside the motion without a ghost.',
+    text: 'The paper colours a centaur by its distance from the motion without a ghost, for four ghost sizes.',
+    task: 'Drag the time slider, and compare the colours. Then choose another size in Shape, Ghost mesh.',
+    sentence:
+      'As in the paper, the error falls as the ghost gets finer. Three sizes are shown beside the motion without a ghost.',
   },
   {
     number: '8',
     name: 'Error and time by size',
     state: 'sample=cactus&ghostFaces=500&between=0,1&t=0&loop=bounce&play=1',
     panel: 'shape',
-    text: 'The paper plots the KG error of four shapes, and the time of a frame of one of them, against the size of the ghost.',
+    text: 'The paper plots the KG error of four shapes, and the frame time of one of them, against ghost size.',
     part: 'study-charts',
     plot: 'ghost-error',
     press: 'study-shapes',
@@ -139,7 +140,7 @@ const LIST: readonly Figure[] = [
     name: 'Many faces',
     state: 'sample=serpent&between=0,1&t=0&loop=bounce&play=1',
     text: 'The paper completes an armadillo of 332,000 faces and one of 1.3 million.',
-    task: 'Drag the time, and read at the bottom right how long a frame takes.',
+    task: 'Drag the time slider, and read the frame time at the bottom right.',
     sentence:
       'Each frame solves two systems that are factored once: rotations, then positions. The serpent has about as many faces as the paper’s smaller armadillo.',
     live: ({ faces, ms }) =>

@@ -28,32 +28,32 @@ const narrownessOf: GuidePage['ask'] = async (sequence, { stretch }) => {
   const [xx, xy, yy] = numbers.slice(3) as [number, number, number];
   const least = (xx + yy) / 2 - Math.hypot((xx - yy) / 2, xy);
   const share = stretch === 'log' ? Math.exp(least) : least;
-  const words = share > 0 ? 'it only grows narrower' : 'it would be inside out';
-  return `By its line a face above has ${(100 * share).toFixed(0)} % of its width at ${FAR}: ${words}.`;
+  const words = share > 0 ? 'it only becomes narrower' : 'it would be inside out';
+  return `Extrapolated linearly, the marked face has ${(100 * share).toFixed(0)} % of its width at ${FAR} s: ${words}.`;
 };
 
 const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Three poses, one motion',
     state: 'sample=cactus&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
-    text: 'Somebody made three poses of a cactus, the keys. Everything else that you see was found: the shapes between them, and those before the first and after the last.',
+    text: 'An artist made three poses of a cactus: the keys. Every other shape that you see is computed, both between the keys and beyond them.',
     panel: 'motion',
-    task: 'Drag the time, also past both ends.',
-    sentence: 'Blue shapes were given, green ones are computed between them, yellow ones beyond.',
+    task: 'Drag the time slider. Go past both ends, too.',
+    sentence: 'Blue shapes are given. Green ones are interpolated, yellow ones extrapolated.',
     live: ({ keyTimes, faces }) => `${keyTimes.length} keys of ${grouped(faces)} faces, at ${listed(keyTimes)}.`,
     formula: {
       math: '<mrow><mi>s</mi><mo>(</mo><msub><mi>t</mi><mi>j</mi></msub><mo>)</mo><mo>=</mo><msub><mi>s</mi><mi>j</mi></msub></mrow>',
-      words: 'At the time of each key the motion s is that key, exactly.',
+      words: 'At each key’s time, the motion s passes exactly through that key.',
     },
   },
   {
     title: 'Why not simply blend?',
     state: 'sample=twisted-bar&compare=linear&between=0,0.5&t=0.25&loop=bounce&play=1',
-    text: 'Two poses of a bar differ by half a turn. The plainest thing is to move every vertex on a straight line from one to the other. How much of the bar is left halfway? Guess first.',
+    text: 'Two poses of a bar differ by half a turn. The simplest idea is to move every vertex along a straight line from one to the other. How much of its volume is left halfway? Guess first.',
     panel: 'analysis',
     part: 'plot-volume',
     plot: 'volume',
-    task: 'Drag the time to the middle between the first two keys, and compare the two volumes.',
+    task: 'Drag the time slider halfway between the first two keys, and compare the two volumes.',
     sentence:
       'Blending positions moves every point along a straight line, so a shape that bends or twists loses volume.',
     live: ({ volumes: [ours, blended] }) =>
@@ -61,24 +61,25 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     formula: {
       math: '<mrow><mi>p</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mo>(</mo><mn>1</mn><mo>−</mo><mi>t</mi><mo>)</mo><msub><mi>p</mi><mn>0</mn></msub><mo>+</mo><mi>t</mi><msub><mi>p</mi><mn>1</mn></msub></mrow>',
       words:
-        'So much of the one place, so much of the other. The line between two places of a circle runs inside of it: on the way every point is nearer to the axis about which it turns, and the bar is thin.',
+        'A weighted average of two positions. A chord lies inside its circle, so halfway every point is closer to the axis it turns about, and the bar is thinner.',
     },
-    more: 'Where the bar turns by a half, the line runs through the axis itself: there all points meet, and nothing is left.',
+    more: 'Where the bar turns by 180 degrees, the chord passes through the axis: all points of that cross-section meet there.',
   },
   {
     title: 'What a shape is made of',
     state: 'sample=cactus&colour=patches&between=0,1&t=0&loop=bounce&play=1',
-    text: 'The surface is cut into patches. Of each pair of neighbours only the rotation from one to the other is kept, and of each face how it turns and stretches in its patch. Nothing says where the shape stands.',
+    text: 'The surface is cut into patches. For each pair of neighbouring patches, only their relative rotation is kept; for each face, its rotation and stretch within its patch. The position of the shape is not part of the description.',
     panel: 'analysis',
     part: 'faces',
     fill: { field: 'face-number', value: '12000' },
     plot: 'face-rotation',
-    task: 'Click the shape: under Analysis, see how that face turns and stretches in its patch; then choose Patch.',
-    sentence: 'Describe a shape by how neighbouring parts turn and stretch, and it no longer matters where it stands.',
+    task: 'Click the shape. The Analysis panel plots how that face rotates and stretches within its patch. Then switch to Patch.',
+    sentence:
+      'Described by the relative rotations and stretches of its parts, a shape no longer depends on where it stands or which way it faces.',
     live: ({ faces, patches }) => `${grouped(faces)} faces in ${grouped(patches)} patches.`,
     formula: {
       math: '<mrow><msub><mi>R</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><msubsup><mi>R</mi><mi>i</mi><mi>T</mi></msubsup><msub><mi>R</mi><mi>j</mi></msub></mrow>',
-      words: 'The rotation from patch i to patch j: turn the whole shape, and it stays the same.',
+      words: 'The rotation from patch i to patch j. It does not change when the whole shape is rotated.',
     },
   },
   {
@@ -98,25 +99,25 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     title: 'The corner at a key',
     panel: 'analysis',
     state: 'sample=cactus&compare=geodesic&between=0,1&t=0&loop=bounce&play=1',
-    text: 'The second cactus goes from key to key on the shortest way, a geodesic. It is straight between two keys, and has a corner at the middle one: there it changes direction at once.',
+    text: 'The cactus on the right takes the shortest path from key to key, a geodesic. In shape space it is straight between keys and has a corner at the middle key, where it changes direction abruptly.',
     part: 'plot-bending',
     plot: 'bending',
-    task: 'Look at the middle key, and at the bending under Analysis.',
-    sentence: 'Straight from key to key is shortest, and turns sharply at each key.',
+    task: 'Watch the middle key, then look at the Bending energy plot.',
+    sentence: 'The shortest path is straight from key to key, and turns sharply at each one.',
     formula: {
       math: '<mrow><mi>E</mi><mo>(</mo><mi>s</mi><mo>)</mo><mo>=</mo><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>‖</mo><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>‖</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
-      words: 'The bending energy of a motion: how much its speed changes, squared and added up over time.',
+      words: 'The bending energy of a motion: its squared acceleration, added up over time.',
     },
   },
   {
     title: 'The bent ruler',
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Hold a thin ruler at a few nails and let it bend as it likes: it takes the shape that bends least in total, and is straight past its last nail. That is the natural cubic spline. Every coordinate of the shape runs on one.',
-    task: 'Drag a value of the playground up and down.',
-    sentence: 'The smoothest curve through the keys bends least in total, and one tiny system finds it.',
+    text: 'Pass a thin ruler between a few nails. It settles into the shape with the least total bending and runs straight past the last nail. That is the natural cubic spline. Every coordinate of the shape follows one of these.',
+    task: 'In the playground, drag a point up and down.',
+    sentence: 'The smoothest curve through the keys has the least total bending. One tiny linear system finds it.',
     formula: {
       math: '<mrow><munder><mi>min</mi><mi>f</mi></munder><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>|</mo><msup><mi>f</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>|</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
-      words: 'Of all curves through the values, the one whose second derivative is least in total.',
+      words: 'Among all curves through the values, the one with the smallest integral of squared second derivative.',
     },
     beside: { label: 'Open the playground', href: './play.html#take', framed: 'Playground' },
     wide: true,
@@ -126,12 +127,12 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     panel: 'motion',
     state:
       'sample=cactus&boundary=hermite&startSpeed=2&endSpeed=2&between=-0.2,1.2&t=0&loop=bounce&colour=phase&play=1',
-    text: 'Inside, the keys say it all. At the ends somebody has to choose: “Free” (natural) leaves the ends alone, as the ruler, with no bending there; “Ease” (Hermite) gives them a speed; “Loop” (periodic) joins the last key to the first.',
-    task: 'Drag a handle at an end of the timeline; then choose Free and Loop under Motion.',
+    text: 'Between the keys, nothing is left to choose. At the ends, you decide: “Free” (natural) leaves the ends free, like the ruler, with no bending. “Ease” (Hermite) gives them a speed. “Loop” (periodic) joins the last key to the first.',
+    task: 'Drag a handle at an end of the timeline. Then choose Free and Loop in the Motion panel.',
     sentence: 'What happens at the ends is a choice: free, a given speed, or a closed loop.',
     formula: {
       math: '<mrow><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><msub><mi>t</mi><mn>1</mn></msub><mo>)</mo><mo>=</mo><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><msub><mi>t</mi><mi>J</mi></msub><mo>)</mo><mo>=</mo><mn>0</mn></mrow>',
-      words: 'Natural: at the first and the last key the motion does not bend, so that it goes on straight.',
+      words: 'Natural: no bending at the first and last key, so the motion continues in a straight line.',
     },
   },
   {
@@ -141,15 +142,16 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     fill: { field: 'face-number', value: `${SHRINKING}` },
     plot: 'face-stretch',
     state: 'sample=turret&colour=phase&between=0,1.4&t=0&loop=bounce&play=1',
-    text: 'Past its last key the motion goes on as fast as it was. Turns may go on like that. A stretch may not: what shrinks by the same amount again and again is nothing one day, and then inside out. The surface here stops short of it; its numbers go on.',
-    task: 'Look under Analysis where the stretch of a face crosses nothing; then choose logarithmic stretch under Shape.',
+    text: 'Past the last key, the motion keeps its speed. A rotation can go on like that forever; a stretch cannot. Something that shrinks by the same amount again and again reaches zero and then turns inside out. The surface shown is clamped before that; its coordinates are not.',
+    task: 'In Analysis, find where the face’s stretch crosses zero. Then choose Logarithmic under Shape, Stretch.',
     ask: narrownessOf,
-    sentence: 'Past the last key the curve goes on straight; stretch must be counted in ratios there.',
+    sentence:
+      'Past the last key the curve continues straight. Stretch must then be measured as a ratio, on a logarithmic scale.',
     formula: {
       math: '<mrow><mi>f</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mi>f</mi><mo>(</mo><mn>1</mn><mo>)</mo><mo>+</mo><mo>(</mo><mi>t</mi><mo>−</mo><mn>1</mn><mo>)</mo><msup><mi>f</mi><mo>′</mo></msup><mo>(</mo><mn>1</mn><mo>)</mo></mrow>',
-      words: 'After the last key: from there on straight, with the speed that it had.',
+      words: 'After the last key: a straight line with the final velocity.',
     },
-    more: 'In the shape plane a mixture of keys is drawn as it is. Drag the point past key 3, as far as it goes: with linear stretch the upper part is all but gone, with logarithmic stretch it stays a small tower.',
+    more: 'The shape plane draws a mixture of keys without the clamp. Drag the point past key 3, as far as it goes: with linear stretch the upper part almost vanishes; with logarithmic stretch it remains a small tower.',
   },
   {
     title: 'The plane of shapes',
@@ -158,27 +160,27 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     plot: 'plane',
     wide: true,
     state: 'sample=cactus&compare=geodesic,linear&between=-0.2,1.2&t=0&loop=bounce&play=1',
-    text: 'Three shapes span a plane, as three points do. In it the spline is a curve and the geodesic a polygon; a blend of vertices leaves the plane. A point of it that lies on no curve is a shape, too: so much of each key.',
-    task: 'Under Analysis, drag the point off the curve, or draw a path.',
+    text: 'Like three points, three shapes span a plane. In it the spline is a smooth curve and the geodesic a polygon; a vertex blend leaves the plane. Points off the curves are shapes too: weighted mixtures of the keys.',
+    task: 'In Analysis, drag the point off the curve, or draw a path.',
     sentence: 'Every mixture of the keys is a shape; a motion is a path among them.',
     formula: {
       math: '<mrow><mi>s</mi><mo>=</mo><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>w</mi><mi>k</mi></msub><msub><mi>s</mi><mi>k</mi></msub><mo>,</mo><mspace width="0.6em"/><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>w</mi><mi>k</mi></msub><mo>=</mo><mn>1</mn></mrow>',
-      words: 'A shape is so much of each key; the shares add up to one, and may be negative.',
+      words: 'A shape is a weighted sum of the keys. The weights add up to 1 and may be negative.',
     },
   },
   {
     title: 'Two systems, factored once',
     state: 'sample=octopus&between=0,1.5&t=0&loop=bounce&play=1',
     panel: 'motion',
-    text: 'From coordinates back to a shape is two steps: the rotations of all patches, then all vertices. Each is one large linear system that never changes while the time does, so that it is prepared once.',
+    text: 'From coordinates back to a shape is two steps: the rotations of all patches, then all vertices. Each is a large linear system whose matrix does not depend on time, so it is factored once.',
     task: 'Open poses of your own, and export the motion.',
-    sentence: 'Rotations first, points second, both prepared once: that is why the slider is live.',
+    sentence: 'First rotations, then positions; both factored once. That is why the slider responds instantly.',
     formula: {
       math: '<mrow><mi>A</mi><mi>G</mi><mo>=</mo><mi>b</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>,</mo><mspace width="0.6em"/><mi>L</mi><mi>v</mi><mo>=</mo><mi>c</mi><mo>(</mo><mi>t</mi><mo>)</mo></mrow>',
-      words: 'A for the rotations G of the patches, L for the vertices v: only the right sides change with time.',
+      words: 'A gives the patch rotations G, L the vertices v. Only the right-hand sides change with time.',
     },
     live: ({ stats, ms, faces }) =>
-      `${grouped(faces)} faces: prepared in ${milliseconds(stats.encodeMs + stats.orderMs + stats.factorMs)}` +
+      `${grouped(faces)} faces: factored in ${milliseconds(stats.encodeMs + stats.orderMs + stats.factorMs)}` +
       (ms === null ? '.' : `, each frame in ${milliseconds(ms)}.`),
   },
 ];

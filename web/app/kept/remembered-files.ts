@@ -243,7 +243,7 @@ export class RememberedFiles {
     await this.saving;
     await forgetProject(id);
     this.tabs?.postMessage({ forgotten: id });
-    this.parts.say('Forgotten, and files are not remembered any more.');
+    this.parts.say('Forgotten. Files are no longer remembered.');
   }
 
   private async remember(id: string): Promise<void> {
@@ -311,7 +311,7 @@ export class RememberedFiles {
     this.kept.delete(id);
     const other = newProjectId();
     this.parts.store.set({ project: other });
-    this.parts.say('Another tab has changed these files, too. Both versions are kept.');
+    this.parts.say('Another tab also changed these files. Both versions were kept.');
     await this.write(other);
   }
 }

@@ -29,7 +29,7 @@ export interface DistanceFigure {
 }
 
 const ALONE =
-  'Compare with another method under Motion, show the animation that the keys were taken from, or drop another one of this mesh here.';
+  'Compare with another method under Motion, show the animation that the keys were taken from, or drop a different animation of this mesh here.';
 
 export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure {
   const legend = h('span', { class: 'legend', 'data-testid': 'distance-kg' });
@@ -43,7 +43,7 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     onClick: parts.onPickTruth,
   });
   const leave = button({
-    label: 'Compare with this animation no more',
+    label: 'Stop comparing',
     testId: 'truth-leave',
     text: 'Without it',
     onClick: parts.onLeaveTruth,
@@ -94,7 +94,7 @@ function chartOf(
     values: mean,
     style: lineStyle(name),
   }));
-  const unit = `mean over the vertices from ${against}, % of the diagonal`;
+  const unit = `mean over the vertices from ${against}, % of the model’s size`;
   return { unit, times, keyTimes, range, include: 0, series };
 }
 

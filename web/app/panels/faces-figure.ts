@@ -40,7 +40,7 @@ export interface FacesFigure {
 
 type Heat = FaceAmount | 'distance' | 'none';
 
-const HINT = 'Click the picture: the coordinates there over time, as the spline has them.';
+const HINT = 'Click the shape to plot a face’s coordinates over time.';
 
 export function createFacesFigure(input: () => AnalysisInput | null, events: FacesFigureEvents): FacesFigure {
   const { onMark, onError } = events;
@@ -130,7 +130,7 @@ function createSurfaceColours(input: () => AnalysisInput | null, events: FacesFi
       {
         value: 'distance',
         label: 'Distance',
-        hint: 'How far what is compared is from the first motion or the animation',
+        hint: 'Distance of the compared motion from the first motion or the animation',
       },
     ],
     (value) => events.onColouring(value === 'none' ? 'texture' : value),

@@ -23,7 +23,7 @@ export interface MeasureCharts {
 const RELATIVE = '% of the first key';
 const BENDING = 'squared acceleration, relative, 1/s⁴';
 const BENDING_UNIT = 'Relative to the mean deformation energy between keys';
-const SLIDING = 'distance of what rests between keys from its place, % of the diagonal';
+const SLIDING = 'displacement of resting vertices, % of the model’s size';
 /** Below it there is nothing but rounding to be seen. */
 const LEAST_SLIDING = 0.01;
 const LEAST_BENDING = 1;
@@ -32,7 +32,7 @@ export function createMeasureCharts(events: ChartEvents): MeasureCharts {
   const volume = chart('volume', 'Volume', RELATIVE, events);
   const area = chart('area', 'Area', RELATIVE, events);
   const bending = chart('bending', 'Bending energy', BENDING, events);
-  const sliding = chart('sliding', 'Sliding of what rests', SLIDING, events);
+  const sliding = chart('sliding', 'Foot sliding', SLIDING, events);
   bending.element.title = BENDING_UNIT;
   setHidden(sliding.element, true);
   const legend = h('div', { class: 'legend' });

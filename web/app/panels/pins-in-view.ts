@@ -49,7 +49,7 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
     element: handles.element,
     place(at) {
       const vertex = picked(at);
-      if (vertex === null) return feedback.say('There is nothing of the shape to pin. Click the shape itself.');
+      if (vertex === null) return feedback.say('That is not part of the shape. Click the shape itself.');
       commands.pins(withPin(pins(), vertex));
       viewState.change({ placing: false });
     },

@@ -36,7 +36,8 @@ const MADE: readonly Sample[] = [
   {
     id: 'turret',
     title: 'Turret',
-    description: 'A column whose upper part shrinks to a fifth: beyond the keys it shows how stretch is counted.',
+    description:
+      'A column whose upper part shrinks to a fifth. Extrapolate it to compare linear and logarithmic stretch.',
     files: ['turret.glb'],
     made: true,
     names: ['Whole', 'Smaller, turned', 'A fifth'],

@@ -12,7 +12,7 @@ export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
   },
   'catmull-rom': {
     name: 'Catmull-Rom',
-    what: 'Each key asks its two neighbours only, as with Blender’s smoothing “None”',
+    what: 'Uses only the two neighbouring keys, as with Blender’s smoothing “None”',
   },
   hermite: { name: 'Given speeds', what: 'Hermite ends: drag the handles; 0 eases in and out' },
   periodic: { name: 'Loop', what: 'Periodic: after the last key comes the first again' },
