@@ -102,6 +102,11 @@ describe('permalinks', () => {
     expect(link.view).toEqual({ compare: ['lri'] });
   });
 
+  it('compare with at most three other methods', () => {
+    const link = readPermalink('sample=x&compare=geodesic,linear,rimd,rotation-strain,cubic-vertex')!;
+    expect(link.view.compare).toEqual(['geodesic', 'linear', 'rimd']);
+  });
+
   it.each([
     ['patches', '1e300'],
     ['patches', '1e9'],

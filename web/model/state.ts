@@ -84,6 +84,7 @@ export interface View {
   /** How many shapes a film strip has; null = as many as the keys ask for. */
   filmShapes: number | null;
   /** Methods shown next to the main one. */
+  /** At most MOST_COMPARED. */
   compare: Method[];
   /** Position of the divider between two motions, relative to the width; null = side by side. */
   split: number | null;
@@ -114,6 +115,8 @@ export interface AppState {
   view: View;
 }
 
+/** Beside the motion itself: four views are as many as a page has room for. */
+export const MOST_COMPARED = 3;
 /** On either side. */
 export const MOST_ONION_SKINS = 6;
 /** Units of time. */

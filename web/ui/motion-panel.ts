@@ -5,7 +5,7 @@ import type { Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
-import { DEFAULT_MOTION, holds } from '../model/state.ts';
+import { DEFAULT_MOTION, MOST_COMPARED, holds } from '../model/state.ts';
 import { button, buttonGroup, checkbox, select, setIdle, slider } from './controls.ts';
 import type { MotionEnds, MotionEndsEvents, MotionEndsProps } from './motion-ends.ts';
 import { createMotionEnds } from './motion-ends.ts';
@@ -14,11 +14,11 @@ import type { Component, Fields } from './dom.ts';
 import { h, memo, setHidden, setText } from './dom.ts';
 
 const HOLD_HINT =
-  'What hardly moves between two keys stays where it is, as feet do. Off: the method as published, in which they can slide.';
+  'Vertices that hardly move between two keys stay in place, as feet do. Off: as published; planted feet can slide.';
 
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
   { value: 'even', text: 'Evenly', hint: 'Intervals of equal length' },
-  { value: 'root', text: 'Softly', hint: 'Intervals as the square root of how different the poses are' },
+  { value: 'root', text: 'Softly', hint: 'Interval lengths proportional to the square root of pose difference' },
   {
     value: 'difference',
     text: 'By difference',
@@ -98,11 +98,13 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
       onCompare(METHODS.filter((m) => (m === value ? on : compared.includes(m))));
     }),
   }));
+  const most = h('p', { class: 'hint', 'data-testid': 'compare-most' }, 'At most four motions are shown at a time.');
   const comparison = h(
     'fieldset',
     { class: 'field' },
     h('legend', {}, 'Compare with'),
     h('div', { class: 'chips' }, ...others.map(({ toggle }) => toggle.element)),
+    most,
   );
   return {
     elements: [method.element, hint, comparison],
@@ -110,11 +112,14 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
       compared = compare;
       method.update(motion.method);
       setText(hint, METHOD_WORDS[motion.method].hint);
+      const isFull = compared.filter((m) => m !== motion.method || holds(motion)).length >= MOST_COMPARED;
+      setHidden(most, !isFull);
       for (const { value, toggle } of others) {
         const { short } = value === motion.method ? PLAIN_WORDS : METHOD_WORDS[value];
         setHidden(toggle.element, value === motion.method && !holds(motion));
         setText(toggle.element.querySelector('span')!, short);
-        toggle.update(compared.includes(value), disabled);
+        const isShown = compared.includes(value);
+        toggle.update(isShown, disabled || (isFull && !isShown));
       }
     },
   };

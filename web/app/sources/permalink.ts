@@ -18,7 +18,7 @@ import { LEAST_SHARE } from '../../ui/divider.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, LEAST_FILM_SHAPES, LEAST_ONION_SPACING, MOST_FILM_SHAPES } from '../../model/state.ts';
-import { MOST_ONION_SKINS, PRESENTED, SPEEDS } from '../../model/state.ts';
+import { MOST_COMPARED, MOST_ONION_SKINS, PRESENTED, SPEEDS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
@@ -240,7 +240,7 @@ function readView(take: Take): Partial<View> {
 /** Those that there are; undefined where none is. */
 function methods(text: string): Method[] | undefined {
   const known = text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []);
-  return known.length > 0 ? [...new Set(known)] : undefined;
+  return known.length > 0 ? [...new Set(known)].slice(0, MOST_COMPARED) : undefined;
 }
 
 function wholeFrom(text: string, least: number, most: number): number | undefined {
