@@ -14,6 +14,8 @@ export interface KeyFieldsProps {
   range: Range;
   /** How many components the shape has. */
   components: number;
+  /** Whether the method takes full turns. */
+  turns: boolean;
 }
 
 export interface KeyFieldsEvents {
@@ -48,13 +50,13 @@ export function createKeyFields(events: KeyFieldsEvents): KeyFields {
   const turns = createKeyTurns((added) => events.onTurns(index, added), events.onComponent);
   return {
     elements: [fieldRow('Name', name), fieldRow('Time', time), ...sliders.elements, ...turns.elements],
-    update({ keys, range, components }, at) {
+    update({ keys, range, components, turns: takesTurns }, at) {
       index = at;
       const { name: text, time: t, shaping } = keys[at]!;
       setField(name, text);
       setField(time, formatTime(t, range));
       sliders.update(shaping);
-      turns.update({ shaping, isFirst: at === 0, components });
+      turns.update({ shaping, canTurn: takesTurns && at > 0, components });
     },
     focus() {
       name.focus();

@@ -11,8 +11,8 @@ const MOST_COMPONENTS = 400;
 
 export interface KeyTurnsProps {
   shaping: Shaping;
-  /** No way leads to the first key. */
-  isFirst: boolean;
+  /** Turns can be added: not at the first key, and not with every method. */
+  canTurn: boolean;
   /** How many components the shape has. */
   components: number;
 }
@@ -55,11 +55,11 @@ export function createKeyTurns(
   };
   const draw = (): void => {
     if (!props) return;
-    const { shaping, isFirst, components } = props;
-    const count = !isFirst && components > 1 ? Math.min(components, MOST_COMPONENTS) : 0;
+    const { shaping, canTurn, components } = props;
+    const count = canTurn && components > 1 ? Math.min(components, MOST_COMPONENTS) : 0;
     if (component !== null && component >= count) return choose(null);
     setField(turns, String(turnsOf(shaping, component ?? undefined)));
-    setHidden(row, isFirst);
+    setHidden(row, !canTurn);
     setHidden(turning.element, count === 0);
     turning.update(String(component ?? ''), count === 0 ? [] : componentChoices(count, shaping));
   };

@@ -1,4 +1,5 @@
 /** Below the shape: the keys, the timeline with its transport, the status line and the warnings. */
+import { METHOD } from '../../engine/api/methods.ts';
 import type { AppState } from '../../model/state.ts';
 import { endTangents, referenceKey } from '../../model/state.ts';
 import { phaseOf, timeScale } from '../../model/time-scale.ts';
@@ -150,6 +151,7 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
     disabled,
     canRemove: doc.keys.length > 2,
     components: viewState.stats?.components ?? 1,
+    turns: METHOD[doc.motion.method].turns,
     addReason: addReason(doc.keys, time),
   };
 }
