@@ -210,5 +210,11 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await app.page.keyboard.press('Control+z');
   await app.settled();
   expect((await turns()).flat()).toEqual([]);
+  // Not every method takes turns.
+  await app.by('method').selectOption('rimd');
+  await app.settled();
+  await app.by('key-1-edit').click();
+  await expect(app.by('key-name')).toBeVisible();
+  await expect(app.by('key-turns')).toBeHidden();
   await app.expectNoProblems();
 });
