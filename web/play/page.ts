@@ -1,6 +1,7 @@
 /** The playground: one state, its figures and controls, redrawn after changes. */
-import { button } from '../ui/controls.ts';
+import { REFUSED, button } from '../ui/controls.ts';
 import { h, setText } from '../ui/dom.ts';
+import { createToast } from '../ui/messages.ts';
 import { createBoard } from './board.ts';
 import { sentence } from './captions.ts';
 import { derive } from './derived.ts';
@@ -82,7 +83,10 @@ export function createPlayPage({ notices, real, theme, playing, onError, onLeftO
   if (playing && location.hash.length < 2) player.start();
   if (opened) onLeftOut(opened.leftOut);
   show({});
-  return { element: h('div', { class: 'play' }, createHeader(theme), ...notices, main), get, change };
+  const toast = createToast();
+  main.addEventListener(REFUSED, ({ detail }: CustomEventInit<string>) => toast.say(detail ?? ''));
+  const element = h('div', { class: 'play' }, createHeader(theme), ...notices, main, toast.element);
+  return { element, get, change };
 }
 
 function createHeader(theme: HTMLElement): HTMLElement {
