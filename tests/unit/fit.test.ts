@@ -31,7 +31,9 @@ function lowest(view: ViewName, extent: Extent, of: Float32Array): number {
 it('the ring is not cut at the lower edge, where covering buttons may lie over it', () => {
   const shape = { points, radius: 1.5 };
   expect(lowest('home', shape, around)).toBeLessThan(-1);
-  expect(lowest('home', { ...shape, around }, around)).toBeCloseTo(-1, 6);
+  const low = lowest('home', { ...shape, around }, around);
+  expect(low).toBeGreaterThan(-1);
+  expect(low).toBeLessThan(-0.9);
   expect(lowest('home', { ...shape, around }, points)).toBeGreaterThan(lowest('home', shape, points));
 });
 

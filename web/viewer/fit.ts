@@ -6,6 +6,8 @@ export const FIELD_OF_VIEW = 32;
 const MARGIN = 1.12;
 /** The sine of the height from which a view counts as one from above. */
 const STEEP = 0.7;
+/** Room for the width of what is drawn there. */
+const EDGE = 1.04;
 const NOTHING = new Float32Array();
 
 const DIRECTIONS: Record<ViewName, [number, number, number]> = {
@@ -68,7 +70,7 @@ export function fittedPose(
   }
   // From above, what lies around the shape would make it small.
   const below = direction.y > STEEP ? 0 : around.length;
-  const lower = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * (1 - insets.top + insets.bottom);
+  const lower = (Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * (1 - insets.top + insets.bottom)) / EDGE;
   for (let i = 0; i + 2 < below; i += 3) {
     point.fromArray(around, i).sub(target);
     distance = Math.max(distance, point.dot(direction) - point.dot(up) / lower);
