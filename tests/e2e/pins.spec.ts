@@ -65,6 +65,17 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.page.mouse.up();
   await app.settled();
   await expect(app.by('pin-0-path')).toHaveText(/^Dragged at [\d.]+ s$/);
+  // Its path over the motion goes through it.
+  const nearest = async (): Promise<number> => {
+    const line = app.page.locator('.pin-paths polyline');
+    if ((await line.count()) !== 1) return Infinity;
+    const now = (await app.by('pin-handle-0').boundingBox())!;
+    const frame = (await app.by('pin-handles').boundingBox())!;
+    const at = [now.x + now.width / 2 - frame.x, now.y + now.height / 2 - frame.y] as const;
+    const points = ((await line.getAttribute('points')) ?? '').split(' ').map((one) => one.split(',').map(Number));
+    return Math.min(...points.map(([x, y]) => Math.hypot(x! - at[0], y! - at[1])));
+  };
+  await expect.poll(nearest).toBeLessThan(40);
   const after = (await app.by('pin-handle-0').boundingBox())!;
   expect(Math.hypot(after.x - handle.x - 20, after.y - handle.y + 40)).toBeLessThan(12);
   const dragged = await app.positionsAt(t);

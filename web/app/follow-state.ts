@@ -77,6 +77,7 @@ function showServed({ session, display, viewState, feedback, analysis, pace }: C
   display.playback.frameLoop.follow(session.store.get().time);
   analysis.invalidate();
   pace.refresh();
+  display.pinPaths.refresh();
   display.timePictures.forget();
   display.thumbnails.refresh();
 }

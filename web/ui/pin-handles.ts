@@ -1,5 +1,5 @@
 /** Pins on the shape: dragged with the pointer or moved with the arrow keys, removed with Delete. */
-import { h, setHidden, setStyle } from './dom.ts';
+import { h, setAttribute, setHidden, setStyle, svg } from './dom.ts';
 import { drag, focusPressed, isPress } from './pointer.ts';
 
 /** From the top left corner of the viewport, in CSS pixels. */
@@ -27,8 +27,8 @@ const ARROWS: Readonly<Record<string, readonly [x: number, y: number]>> = {
 
 export interface PinHandles {
   element: HTMLElement;
-  /** null: the position is outside the viewport. */
-  update(places: readonly (Place | null)[]): void;
+  /** null: the position is outside the viewport. `paths`: x and y along each pin's path. */
+  update(places: readonly (Place | null)[], paths: readonly Float32Array[]): void;
   /** Marks where a pin would be placed; null: nowhere. */
   mark(place: Place | null): void;
 }
@@ -36,6 +36,8 @@ export interface PinHandles {
 export function createPinHandles(events: PinHandleEvents): PinHandles {
   const mark = h('div', { class: 'pin-mark', hidden: true, 'data-testid': 'pin-mark' });
   const element = h('div', { class: 'pin-handles', 'data-testid': 'pin-handles' }, mark);
+  const lines = svg('svg', { class: 'pin-paths', 'aria-hidden': 'true' });
+  element.append(lines);
   const handles: HTMLButtonElement[] = [];
   let shown: readonly (Place | null)[] = [];
 
@@ -81,8 +83,9 @@ export function createPinHandles(events: PinHandleEvents): PinHandles {
 
   return {
     element,
-    update(places) {
+    update(places, paths) {
       shown = places;
+      drawPaths(lines, paths);
       while (handles.length > places.length) handles.pop()!.remove();
       while (handles.length < places.length) {
         handles.push(create(handles.length));
@@ -100,3 +103,17 @@ function put(element: HTMLElement, place: Place | null): void {
   setHidden(element, place === null);
   if (place) setStyle(element, 'transform', `translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`);
 }
+
+function drawPaths(lines: SVGSVGElement, paths: readonly Float32Array[]): void {
+  while (lines.childElementCount > paths.length) lines.lastElementChild!.remove();
+  while (lines.childElementCount < paths.length) lines.append(svg('polyline'));
+  paths.forEach((path, index) => {
+    const points = Array.from(
+      { length: path.length / 2 },
+      (_, i) => `${round(path[2 * i]!)},${round(path[2 * i + 1]!)}`,
+    );
+    setAttribute(lines.children[index]!, 'points', points.join(' '));
+  });
+}
+
+const round = (pixels: number): string => pixels.toFixed(1);

@@ -2,6 +2,8 @@
 import { FirstKey } from './first-key.ts';
 import { createMarking } from './marking.ts';
 import type { Marking } from './marking.ts';
+import { createPinPaths } from './pin-paths.ts';
+import type { PinPaths } from './pin-paths.ts';
 import { SceneController } from './scene-controller.ts';
 import { createTimePictures } from './time-pictures.ts';
 import type { TimePictures } from './time-pictures.ts';
@@ -42,6 +44,7 @@ export interface Display {
   thumbnails: Thumbnails;
   timePictures: TimePictures;
   marking: Marking;
+  pinPaths: PinPaths;
 }
 
 export function createDisplay({ session, stage, viewState, feedback, seek, onResize }: DisplayParts): Display {
@@ -105,6 +108,12 @@ export function createDisplay({ session, stage, viewState, feedback, seek, onRes
     draw: (frame) => scene.timePicture(frame, store.get(), range()),
     onPicture: (timePicture) => viewState.change({ timePicture }),
   });
+  const pinPaths = createPinPaths({
+    motion: sequence,
+    pins: () => store.get().doc.motion.pins,
+    idle: () => playback.frameLoop.idle(),
+    onPaths: () => scene.viewer.invalidate(),
+  });
   const marking = createMarking({
     scene,
     sequence,
@@ -115,5 +124,5 @@ export function createDisplay({ session, stage, viewState, feedback, seek, onRes
     keyTimes: () => store.get().doc.keys.map(({ time }) => time),
     onWarning: (shownWarning) => viewState.change({ shownWarning }),
   });
-  return { scene, playback, firstKey, thumbnails, timePictures, marking };
+  return { scene, playback, firstKey, thumbnails, timePictures, marking, pinPaths };
 }

@@ -38,7 +38,13 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
     const { doc, view } = store.get();
     return METHOD[doc.motion.method].holds && !view.film && view.present === null && viewState.get().blend === null;
   };
-  const update = (): void => handles.update(shown() ? pinPlaces(scene.viewer, pins()) : []);
+  const update = (): void => {
+    const isShown = shown();
+    handles.update(
+      isShown ? pinPlaces(scene.viewer, pins()) : [],
+      isShown ? display.pinPaths.now.map((path) => scene.viewer.project(path)) : [],
+    );
+  };
   scene.viewer.follow(update);
   const picked = (at: Place): number | null => {
     const face = scene.pick(at.x, at.y);
