@@ -38,7 +38,6 @@ export const EXCEPTIONS = [
   { file: 'wasm/core/sparse/README.md', words: /factorise/, why: 'names a function of the solver' },
 ];
 
-
 const RECORDS = /bench\/results\/|fuzz\/corpus\/|^public\/samples\/|^LICENSE$/;
 const CODE = /\.(ts|tsx|mts|mjs|js|h|cpp|css)$/;
 const SCRIPT = /\.(py|ya?ml|cmake)$|CMakeLists\.txt$|^\.ci\//;
