@@ -57,7 +57,7 @@ async function build(engine: Engine, mesh: Uint8Array, wanted: number): Promise<
   return { dispose, sequence, keys: count, faces: keys.info.report.faces, buildMs, ms: [], stats: [] };
 }
 
-/** The first frame after the other sequence's is not counted. */
+/** Evaluates one uncounted frame first, because the other sequence has just run. */
 async function round({ sequence, ms, stats }: Measured): Promise<void> {
   await msOf(sequence.evaluate(0.5));
   const own: number[] = [];

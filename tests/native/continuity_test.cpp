@@ -74,7 +74,7 @@ Keyframes noisy(Keyframes k, double size, unsigned seed) {
   return k;
 }
 
-// Percent of the diagonal; the mean is that of the worst moment.
+// Distances in percent of the diagonal: the mean over the vertices at the time where it is largest, and the worst.
 struct Difference {
   double mean = 0, worst = 0;
 };

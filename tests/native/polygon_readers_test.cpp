@@ -324,7 +324,7 @@ TEST_CASE("polygons are split as in the first key, whatever their shape in the o
 }
 
 TEST_CASE("concave polygons are covered without overlap") {
-  // A comb with four teeth: 16 corners, area 4 + 3 = teeth of 1 each and a back of 7 x 1.
+  // A comb: 16 corners. Its area is 7 (the back, 7 x 1) plus 4 (four teeth of 1 each).
   std::string text;
   int n = 0;
   const auto corner = [&](double x, double y) {

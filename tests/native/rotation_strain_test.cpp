@@ -130,7 +130,7 @@ TEST_CASE("rotation-strain: what it cannot do is refused") {
   };
   MotionOptions held = rotationStrain(), pinned = rotationStrain(), turned = rotationStrain();
   held.hold = true;
-  refused(held, "hold what rests");
+  refused(held, "hold resting parts");
   pinned.pins = {{0, 0.1, -1}};
   refused(pinned, "pins");
   turned.turns = {{1, 1}};

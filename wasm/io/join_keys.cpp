@@ -51,8 +51,8 @@ void appendCopies(const std::vector<int>& copyOf, std::size_t width, std::size_t
   values.insert(values.begin() + static_cast<std::ptrdiff_t>(width * at), copies.begin(), copies.end());
 }
 
-// Drawn vertices are the mesh's own, of which there are more now, followed by copies. A copy belongs to one vertex: if
-// that is split, each part gets a copy.
+// Drawn vertices are the mesh's own, followed by the copies (Seams::copyOf). Splitting adds mesh vertices, so copies
+// move back. If a copied vertex is split, each new vertex gets its own copy.
 void splitSeams(const Split& split, int n, const std::vector<Triangle>& before, Scene& scene) {
   Seams& seams = scene.seams;
   const int more = static_cast<int>(split.copyOf.size());

@@ -166,7 +166,7 @@ export function customElementsManifest(): object {
       {
         kind,
         path: 'canvas-viewer.js',
-        declarations: [{ kind: 'class', name: 'CanvasViewer', description: 'A motion in an element of a page.' }],
+        declarations: [{ kind: 'class', name: 'CanvasViewer', description: 'A custom element that shows a motion.' }],
         exports: [exportOf('CanvasViewer')],
       },
     ],

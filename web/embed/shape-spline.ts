@@ -416,7 +416,7 @@ export class ShapeSplineElement extends Base {
       this.#progress(current, part.stage, share + KEYS_SHARE * part.fraction);
     const sources = this.#sources();
     const keys = takeKeys(sources, this.baseURI, this.#options('import') as ImportOptions, from(0));
-    // Release the objects of an older loading only now, so shared ones are reused.
+    // Release the objects of the previous load only now, so shared ones are reused.
     this.#opening.keys?.release();
     this.#opening.keys = keys;
     const held = await keys.value;

@@ -37,7 +37,7 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
       return `Notice that tension ${number(tension)} and bias ${number(bias)} change the slope at key ${selected + 1} alone: only the two pieces beside it move. The second derivative now jumps there.`;
     }
     case 'plane':
-      return 'Notice that two coordinates are two curves of the same kind, drawn against each other; a shape has thousands.';
+      return 'Notice that each coordinate follows a curve of its own, computed in the same way. A shape has thousands of coordinates.';
     case 'spacing':
       return SPACING_NOTICE[state.spacing];
     default:
@@ -57,7 +57,7 @@ function keyNotice({ selected }: PlayState, { curves, times, weights }: Derived,
   if (layers.length > 0 && layers.every((layer) => layer === 'linear' || layer === 'catmull-rom'))
     return `Notice that ${key} moves only the pieces beside it: these curves depend only on nearby keys.`;
   if (times.length < 4 || !curves.natural[0]) return `Notice that ${key} moves the curve everywhere.`;
-  return `Notice that moving ${key} changes the whole curve, but hardly beyond its neighbours: at most ${number(100 * reach(weights[selected]!, times, selected))} % of its movement arrives there, with opposite sign.`;
+  return `Notice that moving ${key} changes the whole curve. Beyond the neighbouring keys the change is small: at most ${number(100 * reach(weights[selected]!, times, selected))} % of the key’s movement, in the opposite direction.`;
 }
 
 const SAMPLED = 40;

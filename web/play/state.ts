@@ -10,7 +10,7 @@ export interface PlayKey {
   across: number;
   /** 0 leaves the slope as it is, 1 stops there. */
   tension: number;
-  /** From -1 to 1: below 0 the slope leans towards the next key, above 0 it carries on. */
+  /** From -1 to 1. Below 0 the slope is biased towards the next step, above 0 towards the previous one. */
   bias: number;
 }
 

@@ -17,8 +17,8 @@ namespace shapespline {
 
 namespace {
 
-// Weight of the squared distance that vertices travel against that from the faces' planes. It spreads the ghost's
-// vertices where the shape is flat, and holds optimally placed ones to the same place of the body in every pose.
+// Weight of the squared distance from the original vertices, relative to that from the planes of their faces. It
+// spreads the ghost's vertices over flat regions, and keeps each at the same place on the body in every pose.
 constexpr double travelWeight = 1e-2;
 
 // Weight of the squared distance from a boundary's own planes, times the squared length of its edges.

@@ -29,7 +29,7 @@ class PatchMotion {
     PatchRotationSystem::Scratch turn;
   };
 
-  /// Factors the first system. Error: that of the solver.
+  /// Factors the first system for an open curve and for a loop. Error: that of the solver.
   static Result<PatchMotion> create(const WeldedShape& shape, PatchCoordinates coordinates);
 
   /// A turn's component is a component of the shape that the motion was made of. No turns: none.

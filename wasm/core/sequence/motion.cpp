@@ -36,14 +36,14 @@ bool addsTurns(const MotionOptions& o) {
 Status checkOwnPaths(const MotionOptions& o) {
   if (o.ownPaths == OwnPaths::Off || (o.method == Method::Lri && !addsTurns(o))) return {};
   return Error{ErrorCode::InvalidOption,
-               o.method == Method::Lri ? "Whole turns cannot be added to own paths of faces: switch one of them off."
+               o.method == Method::Lri ? "Whole turns and own paths of faces cannot be combined: remove the turns, or switch own paths off."
                                        : "Own paths of faces belong to the method 'lri': switch them off."};
 }
 
-// Faces that rotate by themselves have no patches that turns are added to or that hold what rests.
+// These methods rotate each face separately, without patches. So they cannot add turns, hold resting parts or pin.
 Status checkFaceMethod(const MotionOptions& o) {
   if (!turnsFaces(o.method)) return {};
-  const char* const what = o.hold            ? "It cannot hold what rests"
+  const char* const what = o.hold            ? "It cannot hold resting parts"
                            : !o.pins.empty() ? "It cannot hold pins"
                            : addsTurns(o)    ? "Whole turns cannot be added to it"
                                              : nullptr;

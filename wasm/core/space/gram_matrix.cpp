@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-// Plain loops: they are short, and Eigen's products are large.
+// Plain loops instead of Eigen's matrix product, which would add much code to the wasm.
 void addProducts(Eigen::MatrixXd& gram, double weight, const std::vector<double>& numbers) {
   const auto shapes = static_cast<std::size_t>(gram.rows()), count = numbers.size() / shapes;
   for (std::size_t a = 0; a < shapes; ++a)

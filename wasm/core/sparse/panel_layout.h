@@ -12,9 +12,9 @@ namespace shapespline {
 
 /// A supernode's columns are cut into panels of at most kWidth, all of about the same width.
 ///
-/// The tree of supernodes is cut into two parts for two to work on, and a top (subtree_partition.h), which lie one
-/// after the other. The second part does not touch the unknowns of the top: its rows there name copies of them beyond
-/// the matrix's size.
+/// The supernode tree is cut into two parts, one per thread, and a top (subtree_partition.h); panels are stored in that
+/// order. The second part must not touch the unknowns of the top: its rows index copies of them, beyond the matrix's
+/// size.
 class PanelLayout {
  public:
   static constexpr int kWidth = 64;

@@ -5,8 +5,8 @@
 
 namespace shapespline {
 
-/// Half a step of the last bit along all axes, at the largest coordinate. 0 if a coordinate is not a single-precision
-/// number: then the file did not store single precision.
+/// The largest distance by which rounding to float may have moved a position: along each axis half a unit in the last
+/// place of the largest coordinate. 0 if a coordinate is no float: then the file did not store single precision.
 double storedRounding(const Positions& positions);
 
 }  // namespace shapespline

@@ -32,7 +32,7 @@ struct NodeGraph {
   std::vector<char> visible;  ///< KHR_node_visibility of each node itself
 };
 
-/// Errors: MalformedFile for children that are not there, cycles, nodes with two parents, wrong array lengths.
+/// Errors: MalformedFile for missing children, cycles, nodes with two parents, wrong array lengths.
 Result<NodeGraph> readNodes(const GltfDocument& doc);
 
 /// For each node, whether it and all its ancestors are visible.

@@ -13,7 +13,7 @@ export function importOffer(opened: Opened, files: Opener, onLoop: () => void): 
   if (same) return { message: same };
   if (opened.stoodUp && orientation)
     return {
-      message: 'The files do not say which axis is up. The shape was stood up, with Z as its height.',
+      message: 'The files do not say which axis is up. Z was taken as the up axis.',
       action: 'Lay it back',
       onAccept: () => void files.reorient({ ...orientation, up: 'y' }),
     };
@@ -25,6 +25,6 @@ export function importOffer(opened: Opened, files: Opener, onLoop: () => void): 
     };
   const open = source.kind === 'files' && doc.motion.boundary === 'natural';
   if (open && isClosed(doc, pool))
-    return { message: 'The last pose is the first again.', action: 'Make it a loop', onAccept: onLoop };
+    return { message: 'The last pose is the same as the first.', action: 'Make it a loop', onAccept: onLoop };
   return null;
 }

@@ -22,7 +22,7 @@ export interface SideParts {
   context: Context;
   commands: Commands;
   connect: Connect;
-  /** The figures are there, for a presentation to show. */
+  /** Called when the figures exist: a presentation can then show them. */
   onFilled(): void;
 }
 

@@ -166,7 +166,7 @@ export const MOTION = {
     formerly: { contact: 'on', anchored: 'on' },
     default: 'off',
     flag: 'hold',
-    help: 'on: vertices that do not move between two keys stay in place; off (default): as published',
+    help: 'on: vertices that rest between two keys are kept in place; off (default): no correction, as in the paper',
     page: 'hold',
     undo: 'hold',
   },
@@ -387,7 +387,7 @@ export const ENCODING = {
     default: null,
     flag: 'end-tangent',
     value: 'FILE',
-    help: 'hermite: pose from which the motion arrives at the last key; default: the key before it',
+    help: 'hermite: pose that sets the slope at the last key, which points from this pose to that key; default: the key before the last',
     page: 'endTangentPose',
     undo: 'end tangent pose',
   },
@@ -466,7 +466,7 @@ export const IMPORT = {
   /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a far shape. */
   offset: {
     kind: 'point',
-    help: 'offset subtracted from positions in double precision; for added poses, the offset of the keys; default: as needed',
+    help: 'offset to subtract from positions before rounding to single precision; for added poses, the offset of the keys; default: zero, or the middle of a shape far from the origin',
   },
   /** `scene.objects` of that mesh: objects of the files are matched with these. */
   likeObjects: {
@@ -539,7 +539,7 @@ export const EXPORT = {
     choices: ['frames', 'principal'],
     default: 'frames',
     flag: 'targets',
-    help: 'GLB: one morph target per exported time, or the keys with a few in-betweens that are mixed',
+    help: 'GLB: frames: one morph target per exported time; principal: one per key plus a few in-betweens, which the animation blends',
   },
   compression: {
     kind: 'choice',

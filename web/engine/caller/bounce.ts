@@ -17,7 +17,7 @@ export function thereAndBack({ seconds, weights }: Weighted, targets: number): W
     throw new EngineError(
       'too-large',
       `Played back and forth, an animation of ${targets.toLocaleString('en')} morph targets could not be opened again. ` +
-        'Export it one way, or with a larger tolerance.',
+        'Export it forwards only, or raise the tolerance to get fewer morph targets.',
     );
   const both = new Float32Array(rows * targets);
   for (let row = 0; row < rows; row += 1) {
