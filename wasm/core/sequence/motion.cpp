@@ -36,8 +36,9 @@ bool addsTurns(const MotionOptions& o) {
 Status checkOwnPaths(const MotionOptions& o) {
   if (o.ownPaths == OwnPaths::Off || (o.method == Method::Lri && !addsTurns(o))) return {};
   return Error{ErrorCode::InvalidOption,
-               o.method == Method::Lri ? "Whole turns and own paths of faces cannot be combined: remove the turns, or switch own paths off."
-                                       : "Own paths of faces belong to the method 'lri': switch them off."};
+               o.method == Method::Lri
+                   ? "Whole turns and own paths of faces cannot be combined: remove the turns, or switch own paths off."
+                   : "Own paths of faces belong to the method 'lri': switch them off."};
 }
 
 // These methods rotate each face separately, without patches. So they cannot add turns, hold resting parts or pin.
