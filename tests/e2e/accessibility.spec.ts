@@ -42,7 +42,7 @@ test('works with the keyboard alone, and the focus can always be seen', async ({
   await page.keyboard.press('ArrowRight');
   await expect(app.by('key-0-go')).toBeFocused();
   await page.keyboard.press('Tab');
-  await expect(app.by('add-current')).toBeFocused();
+  await expect(app.by('add-file')).toBeFocused();
   await reach('timeline');
   await page.keyboard.press('End');
   await page.keyboard.press('End');

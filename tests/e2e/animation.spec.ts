@@ -297,7 +297,7 @@ test('a motion that ends as it began offers to go on as a loop', { tag: '@all' }
   await app.settled();
   await expect(app.by('import-offer')).toBeHidden();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2), given('d.obj', 0.5)]);
-  await expect(app.by('import-offer')).toContainText('The last pose is the first again');
+  await expect(app.by('import-offer')).toContainText('The last pose is the same as the first');
   await app.by('import-offer-accept').click();
   await app.settled();
   const { doc, play } = await app.state();
@@ -315,7 +315,7 @@ test('the offer to loop an animation stands in its sheet, and can be put off on 
   test.skip(closed === null, 'the real inputs are not there');
   await app.open();
   await dropped(app, upload('Soldier.glb', bytesOf(closed!)));
-  await expect(app.by('opening').getByTestId('import-offer')).toContainText('The last pose is the first again');
+  await expect(app.by('opening').getByTestId('import-offer')).toContainText('The last pose is the same as the first');
   await app.page.setViewportSize({ width: 360, height: 740 });
   const [offer, close] = [
     (await app.by('import-offer').boundingBox())!,

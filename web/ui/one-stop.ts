@@ -7,6 +7,13 @@ const MOVES: Readonly<Record<string, (at: number, last: number) => number>> = {
   End: (_, last) => last,
 };
 
+/** Whether the focus was last moved by the keyboard. */
+let byKeyboard = false;
+if (typeof document !== 'undefined') {
+  document.addEventListener('keydown', ({ key }) => (byKeyboard ||= key === 'Tab'), { capture: true });
+  document.addEventListener('pointerdown', () => (byKeyboard = false), { capture: true });
+}
+
 /** `chosen`: which of its buttons take part, as a selector. */
 export function oneStop(row: HTMLElement, chosen = 'button'): void {
   let stop: HTMLElement | null = null;
@@ -24,8 +31,8 @@ export function oneStop(row: HTMLElement, chosen = 'button'): void {
     const { target, key, ctrlKey, metaKey, altKey, shiftKey } = event;
     const all = buttons();
     const at = all.indexOf(target as HTMLButtonElement);
-    // After a press of the mouse, arrow keys move through time as everywhere.
-    if (at < 0 || ctrlKey || metaKey || altKey || shiftKey || !(target as Element).matches(':focus-visible')) return;
+    // If the mouse moved the focus, arrow keys step through time as everywhere.
+    if (at < 0 || ctrlKey || metaKey || altKey || shiftKey || !byKeyboard) return;
     const next = MOVES[key]?.(at, all.length - 1);
     if (next === undefined) return;
     event.preventDefault();

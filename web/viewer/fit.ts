@@ -4,11 +4,6 @@ import type { CameraPose, ViewName } from '../model/camera.ts';
 
 export const FIELD_OF_VIEW = 32;
 const MARGIN = 1.12;
-/** The sine of the height from which a view counts as one from above. */
-const STEEP = 0.7;
-/** Room for the width of what is drawn there. */
-const EDGE = 1.04;
-const NOTHING = new Float32Array();
 
 const DIRECTIONS: Record<ViewName, [number, number, number]> = {
   home: [0.55, 0.32, 1],
@@ -25,8 +20,6 @@ export interface Extent {
   points: Float32Array;
   /** Above 0. */
   radius: number;
-  /** xyz interleaved: what lies on the floor around the shape and may reach the lower edge of the view. */
-  around?: Float32Array;
 }
 
 /** Shares of a view's height that other things cover: a fitted shape stands between them. */
@@ -38,12 +31,7 @@ export interface Insets {
 export const NO_INSETS: Readonly<Insets> = { top: 0, bottom: 0 };
 
 /** The nearest eye along a unit direction that sees every point. */
-export function fittedPose(
-  direction: Vector3,
-  { points, radius, around = NOTHING }: Extent,
-  aspect: number,
-  insets: Insets,
-): CameraPose {
+export function fittedPose(direction: Vector3, { points, radius }: Extent, aspect: number, insets: Insets): CameraPose {
   const eye = new PerspectiveCamera();
   eye.position.copy(direction);
   eye.lookAt(0, 0, 0);
@@ -67,13 +55,6 @@ export function fittedPose(
       depth + Math.abs(point.dot(right)) / horizontal,
       depth + Math.abs(point.dot(up)) / vertical,
     );
-  }
-  // From above, what lies around the shape would make it small.
-  const below = direction.y > STEEP ? 0 : around.length;
-  const lower = (Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * (1 - insets.top + insets.bottom)) / EDGE;
-  for (let i = 0; i + 2 < below; i += 3) {
-    point.fromArray(around, i).sub(target);
-    distance = Math.max(distance, point.dot(direction) - point.dot(up) / lower);
   }
   return { position: target.clone().addScaledVector(direction, distance).toArray(), target: target.toArray() };
 }

@@ -14,8 +14,6 @@ export interface Bounds {
 const SIDE = 10;
 /** The ring around the shape on the floor, in radii of the shape's box. */
 const RING = 0.94;
-/** Enough of the ring to fit a view to it. */
-const RING_POINTS = 32;
 
 export class Stage {
   readonly object = new Group();
@@ -43,7 +41,7 @@ export class Stage {
     this.floor.scale.setScalar(SIDE * radius);
     this.floor.updateMatrixWorld();
     this.set('cell', gridCell(radius) / (SIDE * radius));
-    this.set('ring', ringRadius(size) / (SIDE * radius));
+    this.set('ring', (RING * Math.hypot(size.x, size.z)) / 2 / (SIDE * radius));
   }
 
   /** The phase colour; null if several phases are shown. */
@@ -86,19 +84,6 @@ export class Stage {
 }
 
 /** As it stands in a style sheet: the floor is mixed from such colours and drawn as it is. */
-const ringRadius = ({ x, z }: Vector3): number => (RING * Math.hypot(x, z)) / 2;
-
-/** Points of the ring, xyz interleaved. */
-export function ringAround({ min, max }: Bounds): Float32Array {
-  const size = new Vector3(...max).sub(new Vector3(...min));
-  const [x, z] = [(min[0] + max[0]) / 2, (min[2] + max[2]) / 2];
-  return Float32Array.from({ length: 3 * RING_POINTS }, (_, i) => {
-    const angle = (2 * Math.PI * Math.floor(i / 3)) / RING_POINTS;
-    const offset = [Math.cos(angle), 0, Math.sin(angle)][i % 3]! * ringRadius(size);
-    return [x, min[1], z][i % 3]! + offset;
-  });
-}
-
 function raw(colour: string): Vector3 {
   const { r, g, b } = new Color(colour).getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
   return new Vector3(r, g, b);

@@ -8,7 +8,7 @@ import { Contents } from './contents.ts';
 import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
 import { listenToSize } from './host-size.ts';
-import { Stage, ringAround } from './stage.ts';
+import { Stage } from './stage.ts';
 import { extentOf } from './bounds.ts';
 import type { Extent } from './bounds.ts';
 import type { Bounds } from './stage.ts';
@@ -165,7 +165,7 @@ export class Viewer {
     this.setBounds(bounds);
     const extent = { points, radius: radiusOf(bounds) };
     this.thumbnails.setExtent(extent);
-    this.rig.setExtent({ ...extent, around: ringAround(bounds) });
+    this.rig.setExtent(extent);
   }
 
   /**
@@ -298,7 +298,7 @@ export class Viewer {
   /** Adapts light, floor and fitted views to shapes other than the keys: extrapolated ones, a film strip. */
   setExtent(bounds: Bounds, points: Float32Array): void {
     this.setBounds(bounds);
-    this.rig.setExtent({ points, radius: radiusOf(bounds), around: ringAround(bounds) });
+    this.rig.setExtent({ points, radius: radiusOf(bounds) });
     this.invalidate();
   }
 
