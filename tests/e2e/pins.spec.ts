@@ -151,7 +151,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   expect(needs).toBeLessThanOrEqual(0);
 
   await app.by('boundary-periodic').check();
-  await expect(app.by('pin-0-note')).toContainText('goes along evenly');
+  await expect(app.by('pin-0-note')).toContainText('travels at constant speed');
   await app.by('boundary-natural').check();
   await expect(app.by('pin-0-note')).toBeHidden();
 

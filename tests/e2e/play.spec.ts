@@ -74,7 +74,7 @@ test('a dragged key carries the curve, its numbers and the system along', async 
   expect(await play.value(2)).toBeGreaterThan(value + 0.05);
   expect(await play.time(2)).toBeGreaterThan(time + 0.01);
   expect(await play.line('natural')).not.toBe(before);
-  await expect(play.by('curve-notice')).toContainText('key 3 is felt everywhere');
+  await expect(play.by('curve-notice')).toContainText('moving key 3 changes the whole curve');
   await expect(play.by('said')).toContainText('Key 3 of 5');
   await expect(page).toHaveURL(/#keys=/);
   // The row of the system that is pointed at has its key lit up.

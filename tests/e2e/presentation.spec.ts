@@ -26,7 +26,7 @@ test('X leaves the shape alone on the screen, in large type, and Escape brings t
   expect((await app.state()).play.playing).toBe(true);
   await app.page.keyboard.press(' ');
   const compared: string[] = [];
-  for (let i = 0; i < 4; i += 1) {
+  for (let i = 0; i < 6; i += 1) {
     await app.page.keyboard.press('c');
     compared.push((await app.state()).view.compare.join());
   }

@@ -292,8 +292,8 @@ test.describe('with code that is loaded when it is needed', () => {
     await app.setTime(7 / 15);
     const { bytes: picture } = await exported(app, async () => {
       await app.by('export-kind-picture').check();
+      await app.by('export-pixels').selectOption('own');
       await app.by('export-transparent').uncheck();
-      await app.by('export-crop').uncheck();
     });
     const [near, far] = [meanDifference(frames[7]!, picture), meanDifference(frames[0]!, picture)];
     expect(near).toBeLessThan(3);
