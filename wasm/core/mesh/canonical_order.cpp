@@ -165,18 +165,15 @@ class Orderer {
     return byPose;
   }
 
-  // Whether the first of all sides, taken either way, runs against its face.
+  // Whether the first of all sides that run against their faces comes before the first of the others.
   bool isMirrored() const {
-    Triangle first = faces_[0];
-    bool mirrored = false;
+    Triangle forward = faces_[0], backward = {forward[1], forward[0], forward[2]};
     for (int side = 0; side < 3 * static_cast<int>(faces_.size()); ++side) {
-      Triangle t = cornersFrom(side);
-      for (const bool backwards : {false, true}) {
-        if (backwards) std::swap(t[0], t[1]);
-        if (compare(t, first, false) < 0) first = t, mirrored = backwards;
-      }
+      const Triangle t = cornersFrom(side), turned = {t[1], t[0], t[2]};
+      if (compare(t, forward, false) < 0) forward = t;
+      if (compare(turned, backward, false) < 0) backward = turned;
     }
-    return mirrored;
+    return compare(backward, forward, false) < 0;
   }
 
   // The same for the walks that begin at the sides.
