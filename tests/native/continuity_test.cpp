@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dense.h"
+#include "pins.h"
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
@@ -76,38 +77,87 @@ Keyframes noisy(Keyframes k, double size, unsigned seed) {
 
 // Distances in percent of the diagonal: the mean over the vertices at the time where it is largest, and the worst.
 struct Difference {
-  double mean = 0, worst = 0;
+  double mean = 0, worst = 0, beyond = 0;  // beyond: the worst up to 0.8 mean intervals beyond the keys
 };
 
-Difference differenceBetweenKeys(Sequence& a, Sequence& b, double diagonal) {
-  const int samples = 6 * (static_cast<int>(a.motion().keyTimes().size()) - 1);
+Difference difference(Sequence& a, Sequence& b, double diagonal) {
+  constexpr int perInterval = 6, margin = 4;
+  const int samples = perInterval * (static_cast<int>(a.motion().keyTimes().size()) - 1);
   const auto [start, end] = a.range();
   Difference found;
-  for (int i = 1; i < samples; ++i) {
+  for (int i = -margin; i <= samples + margin; ++i) {
     const double t = start + (end - start) * i / samples;
     const Positions x = shapeAt(a, t), y = shapeAt(b, t);
+    const double worst = 100 * largestDistance(x, y) / diagonal;
+    if (i < 0 || i > samples) {
+      found.beyond = std::max(found.beyond, worst);
+      continue;
+    }
     double sum = 0;
     for (std::size_t v = 0; v < x.size(); ++v) sum += (x[v] - y[v]).norm();
     found.mean = std::max(found.mean, 100 * sum / static_cast<double>(x.size()) / diagonal);
-    found.worst = std::max(found.worst, 100 * largestDistance(x, y) / diagonal);
+    found.worst = std::max(found.worst, worst);
   }
   return found;
 }
 
-void checkNoise(const std::string& name, const Keyframes& k, int draws, const std::vector<double>& sizes) {
+// Those about turns that the keys leave open.
+bool warnsOfTurns(const Sequence& sequence) {
+  return std::any_of(sequence.warnings().begin(), sequence.warnings().end(),
+                     [](const Warning& w) { return w.code.starts_with("ambiguous-") || w.code == "open-beyond-keys"; });
+}
+
+// Where nothing is warned of, noise grows a thousandfold at most: ten times that for single vertices, thirty times
+// beyond the keys. The linear motion of faces amplifies the noise by up to 50.
+void checkNoise(const std::string& name, const Keyframes& k, int draws, const std::vector<double>& sizes,
+                const EncodingOptions& encoding = doublePrecision(), const MotionOptions& motion = {}) {
   const double diagonal = diagonalOf(k);
-  Sequence sequence = sequenceOf(k, doublePrecision());
-  const bool warns = !sequence.warnings().empty();
+  Sequence sequence = sequenceOf(k, encoding, motion);
+  const bool warns = warnsOfTurns(sequence);
   for (const double size : sizes)
     for (int draw = 0; draw < draws; ++draw) {
-      Sequence other = sequenceOf(noisy(k, size, 100 + draw), doublePrecision());
-      const Difference d = differenceBetweenKeys(sequence, other, diagonal);
+      Sequence other = sequenceOf(noisy(k, size, 100 + draw), encoding, motion);
+      const Difference d = difference(sequence, other, diagonal);
       MESSAGE("NOISE | " << name << " | " << size << " of the diagonal | mean " << d.mean << " %, worst " << d.worst
-                         << " % | " << std::string(warns ? "warned" : "not warned"));
-      if (warns || size > 1e-6) continue;
-      CHECK(d.mean <= 0.1);
-      CHECK(d.worst <= 1);
+                         << " %, beyond " << d.beyond << " % | " << std::string(warns ? "warned" : "not warned"));
+      if (warns) continue;
+      const double thousandfold = 100 * 1000 * size;
+      CHECK(d.mean <= thousandfold);
+      CHECK(d.worst <= 10 * thousandfold);
+      CHECK(d.beyond <= 30 * thousandfold);
     }
+}
+
+// The same with a ghost mesh, held and pinned.
+void checkNoiseOfOptions(const std::string& name, const Keyframes& k, int draws) {
+  EncodingOptions ghost = doublePrecision();
+  ghost.ghostFaces = k.faceCount() / 5;
+  MotionOptions held, pinned, closed;
+  held.hold = true;
+  pinned.pins = everyPin(k);
+  closed.boundary = BoundaryKind::Periodic;
+  checkNoise(name + ", ghost", k, draws, {1e-6}, ghost);
+  checkNoise(name + ", held", k, draws, {1e-6}, doublePrecision(), held);
+  checkNoise(name + ", pinned", k, draws, {1e-6}, doublePrecision(), pinned);
+  checkNoise(name + ", closed", k, draws, {1e-6}, doublePrecision(), closed);
+}
+
+std::vector<std::string> codesOf(const Keyframes& k) {
+  const Sequence sequence = sequenceOf(k, doublePrecision());
+  std::vector<std::string> found;
+  for (const Warning& w : sequence.warnings()) found.push_back(w.code);
+  return found;
+}
+
+// A bar whose middle is twisted within less than its width.
+Keyframes wrungBar(const std::vector<double>& degrees) {
+  std::vector<Map> maps;
+  for (const double d : degrees)
+    maps.push_back([=](const Vec3& p) -> Vec3 {
+      const double w = std::clamp((p.z() - 5) / 0.8 + 0.5, 0.0, 1.0);
+      return turn(Vec3::UnitZ(), radians(d) * w * w * (3 - 2 * w))(p);
+    });
+  return keyframes(box(1, 1.2, 10, 4, 5, 45), maps);
 }
 
 }  // namespace
@@ -138,16 +188,18 @@ TEST_CASE("half as many patches hardly change which way limbs go") {
     Sequence sequence = sequenceOf(k, encoding);
     encoding.patches = sequence.stats().patches / 2;
     Sequence coarse = sequenceOf(k, encoding);
-    const Difference d = differenceBetweenKeys(sequence, coarse, diagonalOf(k));
+    const Difference d = difference(sequence, coarse, diagonalOf(k));
     MESSAGE("HALF THE PATCHES | seed " << seed << " | mean " << d.mean << " %, worst " << d.worst << " %");
-    CHECK(d.mean < 2);
-    CHECK(d.worst < 6);
+    CHECK(d.mean < 3);
+    CHECK(d.worst < 7);
   }
 }
 
 TEST_CASE("noise of a millionth of the diagonal moves nothing that can be seen") {
   checkNoise("a bent and twisted box", poses(), 1, {1e-6});
-  checkNoise("a limb", limb(104, 4, 60, 40), 1, {1e-6});
+  const Keyframes k = limb(104, 4, 45, 30);
+  checkNoise("a limb", k, 1, {1e-6, 1e-4});
+  checkNoiseOfOptions("a limb", k, 1);
 }
 
 TEST_CASE("noise in real poses" * dense) {
@@ -164,21 +216,75 @@ TEST_CASE("noise in real poses" * dense) {
     if (hasData(files)) checkNoise(files.front(), realKeyframes(files), 10, sizes);
 }
 
+TEST_CASE("noise in real poses with a ghost mesh, held, pinned and closed" * dense) {
+  const std::vector<std::string> cactus = {"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"};
+  for (const std::vector<std::string>& files : {wolfPoses, cactus})
+    if (hasData(files)) checkNoiseOfOptions(files.front(), realKeyframes(files), 3);
+}
+
+TEST_CASE("the winding of the triangles changes nothing") {
+  for (const Keyframes& k : {poses(), limb(103, 4, 100, 100)})
+    for (const int ghost : {0, 200}) {
+      CAPTURE(ghost);
+      Keyframes flipped = k;
+      for (Triangle& t : flipped.faces) std::swap(t[1], t[2]);
+      EncodingOptions encoding = doublePrecision();
+      encoding.ghostFaces = ghost;
+      Sequence one = sequenceOf(k, encoding), other = sequenceOf(flipped, encoding);
+      for (const double share : {-0.2, 0.3, 0.8, 1.2}) {
+        const double t = share * k.keys.back().time;
+        CHECK(largestDistance(shapeAt(one, t), shapeAt(other, t)) < 1e-9 * diagonalOf(k));
+      }
+      const std::vector<Triangle>& a = one.encoded().lri().ghost().faces;
+      const std::vector<Triangle>& b = other.encoded().lri().ghost().faces;
+      REQUIRE(a.size() == b.size());
+      for (std::size_t f = 0; f < a.size(); ++f) CHECK(a[f] == Triangle{b[f][0], b[f][2], b[f][1]});
+    }
+}
+
+TEST_CASE("what turns evenly says how the whole is turned") {
+  // A body that turns evenly, and an arm of three times its area that swings about the same joint.
+  const Shape body = box(1, 1, 4, 2, 2, 8);
+  Shape arm = box(1.5, 1.5, 6, 3, 3, 12);
+  const Vec3 joint(0, 0, 4.1);
+  for (Vec3& p : arm.positions) p += joint + Vec3(0, 0, 0.1);
+  std::vector<Map> maps;
+  for (int j = 0; j < 5; ++j)
+    maps.push_back([=](const Vec3& p) -> Vec3 {
+      const Map swing = turn(Vec3::UnitY(), radians(j % 2 == 1 ? 60 : 0));
+      return turn(Vec3::UnitX(), radians(25 * j))(p.z() > joint.z() ? Vec3(swing(p - joint) + joint) : p);
+    });
+  Sequence sequence = sequenceOf(keyframes(joined(body, arm), maps, {0, 1, 2, 3, 4}), doublePrecision());
+  for (const double t : {0.5, 1.5, 2.5, 3.5}) {
+    Positions p = shapeAt(sequence, t);
+    p.resize(body.positions.size());
+    const Mat3 missed = expRotation(Vec3::UnitX() * -radians(25 * t)) * fitRigid(body.positions, p).rotation;
+    CHECK(logRotation(missed).norm() < radians(2.5));  // 4.2 degrees where only areas count
+  }
+}
+
 TEST_CASE("two senses that are about as good are warned of") {
-  const auto codes = [](const Keyframes& k) {
-    const Sequence sequence = sequenceOf(k, doublePrecision());
-    std::vector<std::string> found;
-    for (const Warning& w : sequence.warnings()) found.push_back(w.code);
-    return found;
-  };
   const Shape shape = bar();
   for (const double degrees : {163.0, 174.0}) {
     // The mean turn is less: one end goes on, the other one stays behind.
     const Map turned = turn(Vec3::UnitX(), radians(degrees));
     const Keyframes k = keyframes(shape, {bend(0), [=](const Vec3& p) { return turned(twist(radians(100))(p)); }});
-    CHECK(codes(k) == std::vector<std::string>{"ambiguous-turn"});
+    CHECK(codesOf(k) == std::vector<std::string>{"ambiguous-turn"});
   }
-  CHECK(codes(twistedBar({0, 180, 350})).empty());
-  CHECK(codes(bentBar({0, 120, -60, 60})).empty());
-  CHECK(codes(limb(104, 4, 60, 40)).empty());
+  CHECK(codesOf(twistedBar({0, 180, 350})).empty());
+  CHECK(codesOf(bentBar({0, 120, -60, 60})).empty());
+  CHECK(codesOf(limb(104, 4, 60, 40)).empty());
+}
+
+TEST_CASE("a warning says beyond which keys noise decides") {
+  const std::vector<std::string> both = {"open-beyond-keys", "open-beyond-keys"};
+  CHECK(codesOf(wrungBar({0, 140, 0, -140})) == both);
+  CHECK(codesOf(wrungBar({0, 30, 0, -30})).empty());
+  const Sequence sequence = sequenceOf(wrungBar({0, 140, 0, -140}), doublePrecision());
+  CHECK(sequence.warnings()[0].key == 0);
+  CHECK(sequence.warnings()[1].key == 3);
+  CHECK(sequence.warnings()[1].face >= 0);
+  MotionOptions closed;
+  closed.boundary = BoundaryKind::Periodic;
+  CHECK(sequenceOf(wrungBar({0, 140, 0, -140}), doublePrecision(), closed).warnings().empty());
 }

@@ -86,16 +86,22 @@ class Walk {
 
 class Orderer {
  public:
-  Orderer(const std::vector<Triangle>& faces, const std::vector<Positions>& poses) : faces_(faces), poses_(poses) {}
+  Orderer(std::vector<Triangle> faces, const std::vector<Positions>& poses) : faces_(std::move(faces)), poses_(poses) {}
 
   MeshOrder run(const FractionReport& onProgress) {
     measure();
+    MeshOrder order;
+    order.mirrored = isMirrored();
+    if (order.mirrored)
+      for (Triangle& t : faces_) std::swap(t[1], t[2]);
     reportFraction(onProgress, 0.05);
     next_ = nextAlongEdge(static_cast<int>(poses_.front().size()), faces_, partOf(onProgress, 0.05, 0.5));
     sortNonManifoldEdges();
-    MeshOrder order;
     order.corner = walkAll(findFirst(partOf(onProgress, 0.5, 0.6)), partOf(onProgress, 0.6, 0.9));
     order.vertex = verticesMet(order.corner, partOf(onProgress, 0.9, 1));
+    if (order.mirrored)
+      for (int& corner : order.corner)
+        if (corner % 3 > 0) corner += 3 - 2 * (corner % 3);
     return order;
   }
 
@@ -139,9 +145,8 @@ class Orderer {
   }
 
   // Below zero where side a comes before side b by what a rigid motion keeps of their faces, above zero where after it.
-  // First by what does not depend on the order of the poses.
-  int compare(int a, int b) const {
-    const Triangle s = cornersFrom(a), t = cornersFrom(b);
+  // First by what does not depend on the order of the poses, then by that if asked for.
+  int compare(const Triangle& s, const Triangle& t, bool mayCompareByPose = true) const {
     for (int i = 0; i < 3; ++i)
       if (farness_[s[i]] != farness_[t[i]]) return farness_[s[i]] > farness_[t[i]] ? -1 : 1;
     std::array<double, 6> sumA{}, sumB{};
@@ -150,7 +155,7 @@ class Orderer {
       const std::array<double, 6> x = lengths(s, pose), y = lengths(t, pose);
       for (int i = 0; i < 6; ++i) {
         sumA[i] += x[i], sumB[i] += y[i];
-        if (byPose == 0) byPose = inSteps(y[i]) - inSteps(x[i]);
+        if (mayCompareByPose && byPose == 0) byPose = inSteps(y[i]) - inSteps(x[i]);
       }
     }
     const double share = 1 / static_cast<double>(poses_.size());
@@ -158,6 +163,17 @@ class Orderer {
       if (const int difference = inSteps(share * sumB[i]) - inSteps(share * sumA[i]); difference != 0)
         return difference;
     return byPose;
+  }
+
+  // Whether the first of all sides that run against their faces comes before the first of the others.
+  bool isMirrored() const {
+    Triangle forward = faces_[0], backward = {forward[1], forward[0], forward[2]};
+    for (int side = 0; side < 3 * static_cast<int>(faces_.size()); ++side) {
+      const Triangle t = cornersFrom(side), turned = {t[1], t[0], t[2]};
+      if (compare(t, forward, false) < 0) forward = t;
+      if (compare(turned, backward, false) < 0) backward = turned;
+    }
+    return compare(backward, forward, false) < 0;
   }
 
   // The same for the walks that begin at the sides.
@@ -169,7 +185,7 @@ class Orderer {
       const int x = walks_[0].step(), y = walks_[1].step();
       if (x < 0 && y < 0) return 0;
       if (x < 0 || y < 0) return x < 0 ? 1 : -1;
-      if (const int order = compare(x, y); order != 0) return order;
+      if (const int order = compare(cornersFrom(x), cornersFrom(y)); order != 0) return order;
       if (walks_[0].entries().size() != walks_[1].entries().size())
         return walks_[0].entries().size() > walks_[1].entries().size() ? -1 : 1;
     }
@@ -177,7 +193,7 @@ class Orderer {
   }
 
   bool comesFirst(int a, int b, bool mayWalk) {
-    int order = compare(a, b);
+    int order = compare(cornersFrom(a), cornersFrom(b));
     if (order == 0 && mayWalk) order = compareWalks(a, b);
     return order != 0 ? order < 0 : a < b;
   }
@@ -259,7 +275,7 @@ class Orderer {
     return vertices;
   }
 
-  const std::vector<Triangle>& faces_;
+  std::vector<Triangle> faces_;
   const std::vector<Positions>& poses_;
   std::vector<Vec3> centroid_;  // of each pose
   std::vector<double> scale_;   // one over each pose's radius; 0 for a pose that is one point
@@ -285,8 +301,8 @@ std::vector<Triangle> MeshOrder::apply(const std::vector<Triangle>& faces) const
   inBlocks({}, corner.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Triangle& t = faces[corner[f] / 3];
-      const int c = corner[f] % 3;
-      result.push_back({number[t[c]], number[t[(c + 1) % 3]], number[t[(c + 2) % 3]]});
+      const int c = corner[f] % 3, next = mirrored ? 2 : 1;
+      result.push_back({number[t[c]], number[t[(c + next) % 3]], number[t[(c + 3 - next) % 3]]});
     }
   });
   return result;

@@ -14,6 +14,7 @@ namespace shapespline {
 struct MeshOrder {
   std::vector<int> vertex;  ///< of each vertex
   std::vector<int> corner;  ///< of each face 3 f + c: face f, whose corner c comes first now
+  bool mirrored = false;    ///< every face runs the other way round
 
   std::vector<Triangle> apply(const std::vector<Triangle>& faces) const;
   Positions apply(const Positions& positions) const;
@@ -25,8 +26,9 @@ struct MeshOrder {
 /// that are entered over an edge start with it; vertices are numbered as they are met, those in no face last.
 /// Neighbours are therefore near each other. Which side comes first, which component, and which neighbour at a
 /// non-manifold edge, is decided by lengths that a rigid motion of a pose keeps, so coarsely that rounding decides
-/// nothing; by the file's order only where the shape is symmetric in every pose. faces: of vertices that every pose
-/// has; those without area count, too. Time: linear but for symmetric shapes, where it is bounded.
+/// nothing; so is the way round in which sides follow each other. By the file's order only where the shape is symmetric
+/// in every pose. faces: of vertices that every pose has; those without area count, too. Time: linear but for symmetric
+/// shapes, where it is bounded.
 MeshOrder canonicalOrder(const std::vector<Triangle>& faces, const std::vector<Positions>& poses,
                          const FractionReport& onProgress = {});
 

@@ -12,6 +12,7 @@ struct InputMesh {
   std::vector<Triangle> faces;
   Welding welding;               ///< of the vertices
   std::vector<int> inputFaceOf;  ///< of each welded face
+  bool mirrored = false;         ///< welded faces run the other way round
 
   int vertexCount() const { return static_cast<int>(welding.weldedOfRaw.size()); }
 

@@ -21,6 +21,8 @@ constexpr double noAxis = 1e-6;
 constexpr double atRest = 0.01;
 // A root that turns by less does not turn the other way.
 constexpr double surelyShort = 0.5;
+// Of bends, radians squared: below it turns are even up to rounding. And of their mean, what counts as even.
+constexpr double leastBend = 1e-6, leastShare = 0.3;
 // The shares of a step at which paths are compared.
 constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
 
@@ -232,7 +234,25 @@ GlobalAlignment PatchMotion::makeAlignment(const Solver& solver, const std::vect
       x[k] = own_.key[from][k] * expQuaternion(own_.increment[s][k] / 2) * x[k].conjugate();
     halfway.push_back(std::move(x));
   }
-  return GlobalAlignment(halfway, patches_.graph.area());
+  return GlobalAlignment(halfway, evennessWeights(steps.back() == steps_.closing()));
+}
+
+// How much each patch says about how the whole is turned: its area, more where it turns evenly. Splines miss most of
+// what turns unevenly, such as the end of a limb, whose turn is the sum of all joints' turns.
+std::vector<double> PatchMotion::evennessWeights(bool isLoop) const {
+  const int last = isLoop ? steps_.closing() : steps_.closing() - 1;
+  std::vector<double> weight = patches_.graph.area(), bend;
+  double sum = 0, total = 0;
+  for (std::size_t k = 0; k < weight.size(); ++k) {
+    const auto turn = [&](int s) -> Vec3 { return own_.key[posesOf_[s].from][k] * own_.increment[s][k]; };
+    bend.push_back(leastBend);
+    for (int s = 1; s <= last; ++s) bend[k] += (turn(s) - turn(s - 1)).squaredNorm();
+    if (isLoop) bend[k] += (turn(0) - turn(last)).squaredNorm();
+    else if (closing_) bend[k] += (closing_->rotation * turn(0) - turn(last)).squaredNorm();
+    sum += weight[k] * bend[k], total += weight[k];
+  }
+  for (std::size_t k = 0; k < weight.size(); ++k) weight[k] /= bend[k] * total / sum + leastShare;
+  return weight;
 }
 
 Vec3 PatchMotion::worldTurn(int step) const { return meanTurn(step, own_.increment[step]); }
@@ -293,6 +313,16 @@ Quaternion PatchMotion::addedTurn(const CurvePoint& point, const PatchTurns& tur
     turn = turn * expQuaternion(twoPi * turns.whole[s.step] * s.share * axis);
   }
   return turn;
+}
+
+std::vector<double> PatchMotion::disagreement(const CurvePoint& point) const {
+  Scratch scratch;
+  LocalFrames frames;
+  at(point, {}, scratch, frames);
+  std::vector<double> angle;
+  for (std::size_t k = 0; k < scratch.path.size(); ++k)
+    angle.push_back(scratch.path[k].angularDistance(frames.rotation[k]));
+  return angle;
 }
 
 void PatchMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const {

@@ -38,6 +38,9 @@ class PatchMotion {
   /// The frames at `point`: equal to the encoded ones at a key.
   void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
+  /// Of an open curve's point: by how much each patch turns otherwise than its own path says, radians.
+  std::vector<double> disagreement(const CurvePoint& point) const;
+
   const PatchCoordinates& coordinates() const { return patches_; }
   LocalFramePoses poses() const { return {patches_.patches.ofFace, patches_.rotation}; }
 
@@ -69,6 +72,7 @@ class PatchMotion {
   void findOwnPaths(const std::vector<int>& open);
   void closeOwnPaths();
   GlobalAlignment makeAlignment(const Solver& solver, const std::vector<int>& steps) const;
+  std::vector<double> evennessWeights(bool isLoop) const;
   void findAxes();
   Vec3 worldTurn(int step) const;
   Vec3 meanTurn(int step, const std::vector<Vec3>& increment) const;

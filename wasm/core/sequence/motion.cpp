@@ -133,9 +133,8 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
 
 std::vector<Warning> Motion::patchWarnings(const EncodedShape& encoded) const {
   const LriSpace& lri = encoded.lri();
-  const bool closes = options_.boundary == BoundaryKind::Periodic && !curve_.closesOnLastKey();
   return turnWarnings(encoded.shape(), lri.patches(), lri.ambiguousFaces(), lri.patchOfFace(),
-                      encoded.turnsOfPatchComponents(options_.turns), closes);
+                      encoded.turnsOfPatchComponents(options_.turns), curve_);
 }
 
 Vec3 Motion::loopMove(const EncodedShape& encoded, const CurvePoint& point) const {

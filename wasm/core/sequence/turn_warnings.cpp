@@ -19,6 +19,10 @@ constexpr double smallPatch = 0.3;
 constexpr double fewFaces = 0.001;
 constexpr int fewestFaces = 4;
 
+// Beyond the keys: as far as the page shows, in mean intervals; and where regions disagree by more in the mean, noise
+// in the keys moves the shape by percents of its diagonal. Ordinary poses reach 6 degrees.
+constexpr double reach = 0.8, openBeyond = 25 / degrees;
+
 std::string angleText(double radians) { return std::to_string(std::lround(radians * degrees)) + " degrees"; }
 
 class TurnWarnings {
@@ -38,6 +42,12 @@ class TurnWarnings {
     addComponents();
     addPatches();
     if (faces) addFaces(*faces);
+  }
+
+  void addBeyond(const Curve& curve) {
+    const double distance = reach * (curve.end() - curve.start()) / (shape_.keys - 1);
+    addBeyond(curve.at(curve.start() - distance), 1, 0, "Before key ");
+    addBeyond(curve.at(curve.end() + distance), shape_.keys - 1, shape_.keys - 1, "Beyond key ");
   }
 
   std::vector<Warning> take() { return std::move(warnings_); }
@@ -125,6 +135,27 @@ class TurnWarnings {
         count, face, std::move(found));
   }
 
+  // Unless the interval next to it has a warning, which names it by the key that ends it.
+  void addBeyond(const CurvePoint& point, int interval, int key, const std::string& where) {
+    if (std::any_of(warnings_.begin(), warnings_.end(), [&](const Warning& w) { return w.key == interval; })) return;
+    const std::vector<double> angle = motion_.disagreement(point);
+    const std::vector<double>& area = patches_.graph.area();
+    std::vector<int> found;
+    double sum = 0, total = 0;
+    int worst = 0;
+    for (int k = 0; k < static_cast<int>(angle.size()); ++k) {
+      sum += area[k] * angle[k], total += area[k];
+      if (angle[k] > openBeyond) found.push_back(k);
+      if (area[k] * angle[k] > area[worst] * angle[worst]) worst = k;
+    }
+    if (sum <= openBeyond * total) return;
+    warnings_.push_back({"open-beyond-keys",
+                         where + std::to_string(key + 1) + " regions turn so far that their rotations disagree by " +
+                             angleText(sum / total) +
+                             ". Small changes to the keys change the shape there. Add a key if it goes wrong.",
+                         static_cast<int>(found.size()), key, faceOf(worst), std::move(found)});
+  }
+
   void addFaces(const AmbiguousFaces& faces) {
     const double least = std::max<double>(fewestFaces, fewFaces * shape_.faceCount());
     if (faces.worst < 0 || faces.count < least || faces.area < fewFaces) return;
@@ -149,7 +180,7 @@ class TurnWarnings {
 
 std::vector<Warning> turnWarnings(const WeldedShape& shape, const PatchMotion& patches,
                                   const std::vector<AmbiguousFaces>& faces, const std::vector<int>& patchOfFace,
-                                  const std::vector<AddedTurns>& turns, bool closes) {
+                                  const std::vector<AddedTurns>& turns, const Curve& curve) {
   TurnWarnings warnings(shape, patches, patchOfFace);
   for (int s = 0; s + 1 < shape.keys; ++s) {
     std::vector<AddedTurns> added;
@@ -157,7 +188,8 @@ std::vector<Warning> turnWarnings(const WeldedShape& shape, const PatchMotion& p
                  [&](const AddedTurns& t) { return t.key == s + 1; });
     warnings.addStep(s, s < static_cast<int>(faces.size()) ? &faces[s] : nullptr, added);
   }
-  if (closes) warnings.addStep(KeySteps{shape.keys}.closing(), nullptr);
+  if (!curve.periodic()) warnings.addBeyond(curve);
+  else if (!curve.closesOnLastKey()) warnings.addStep(KeySteps{shape.keys}.closing(), nullptr);
   return warnings.take();
 }
 

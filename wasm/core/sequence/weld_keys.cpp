@@ -65,6 +65,7 @@ void putInOrder(WeldedShape& shape, InputMesh& input, const FractionReport& onPr
   for (Positions& pose : shape.poses) pose = order.apply(pose);
   input.welding = order.apply(input.welding);
   input.inputFaceOf = order.oldFaces();
+  input.mirrored = order.mirrored;
 }
 
 }  // namespace

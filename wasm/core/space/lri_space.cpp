@@ -88,6 +88,8 @@ void LriSpace::describeGhost() {
     for (int c : ghost_->correspondence()) patchOfFace_.push_back(c >= 0 ? patchOfGhostFace[c] : -1);
     const GhostMesh& mesh = ghost_->mesh();
     ghostOfInput_.faces = mesh.faces;
+    if (input.mirrored)
+      for (Triangle& t : ghostOfInput_.faces) std::swap(t[1], t[2]);
     for (int v : mesh.vertexOf) ghostOfInput_.vertexOf.push_back(input.welding.rawOfWelded[v]);
     for (int w : input.welding.weldedOfRaw) ghostOfInput_.ghostVertexOf.push_back(mesh.ghostOf[w]);
     ghostOfInput_.ghostFaceOf = input.ofInputFaces(ghost_->correspondence());
