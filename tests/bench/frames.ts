@@ -50,11 +50,11 @@ export interface RoundMedians {
 }
 
 /** Time of the last exact frame from its local frames to the drawn vertices. */
-export const fromFramesMs = ({ facesMs, solveMs, placeMs, normalsMs }: SequenceStats): number =>
-  facesMs + solveMs + placeMs + normalsMs;
+export const fromFramesMs = ({ facesMs, solveMs, positionsMs, normalsMs }: SequenceStats): number =>
+  facesMs + solveMs + positionsMs + normalsMs;
 
 /** All its stages. */
-export const stagesMs = (stats: SequenceStats): number => stats.framesMs + fromFramesMs(stats);
+export const stagesMs = (stats: SequenceStats): number => stats.localFramesMs + fromFramesMs(stats);
 
 /** The k-th of `count` steps from well before the first key to well after the last. */
 export const timeOf = (k: number, count: number): number => -0.2 + (1.4 * k) / count;
@@ -98,14 +98,14 @@ export async function roundOf(
 
 export function exactFrames(rounds: readonly Round[]): ExactFrames {
   const stats = rounds.flatMap((round) => round.stats);
-  const part = (of: 'framesMs' | 'facesMs' | 'solveMs' | 'placeMs' | 'normalsMs'): Spread =>
+  const part = (of: 'localFramesMs' | 'facesMs' | 'solveMs' | 'positionsMs' | 'normalsMs'): Spread =>
     spread(stats.map((one) => one[of]));
   return {
     firstMs: rounds[0]!.firstMs,
-    frames: part('framesMs'),
+    frames: part('localFramesMs'),
     faces: part('facesMs'),
     solve: part('solveMs'),
-    place: part('placeMs'),
+    place: part('positionsMs'),
     normals: part('normalsMs'),
     stages: spread(stats.map(stagesMs)),
     frame: spread(rounds.flatMap(({ ms }) => ms)),

@@ -69,12 +69,12 @@ async function round({ sequence, ms, stats }: Measured): Promise<void> {
 }
 
 function costOf({ keys, buildMs, ms, stats }: Measured): KeysCost {
-  const part = (of: 'framesMs' | 'facesMs'): Spread => spread(stats.map((one) => one[of]));
+  const part = (of: 'localFramesMs' | 'facesMs'): Spread => spread(stats.map((one) => one[of]));
   return {
     keys,
     buildMs,
     frame: spread(ms.flat()),
-    frames: part('framesMs'),
+    frames: part('localFramesMs'),
     faces: part('facesMs'),
     heapBytes: stats.at(-1)!.heapBytes,
   };

@@ -127,14 +127,14 @@ test('a video takes as long as was watched, whatever the machine takes, and the 
   await expect(app.by('export-bounce')).not.toBeChecked();
   expect(text).toBe(`120 frames, 4 s, ${canvas.width} × ${canvas.height} pixels`);
   await expect(app.by('export-duration')).toHaveValue('4');
-  await expect(app.by('export-pace')).toHaveText('as played at 0.25×');
+  await expect(app.by('export-speed')).toHaveText('as played at 0.25×');
   await expect(app.by('export-frames')).toHaveValue('120');
   await expect(app.by('export-rate')).toHaveValue('30');
   await app.by('export-close').click();
 
   // Another length than was watched is said, and can be taken back.
   await stated(app, () => type(app, 'export-duration', '3'));
-  await expect(app.by('export-pace')).toHaveText('0.333× the timeline');
+  await expect(app.by('export-speed')).toHaveText('0.333× the timeline');
   await app.by('export-duration-reset').click();
   await expect(app.by('export-duration')).toHaveValue('4');
 });

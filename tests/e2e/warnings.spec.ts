@@ -14,7 +14,7 @@ const LONG =
   'Neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
 const WARNINGS: Warning[] = [
   {
-    code: 'ambiguous-part-turn',
+    code: 'ambiguous-component-turn',
     message: LONG,
     count: 2,
     key: 1,

@@ -135,7 +135,7 @@ describe('the bindings', () => {
     const stale = createBend(core);
     stale.release();
     expect(failure(() => core.evaluate(stale.motion, 0, null)).code).toBe('internal');
-    expect(failure(() => core.ask('pace', stale.motion, {})).code).toBe('internal');
+    expect(failure(() => core.ask('keySpacing', stale.motion, {})).code).toBe('internal');
     const odd = { ...motion, options: { ...MOTION_DEFAULTS, method: 'none' as 'lri' } };
     expect(failure(() => createBend(core, bendData(), odd)).code).toBe('internal');
     const good = createBend(core);

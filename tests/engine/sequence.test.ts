@@ -229,12 +229,12 @@ describe('a sequence', () => {
       expect(key!, method).toBeGreaterThan(10 * Math.max(...energy));
       straight.dispose();
     }
-    const pace = await bend.sequence.keyPace();
-    expect(pace.distance).toHaveLength(2);
-    expect(pace.distance.every((distance) => distance > 0)).toBe(true);
-    expect(pace.tension).toHaveLength(3);
-    expect(pace.tension.every((tension) => tension >= 0 && tension <= 1)).toBe(true);
-    const { speed, overshoot } = await bend.sequence.motionPace([0, 0.25, 0.5, 2]);
+    const spacing = await bend.sequence.keySpacing();
+    expect(spacing.distance).toHaveLength(2);
+    expect(spacing.distance.every((distance) => distance > 0)).toBe(true);
+    expect(spacing.tension).toHaveLength(3);
+    expect(spacing.tension.every((tension) => tension >= 0 && tension <= 1)).toBe(true);
+    const { speed, overshoot } = await bend.sequence.motionSpeed([0, 0.25, 0.5, 2]);
     expect(speed).toHaveLength(4);
     expect(speed.every((value) => value > 0)).toBe(true);
     expect(overshoot[3]).toBe(0);

@@ -98,8 +98,8 @@ inline void checkError(const Error& error) {
 
 /// A mesh of four vertices, which motions without a mesh are given with.
 inline std::span<const std::uint8_t> squareObj() {
-  static constexpr std::string_view kText = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-  return {reinterpret_cast<const std::uint8_t*>(kText.data()), kText.size()};
+  static constexpr std::string_view text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 /// `name` decides the kind if the bytes do not.

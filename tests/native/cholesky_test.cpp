@@ -15,7 +15,7 @@ using namespace shapespline::testing;
 
 namespace {
 
-constexpr std::int64_t kMuch = std::int64_t{1} << 40;
+constexpr std::int64_t much = std::int64_t{1} << 40;
 
 Eigen::SparseMatrix<double> lowerTriangle(const SymmetricMatrix& matrix) {
   std::vector<Eigen::Triplet<double>> triplets;
@@ -260,7 +260,7 @@ TEST_CASE("cholesky: the chunks of a factorisation do not change a bit") {
   PlainMesh mesh = bumpySphere(16, random);
   shuffleVertices(mesh, random);
   const SymmetricMatrix matrix = pinnedLaplacian(mesh);
-  const std::vector<double> whole = fullSolveBits(matrix, kMuch);
+  const std::vector<double> whole = fullSolveBits(matrix, much);
   for (std::int64_t chunk : {1, 1000, 100000}) {
     const std::vector<double> pieces = fullSolveBits(matrix, chunk);
     REQUIRE(pieces.size() == whole.size());

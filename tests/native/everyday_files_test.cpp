@@ -30,10 +30,10 @@ bool says(const Import& import, const std::string& code, const std::string& text
 }
 
 std::string squareObj(double bend = 0) { return "v 0 0 0\nv 1 0 0\nv 1 1 " + std::to_string(bend) + "\nv 0 1 0\n"; }
-const std::string kFace = "f 1 2 3 4\n";
+const std::string faceLine = "f 1 2 3 4\n";
 
 Files twoSquares() {
-  return Files().add("a.obj", bytesOf(squareObj() + kFace)).add("b.obj", bytesOf(squareObj(1) + kFace));
+  return Files().add("a.obj", bytesOf(squareObj() + faceLine)).add("b.obj", bytesOf(squareObj(1) + faceLine));
 }
 
 std::vector<Triangle> facesOf(const std::string& name, const Bytes& bytes) {
@@ -67,19 +67,19 @@ void append(Bytes& bytes, T value, bool bigEndian) {
     bytes.push_back(static_cast<std::uint8_t>(value >> 8 * (bigEndian ? sizeof value - 1 - i : i)));
 }
 
-const std::string kPlyVertices =
+const std::string plyVertices =
     "element vertex 6\nproperty uchar x\nproperty uchar y\nproperty uchar z\nelement tristrips 2\n";
 // Two strips in the first row, one of them restarted, with a corner named twice to turn; one in the second.
-const std::vector<std::vector<int>> kStrips{{0, 1, 2, 3, -1, 2, 3, 4, 4, 5}, {5, 4, 3}};
-const std::vector<Triangle> kStripFaces{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {5, 4, 3}};
-const std::vector<std::vector<int>> kStripPoints{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 1}};
+const std::vector<std::vector<int>> stripText{{0, 1, 2, 3, -1, 2, 3, 4, 4, 5}, {5, 4, 3}};
+const std::vector<Triangle> stripFaces{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {5, 4, 3}};
+const std::vector<std::vector<int>> stripPoints{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 1}};
 
 Bytes binaryStrips(const std::string& type, int width, bool bigEndian) {
   Bytes bytes = bytesOf(std::string("ply\nformat binary_") + (bigEndian ? "big" : "little") + "_endian 1.0\n" +
-                        kPlyVertices + "property list uchar " + type + " vertex_indices\nend_header\n");
-  for (const auto& point : kStripPoints)
+                        plyVertices + "property list uchar " + type + " vertex_indices\nend_header\n");
+  for (const auto& point : stripPoints)
     for (int c : point) bytes.push_back(static_cast<std::uint8_t>(c));
-  for (const auto& strip : kStrips) {
+  for (const auto& strip : stripText) {
     bytes.push_back(static_cast<std::uint8_t>(strip.size()));
     for (int v : strip) {
       if (width == 1) append(bytes, static_cast<std::uint8_t>(v), bigEndian);
@@ -97,10 +97,11 @@ TEST_CASE("OBJ: a line continues after its backslash, with any spaces and line e
     CAPTURE(end);
     CHECK(facesOf("a.obj", bytesOf(squareObj() + "f 1 2 " + end + "3" + end + " 4\n")) ==
           std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
-    CHECK(facesOf("a.obj", bytesOf("v " + end + "0 0 0\nv 1 0" + end + " 0\nv 1 1 0\nv 0 1 0\n" + kFace)).size() == 2);
+    CHECK(facesOf("a.obj", bytesOf("v " + end + "0 0 0\nv 1 0" + end + " 0\nv 1 1 0\nv 0 1 0\n" + faceLine)).size() ==
+          2);
   }
   // A path in a comment ends it all the same.
-  CHECK(facesOf("a.obj", bytesOf("# from C:\\shapes\\\n" + squareObj() + kFace)).size() == 2);
+  CHECK(facesOf("a.obj", bytesOf("# from C:\\shapes\\\n" + squareObj() + faceLine)).size() == 2);
 }
 
 TEST_CASE("OBJ: a line names several material libraries, whose names may contain spaces") {
@@ -128,20 +129,20 @@ TEST_CASE("OBJ: a line names several material libraries, whose names may contain
   colours(".\\a.mtl .\\b.mtl", "a.mtl", "b.mtl");
   colours("my mats/a.mtl my mats/b.mtl", "my mats/a.mtl", "my mats/b.mtl");
 
-  Files missing = Files().add("a.obj", bytesOf("mtllib a.mtl not there.mtl\n" + squareObj() + kFace));
-  missing.add("b.obj", bytesOf(squareObj(1) + kFace)).add("a.mtl", bytesOf("newmtl red\n"));
+  Files missing = Files().add("a.obj", bytesOf("mtllib a.mtl not there.mtl\n" + squareObj() + faceLine));
+  missing.add("b.obj", bytesOf(squareObj(1) + faceLine)).add("a.mtl", bytesOf("newmtl red\n"));
   CHECK(says(imported(missing), "missing-materials", "\"not there.mtl\""));
 }
 
 TEST_CASE("PLY: strips of triangles, restarted at -1, every other triangle turned") {
-  const auto check = [&](const Bytes& bytes) { CHECK(facesOf("a.ply", bytes) == kStripFaces); };
-  std::string text = "ply\nformat ascii 1.0\n" + kPlyVertices + "property list int int vertex_index\nend_header\n";
+  const auto check = [&](const Bytes& bytes) { CHECK(facesOf("a.ply", bytes) == stripFaces); };
+  std::string text = "ply\nformat ascii 1.0\n" + plyVertices + "property list int int vertex_index\nend_header\n";
   const auto addRow = [&](const std::vector<int>& row) {
     for (int value : row) text += std::to_string(value) + " ";
     text += "\n";
   };
-  for (const auto& point : kStripPoints) addRow(point);
-  for (const auto& strip : kStrips) text += std::to_string(strip.size()) + " ", addRow(strip);
+  for (const auto& point : stripPoints) addRow(point);
+  for (const auto& strip : stripText) text += std::to_string(strip.size()) + " ", addRow(strip);
   check(bytesOf(text));
   for (bool bigEndian : {false, true})
     for (const auto& [type, width] :
@@ -158,15 +159,15 @@ TEST_CASE("PLY: strips of triangles, restarted at -1, every other triangle turne
 
 TEST_CASE("text in UTF-16 is refused with what to do, with a mark and without") {
   const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\n";
-  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", squareObj() + kFace},
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", squareObj() + faceLine},
                                    {"a.ply", ply},
                                    {"a.off", "OFF\n4 1 0\n"},
                                    {"a.gltf", "{\"asset\": {\"version\": \"2.0\"}}"}})
     for (bool bigEndian : {false, true})
       for (bool marked : {false, true})
         checkRefused(name, utf16(text, bigEndian, marked), "UTF-16, which is not supported. Save it as UTF-8.");
-  Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + kFace));
-  files.add("b.obj", bytesOf(squareObj(1) + kFace)).add("a.mtl", utf16("newmtl red\nKd 1 0 0\n", false, true));
+  Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + faceLine));
+  files.add("b.obj", bytesOf(squareObj(1) + faceLine)).add("a.mtl", utf16("newmtl red\nKd 1 0 0\n", false, true));
   CHECK(says(imported(files), "missing-materials", "UTF-16"));
 }
 
@@ -184,8 +185,8 @@ TEST_CASE("decimal commas are refused with the line and what to do") {
   checkRefused("a.ply", bytesOf("ply\nformat ascii 1.0\n" + header + "0 0 0\n1 0 -1,5\n0 1 0\n3 0 1 2\n"), says);
   checkRefused("a.off", bytesOf("OFF\n3 1 0\n0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n"), "line 4: " + says);
   checkRefused("a.obj", bytesOf("v 1, 2, 3\n"), "a vertex needs three numbers");
-  Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + kFace));
-  files.add("b.obj", bytesOf(squareObj(1) + kFace)).add("a.mtl", bytesOf("newmtl red\nKd 0,8 0 0\n"));
+  Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + faceLine));
+  files.add("b.obj", bytesOf(squareObj(1) + faceLine)).add("a.mtl", bytesOf("newmtl red\nKd 0,8 0 0\n"));
   CHECK(::says(imported(files), "missing-materials", "decimal comma"));
 }
 
@@ -220,7 +221,7 @@ TEST_CASE("a file of another kind among poses is left out with a word, unless a 
   CHECK(import.keyframes.keyCount() == 2);
   CHECK(says(import, "left-out-file", "scene.blend is a Blender file"));
   CHECK(says(import, "left-out-file", "n.dat is not a supported 3D file"));
-  const auto lone = Files().add("a.obj", bytesOf(squareObj() + kFace)).add("b.fbx", bytesOf("Kaydara FBX")).import();
+  const auto lone = Files().add("a.obj", bytesOf(squareObj() + faceLine)).add("b.fbx", bytesOf("Kaydara FBX")).import();
   REQUIRE(!lone.ok());
   CHECK(lone.error().message.starts_with("b.fbx is an FBX file"));
   // A pose that is broken is not another kind.
@@ -255,7 +256,7 @@ TEST_CASE("frames of formats without times are at those that their files state")
   options.everyFrame = true;
   options.frameTimes = {0, 0.5, 2};
   Files files;
-  for (int i = 0; i < 3; ++i) files.add("s" + std::to_string(i) + ".obj", bytesOf(squareObj(i) + kFace));
+  for (int i = 0; i < 3; ++i) files.add("s" + std::to_string(i) + ".obj", bytesOf(squareObj(i) + faceLine));
   const auto times = [&] {
     const auto import = files.import(options);
     REQUIRE(import.ok());
@@ -274,8 +275,8 @@ TEST_CASE("names that are no UTF-8 are read as Latin-1") {
   const std::string named =
       "o K\xe4"
       "fer\n";
-  const Import import =
-      imported(Files().add("a.obj", bytesOf(named + squareObj() + kFace)).add("b.obj", bytesOf(squareObj(1) + kFace)));
+  const Import import = imported(
+      Files().add("a.obj", bytesOf(named + squareObj() + faceLine)).add("b.obj", bytesOf(squareObj(1) + faceLine)));
   REQUIRE(import.scene.objects.size() == 1);
   CHECK(import.scene.objects[0].name ==
         "K\xc3\xa4"
@@ -285,7 +286,7 @@ TEST_CASE("names that are no UTF-8 are read as Latin-1") {
 TEST_CASE("two numbered sequences that become keys of one motion are named in a warning") {
   Files files;
   for (const char* name : {"run_1.obj", "run_2.obj", "walk_1.obj", "walk_2.obj", "walk_3.obj"})
-    files.add(name, bytesOf(squareObj(static_cast<double>(files.names.size())) + kFace));
+    files.add(name, bytesOf(squareObj(static_cast<double>(files.names.size())) + faceLine));
   const Import import = imported(files);
   CHECK(import.keyframes.keyCount() == 5);
   CHECK(says(import, "several-sequences", "\"run\" (2 files), \"walk\" (3 files)"));

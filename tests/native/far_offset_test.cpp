@@ -17,11 +17,11 @@ using namespace shapespline::test;
 
 namespace {
 
-const Vec3 kUtm(432'100, 5, 5'412'345);
-const Shape kBar = box(0.6, 2, 0.6, 1, 4, 1);
+const Vec3 utm(432'100, 5, 5'412'345);
+const Shape farBar = box(0.6, 2, 0.6, 1, 4, 1);
 
 Positions poseAt(const Vec3& where, double angle) {
-  return mapped(kBar.positions, [&](const Vec3& p) -> Vec3 { return where + bend(angle, 2)(p); });
+  return mapped(farBar.positions, [&](const Vec3& p) -> Vec3 { return where + bend(angle, 2)(p); });
 }
 
 std::string number(double value) {
@@ -35,15 +35,15 @@ std::string row(const Vec3& p) { return number(p.x()) + " " + number(p.y()) + " 
 Bytes objOf(const Positions& positions) {
   std::string text;
   for (const Vec3& p : positions) text += "v " + row(p);
-  for (const Triangle& f : kBar.faces)
+  for (const Triangle& f : farBar.faces)
     text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
   return bytesOf(text);
 }
 
 Bytes offOf(const Positions& positions) {
-  std::string text = "OFF\n" + std::to_string(positions.size()) + " " + std::to_string(kBar.faces.size()) + " 0\n";
+  std::string text = "OFF\n" + std::to_string(positions.size()) + " " + std::to_string(farBar.faces.size()) + " 0\n";
   for (const Vec3& p : positions) text += row(p);
-  for (const Triangle& f : kBar.faces)
+  for (const Triangle& f : farBar.faces)
     text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
   return bytesOf(text);
 }
@@ -62,10 +62,10 @@ Bytes plyOf(const Positions& positions, bool bigEndian) {
   Bytes out = bytesOf(std::string("ply\nformat binary_") + (bigEndian ? "big" : "little") +
                       "_endian 1.0\nelement vertex " + std::to_string(positions.size()) + "\nproperty " + type +
                       " x\nproperty " + type + " y\nproperty " + type + " z\nelement face " +
-                      std::to_string(kBar.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n");
+                      std::to_string(farBar.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n");
   for (const Vec3& p : positions)
     for (double x : p) appendNumber(out, static_cast<T>(x), bigEndian);
-  for (const Triangle& f : kBar.faces) {
+  for (const Triangle& f : farBar.faces) {
     out.push_back(3);
     for (int v : f) appendNumber(out, v, bigEndian);
   }
@@ -75,9 +75,9 @@ Bytes plyOf(const Positions& positions, bool bigEndian) {
 Bytes asciiPlyOf(const Positions& positions) {
   std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(positions.size()) +
                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                     std::to_string(kBar.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+                     std::to_string(farBar.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const Vec3& p : positions) text += row(p);
-  for (const Triangle& f : kBar.faces)
+  for (const Triangle& f : farBar.faces)
     text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
   return bytesOf(text);
 }
@@ -116,16 +116,16 @@ struct Format {
   Bytes (*write)(const Positions&);
 };
 
-const Format kFormats[] = {{"obj", objOf},
-                           {"off", offOf},
-                           {"ply", asciiPlyOf},
-                           {"ply", [](const Positions& p) { return plyOf<double>(p, false); }},
-                           {"ply", [](const Positions& p) { return plyOf<double>(p, true); }}};
+const Format formats[] = {{"obj", objOf},
+                          {"off", offOf},
+                          {"ply", asciiPlyOf},
+                          {"ply", [](const Positions& p) { return plyOf<double>(p, false); }},
+                          {"ply", [](const Positions& p) { return plyOf<double>(p, true); }}};
 
 Bytes glbAt(const Vec3& local, const Vec3& offset, const std::vector<double>& angles) {
   AnimationSource source;
   const Scene scene;
-  source.faces = &kBar.faces;
+  source.faces = &farBar.faces;
   source.scene = &scene;
   source.offset = offset;
   for (std::size_t k = 0; k < angles.size(); ++k) source.seconds.push_back(static_cast<double>(k));
@@ -142,10 +142,10 @@ Bytes glbAt(const Vec3& local, const Vec3& offset, const std::vector<double>& an
 }  // namespace
 
 TEST_CASE("keys of survey coordinates are as exact as at the origin, whatever the format, axis and unit") {
-  for (const Format& format : kFormats)
+  for (const Format& format : formats)
     for (bool zUp : {false, true})
       for (double unit : {1.0, 0.001, 0.3048}) {
-        const Positions first = poseAt(kUtm, 0), second = poseAt(kUtm + Vec3(0.5, 0, 0.25), 0.7);
+        const Positions first = poseAt(utm, 0), second = poseAt(utm + Vec3(0.5, 0, 0.25), 0.7);
         const std::string name = std::string(".") + format.name;
         ImportOptions options;
         options.zUp = zUp;
@@ -188,8 +188,8 @@ TEST_CASE("the offset is a power of two times a whole number: subtracting and ad
 }
 
 TEST_CASE("a further pose takes the offset of the open shape") {
-  const Import open = imported(Files().add("a.obj", objOf(poseAt(kUtm, 0))).add("b.obj", objOf(poseAt(kUtm, 0.7))));
-  const Positions far = poseAt(kUtm + Vec3(30, 0, 9), 0.3);
+  const Import open = imported(Files().add("a.obj", objOf(poseAt(utm, 0))).add("b.obj", objOf(poseAt(utm, 0.7))));
+  const Positions far = poseAt(utm + Vec3(30, 0, 9), 0.3);
   ImportOptions options;
   options.like = open.keyframes.faces;
   options.likePose = open.keyframes.keys[0].positions;
@@ -204,7 +204,7 @@ TEST_CASE("a further pose takes the offset of the open shape") {
 }
 
 TEST_CASE("exported shapes stand where they were: OBJ, PLY and the node of a GLB") {
-  const Positions first = poseAt(kUtm, 0), second = poseAt(kUtm, 0.7);
+  const Positions first = poseAt(utm, 0), second = poseAt(utm, 0.7);
   const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
   const std::vector<float> a = floats(import.keyframes.keys[0].positions),
                            b = floats(import.keyframes.keys[1].positions);
@@ -216,19 +216,19 @@ TEST_CASE("exported shapes stand where they were: OBJ, PLY and the node of a GLB
     CHECK(largestDistance(asComputed(again, 1), second) < 3e-7);
   };
   check(Files()
-            .add("a.obj", *writeObj(a, kBar.faces, {}, {}, {}, offset))
-            .add("b.obj", *writeObj(b, kBar.faces, {}, {}, {}, offset)));
-  check(Files().add("a.ply", *writePly(a, kBar.faces, offset)).add("b.ply", *writePly(b, kBar.faces, offset)));
+            .add("a.obj", *writeObj(a, farBar.faces, {}, {}, {}, offset))
+            .add("b.obj", *writeObj(b, farBar.faces, {}, {}, {}, offset)));
+  check(Files().add("a.ply", *writePly(a, farBar.faces, offset)).add("b.ply", *writePly(b, farBar.faces, offset)));
   check(Files()
-            .add("a.glb", *writePoseGlb(a, {}, kBar.faces, {}, import.offset))
-            .add("b.glb", *writePoseGlb(b, {}, kBar.faces, {}, import.offset)));
+            .add("a.glb", *writePoseGlb(a, {}, farBar.faces, {}, import.offset))
+            .add("b.glb", *writePoseGlb(b, {}, farBar.faces, {}, import.offset)));
 }
 
 TEST_CASE("numbers of an OBJ are as long as single precision needs") {
   Positions pose = poseAt(Vec3::Zero(), 0);
   pose[0] = {0.1, 0.2, -0.3};
   const auto text = [&](const Vec3& offset) {
-    const Bytes bytes = *writeObj(floats(pose), kBar.faces, {}, {}, {}, {offset});
+    const Bytes bytes = *writeObj(floats(pose), farBar.faces, {}, {}, {}, {offset});
     const std::string all(bytes.begin(), bytes.end());
     return all.substr(0, all.find('\n'));
   };
@@ -237,11 +237,11 @@ TEST_CASE("numbers of an OBJ are as long as single precision needs") {
 }
 
 TEST_CASE("the OBJ beside a point cache stays near the origin and names the offset, which puts both back") {
-  const Positions first = poseAt(kUtm, 0), second = poseAt(kUtm, 0.7);
+  const Positions first = poseAt(utm, 0), second = poseAt(utm, 0.7);
   const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
   const std::vector<float> a = floats(import.keyframes.keys[0].positions),
                            b = floats(import.keyframes.keys[1].positions);
-  const Bytes obj = *writeObj(a, kBar.faces, {}, {}, {}, {import.offset, false});
+  const Bytes obj = *writeObj(a, farBar.faces, {}, {}, {}, {import.offset, false});
   CHECK(std::string(obj.begin(), obj.end()).find("# shapespline offset 432100 4 5412344\n") != std::string::npos);
   Bytes cache = bytesOf(std::string_view("POINTCACHE2\0", 12));
   for (std::uint32_t word : {1u, static_cast<std::uint32_t>(first.size())}) appendNumber(cache, word, false);
@@ -278,13 +278,13 @@ TEST_CASE("parts of a GLB stand far away by the nodes above them, and a skin by 
     json attributes = {{"POSITION", maker.vectors(kept)}};
     json node = {{"mesh", 0}};
     if (skinned) {
-      attributes["JOINTS_0"] = maker.accessor(std::vector<std::uint8_t>(4 * kept.size(), 0), "VEC4", 4, kUInt8);
+      attributes["JOINTS_0"] = maker.accessor(std::vector<std::uint8_t>(4 * kept.size(), 0), "VEC4", 4, glUInt8);
       std::vector<float> weights(4 * kept.size(), 0);
       for (std::size_t v = 0; v < kept.size(); ++v) weights[4 * v] = 1;
-      attributes["WEIGHTS_0"] = maker.accessor(weights, "VEC4", 4, kFloat32);
+      attributes["WEIGHTS_0"] = maker.accessor(weights, "VEC4", 4, glFloat32);
       node["skin"] = 0;
     }
-    maker.mesh(attributes, maker.indices(kBar.faces), json::array({{{"POSITION", maker.vectors(offsets)}}}));
+    maker.mesh(attributes, maker.indices(farBar.faces), json::array({{{"POSITION", maker.vectors(offsets)}}}));
     const int child = maker.add("nodes", {{"translation", at({1, 2, 3})}});
     maker.node({{"translation", at(far - Vec3(1, 2, 3))}, {"children", {child}}});
     if (skinned) {
@@ -307,23 +307,23 @@ TEST_CASE("frames of a numbered series share one offset") {
   for (int i = 0; i < 40; ++i) {
     char name[16];
     std::snprintf(name, sizeof name, "f_%02d.obj", i);
-    files.add(name, objOf(poseAt(kUtm, 0.02 * i)));
+    files.add(name, objOf(poseAt(utm, 0.02 * i)));
   }
   ImportOptions options;
   options.sampleTimes = {0, 13 / 24.0, 39 / 24.0};
   const Import import = imported(files, options);
   const int frames[] = {0, 13, 39};
   for (int key = 0; key < 3; ++key)
-    CHECK(largestDistance(asComputed(import, key), poseAt(kUtm, 0.02 * frames[key])) < 4e-7);
+    CHECK(largestDistance(asComputed(import, key), poseAt(utm, 0.02 * frames[key])) < 4e-7);
 }
 
 TEST_CASE("the offset of a saved project comes back, unless its keys lie elsewhere now") {
   const auto project = [&](const Vec3& saved) {
     AnimationSource source;
     const Scene scene;
-    source.faces = &kBar.faces;
+    source.faces = &farBar.faces;
     source.scene = &scene;
-    source.offset = kUtm;
+    source.offset = utm;
     source.seconds = {0, 1};
     source.project = R"({"version": 1, "keys": {"times": [0, 1], "names": ["a", "b"], "frames": [0, 1]}, "offset": [)" +
                      number(saved.x()) + "," + number(saved.y()) + "," + number(saved.z()) + "]}";
@@ -333,10 +333,10 @@ TEST_CASE("the offset of a saved project comes back, unless its keys lie elsewhe
     };
     return imported(Files().add("a.glb", *writeAnimatedGlb(source))).offset;
   };
-  const Vec3 odd = kUtm + Vec3(3, 1, -2);
+  const Vec3 odd = utm + Vec3(3, 1, -2);
   CHECK(project(odd) == odd);
-  CHECK((project(Vec3(9e5, 0, 0)) - kUtm).norm() < 4);
-  CHECK((project(Vec3::Zero()) - kUtm).norm() < 4);
+  CHECK((project(Vec3(9e5, 0, 0)) - utm).norm() < 4);
+  CHECK((project(Vec3::Zero()) - utm).norm() < 4);
 }
 
 TEST_CASE("keys that lie far from each other are a warning with the key") {
@@ -352,7 +352,7 @@ TEST_CASE("coordinates that cannot be computed with are refused in one sentence"
   for (double large : {1.5e18, 3e38, 1e39, 1e308}) {
     Positions first = poseAt(Vec3::Zero(), 0);
     first[3].x() = large;
-    for (const Format& format : kFormats) {
+    for (const Format& format : formats) {
       const std::string name = std::string(".") + format.name;
       const auto import = Files().add("a" + name, format.write(first)).add("b" + name, format.write(first)).import();
       REQUIRE(!import.ok());
@@ -371,7 +371,7 @@ TEST_CASE("coordinates that cannot be computed with are refused in one sentence"
 TEST_CASE("shapes that are not finite are not written") {
   std::vector<float> positions = floats(poseAt(Vec3::Zero(), 0));
   positions[4] = std::numeric_limits<float>::infinity();
-  CHECK(writeObj(positions, kBar.faces, {}).error().code == ErrorCode::NotFinite);
-  CHECK(writePly(positions, kBar.faces).error().code == ErrorCode::NotFinite);
-  CHECK(writePoseGlb(positions, {}, kBar.faces, {}).error().code == ErrorCode::NotFinite);
+  CHECK(writeObj(positions, farBar.faces, {}).error().code == ErrorCode::NotFinite);
+  CHECK(writePly(positions, farBar.faces).error().code == ErrorCode::NotFinite);
+  CHECK(writePoseGlb(positions, {}, farBar.faces, {}).error().code == ErrorCode::NotFinite);
 }

@@ -151,7 +151,7 @@ TEST_CASE("a face over time passes through its coordinates at the keys") {
 TEST_CASE("a patch over time turns against each neighbour as the two turn at the keys") {
   Sequence s = moved(Method::Lri);
   const std::vector<double> keys = s.motion().keyTimes();
-  const auto turnOf = [](const PartCurve& curve, std::size_t row, std::size_t neighbour) {
+  const auto turnOf = [](const CoordinateCurve& curve, std::size_t row, std::size_t neighbour) {
     const double* q = &curve.numbers[row * (1 + 4 * curve.neighbours.size()) + 1 + 4 * neighbour];
     return Quaternion(q[0], q[1], q[2], q[3]);
   };

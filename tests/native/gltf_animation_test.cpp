@@ -12,7 +12,7 @@ using namespace shapespline::test;
 
 namespace {
 
-constexpr double kFloatError = 1e-6;
+constexpr double floatError = 1e-6;
 
 Import sampled(const GltfMaker& maker, const std::vector<double>& times) {
   ImportOptions options;
@@ -44,13 +44,14 @@ GltfMaker skinnedFile() {
     for (int k = 0; k < 4; ++k) inverse[16 * j + 5 * k] = 1;
   inverse[16 + 14] = -2;
   json attributes = {{"POSITION", maker.vectors(boxPose())},
-                     {"JOINTS_0", maker.accessor(joints, "VEC4", 4, kUInt8)},
-                     {"WEIGHTS_0", maker.accessor(weights, "VEC4", 4, kFloat32)}};
+                     {"JOINTS_0", maker.accessor(joints, "VEC4", 4, glUInt8)},
+                     {"WEIGHTS_0", maker.accessor(weights, "VEC4", 4, glFloat32)}};
   const int mesh = maker.mesh(attributes, maker.indices(boxFaces()));
   maker.node({{"mesh", mesh}, {"skin", 0}, {"translation", {100, 0, 0}}});  // its own transform must not count
   const int tip = maker.add("nodes", {{"name", "tip"}, {"translation", {0, 0, 2}}});
   const int root = maker.node({{"name", "root"}, {"children", {tip}}});
-  maker.add("skins", {{"joints", {root, tip}}, {"inverseBindMatrices", maker.accessor(inverse, "MAT4", 16, kFloat32)}});
+  maker.add("skins",
+            {{"joints", {root, tip}}, {"inverseBindMatrices", maker.accessor(inverse, "MAT4", 16, glFloat32)}});
   return maker;
 }
 
@@ -96,13 +97,13 @@ TEST_CASE("rotations are interpolated on the sphere, the short way, also from no
   for (float sign : {1.0f, -1.0f}) {
     GltfMaker file = maker;
     file.animation("turn", 0, "rotation", times,
-                   file.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, sign * h, sign * h}, "VEC4", 4, kFloat32));
-    CHECK(distance(sampled(file, {1 / 3.0, 1}).keyframes.keys[0].positions, expected) < kFloatError);
+                   file.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, sign * h, sign * h}, "VEC4", 4, glFloat32));
+    CHECK(distance(sampled(file, {1 / 3.0, 1}).keyframes.keys[0].positions, expected) < floatError);
   }
   GltfMaker file = maker;
   const std::int16_t q = static_cast<std::int16_t>(std::lround(32767 * h));
   file.animation("turn", 0, "rotation", times,
-                 file.accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, q, q}, "VEC4", 4, kInt16, true));
+                 file.accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, q, q}, "VEC4", 4, glInt16, true));
   CHECK(distance(sampled(file, {1 / 3.0, 1}).keyframes.keys[0].positions, expected) < 1e-4);  // 15 bits
 }
 
@@ -110,11 +111,11 @@ TEST_CASE("a skin: joints count, the mesh node's own transform does not") {
   GltfMaker maker = skinnedFile();
   const float h = std::sqrt(0.5f);
   maker.animation("bend", 1, "rotation", maker.scalars({0, 2}),
-                  maker.accessor(std::vector<float>{0, 0, 0, 1, h, 0, 0, h}, "VEC4", 4, kFloat32));
+                  maker.accessor(std::vector<float>{0, 0, 0, 1, h, 0, 0, h}, "VEC4", 4, glFloat32));
   const Import import = sampled(maker, {0, 1});
   const Eigen::Affine3d tip = Eigen::Translation3d(0, 0, 2) * Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX());
-  CHECK(distance(import.keyframes.keys[0].positions, boxPose()) < kFloatError);
-  CHECK(distance(import.keyframes.keys[1].positions, skinnedByHand(Eigen::Affine3d::Identity(), tip)) < kFloatError);
+  CHECK(distance(import.keyframes.keys[0].positions, boxPose()) < floatError);
+  CHECK(distance(import.keyframes.keys[1].positions, skinnedByHand(Eigen::Affine3d::Identity(), tip)) < floatError);
 }
 
 TEST_CASE("skin, node transform and morph weights move together") {
@@ -136,7 +137,7 @@ TEST_CASE("skin, node transform and morph weights move together") {
   tip.scale(Vec3(2, 1, 1));
   Positions expected = skinnedByHand(shift(2), tip);
   for (Vec3& p : expected) p.y() += 0.5;  // both joints keep y
-  CHECK(distance(import.keyframes.keys[1].positions, expected) < kFloatError);
+  CHECK(distance(import.keyframes.keys[1].positions, expected) < floatError);
   SUBCASE("such an animation is sampled 8 times by default") {
     const auto result = Files().add("m.glb", maker.glb()).import();
     REQUIRE(result.ok());
@@ -160,16 +161,16 @@ TEST_CASE("weights that do not sum to one are scaled, unused joints may hold any
       for (int v = 0; v < 8; ++v) maker.bin[view["byteOffset"].get<int>() + 4 * v + 3] = 200;
   const auto result = Files().add("a.glb", maker.glb()).add("b.glb", maker.glb()).import();
   REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
-  CHECK(distance(result->keyframes.keys[0].positions, boxPose()) < kFloatError);
+  CHECK(distance(result->keyframes.keys[0].positions, boxPose()) < floatError);
 }
 
 TEST_CASE("more than four joints a vertex") {
   GltfMaker maker = skinnedFile();
   auto& attributes = maker.doc["meshes"][0]["primitives"][0]["attributes"];
-  attributes["JOINTS_1"] = maker.accessor(std::vector<std::uint16_t>(32, 1), "VEC4", 4, kUInt16);
+  attributes["JOINTS_1"] = maker.accessor(std::vector<std::uint16_t>(32, 1), "VEC4", 4, glUInt16);
   std::vector<float> weights(32, 0);
   for (int v = 0; v < 8; ++v) weights[4 * v] = 1;  // half of everything now follows the tip
-  attributes["WEIGHTS_1"] = maker.accessor(weights, "VEC4", 4, kFloat32);
+  attributes["WEIGHTS_1"] = maker.accessor(weights, "VEC4", 4, glFloat32);
   maker.doc["nodes"][1]["translation"] = {0, 0, 4};
   const auto result = Files().add("a.glb", maker.glb()).add("b.glb", maker.glb()).import();
   REQUIRE(result.ok());
@@ -184,8 +185,8 @@ TEST_CASE("an animated node with a matrix starts from the matrix") {
   maker.doc["nodes"][0]["matrix"] = std::vector<double>(start.matrix().data(), start.matrix().data() + 16);
   maker.animation("move", 0, "translation", maker.scalars({0, 1}), maker.vectors({{1, 2, 3}, {5, 2, 3}}));
   const Import import = sampled(maker, {0, 1});
-  CHECK(distance(import.keyframes.keys[0].positions, moved(start, boxPose())) < kFloatError);
-  CHECK(distance(import.keyframes.keys[1].positions, moved(shift(4) * start, boxPose())) < kFloatError);
+  CHECK(distance(import.keyframes.keys[0].positions, moved(start, boxPose())) < floatError);
+  CHECK(distance(import.keyframes.keys[1].positions, moved(shift(4) * start, boxPose())) < floatError);
 }
 
 TEST_CASE("animations that move nothing of the mesh are not offered") {

@@ -194,7 +194,7 @@ TEST_CASE("declared gigabytes are refused at once") {
   for (int i = 0; i < 3000; ++i) children.push_back(maker.add("nodes", {{"mesh", 1}}));
   maker.doc["nodes"][0]["children"] = children;
   std::vector<std::uint16_t> many(60000, 1);
-  const int indices = maker.accessor(many, "SCALAR", 1, kUInt16);
+  const int indices = maker.accessor(many, "SCALAR", 1, glUInt16);
   maker.mesh({{"POSITION", maker.doc["meshes"][0]["primitives"][0]["attributes"]["POSITION"]}}, indices);
   checkRefused(maker, ErrorCode::TooLarge, "faces");
 }
@@ -213,7 +213,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
     CHECK(result.error().message.starts_with("bomb.glb"));
     CHECK(result.error().message.find(says) != std::string::npos);
   };
-  const json zero = {{"componentType", kFloat32}, {"count", 4}, {"type", "VEC3"}};
+  const json zero = {{"componentType", glFloat32}, {"count", 4}, {"type", "VEC3"}};
 
   GltfMaker empty = boxFile();  // fifteen million vertices in no byte
   json nothing = zero;
@@ -265,7 +265,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   }
 
   GltfMaker strips = boxFile();  // strips of stitches alone add no face
-  const int stitches = strips.accessor(std::vector<std::uint16_t>(1'000'000, 0), "SCALAR", 1, kUInt16);
+  const int stitches = strips.accessor(std::vector<std::uint16_t>(1'000'000, 0), "SCALAR", 1, glUInt16);
   json strip = primitive;
   strip["mode"] = 5, strip["indices"] = stitches;
   for (int i = 0; i < 200; ++i) strips.doc["meshes"][0]["primitives"].push_back(strip);
@@ -285,7 +285,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
 TEST_CASE("what is named many times costs once") {
   const std::clock_t start = std::clock();
   GltfMaker file = boxFile();
-  const int inverse = file.add("accessors", {{"componentType", kFloat32}, {"count", 100'000}, {"type", "MAT4"}});
+  const int inverse = file.add("accessors", {{"componentType", glFloat32}, {"count", 100'000}, {"type", "MAT4"}});
   for (int i = 0; i < 2'000; ++i) file.add("skins", {{"joints", {0}}, {"inverseBindMatrices", inverse}});
   std::vector<std::uint8_t> png(100'000, 0);
   const std::uint8_t magic[] = {0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
@@ -329,7 +329,7 @@ TEST_CASE("sparse accessors out of bounds") {
     GltfMaker maker = boxFile();
     const int places = maker.view(std::vector<std::uint8_t>{4, 8}), values = maker.view(std::vector<float>(6, 1));
     json description = {{"count", 1},
-                        {"indices", {{"bufferView", places}, {"componentType", kUInt8}}},
+                        {"indices", {{"bufferView", places}, {"componentType", glUInt8}}},
                         {"values", {{"bufferView", values}}}};
     description.merge_patch(change);
     maker.doc["accessors"][0]["sparse"] = description;
@@ -340,7 +340,7 @@ TEST_CASE("sparse accessors out of bounds") {
   checkRefused(sparse({{"count", 9}}), ErrorCode::MalformedFile, "more elements than it has");
   checkRefused(sparse({{"indices", {{"bufferView", 99}}}}), ErrorCode::MalformedFile, "buffer view");
   checkRefused(sparse({{"indices", {{"byteOffset", 2}}}}), ErrorCode::MalformedFile, "needs 3 bytes");
-  checkRefused(sparse({{"indices", {{"componentType", kFloat32}}}}), ErrorCode::MalformedFile, "sparse indices");
+  checkRefused(sparse({{"indices", {{"componentType", glFloat32}}}}), ErrorCode::MalformedFile, "sparse indices");
   checkRefused(sparse({{"values", {{"byteOffset", 20}}}}), ErrorCode::MalformedFile, "needs 32 bytes");
 }
 
@@ -391,9 +391,9 @@ TEST_CASE("skins that do not fit") {
     GltfMaker maker = boxFile();
     auto& attributes = maker.doc["meshes"][0]["primitives"][0]["attributes"];
     attributes["JOINTS_0"] =
-        maker.accessor(std::vector<std::uint8_t>(32, static_cast<std::uint8_t>(joint)), "VEC4", 4, kUInt8);
+        maker.accessor(std::vector<std::uint8_t>(32, static_cast<std::uint8_t>(joint)), "VEC4", 4, glUInt8);
     attributes["WEIGHTS_0"] =
-        maker.accessor(std::vector<float>(4 * static_cast<std::size_t>(joints), 0.25f), "VEC4", 4, kFloat32);
+        maker.accessor(std::vector<float>(4 * static_cast<std::size_t>(joints), 0.25f), "VEC4", 4, glFloat32);
     maker.doc["nodes"][0]["skin"] = 0;
     maker.add("skins", std::move(skin));
     return maker;
@@ -413,7 +413,7 @@ TEST_CASE("animations that do not fit") {
     const int input = maker.scalars(times);
     std::vector<float> places(values);
     for (std::size_t i = 0; i < values; ++i) places[i] = static_cast<float>(i);
-    maker.animation("a", 0, "translation", input, maker.accessor(places, "VEC3", 3, kFloat32));
+    maker.animation("a", 0, "translation", input, maker.accessor(places, "VEC3", 3, glFloat32));
     maker.doc["animations"][0].merge_patch(change);
     return maker;
   };

@@ -47,7 +47,7 @@ inline Bytes glbFrom(std::string text, const Bytes& bin) {
 }
 
 /// Component types of accessors.
-enum : int { kInt8 = 5120, kUInt8 = 5121, kInt16 = 5122, kUInt16 = 5123, kUInt32 = 5125, kFloat32 = 5126 };
+enum : int { glInt8 = 5120, glUInt8 = 5121, glInt16 = 5122, glUInt16 = 5123, glUInt32 = 5125, glFloat32 = 5126 };
 
 struct GltfMaker {
   json doc = {{"asset", {{"version", "2.0"}}},
@@ -87,15 +87,15 @@ struct GltfMaker {
     std::vector<float> values;
     for (const Vec3& p : points)
       for (int c = 0; c < 3; ++c) values.push_back(static_cast<float>(p[c]));
-    return accessor(values, "VEC3", 3, kFloat32);
+    return accessor(values, "VEC3", 3, glFloat32);
   }
 
-  int scalars(const std::vector<float>& values) { return accessor(values, "SCALAR", 1, kFloat32); }
+  int scalars(const std::vector<float>& values) { return accessor(values, "SCALAR", 1, glFloat32); }
 
   int indices(const std::vector<Triangle>& faces) {
     std::vector<std::uint16_t> values;
     for (const Triangle& f : faces) values.insert(values.end(), f.begin(), f.end());
-    return accessor(values, "SCALAR", 1, kUInt16);
+    return accessor(values, "SCALAR", 1, glUInt16);
   }
 
   /// A mesh of one primitive; attributes as given, indices where there are any.

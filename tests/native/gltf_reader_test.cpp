@@ -11,7 +11,7 @@ using namespace shapespline::test;
 namespace {
 
 // float32 in the file, numbers of size one.
-constexpr double kFloatError = 1e-6;
+constexpr double floatError = 1e-6;
 
 Import imported(const Files& files, const ImportOptions& options = {}) {
   auto result = files.import(options);
@@ -32,7 +32,7 @@ TEST_CASE("several GLB files are keys in the order given") {
   CHECK(import.keyframes.faces == boxFaces());
   CHECK(import.keyframes.keys[1].name == "a");
   CHECK(import.keyframes.keys[1].time == 1);  // a second from one pose to the next
-  for (int j = 0; j < 3; ++j) CHECK(distance(import.keyframes.keys[j].positions, boxPose(0.5 * j)) < kFloatError);
+  for (int j = 0; j < 3; ++j) CHECK(distance(import.keyframes.keys[j].positions, boxPose(0.5 * j)) < floatError);
   CHECK(import.keyframes.normals.empty());
   CHECK(import.animation == -1);
 }
@@ -45,13 +45,13 @@ TEST_CASE("a .gltf finds its buffer inside, beside it and in folders") {
                                      .add("b.gltf", b.gltfBeside("b.bin"))
                                      .add("a.bin", a.bin)
                                      .add("b.bin", b.bin));
-  CHECK(distance(beside.keyframes.keys[1].positions, boxPose(1)) < kFloatError);
+  CHECK(distance(beside.keyframes.keys[1].positions, boxPose(1)) < floatError);
   const Import folders = imported(Files()
                                       .add("one/m.gltf", a.gltfBeside("data/m%20x.bin"))
                                       .add("one/data/m x.bin", a.bin)
                                       .add("two/m.gltf", b.gltfBeside("./data/../data/m%20x.bin"))
                                       .add("two/data/m x.bin", b.bin));
-  CHECK(distance(folders.keyframes.keys[1].positions, boxPose(1)) < kFloatError);
+  CHECK(distance(folders.keyframes.keys[1].positions, boxPose(1)) < floatError);
   SUBCASE("white space and escapes in a data URI count for nothing") {
     json doc = a.withBuffer();
     std::string uri = dataUri(a.bin);
@@ -59,7 +59,7 @@ TEST_CASE("a .gltf finds its buffer inside, beside it and in folders") {
     while (uri.ends_with('=')) uri.pop_back();
     doc["buffers"][0]["uri"] = uri + "%3D\n";
     const Import inside = imported(Files().add("a.gltf", bytesOf(doc.dump())).add("b.glb", b.glb()));
-    CHECK(distance(inside.keyframes.keys[0].positions, boxPose(0)) < kFloatError);
+    CHECK(distance(inside.keyframes.keys[0].positions, boxPose(0)) < floatError);
   }
   SUBCASE("also where the files came without their folders") {
     CHECK(imported(Files().add("a.gltf", a.gltfBeside("buffers/a.bin")).add("a.bin", a.bin).add("b.glb", b.glb()))
@@ -85,24 +85,24 @@ TEST_CASE("morph targets without animation: base and targets are the keys") {
   REQUIRE(import.keyframes.keyCount() == 3);
   CHECK(import.keyframes.keys[0].name == "base");
   CHECK(import.keyframes.keys[2].name == "target 2");
-  CHECK(distance(import.keyframes.keys[0].positions, boxPose(0)) < kFloatError);
-  CHECK(distance(import.keyframes.keys[1].positions, boxPose(1)) < kFloatError);
-  CHECK(distance(import.keyframes.keys[2].positions, boxPose(3)) < kFloatError);
+  CHECK(distance(import.keyframes.keys[0].positions, boxPose(0)) < floatError);
+  CHECK(distance(import.keyframes.keys[1].positions, boxPose(1)) < floatError);
+  CHECK(distance(import.keyframes.keys[2].positions, boxPose(3)) < floatError);
   SUBCASE("names come from the mesh's extras, weights in the file do not matter") {
     maker.doc["meshes"][0]["extras"]["targetNames"] = {"smile", "frown"};
     maker.doc["meshes"][0]["weights"] = {0.5, 0.5};
     import = imported(Files().add("m.glb", maker.glb()));
     CHECK(import.keyframes.keys[2].name == "frown");
-    CHECK(distance(import.keyframes.keys[0].positions, boxPose(0)) < kFloatError);
+    CHECK(distance(import.keyframes.keys[0].positions, boxPose(0)) < floatError);
   }
 }
 
 TEST_CASE("a pose file is posed by its own morph weights") {
   GltfMaker maker = morphFile({0, 2});
   maker.doc["meshes"][0]["weights"] = {0.25};
-  CHECK(distance(imported(two(maker, boxFile())).keyframes.keys[0].positions, boxPose(0.5)) < kFloatError);
+  CHECK(distance(imported(two(maker, boxFile())).keyframes.keys[0].positions, boxPose(0.5)) < floatError);
   maker.doc["nodes"][0]["weights"] = {0.75};  // the node's come first
-  CHECK(distance(imported(two(maker, boxFile())).keyframes.keys[0].positions, boxPose(1.5)) < kFloatError);
+  CHECK(distance(imported(two(maker, boxFile())).keyframes.keys[0].positions, boxPose(1.5)) < floatError);
 }
 
 TEST_CASE("morph targets with one weight animation: its key times are the keys") {
@@ -116,13 +116,13 @@ TEST_CASE("morph targets with one weight animation: its key times are the keys")
   CHECK(import.animations[0].end == 2);
   CHECK(import.animations[0].keys == 3);
   CHECK(import.keyframes.keys[1].time == 0.25);
-  CHECK(distance(import.keyframes.keys[2].positions, boxPose(3)) < kFloatError);
+  CHECK(distance(import.keyframes.keys[2].positions, boxPose(3)) < floatError);
   SUBCASE("unless times are asked for") {
     ImportOptions options;
     options.sampleTimes = {0, 1.125};
     const Import sampled = imported(Files().add("m.glb", maker.glb()), options);
     REQUIRE(sampled.keyframes.keyCount() == 2);
-    CHECK(distance(sampled.keyframes.keys[1].positions, boxPose(2)) < kFloatError);  // halfway from target 1 to 2
+    CHECK(distance(sampled.keyframes.keys[1].positions, boxPose(2)) < floatError);  // halfway from target 1 to 2
   }
   SUBCASE("or a number of them") {
     ImportOptions options;
@@ -146,7 +146,7 @@ TEST_CASE("more than 32 key times, or several animations: 8 evenly spaced keys o
   many.animation("long", 0, "weights", many.scalars(times), many.scalars(weights));
   Import import = imported(Files().add("m.glb", many.glb()));
   REQUIRE(import.keyframes.keyCount() == 8);
-  CHECK(distance(import.keyframes.keys[7].positions, boxPose(1)) < kFloatError);
+  CHECK(distance(import.keyframes.keys[7].positions, boxPose(1)) < floatError);
 
   GltfMaker several = morphFile({0, 1});
   several.animation("up", 0, "weights", several.scalars({0, 7}), several.scalars({0, 1}));
@@ -159,7 +159,7 @@ TEST_CASE("more than 32 key times, or several animations: 8 evenly spaced keys o
   options.animation = std::string("down");
   import = imported(Files().add("m.glb", several.glb()), options);
   CHECK(import.animation == 1);
-  CHECK(distance(import.keyframes.keys[0].positions, boxPose(1)) < kFloatError);
+  CHECK(distance(import.keyframes.keys[0].positions, boxPose(1)) < floatError);
   options.animation = 2;
   const auto unknown = Files().add("m.glb", several.glb()).import(options);
   REQUIRE(!unknown.ok());
@@ -182,9 +182,9 @@ TEST_CASE("every primitive of every node, transforms applied, in depth-first ord
   REQUIRE(import.keyframes.vertexCount() == 8 + 3 + 8);
   REQUIRE(import.keyframes.faceCount() == 12 + 1 + 12);
   const Positions& p = import.keyframes.keys[0].positions;
-  CHECK((p[1] - Vec3(10, 1, 0)).norm() < kFloatError);      // (1, 0, 0) turned to y, moved by 10
-  CHECK((p[8 + 1] - Vec3(10, 2, 0)).norm() < kFloatError);  // scaled first
-  CHECK((p[11 + 1] - Vec3(1, 5, 0)).norm() < kFloatError);
+  CHECK((p[1] - Vec3(10, 1, 0)).norm() < floatError);      // (1, 0, 0) turned to y, moved by 10
+  CHECK((p[8 + 1] - Vec3(10, 2, 0)).norm() < floatError);  // scaled first
+  CHECK((p[11 + 1] - Vec3(1, 5, 0)).norm() < floatError);
   CHECK(import.keyframes.faces[12] == Triangle{8, 9, 10});
   CHECK(import.scene.groups.size() == 3);
 }
@@ -228,7 +228,7 @@ TEST_CASE("strips and fans") {
   CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
   SUBCASE("a strip's stitches are no faces") {
     primitive["mode"] = 5;
-    primitive["indices"] = maker.accessor(std::vector<std::uint8_t>{0, 1, 2, 2, 3, 3, 4, 1}, "SCALAR", 1, kUInt8);
+    primitive["indices"] = maker.accessor(std::vector<std::uint8_t>{0, 1, 2, 2, 3, 3, 4, 1}, "SCALAR", 1, glUInt8);
     import = imported(two(maker, maker));
     CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {3, 1, 4}});  // every second one is turned
   }
@@ -266,11 +266,11 @@ TEST_CASE("quantised and normalised positions") {
     return out;
   };
   const int shortView = maker.view(shorts, 8), charView = maker.view(chars, 4);
-  CHECK(distance(imported(two(build(shortView, kUInt16, true, 2), boxFile())).keyframes.keys[0].positions, boxPose()) <
+  CHECK(distance(imported(two(build(shortView, glUInt16, true, 2), boxFile())).keyframes.keys[0].positions, boxPose()) <
         2.0 / 65535);
-  CHECK(distance(imported(two(build(charView, kInt8, false, 1 / 50.0), boxFile())).keyframes.keys[0].positions,
+  CHECK(distance(imported(two(build(charView, glInt8, false, 1 / 50.0), boxFile())).keyframes.keys[0].positions,
                  boxPose()) < 1e-6);
-  CHECK(distance(imported(two(build(charView, kInt8, true, 127 / 50.0), boxFile())).keyframes.keys[0].positions,
+  CHECK(distance(imported(two(build(charView, glInt8, true, 127 / 50.0), boxFile())).keyframes.keys[0].positions,
                  boxPose()) < 1e-6);
 }
 
@@ -281,7 +281,7 @@ TEST_CASE("sparse accessors replace elements, of a buffer view or of zeros") {
               values = maker.view(std::vector<float>{9, 8, 7, 6, 5, 4});
     json& accessor = maker.doc["accessors"][0];
     accessor["sparse"] = {{"count", 2},
-                          {"indices", {{"bufferView", places}, {"componentType", kUInt8}}},
+                          {"indices", {{"bufferView", places}, {"componentType", glUInt8}}},
                           {"values", {{"bufferView", values}}}};
     if (onZeros) accessor.erase("bufferView");
     return maker;
@@ -289,9 +289,9 @@ TEST_CASE("sparse accessors replace elements, of a buffer view or of zeros") {
   Positions expected = boxPose();
   expected[4] = {9, 8, 7};
   expected[5] = {6, 5, 4};
-  CHECK(distance(imported(two(sparse(false), boxFile())).keyframes.keys[0].positions, expected) < kFloatError);
+  CHECK(distance(imported(two(sparse(false), boxFile())).keyframes.keys[0].positions, expected) < floatError);
   for (int v : {0, 1, 2, 3, 6, 7}) expected[v] = Vec3::Zero();
-  CHECK(distance(imported(two(sparse(true), boxFile())).keyframes.keys[0].positions, expected) < kFloatError);
+  CHECK(distance(imported(two(sparse(true), boxFile())).keyframes.keys[0].positions, expected) < floatError);
 }
 
 TEST_CASE("interleaved attributes, and normals of the first key") {
@@ -303,17 +303,17 @@ TEST_CASE("interleaved attributes, and normals of the first key") {
   const int view = maker.view(both, 24);
   json attributes;
   attributes["POSITION"] =
-      maker.add("accessors", {{"bufferView", view}, {"componentType", kFloat32}, {"count", 8}, {"type", "VEC3"}});
+      maker.add("accessors", {{"bufferView", view}, {"componentType", glFloat32}, {"count", 8}, {"type", "VEC3"}});
   attributes["NORMAL"] = maker.add(
       "accessors",
-      {{"bufferView", view}, {"byteOffset", 12}, {"componentType", kFloat32}, {"count", 8}, {"type", "VEC3"}});
+      {{"bufferView", view}, {"byteOffset", 12}, {"componentType", glFloat32}, {"count", 8}, {"type", "VEC3"}});
   const double half = std::sqrt(0.5);
   maker.node({{"mesh", maker.mesh(attributes, maker.indices(boxFaces()))},
               {"rotation", {half, 0, 0, half}},
               {"scale", {1, 1, 3}}});
   const Import import = imported(two(maker, maker));
   REQUIRE(import.keyframes.normals.size() == 8);
-  CHECK((import.keyframes.normals[5] - Vec3(0, -1, 0)).norm() < kFloatError);  // z turned about x
+  CHECK((import.keyframes.normals[5] - Vec3(0, -1, 0)).norm() < floatError);  // z turned about x
 }
 
 TEST_CASE("materials, coordinates, colours and images are kept as they are") {
@@ -342,8 +342,8 @@ TEST_CASE("materials, coordinates, colours and images are kept as they are") {
   primitive["material"] = 0;
   std::vector<std::uint16_t> uvs;
   for (int i = 0; i < 8; ++i) uvs.push_back(static_cast<std::uint16_t>(i * 8191)), uvs.push_back(65535);
-  primitive["attributes"]["TEXCOORD_0"] = maker.accessor(uvs, "VEC2", 2, kUInt16, true);
-  primitive["attributes"]["COLOR_0"] = maker.accessor(std::vector<std::uint8_t>(32, 51), "VEC4", 4, kUInt8, true);
+  primitive["attributes"]["TEXCOORD_0"] = maker.accessor(uvs, "VEC2", 2, glUInt16, true);
+  primitive["attributes"]["COLOR_0"] = maker.accessor(std::vector<std::uint8_t>(32, 51), "VEC4", 4, glUInt8, true);
   const Bytes jpeg = bytesOf("\xff\xd8\xff\xe0 and so on");
   const Files files = Files().add("a.glb", maker.glb()).add("b.glb", maker.glb()).add("skin.jpg", jpeg);
   const Scene scene = imported(files).scene;

@@ -61,7 +61,7 @@ int addBox(GltfMaker& maker, double x, const char* name, bool visible = true) {
 }
 
 int bytes(GltfMaker& maker, const std::vector<std::uint8_t>& values) {
-  return maker.accessor(values, "SCALAR", 1, kUInt8);
+  return maker.accessor(values, "SCALAR", 1, glUInt8);
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST_CASE("pointers to a node's translation, rotation and scale move it as its o
     const float half = std::sqrt(0.5f);
     animation["samplers"].push_back(
         {{"input", times},
-         {"output", maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, half, half}, "VEC4", 4, kFloat32)}});
+         {"output", maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, half, half}, "VEC4", 4, glFloat32)}});
     animation["samplers"].push_back({{"input", times}, {"output", maker.vectors({{1, 1, 1}, {3, 3, 3}})}});
     animation["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "rotation"}}}});
     animation["channels"].push_back({{"sampler", 2}, {"target", pointerTo("/nodes/0/scale")}});
@@ -163,7 +163,7 @@ TEST_CASE("each instance of EXT_mesh_gpu_instancing is shown where it stands") {
   maker.doc["nodes"][0]["translation"] = {10, 0, 0};
   const float half = std::sqrt(0.5f);
   const int translations = maker.vectors({{0, 0, 0}, {0, 5, 0}}), scales = maker.vectors({{1, 1, 1}, {2, 2, -2}});
-  const int rotations = maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, half, half}, "VEC4", 4, kFloat32);
+  const int rotations = maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, half, half}, "VEC4", 4, glFloat32);
   maker.doc["nodes"][0]["extensions"] = {
       {"EXT_mesh_gpu_instancing",
        {{"attributes", {{"TRANSLATION", translations}, {"SCALE", scales}, {"ROTATION", rotations}}}}}};
@@ -460,13 +460,13 @@ TEST_CASE("what a few bytes repeat is counted before a vertex is read") {
   refused(nodes, "shows 3,600,000 vertices and 3,364,000 faces, more than is supported for a file of");
 
   GltfMaker instances = grid(30);
-  const int many = instances.add("accessors", {{"componentType", kFloat32}, {"count", 5000}, {"type", "VEC3"}});
+  const int many = instances.add("accessors", {{"componentType", glFloat32}, {"count", 5000}, {"type", "VEC3"}});
   instances.node(
       {{"mesh", 0}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", many}}}}}}}});
   refused(instances, "shows 4,500,000 vertices");
 
   GltfMaker targets = grid(60);
-  const int zeros = targets.add("accessors", {{"componentType", kFloat32}, {"count", 3600}, {"type", "VEC3"}});
+  const int zeros = targets.add("accessors", {{"componentType", glFloat32}, {"count", 3600}, {"type", "VEC3"}});
   for (int t = 0; t < 2000; ++t) targets.doc["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", zeros}});
   targets.node({{"mesh", 0}});
   CHECK(says(messageOf(tried(targets)), "shows 3,600 vertices in 2,001 keys, more than is supported for a file of"));
@@ -483,8 +483,8 @@ TEST_CASE("what a few bytes repeat is counted before a vertex is read") {
   CHECK(tried(frames).ok());
 
   GltfMaker skins = grid(60);
-  const int joints = skins.add("accessors", {{"componentType", kUInt8}, {"count", 3600}, {"type", "VEC4"}});
-  const int weights = skins.add("accessors", {{"componentType", kFloat32}, {"count", 3600}, {"type", "VEC4"}});
+  const int joints = skins.add("accessors", {{"componentType", glUInt8}, {"count", 3600}, {"type", "VEC4"}});
+  const int weights = skins.add("accessors", {{"componentType", glFloat32}, {"count", 3600}, {"type", "VEC4"}});
   for (int set = 0; set < 400; ++set) {
     skins.doc["meshes"][0]["primitives"][0]["attributes"]["JOINTS_" + std::to_string(set)] = joints;
     skins.doc["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_" + std::to_string(set)] = weights;

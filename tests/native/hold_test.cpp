@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "core/base/centroid.h"
-#include "core/hold/bodies.h"
-#include "core/hold/vertex_path.h"
+#include "core/hold/resting_spline.h"
+#include "core/hold/rigid_groups.h"
 #include "core/mesh/weld.h"
 #include "dense.h"
 #include "kg_error.h"
@@ -92,10 +92,10 @@ TEST_CASE("the path of a vertex does not overshoot where it rests, and is the cu
   const auto pathOf = [](Sequence& of, bool rests) {
     const WeldedShape& shape = of.encoded().shape();
     const PathRest rest{rests ? PathRest::WhereStill : PathRest::Nowhere, keySize(shape)};
-    return std::make_unique<VertexPath>(shape, of.motion().naturalCurve(), rest);
+    return std::make_unique<RestingSpline>(shape, of.motion().naturalCurve(), rest);
   };
   const auto cubic = pathOf(s, false), path = pathOf(s, true), scaled = pathOf(larger, true);
-  const auto at = [](const VertexPath& of, double t) {
+  const auto at = [](const RestingSpline& of, double t) {
     Positions p;
     of.positionsAt(t, p);
     return p;
@@ -361,7 +361,7 @@ TEST_CASE("separate objects are placed each by itself, and what stays joined as 
   };
   Sequence plain = make(k, {});
   REQUIRE(plain.stats().components == 2);
-  const std::vector<int> body = bodiesOf(plain.encoded().lri().holdInput().mesh);
+  const std::vector<int> body = rigidGroupsOf(plain.encoded().lri().holdInput().mesh);
   CHECK(*std::max_element(body.begin(), body.end()) == 1);
   const double before = error(plain);
   Sequence s = make(k, holding());
@@ -387,7 +387,7 @@ TEST_CASE("separate objects are placed each by itself, and what stays joined as 
       key.positions[v] =
           turn({0, 0, 1}, 0.5 * key.time)(both.positions[v] + Vec3(0, v < first.positions.size() ? 0 : 12, 0));
   Sequence rigid = make(k, {});
-  for (const int b : bodiesOf(rigid.encoded().lri().holdInput().mesh)) CHECK(b == 0);
+  for (const int b : rigidGroupsOf(rigid.encoded().lri().holdInput().mesh)) CHECK(b == 0);
 }
 
 TEST_CASE("objects and parts of real shapes") {
@@ -399,7 +399,7 @@ TEST_CASE("objects and parts of real shapes") {
     Keyframes k = realKeyframes({file}, walk);
     CAPTURE(file);
     Sequence s = sequenceOf(k, {});
-    for (const int body : bodiesOf(s.encoded().lri().holdInput().mesh)) CHECK(body == 0);
+    for (const int body : rigidGroupsOf(s.encoded().lri().holdInput().mesh)) CHECK(body == 0);
   }
   if (!hasData({"skin/CesiumMan.glb"})) return;
   // Two men who walk about each other.

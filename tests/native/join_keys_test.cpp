@@ -13,7 +13,7 @@ using namespace shapespline::test;
 namespace {
 
 // A strip of quads, bent upwards by `bend` per quad; quads are 4 vertices each, or share theirs.
-constexpr int kQuads = 6;
+constexpr int quadText = 6;
 
 Vec3 point(int column, int row, double bend) {
   Vec3 p(0, row, 0);
@@ -29,9 +29,9 @@ struct Strip {
 // Vertices by column and row: 2 c and 2 c + 1.
 Strip shared(double bend, bool otherDiagonal = false) {
   Strip out;
-  for (int c = 0; c <= kQuads; ++c)
+  for (int c = 0; c <= quadText; ++c)
     out.positions.push_back(point(c, 0, bend)), out.positions.push_back(point(c, 1, bend));
-  for (int c = 0; c < kQuads; ++c) {
+  for (int c = 0; c < quadText; ++c) {
     const int a = 2 * c, b = a + 2, d = a + 1, e = a + 3;  // around: a b e d
     if (otherDiagonal && c % 2 == 0) out.faces.insert(out.faces.end(), {{a, b, d}, {b, e, d}});
     else out.faces.insert(out.faces.end(), {{a, b, e}, {a, e, d}});
@@ -89,24 +89,25 @@ void checkCorners(const Import& import, const std::vector<double>& bends) {
 }
 
 // A bent sheet of quads that are cut in one of several ways, with shared vertices, or with three for each triangle.
-constexpr int kColumns = 7, kRows = 5;
+constexpr int columns = 7, rows = 5;
 
 enum class Split { None, Quads, Triangles };
 
 Vec3 sheetPoint(int v, double bend) {
-  Vec3 p = point(v % (kColumns + 1), 0, bend);
-  return Vec3(p.x(), v / (kColumns + 1), p.z() + 0.1 * (v / (kColumns + 1)));
+  Vec3 p = point(v % (columns + 1), 0, bend);
+  return Vec3(p.x(), v / (columns + 1), p.z() + 0.1 * (v / (columns + 1)));
 }
 
 // How two triangles name the corners of a quad.
 using Cut = std::array<int, 6>;
-constexpr Cut kFirst{0, 1, 2, 0, 2, 3}, kSecond{0, 1, 3, 1, 2, 3}, kTurned{1, 2, 3, 1, 3, 0}, kEnded{3, 0, 1, 2, 3, 1};
+constexpr Cut firstPose{0, 1, 2, 0, 2, 3}, secondPose{0, 1, 3, 1, 2, 3}, turnedPose{1, 2, 3, 1, 3, 0},
+    ended{3, 0, 1, 2, 3, 1};
 
 Strip sheet(double bend, const std::vector<Cut>& cuts, Split split, bool sorted) {
   std::vector<std::array<int, 2>> corners;  // vertex, the copy
-  for (int quad = 0; quad < kColumns * kRows; ++quad) {
-    const int a = quad / kColumns * (kColumns + 1) + quad % kColumns;
-    const int around[] = {a, a + 1, a + kColumns + 2, a + kColumns + 1};
+  for (int quad = 0; quad < columns * rows; ++quad) {
+    const int a = quad / columns * (columns + 1) + quad % columns;
+    const int around[] = {a, a + 1, a + columns + 2, a + columns + 1};
     // Not a repeating pattern: neighbours in both directions are cut alike and otherwise.
     const Cut& cut = cuts[(quad * quad + quad / 3) % cuts.size()];
     for (int i = 0; i < 6; ++i)
@@ -130,7 +131,7 @@ void checkSheet(const Import& import, double from, double to) {
   const Keyframes& k = import.keyframes;
   for (int v = 0; v < k.vertexCount(); ++v) {
     bool found = false;
-    for (int w = 0; w < (kColumns + 1) * (kRows + 1) && !found; ++w)
+    for (int w = 0; w < (columns + 1) * (rows + 1) && !found; ++w)
       found = k.keys[0].positions[v] == sheetPoint(w, from).cast<float>().cast<double>() &&
               k.keys[1].positions[v] == sheetPoint(w, to).cast<float>().cast<double>();
     CHECK(found);
@@ -168,13 +169,13 @@ TEST_CASE("quads that are cut along the other diagonal take the first key's, sha
 }
 
 TEST_CASE("quads that are split and cut otherwise at the same time are found, whichever way is first") {
-  const std::vector<Cut> plain{kFirst};
-  const std::vector<Cut> mixes[] = {{kFirst, kSecond},
-                                    {kFirst, kTurned},
-                                    {kSecond},
-                                    {kFirst, kFirst, kEnded},
-                                    {kFirst, kSecond, kTurned, kEnded},
-                                    {kFirst, kFirst, kTurned}};
+  const std::vector<Cut> plain{firstPose};
+  const std::vector<Cut> mixes[] = {{firstPose, secondPose},
+                                    {firstPose, turnedPose},
+                                    {secondPose},
+                                    {firstPose, firstPose, ended},
+                                    {firstPose, secondPose, turnedPose, ended},
+                                    {firstPose, firstPose, turnedPose}};
   for (const auto& mix : mixes)
     for (const Split one : {Split::None, Split::Quads, Split::Triangles})
       for (const Split other : {Split::None, Split::Quads, Split::Triangles})
@@ -197,7 +198,7 @@ TEST_CASE("quads that are split and cut otherwise at the same time are found, wh
 }
 
 TEST_CASE("triangles that fly apart are the same mesh still") {
-  Strip whole = sheet(0, {kFirst}, Split::Triangles, false), apart = whole;
+  Strip whole = sheet(0, {firstPose}, Split::Triangles, false), apart = whole;
   for (std::size_t f = 0; f < apart.faces.size(); ++f)
     for (const int v : apart.faces[f]) apart.positions[v].y() += double(f) * f;
   const auto import = joined({whole, apart}), back = joined({apart, whole});
@@ -219,11 +220,11 @@ TEST_CASE("what touches in the first key and parts in another is split, and said
   // The strip as a ring that is closed by one vertex pair in the first key, and open in the second.
   Strip closed = shared(0), open = shared(0.4);
   for (Triangle& f : closed.faces)
-    for (int& v : f) v = v >= 2 * kQuads ? v - 2 * kQuads : v;
-  closed.positions.resize(2 * kQuads);
+    for (int& v : f) v = v >= 2 * quadText ? v - 2 * quadText : v;
+  closed.positions.resize(2 * quadText);
   const auto import = joined({closed, open});
   REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
-  CHECK(import->keyframes.vertexCount() == 2 * kQuads + 2);
+  CHECK(import->keyframes.vertexCount() == 2 * quadText + 2);
   REQUIRE(import->warnings.size() == 1);
   CHECK(import->warnings[0].code == "split-vertices");
   CHECK(import->warnings[0].count == 2);
@@ -262,7 +263,7 @@ TEST_CASE("one face of other vertices is another mesh, however many there are") 
 }
 
 TEST_CASE("faces that name wrong vertices are refused, a mesh that is numbered otherwise is not") {
-  const int n = 2 * kQuads + 2;
+  const int n = 2 * quadText + 2;
   const Strip mesh = shared(0);
   // Counted from 0 where they should be from 1, and the other way; to their last vertex, which wraps around.
   for (const int by : {1, n - 1, 2, 5}) {
@@ -341,7 +342,7 @@ TEST_CASE("vertex colours that are all zero are none") {
     std::vector<float> colours(4 * strip.positions.size(), 0);
     colours[5] = green;
     json attributes = {{"POSITION", maker.vectors(strip.positions)},
-                       {"COLOR_0", maker.accessor(colours, "VEC4", 4, kFloat32)}};
+                       {"COLOR_0", maker.accessor(colours, "VEC4", 4, glFloat32)}};
     maker.node({{"mesh", maker.mesh(attributes, maker.indices(strip.faces))}});
     return Files().add("a.glb", maker.glb()).add("b.glb", glbOf(shared(0.4))).import()->scene.colors;
   };
@@ -379,7 +380,7 @@ TEST_CASE("objects of a glTF and of an OBJ can be left out") {
     CHECK(none.error().code == ErrorCode::UnknownObject);
     CHECK(none.error().message.find(names[0]) != std::string::npos);
   };
-  check(Files().add("a.glb", scene(0)).add("b.glb", scene(0.4)), {"Strip", "Floor"}, "Strip", 2 * kQuads + 2);
+  check(Files().add("a.glb", scene(0)).add("b.glb", scene(0.4)), {"Strip", "Floor"}, "Strip", 2 * quadText + 2);
   check(Files().add("a.obj", bytesOf(obj)).add("b.obj", bytesOf(obj + "o Empty\n")), {"Floor", "Thing"}, "Thing", 4);
 }
 
@@ -387,7 +388,7 @@ TEST_CASE("objects that not every file has are left out, and said") {
   const auto scene = [](double bend, const std::vector<std::string>& names) {
     GltfMaker maker;
     for (const std::string& name : names) {
-      const Strip strip = name == "Strip" ? shared(bend) : sheet(0, {kFirst}, Split::None, true);
+      const Strip strip = name == "Strip" ? shared(bend) : sheet(0, {firstPose}, Split::None, true);
       maker.node({{"name", name},
                   {"mesh", maker.mesh({{"POSITION", maker.vectors(strip.positions)}}, maker.indices(strip.faces))}});
     }

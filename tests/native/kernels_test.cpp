@@ -52,7 +52,7 @@ template <class Real>
 struct Coordinates {
   PlainMesh mesh = sheet();
   Stretch stretch;
-  std::vector<int> frameOf;
+  std::vector<int> localFrameOf;
   std::vector<Mat3> frames;
   FaceCoordinates<Real> numbers;
 
@@ -60,7 +60,7 @@ struct Coordinates {
   Coordinates(double largestTurn, Stretch how)
       : stretch(how), numbers(static_cast<int>(mesh.faces.size()), columns, static_cast<Real>(atRest())) {
     const int faceCount = static_cast<int>(mesh.faces.size());
-    for (int f = 0; f < faceCount; ++f) frameOf.push_back(f % 7 == 3 ? -1 : f / 3);
+    for (int f = 0; f < faceCount; ++f) localFrameOf.push_back(f % 7 == 3 ? -1 : f / 3);
     Random random(2);
     numbers.store();
     for (int f = 0; f < faceCount; ++f)
@@ -102,7 +102,7 @@ RightHandSide byKernel(Coordinates<Real> coordinates, const Blend& blend) {
   const int n = shape.vertexCount();
   std::vector<int> position(n);
   for (int v = 0; v < n; ++v) position[v] = n - 1 - v;
-  const FaceKernel<Real> kernel(shape, coordinates.frameOf, coordinates.stretch, position, n);
+  const FaceKernel<Real> kernel(shape, coordinates.localFrameOf, coordinates.stretch, position, n);
   coordinates.numbers.reorder(kernel.order());
   std::vector<Real> frames;
   for (const Mat3& frame : coordinates.frames)
@@ -149,7 +149,7 @@ RightHandSide byFormula(const Coordinates<Real>& coordinates, const Blend& blend
   RightHandSide result;
   result.at.assign(coordinates.mesh.positions.size(), Vec3::Zero());
   const Positions& p = coordinates.mesh.positions;
-  for (std::size_t i = 0; i < coordinates.frameOf.size(); ++i) {
+  for (std::size_t i = 0; i < coordinates.localFrameOf.size(); ++i) {
     const int f = static_cast<int>(i);
     Vec3 r = Vec3::Zero();
     Mat2 s = Mat2::Zero();
@@ -163,12 +163,12 @@ RightHandSide byFormula(const Coordinates<Real>& coordinates, const Blend& blend
     }
     if (coordinates.stretch == Stretch::Log) s = expSymmetric(s);
     else if (!(s.determinant() > 0 && s.trace() > 0)) ++result.indefinite.count;
-    if (coordinates.frameOf[f] < 0) continue;
+    if (coordinates.localFrameOf[f] < 0) continue;
     const Triangle& t = coordinates.mesh.faces[f];
     const FaceFrame frame = faceFrame(p[t[0]], p[t[1]], p[t[2]]);
     const Mat2 gradients = frame.edges.inverse().transpose();  // columns: of corners 1 and 2
     const Eigen::Matrix<double, 3, 2> moved =
-        frame.area * coordinates.frames[coordinates.frameOf[f]] * expRotation(r) * frame.basis.leftCols<2>() * s;
+        frame.area * coordinates.frames[coordinates.localFrameOf[f]] * expRotation(r) * frame.basis.leftCols<2>() * s;
     result.at[t[1]] += moved * gradients.col(0);
     result.at[t[2]] += moved * gradients.col(1);
     result.at[t[0]] -= moved * gradients.rowwise().sum();
@@ -191,14 +191,14 @@ constexpr double tolerance = std::is_same_v<Real, float> ? 4e-6 : 1e-13;
 
 Positions normalsOf(const PlainMesh& mesh) {
   const int n = static_cast<int>(mesh.positions.size());
-  std::vector<int> group(n), placeOf(n);
+  std::vector<int> group(n), slotOf(n);
   std::vector<float> places(4 * static_cast<std::size_t>(n)), positions, normals;
   for (int v = 0; v < n; ++v) {
-    group[v] = v / 2, placeOf[v] = (n - 1) / 2 - v / 2;  // copies of one vertex
+    group[v] = v / 2, slotOf[v] = (n - 1) / 2 - v / 2;  // copies of one vertex
     for (int k = 0; k < 3; ++k)
-      places[4 * static_cast<std::size_t>(placeOf[v]) + k] = static_cast<float>(mesh.positions[v][k]);
+      places[4 * static_cast<std::size_t>(slotOf[v]) + k] = static_cast<float>(mesh.positions[v][k]);
   }
-  const VertexNormals shading(mesh.faces, group, (n + 1) / 2, placeOf);
+  const VertexNormals shading(mesh.faces, group, (n + 1) / 2, slotOf);
   VertexNormals::Scratch sums;
   shading.draw(places, Vec3::Zero(), sums, positions, normals);
   Positions result;
@@ -298,7 +298,7 @@ TEST_CASE("kernels: columns whose weight the precision cannot see are left out, 
   single.store(), full.store();
   const auto placesOf = [](const auto& list) {
     std::vector<int> places;
-    for (const auto& column : list.stored) places.push_back(column.place);
+    for (const auto& column : list.stored) places.push_back(column.column);
     return places;
   };
   CHECK(placesOf(single.weights(weights)) == std::vector<int>{0, 3, 5});
@@ -318,6 +318,6 @@ TEST_CASE("kernels: a blend of many columns with the weights of a spline is that
   CHECK(list.stored.size() > 20);
   double left = 0;
   for (const double w : weights) left += std::abs(w);
-  for (const auto& column : list.stored) left -= std::abs(weights[column.place]);
+  for (const auto& column : list.stored) left -= std::abs(weights[column.column]);
   CHECK(10 * left < 6e-8);  // numbers of ten: half a step of a sum of one
 }

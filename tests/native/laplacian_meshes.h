@@ -84,13 +84,14 @@ inline PlainMesh bumpySphere(int f, Random& random) {
                                         {g, 0, 1},
                                         {-g, 0, -1},
                                         {-g, 0, 1}}};
-  constexpr int kFaces[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                                 {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  constexpr int icosahedronFaces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                           {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                           {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                           {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   PlainMesh mesh;
   mesh.positions.assign(corner.begin(), corner.end());
   std::map<std::pair<int, int>, int> edgeStart;  // first of the f - 1 points inside an edge, from its smaller corner
-  for (const auto& face : kFaces)
+  for (const auto& face : icosahedronFaces)
     for (int k = 0; k < 3; ++k) {
       const int a = std::min(face[k], face[(k + 1) % 3]), b = std::max(face[k], face[(k + 1) % 3]);
       if (!edgeStart.try_emplace({a, b}, static_cast<int>(mesh.positions.size())).second) continue;
@@ -101,7 +102,7 @@ inline PlainMesh bumpySphere(int f, Random& random) {
     if (i == f) return b;
     return a < b ? edgeStart.at({a, b}) + i - 1 : edgeStart.at({b, a}) + f - i - 1;
   };
-  for (const auto& face : kFaces) {
+  for (const auto& face : icosahedronFaces) {
     const int a = face[0], b = face[1], c = face[2];
     std::vector<std::vector<int>> lattice(f + 1);
     for (int i = 0; i <= f; ++i) {  // rows from a towards the edge b c

@@ -141,42 +141,42 @@ TEST_CASE("volume, area and the KG error of known shapes") {
 TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that leave no overshoot") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
   Sequence s = make(k);
-  const KeyPace pace = s.featureCurve()->pace();
-  REQUIRE(pace.distance.size() == 4);
-  CHECK(pace.distance[1] / pace.distance[0] == doctest::Approx(10).epsilon(0.02));
-  CHECK(pace.distance[2] < 1e-9 * pace.distance[1]);
-  REQUIRE(pace.tension.size() == 5);
-  CHECK(pace.tension[1] > 0);
-  CHECK(pace.tension[1] < 1);
-  CHECK(pace.tension[2] == doctest::Approx(1));
-  CHECK(pace.tension[3] == doctest::Approx(1));
+  const KeySpacing spacing = s.featureCurve()->keySpacing();
+  REQUIRE(spacing.distance.size() == 4);
+  CHECK(spacing.distance[1] / spacing.distance[0] == doctest::Approx(10).epsilon(0.02));
+  CHECK(spacing.distance[2] < 1e-9 * spacing.distance[1]);
+  REQUIRE(spacing.tension.size() == 5);
+  CHECK(spacing.tension[1] > 0);
+  CHECK(spacing.tension[1] < 1);
+  CHECK(spacing.tension[2] == doctest::Approx(1));
+  CHECK(spacing.tension[3] == doctest::Approx(1));
   const double between = (k.keys[2].time + k.keys[3].time) / 2, diagonal = diagonalOf(k);
   CHECK(largestDistance(shapeAt(s, between), k.keys[2].positions) > 1e-2 * diagonal);
   MotionOptions calm;
-  calm.tension = pace.tension;
+  calm.tension = spacing.tension;
   REQUIRE(s.update(calm, evenTimes(5)).ok());
   CHECK(largestDistance(shapeAt(s, between), k.keys[2].positions) < 1e-9 * diagonal);
-  const KeyPace again = s.featureCurve()->pace();
-  for (int j = 0; j < 5; ++j) CHECK(again.tension[j] == pace.tension[j]);
+  const KeySpacing again = s.featureCurve()->keySpacing();
+  for (int j = 0; j < 5; ++j) CHECK(again.tension[j] == spacing.tension[j]);
 }
 
 TEST_CASE("the pace of the motion: its speed and where it swings past a key") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
   Sequence s = make(k);
-  const KeyPace keys = s.featureCurve()->pace();
+  const KeySpacing keys = s.featureCurve()->keySpacing();
   const std::vector<double>& times = s.motion().keyTimes();
   const double mean = (keys.distance[0] + keys.distance[1] + keys.distance[2] + keys.distance[3]) / 4;
   const auto middle = [&](int j) { return (times[j] + times[j + 1]) / 2; };
-  const MotionPace pace = s.featureCurve()->paceAt({middle(1), middle(2), -1, times[1]});
-  CHECK(pace.overshoot[0] == 0);
-  CHECK(pace.overshoot[1] > 0.01);  // equal keys, and the motion leaves them
-  CHECK(pace.overshoot[2] == 0);    // extrapolated
-  CHECK(pace.overshoot[3] < 1e-9);
-  CHECK(s.featureCurve()->paceAt({middle(0)}).overshoot[0] > 0.01);  // swings back before the long way
+  const MotionSpeed motion = s.featureCurve()->speedAt({middle(1), middle(2), -1, times[1]});
+  CHECK(motion.overshoot[0] == 0);
+  CHECK(motion.overshoot[1] > 0.01);  // equal keys, and the motion leaves them
+  CHECK(motion.overshoot[2] == 0);    // extrapolated
+  CHECK(motion.overshoot[3] < 1e-9);
+  CHECK(s.featureCurve()->speedAt({middle(0)}).overshoot[0] > 0.01);  // swings back before the long way
   MotionOptions straight;
   straight.method = Method::Geodesic;
   REQUIRE(s.update(straight, times).ok());
-  const MotionPace steps = s.featureCurve()->paceAt({middle(0), middle(1), middle(2), middle(3)});
+  const MotionSpeed steps = s.featureCurve()->speedAt({middle(0), middle(1), middle(2), middle(3)});
   for (int j = 0; j < 4; ++j) {
     CHECK(steps.speed[j] * (times[j + 1] - times[j]) == doctest::Approx(keys.distance[j]).epsilon(1e-6).scale(mean));
     CHECK(steps.overshoot[j] < 1e-9);
@@ -190,7 +190,7 @@ TEST_CASE("the speed of the motion is the length of its step over a short time")
   const ShapePlane plane = s.featureCurve()->plane({0.3 - h, 0.3 + h});  // three keys span a plane
   const double step = std::hypot(plane.curve[2] - plane.curve[0], plane.curve[3] - plane.curve[1]) / (2 * h);
   const double chord = std::hypot(plane.keys[2] - plane.keys[0], plane.keys[3] - plane.keys[1]);
-  CHECK(s.featureCurve()->paceAt({0.3}).speed[0] / s.featureCurve()->pace().distance[0] ==
+  CHECK(s.featureCurve()->speedAt({0.3}).speed[0] / s.featureCurve()->keySpacing().distance[0] ==
         doctest::Approx(step / chord).epsilon(1e-5));
 }
 

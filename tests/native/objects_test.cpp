@@ -85,34 +85,35 @@ std::string rules(const Import& import) {
   return out;
 }
 
-const Eigen::Affine3d kShift(Eigen::Translation3d(1, 0.5, 0.25));
+const Eigen::Affine3d shiftBy(Eigen::Translation3d(1, 0.5, 0.25));
 
-const Object kLeft{"EyeL", "", {-3, 0, 0}}, kRight{"EyeR", "", {3, 0, 0}}, kHat{"Hat", "", {0, 0, 5}, true};
+const Object leftBox{"EyeL", "", {-3, 0, 0}}, rightBox{"EyeR", "", {3, 0, 0}}, hatObject{"Hat", "", {0, 0, 5}, true};
 
 Import joined(const std::vector<Object>& first, const std::vector<Object>& second,
-              const Eigen::Affine3d& moved = kShift) {
+              const Eigen::Affine3d& moved = shiftBy) {
   return imported(Files().add("a.glb", glbOf(first).glb()).add("b.glb", glbOf(second, moved).glb()));
 }
 
 }  // namespace
 
 TEST_CASE("named objects are matched by name, in whichever order they come") {
-  const Import eyes = joined({kLeft, kRight}, {kRight, kLeft});
-  checkMoved(eyes, kShift);
+  const Import eyes = joined({leftBox, rightBox}, {rightBox, leftBox});
+  checkMoved(eyes, shiftBy);
   CHECK(rules(eyes) == "nn");
   CHECK(eyes.matches[0].key == 1);
   CHECK(eyes.matches[0].object == "EyeL");
   CHECK(eyes.matches[0].found == "EyeL");
-  const Import all = joined({kLeft, kHat, kRight}, {kHat, kRight, kLeft});
-  checkMoved(all, kShift);
+  const Import all = joined({leftBox, hatObject, rightBox}, {hatObject, rightBox, leftBox});
+  checkMoved(all, shiftBy);
   CHECK(rules(all) == "nnn");
 }
 
 TEST_CASE("objects of OBJ files are matched by name as well, and keep those of the first file") {
-  const Import import = imported(Files()
-                                     .add("a.obj", bytesOf(objOf({kHat, kLeft, kRight}, Vec3::Zero())))
-                                     .add("b.obj", bytesOf(objOf({kRight, kHat, kLeft}, kShift.translation()))));
-  checkMoved(import, kShift);
+  const Import import =
+      imported(Files()
+                   .add("a.obj", bytesOf(objOf({hatObject, leftBox, rightBox}, Vec3::Zero())))
+                   .add("b.obj", bytesOf(objOf({rightBox, hatObject, leftBox}, shiftBy.translation()))));
+  checkMoved(import, shiftBy);
   CHECK(rules(import) == "nnn");
   REQUIRE(import.scene.objects.size() == 3);
   CHECK(import.scene.objects[1].name == "EyeL");
@@ -123,43 +124,43 @@ TEST_CASE("objects of OBJ files are matched by name as well, and keep those of t
 TEST_CASE("of alike objects one may be renamed: the others keep their names' places") {
   const auto eye = [](const char* name, double x) { return Object{name, "", {x, x * x, 0}}; };
   const auto third = eye("Third", 1), other = eye("Other", 1);
-  const Import alike = joined({kLeft, kRight, third}, {kRight, other, kLeft});
-  checkMoved(alike, kShift);
+  const Import alike = joined({leftBox, rightBox, third}, {rightBox, other, leftBox});
+  checkMoved(alike, shiftBy);
   CHECK(rules(alike) == "nns");
-  const Import unlike = joined({kLeft, kRight, kHat}, {kRight, {"Cap", "", {0, 0, 5}, true}, kLeft});
-  checkMoved(unlike, kShift);
+  const Import unlike = joined({leftBox, rightBox, hatObject}, {rightBox, {"Cap", "", {0, 0, 5}, true}, leftBox});
+  checkMoved(unlike, shiftBy);
   CHECK(rules(unlike) == "nns");
-  const Import apart = joined({kLeft, kRight, kHat}, {kRight, {"Box", "", {0, 0, 5}}, kLeft});
-  checkMoved(apart, kShift);
+  const Import apart = joined({leftBox, rightBox, hatObject}, {rightBox, {"Box", "", {0, 0, 5}}, leftBox});
+  checkMoved(apart, shiftBy);
   CHECK(apart.keyframes.vertexCount() == 16);
 }
 
 TEST_CASE("names of meshes count where nodes have none, and numbers at the end do not") {
   const auto eye = [](const char* node, const char* mesh, double x) { return Object{node, mesh, {x, 0, 0}}; };
-  checkMoved(joined({eye("", "L", -3), eye("", "R", 3)}, {eye("", "R", 3), eye("", "L", -3)}), kShift);
-  checkMoved(joined({eye("L", "", -3), eye("R", "", 3)}, {eye("", "R", 3), eye("", "L", -3)}), kShift);
-  checkMoved(joined({eye("node", "L", -3), eye("node", "R", 3)}, {eye("node", "R", 3), eye("node", "L", -3)}), kShift);
-  checkMoved(joined({eye("L", "", -3), eye("R", "", 3)}, {eye("R.001", "", 3), eye("L.001", "", -3)}), kShift);
+  checkMoved(joined({eye("", "L", -3), eye("", "R", 3)}, {eye("", "R", 3), eye("", "L", -3)}), shiftBy);
+  checkMoved(joined({eye("L", "", -3), eye("R", "", 3)}, {eye("", "R", 3), eye("", "L", -3)}), shiftBy);
+  checkMoved(joined({eye("node", "L", -3), eye("node", "R", 3)}, {eye("node", "R", 3), eye("node", "L", -3)}), shiftBy);
+  checkMoved(joined({eye("L", "", -3), eye("R", "", 3)}, {eye("R.001", "", 3), eye("L.001", "", -3)}), shiftBy);
   checkMoved(joined({eye("Cube", "", -3), eye("Cube.001", "", 3)}, {eye("Cube.001", "", 3), eye("Cube", "", -3)}),
-             kShift);
+             shiftBy);
   checkMoved(joined({eye("\xe5\xb7\xa6", "", -3), eye("\xd0\x93", "", 3)},
                     {eye("\xd0\x93", "", 3), eye("\xe5\xb7\xa6", "", -3)}),
-             kShift);
+             shiftBy);
 }
 
 TEST_CASE("objects without names are matched by shape, and alike ones by place") {
   const auto plain = [](double x, bool pyramid = false) { return Object{"", "", {x, 0, 0}, pyramid}; };
   const Import shapes = joined({plain(-3), plain(0, true)}, {plain(0, true), plain(-3)});
-  checkMoved(shapes, kShift);
+  checkMoved(shapes, shiftBy);
   CHECK(rules(shapes) == "ss");
-  checkMoved(joined({plain(-3), plain(3)}, {plain(3), plain(-3)}), kShift);
-  checkMoved(joined({plain(-3), plain(0, true), plain(3)}, {plain(3), plain(-3), plain(0, true)}), kShift);
+  checkMoved(joined({plain(-3), plain(3)}, {plain(3), plain(-3)}), shiftBy);
+  checkMoved(joined({plain(-3), plain(0, true), plain(3)}, {plain(3), plain(-3), plain(0, true)}), shiftBy);
   // One name for both.
   const Object left{"Eye", "", {-3, 0, 0}}, right{"Eye", "", {3, 0, 0}};
-  checkMoved(joined({left, right}, {right, left}), kShift);
+  checkMoved(joined({left, right}, {right, left}), shiftBy);
   // Each with a name of its own in every file.
   const Object other{"A", "", {-3, 0, 0}}, another{"B", "", {3, 0, 0}};
-  checkMoved(joined({kLeft, kRight}, {another, other}), kShift);
+  checkMoved(joined({leftBox, rightBox}, {another, other}), shiftBy);
 }
 
 TEST_CASE("a rotation of the whole does not swap similar objects") {
@@ -172,8 +173,8 @@ TEST_CASE("a rotation of the whole does not swap similar objects") {
 TEST_CASE("names that programs make up do not stand in the way of shapes") {
   const Object body{"Cube", "", {0, 0, 0}}, hat{"Cube.001", "", {0, 0, 5}, true};
   const Object otherBody{"Cube.001", "", {0, 0, 0}}, otherHat{"Cube", "", {0, 0, 5}, true};
-  checkMoved(joined({body, hat}, {otherHat, otherBody}), kShift);
-  checkMoved(joined({body, hat}, {otherBody, otherHat}), kShift);
+  checkMoved(joined({body, hat}, {otherHat, otherBody}), shiftBy);
+  checkMoved(joined({body, hat}, {otherBody, otherHat}), shiftBy);
 }
 
 TEST_CASE("names of the nodes above tell objects of one name apart") {
@@ -200,16 +201,16 @@ TEST_CASE("objects that not every file has are left out, with a warning") {
     return std::any_of(import.warnings.begin(), import.warnings.end(),
                        [](const Warning& w) { return w.code == "left-out-objects"; });
   };
-  const Import more = joined({kLeft, kRight}, {kHat, kRight, kLeft});
-  checkMoved(more, kShift);
+  const Import more = joined({leftBox, rightBox}, {hatObject, rightBox, leftBox});
+  checkMoved(more, shiftBy);
   CHECK(leftOut(more));
-  const Import fewer = joined({kHat, kLeft, kRight}, {kRight, kLeft});
-  checkMoved(fewer, kShift);
+  const Import fewer = joined({hatObject, leftBox, rightBox}, {rightBox, leftBox});
+  checkMoved(fewer, shiftBy);
   CHECK(leftOut(fewer));
   CHECK(fewer.keyframes.vertexCount() == 16);
   // The files' numbers of unnamed meshes name others.
   const auto plain = [](double x, bool pyramid = false) { return Object{"", "", {x, 0, 0}, pyramid}; };
-  checkMoved(joined({plain(-3)}, {plain(0, true), plain(-3)}), kShift);
+  checkMoved(joined({plain(-3)}, {plain(0, true), plain(-3)}), shiftBy);
 }
 
 TEST_CASE("an object that was chosen is found in files that call it otherwise") {
@@ -217,21 +218,21 @@ TEST_CASE("an object that was chosen is found in files that call it otherwise") 
   options.objects = {"EyeL"};
   const Object renamed{"EyeL.002", "", {-3, 0, 0}};
   const auto import = Files()
-                          .add("a.glb", glbOf({kLeft, kHat}).glb())
-                          .add("b.glb", glbOf({kHat, renamed}, kShift).glb())
+                          .add("a.glb", glbOf({leftBox, hatObject}).glb())
+                          .add("b.glb", glbOf({hatObject, renamed}, shiftBy).glb())
                           .import(options);
   REQUIRE(import.ok());
   CHECK(import->keyframes.vertexCount() == 8);
-  checkMoved(*import, kShift);
+  checkMoved(*import, shiftBy);
 }
 
 TEST_CASE("a further pose of a mesh is matched with the mesh's objects") {
-  const Import mesh = joined({kLeft, kRight}, {kLeft, kRight});
+  const Import mesh = joined({leftBox, rightBox}, {leftBox, rightBox});
   ImportOptions options;
   options.like = mesh.keyframes.faces;
   options.likePose = mesh.keyframes.keys[0].positions;
   options.likeObjects = mesh.scene.objects;
-  const Bytes pose = glbOf({kRight, kLeft}, kShift).glb();
+  const Bytes pose = glbOf({rightBox, leftBox}, shiftBy).glb();
   const auto further = Files().add("c.glb", pose).add("c.glb", pose).import(options);
   REQUIRE(further.ok());
   CHECK(distance(further->keyframes.keys[0].positions, mesh.keyframes.keys[1].positions) < 1e-5);

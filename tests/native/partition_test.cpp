@@ -18,7 +18,7 @@ using namespace shapespline::test;
 
 namespace {
 
-constexpr int kLargeFaces = 64000;
+constexpr int largeFaces = 64000;
 
 struct Partitioned {
   WeldedShape shape;
@@ -75,12 +75,12 @@ void checkPartition(const Partitioned& p) {
 }  // namespace
 
 TEST_CASE("partition: patches of a large mesh are connected, as many as asked for, each within one component") {
-  checkPartition(partitioned(makeBenchKeyframes(kLargeFaces, 3, 1)));
-  checkPartition(partitioned(makeBenchParts(kLargeFaces, 3, 1)));
+  checkPartition(partitioned(makeBenchKeyframes(largeFaces, 3, 1)));
+  checkPartition(partitioned(makeBenchParts(largeFaces, 3, 1)));
 }
 
 TEST_CASE("partition: a common rigid motion of all keys changes no patch of a large mesh") {
-  Keyframes keys = makeBenchKeyframes(kLargeFaces, 3, 1);
+  Keyframes keys = makeBenchKeyframes(largeFaces, 3, 1);
   const std::vector<int> before = partitioned(keys).patches.ofFace;
   const Map moved = turn(Vec3(1, 2, 3), 0.7, Vec3(0.3, -2, 5));
   for (Key& key : keys.keys) key.positions = mapped(key.positions, moved);

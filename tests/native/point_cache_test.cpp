@@ -12,9 +12,9 @@ using namespace shapespline::test;
 
 namespace {
 
-constexpr int kFrames = 40;
+constexpr int frameCount = 40;
 
-const Positions kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.5}};
+const Positions squareText = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.5}};
 
 std::string objOf(const Positions& positions) {
   std::string text;
@@ -25,7 +25,7 @@ std::string objOf(const Positions& positions) {
 
 // The square lifts by a quarter per frame.
 Positions frameAt(double frame) {
-  Positions out = kSquare;
+  Positions out = squareText;
   out[2].z() += frame / 4;
   return out;
 }
@@ -39,29 +39,29 @@ struct Writer {
   }
   void number(double value) { word(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
   void frames(const Mat3& axes) {
-    for (int f = 0; f < kFrames; ++f)
+    for (int f = 0; f < frameCount; ++f)
       for (const Vec3& p : frameAt(f))
         for (int c = 0; c < 3; ++c) number((axes * p)[c]);
   }
 };
 
-Bytes pc2(std::uint32_t points = 4, std::uint32_t frames = kFrames, const Mat3& axes = Mat3::Identity()) {
+Bytes pc2(std::uint32_t points = 4, std::uint32_t frames = frameCount, const Mat3& axes = Mat3::Identity()) {
   Writer out{false, bytesOf(std::string_view("POINTCACHE2\0", 12))};
   out.word(1), out.word(points), out.number(10), out.number(2), out.word(frames);
   out.frames(axes);
   return out.bytes;
 }
 
-Bytes mdd(std::uint32_t points = 4, std::uint32_t frames = kFrames, double step = 0.1) {
+Bytes mdd(std::uint32_t points = 4, std::uint32_t frames = frameCount, double step = 0.1) {
   Writer out{true};
   out.word(frames), out.word(points);
-  for (int f = 0; f < kFrames; ++f) out.number(step * f);
+  for (int f = 0; f < frameCount; ++f) out.number(step * f);
   out.frames(Mat3::Identity());
   return out.bytes;
 }
 
 Result<Import> moved(const std::string& name, const Bytes& cache, const ImportOptions& options = {}) {
-  return Files().add("square.obj", bytesOf(objOf(kSquare))).add(name, cache).import(options);
+  return Files().add("square.obj", bytesOf(objOf(squareText))).add(name, cache).import(options);
 }
 
 void checkKey(const Import& import, int key, double frame) {
@@ -79,7 +79,7 @@ TEST_CASE("PC2 and MDD with their OBJ are sampled at times of their own, between
   REQUIRE_MESSAGE(a.ok(), (a.ok() ? "" : a.error().message));
   for (int key = 0; key < 3; ++key) checkKey(*a, key, (24 * options.sampleTimes[key] - 10) / 2);
   CHECK(a->animations.at(0).name == "cache");
-  CHECK(a->animations.at(0).keys == kFrames);
+  CHECK(a->animations.at(0).keys == frameCount);
   CHECK(a->animations.at(0).start == doctest::Approx(10.0 / 24));
   const auto b = moved("cache.mdd", mdd(), options);
   REQUIRE_MESSAGE(b.ok(), (b.ok() ? "" : b.error().message));
@@ -87,22 +87,22 @@ TEST_CASE("PC2 and MDD with their OBJ are sampled at times of their own, between
   const auto even = moved("cache.mdd", mdd());
   REQUIRE(even.ok());
   CHECK(even->keyframes.keyCount() == 8);
-  checkKey(*even, 7, kFrames - 1);
+  checkKey(*even, 7, frameCount - 1);
 }
 
 TEST_CASE("a cache in other axes than its OBJ is turned to it") {
   Mat3 zUp;
   zUp << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  const auto import = moved("cache.pc2", pc2(4, kFrames, zUp));
+  const auto import = moved("cache.pc2", pc2(4, frameCount, zUp));
   REQUIRE(import.ok());
   checkKey(*import, 0, 0);
-  checkKey(*import, 7, kFrames - 1);
+  checkKey(*import, 7, frameCount - 1);
 }
 
 TEST_CASE("times that stand still are counted as frames") {
-  const auto import = moved("cache.mdd", mdd(4, kFrames, 0));
+  const auto import = moved("cache.mdd", mdd(4, frameCount, 0));
   REQUIRE(import.ok());
-  CHECK(import->animations.at(0).end == doctest::Approx((kFrames - 1) / 24.0));
+  CHECK(import->animations.at(0).end == doctest::Approx((frameCount - 1) / 24.0));
 }
 
 TEST_CASE("caches that are no good are refused before memory is taken") {
@@ -115,7 +115,7 @@ TEST_CASE("caches that are no good are refused before memory is taken") {
   refused(moved("a.pc2", pc2(5, 4)), ErrorCode::VertexCountMismatch, "moves 5 points");
   refused(moved("a.pc2", pc2(0xffffffff, 0xffffffff)), ErrorCode::TruncatedFile, "4,294,967,295");
   refused(moved("a.mdd", mdd(0xffffffff, 0xffffffff)), ErrorCode::TruncatedFile, "a.mdd is cut off");
-  refused(moved("a.mdd", mdd(4, kFrames + 1)), ErrorCode::TruncatedFile, "a.mdd");
+  refused(moved("a.mdd", mdd(4, frameCount + 1)), ErrorCode::TruncatedFile, "a.mdd");
   refused(moved("a.pc2", pc2(0, 0xffffffff)), ErrorCode::MalformedFile, "no points");
   refused(moved("a.mdd", mdd(4, 0)), ErrorCode::MalformedFile, "no points");
   refused(moved("a.mdd", {0, 0, 0}), ErrorCode::TruncatedFile, "header");

@@ -25,14 +25,14 @@ Import twice(const std::string& name, const Bytes& bytes) {
 }
 Import twice(const std::string& name, const std::string& text) { return twice(name, bytesOf(text)); }
 
-const std::string kSquareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-const std::string kSquarePly =
+const std::string squareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const std::string squarePly =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
-const std::string kSquareOff = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+const std::string squareOff = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
 std::string goodTwin(const std::string& name) {
-  return name.ends_with("obj") ? kSquareObj : name.ends_with("ply") ? kSquarePly : kSquareOff;
+  return name.ends_with("obj") ? squareObj : name.ends_with("ply") ? squarePly : squareOff;
 }
 
 void checkRefused(const std::string& name, const Bytes& bytes, ErrorCode code, const std::string& says) {
@@ -59,7 +59,7 @@ double area(const Positions& p, const Triangle& f) { return 0.5 * (p[f[1]] - p[f
 
 TEST_CASE("the three squares are one") {
   for (const auto& [name, text] :
-       {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
+       {std::pair<std::string, std::string>{"a.obj", squareObj}, {"a.ply", squarePly}, {"a.off", squareOff}}) {
     const Import import = twice(name, text);
     CHECK(import.keyframes.vertexCount() == 4);
     REQUIRE(import.keyframes.faceCount() == 2);
@@ -85,7 +85,7 @@ TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued line
 
 TEST_CASE("a byte order mark is no part of a text") {
   for (const auto& [name, text] :
-       {std::pair<std::string, std::string>{"a.obj", kSquareObj}, {"a.ply", kSquarePly}, {"a.off", kSquareOff}}) {
+       {std::pair<std::string, std::string>{"a.obj", squareObj}, {"a.ply", squarePly}, {"a.off", squareOff}}) {
     CAPTURE(name);
     CHECK(twice(name, "\xef\xbb\xbf" + text).keyframes.keys[0].positions ==
           twice(name, text).keyframes.keys[0].positions);
@@ -204,7 +204,7 @@ TEST_CASE("OBJ: materials of its MTL, and its texture") {
 
 TEST_CASE("OBJ: images are looked for as seen from their library, and stop at their edges where it says so") {
   const Bytes red = bytesOf("\x89PNG\r\n\x1a\n red"), blue = bytesOf("\x89PNG\r\n\x1a\n blue");
-  const Bytes obj = bytesOf("mtllib paint/a.mtl\n" + kSquareObj),
+  const Bytes obj = bytesOf("mtllib paint/a.mtl\n" + squareObj),
               mtl = bytesOf(
                   "newmtl a\nmap_Kd -clamp on -s 1 1 1 images/skin.png\nnewmtl b\nmap_Kd -clamp off ../on top.png\n");
   const Import import = imported(Files()
@@ -233,8 +233,8 @@ TEST_CASE("OBJ: a library and an image are read once, however often they are nam
   const Bytes magic{0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
   std::copy(magic.begin(), magic.end(), png.begin());
   const Import import = imported(Files()
-                                     .add("a.obj", bytesOf(obj + kSquareObj))
-                                     .add("b.obj", bytesOf(kSquareObj))
+                                     .add("a.obj", bytesOf(obj + squareObj))
+                                     .add("b.obj", bytesOf(squareObj))
                                      .add("a.mtl", bytesOf(mtl))
                                      .add("a.png", png));
   CHECK(import.scene.materials.size() == 3'000);
@@ -404,7 +404,7 @@ TEST_CASE("broken OBJ files") {
   checkRefused("bad.obj", "", ErrorCode::EmptyFile, "empty");
   checkRefused("bad.obj", "<!DOCTYPE html>", ErrorCode::NotRecognised, "web page");
   const auto notFinite = Files()
-                             .add("a.obj", bytesOf(kSquareObj))
+                             .add("a.obj", bytesOf(squareObj))
                              .add("b.obj", bytesOf("v 0 0 0\nv 1 nan 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"))
                              .import();
   REQUIRE(!notFinite.ok());
@@ -414,7 +414,7 @@ TEST_CASE("broken OBJ files") {
 
 TEST_CASE("broken PLY files") {
   const auto with = [](const std::string& from, const std::string& to) {
-    std::string text = kSquarePly;
+    std::string text = squarePly;
     return text.replace(text.find(from), from.size(), to);
   };
   checkRefused("bad.ply", "ply\n", ErrorCode::TruncatedFile, "header");
@@ -455,7 +455,7 @@ TEST_CASE("broken PLY files") {
 
 TEST_CASE("broken OFF files") {
   const auto with = [](const std::string& from, const std::string& to) {
-    std::string text = kSquareOff;
+    std::string text = squareOff;
     return text.replace(text.find(from), from.size(), to);
   };
   checkRefused("bad.off", "OFF", ErrorCode::MalformedFile, "numbers of vertices");
@@ -479,7 +479,7 @@ TEST_CASE("broken OFF files") {
 }
 
 TEST_CASE("every cut of a file is refused") {
-  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.ply", kSquarePly}, {"a.off", kSquareOff}})
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.ply", squarePly}, {"a.off", squareOff}})
     for (std::size_t size = 0; size + 2 < text.size(); ++size) {
       // Cut within its last number a text file may still be whole: every number but the last must be there.
       CAPTURE(size);

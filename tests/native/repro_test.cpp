@@ -104,7 +104,7 @@ TEST_CASE("repro: parts that turn far between two keys draw a warning that says 
   for (const double degrees : {155.0, 175.0, 185.0}) {
     CAPTURE(degrees);
     Sequence sequence = sequenceOf(car.keys({{0, 0, 0}, {1, 10, 20}, {2, 20, 20 + degrees}}), doublePrecision());
-    const Warning* warning = warningOf(sequence, "ambiguous-part-turn");
+    const Warning* warning = warningOf(sequence, "ambiguous-component-turn");
     REQUIRE(warning != nullptr);
     CHECK(warning->key == 2);
     REQUIRE(warning->face >= 0);
@@ -112,7 +112,7 @@ TEST_CASE("repro: parts that turn far between two keys draw a warning that says 
     CHECK(!warning->patches.empty());
   }
   Sequence calm = sequenceOf(car.keys({{0, 0, 0}, {1, 10, 20}, {2, 20, 160}}), doublePrecision());
-  CHECK(warningOf(calm, "ambiguous-part-turn") == nullptr);
+  CHECK(warningOf(calm, "ambiguous-component-turn") == nullptr);
 }
 
 TEST_CASE("repro: turns that are added to one part silence its warning, and no other") {
@@ -124,7 +124,7 @@ TEST_CASE("repro: turns that are added to one part silence its warning, and no o
     MotionOptions motion;
     motion.turns = turns;
     REQUIRE(sequence.update(motion, times).ok());
-    const Warning* warning = warningOf(sequence, "ambiguous-part-turn");
+    const Warning* warning = warningOf(sequence, "ambiguous-component-turn");
     return warning ? warning->count : 0;
   };
   CHECK(wheelsWarnedOf({}) == 4);

@@ -122,7 +122,7 @@ struct Ring {
   }
 
   std::vector<Quaternion> at(const CurvePoint& point) {
-    Frames frames;
+    LocalFrames frames;
     PatchMotion::Scratch scratch;
     motion->at(point, motion->addedTurns(shape, {}), scratch, frames);
     return frames.rotation;

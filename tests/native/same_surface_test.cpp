@@ -8,29 +8,29 @@ using namespace shapespline;
 namespace {
 
 // Two quads side by side, 0 1 2 3 and 1 4 5 2, and a pentagon 2 5 6 7 8 on top.
-const std::vector<Triangle> kMesh = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}};
+const std::vector<Triangle> meshText = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}};
 
 }  // namespace
 
 TEST_CASE("triangles in any order, starting anywhere, are one surface") {
-  CHECK(sameSurface(kMesh, kMesh));
-  CHECK(sameSurface(kMesh, {{2, 7, 8}, {2, 0, 1}, {6, 2, 5}, {0, 2, 3}, {1, 5, 2}, {1, 4, 5}, {2, 6, 7}}));
+  CHECK(sameSurface(meshText, meshText));
+  CHECK(sameSurface(meshText, {{2, 7, 8}, {2, 0, 1}, {6, 2, 5}, {0, 2, 3}, {1, 5, 2}, {1, 4, 5}, {2, 6, 7}}));
 }
 
 TEST_CASE("polygons may be cut along other diagonals, beside each other and at another place of the list") {
-  CHECK(sameSurface(kMesh, {{0, 1, 3}, {1, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}}));
-  CHECK(sameSurface(kMesh, {{0, 1, 3}, {1, 4, 2}, {2, 5, 8}, {5, 6, 8}, {6, 7, 8}, {1, 2, 3}, {4, 5, 2}}));
+  CHECK(sameSurface(meshText, {{0, 1, 3}, {1, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}}));
+  CHECK(sameSurface(meshText, {{0, 1, 3}, {1, 4, 2}, {2, 5, 8}, {5, 6, 8}, {6, 7, 8}, {1, 2, 3}, {4, 5, 2}}));
 }
 
 TEST_CASE("other surfaces are distinguished") {
-  std::vector<Triangle> turned = kMesh, other = kMesh, twice = kMesh;
+  std::vector<Triangle> turned = meshText, other = meshText, twice = meshText;
   turned[1] = {0, 3, 2};
-  CHECK(!sameSurface(kMesh, turned));
+  CHECK(!sameSurface(meshText, turned));
   other[6] = {2, 7, 9};
-  CHECK(!sameSurface(kMesh, other));
+  CHECK(!sameSurface(meshText, other));
   twice[1] = twice[0];
-  CHECK(!sameSurface(kMesh, twice));
-  CHECK(!sameSurface(kMesh, {kMesh.begin(), kMesh.end() - 1}));
+  CHECK(!sameSurface(meshText, twice));
+  CHECK(!sameSurface(meshText, {meshText.begin(), meshText.end() - 1}));
   // A closed surface over the same vertices, all of whose edges are others: it has no boundary that could distinguish
   // it.
   const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};

@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { timeLeft } from '../../web/app/export/time-left.ts';
 
-it('estimates the time left from the mean pace, once it is known', () => {
+it('estimates the time left from the mean speed, once it is known', () => {
   expect(timeLeft(2000, 0.01), 'too early').toBe('');
   expect(timeLeft(30_000, 0.8), 'soon over').toBe('');
   expect(timeLeft(30_000, 0.5)).toBe(', about 30\u00a0s left');

@@ -1,9 +1,9 @@
 /** When the first key of large files replaces the open shape, and when the open shape returns. */
 import { describe, expect, it } from 'vitest';
 import { FirstKey } from '../../web/app/drawing/first-key.ts';
-import type { Opening } from '../../web/app/session/workspace.ts';
+import type { LoadedKeys } from '../../web/app/session/workspace.ts';
 
-const openingOf = (name: string): Opening => ({ info: { name } }) as unknown as Opening;
+const openingOf = (name: string): LoadedKeys => ({ info: { name } }) as unknown as LoadedKeys;
 
 function firstKeyOf() {
   const log: string[] = [];

@@ -4,7 +4,7 @@ import { NO_PLACE, type Warning } from '../../web/engine/api/types.ts';
 
 const warning = (change: Partial<Warning>): Warning => ({
   ...NO_PLACE,
-  code: 'ambiguous-part-turn',
+  code: 'ambiguous-component-turn',
   message: 'Parts turn far.',
   count: 1,
   ...change,

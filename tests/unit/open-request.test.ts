@@ -1,7 +1,7 @@
 /** Requests as the intended result, and the resulting state. */
 import { describe, expect, it } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
-import type { Opening } from '../../web/app/session/workspace.ts';
+import type { LoadedKeys } from '../../web/app/session/workspace.ts';
 import {
   animationRequest,
   leftRequest,
@@ -12,10 +12,10 @@ import {
   turnRequest,
 } from '../../web/app/sources/open-request.ts';
 import type { OpenRequest, Present } from '../../web/app/sources/open-request.ts';
-import { openedState, startOf } from '../../web/app/sources/opened-state.ts';
+import { openedState, startOf } from '../../web/app/sources/start-state.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 import type { Sample } from '../../web/app/sources/samples.ts';
-import { KeysHandle } from '../../web/engine/caller/keyframes.ts';
+import { KeyArrays } from '../../web/engine/caller/keyframes.ts';
 import type { KeyData } from '../../web/engine/wire/protocol.ts';
 import { setMotion } from '../../web/model/edits.ts';
 import type { AppState, LoopMode } from '../../web/model/state.ts';
@@ -45,7 +45,7 @@ function imported(animation = -1): PosePool {
   const info = { names: ['a', 'b'], times: [0, 1], offset: [0, 0, 0], animation, animations: [], project: null };
   const corners = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
   const keys = { info: { ...info, faces, report: { components: 1 }, speed: null }, positions: [corners, corners] };
-  return new PosePool(new KeysHandle(keys as unknown as KeyData));
+  return new PosePool(new KeyArrays(keys as unknown as KeyData));
 }
 const read = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
@@ -54,7 +54,7 @@ function met(request: OpenRequest, before: AppState = files, animation = -1) {
   const pool = imported(animation);
   const poses = [{ name: 'added', positions: new Float32Array(12).fill(2) }];
   const start = startOf(request, read, pool, request.turn ? { ...work, poses } : null);
-  const opening: Opening & typeof start = { ...start, info: pool.keys.info, pool };
+  const opening: LoadedKeys & typeof start = { ...start, info: pool.keys.info, pool };
   return { pool, start, state: openedState(request, opening, before, [0, 1], false) };
 }
 

@@ -2,13 +2,13 @@
 import { expect, it, vi } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
 import { createStore } from '../../web/app/session/store.ts';
-import type { Input, OpeningSteps, Start, Workspace } from '../../web/app/session/workspace.ts';
+import type { Input, LoadSteps, Start, Workspace } from '../../web/app/session/workspace.ts';
 import type { Sample } from '../../web/app/sources/samples.ts';
 import { Opener } from '../../web/app/sources/opener.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 import type { Engine } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
-import { KeysHandle } from '../../web/engine/caller/keyframes.ts';
+import { KeyArrays } from '../../web/engine/caller/keyframes.ts';
 import type { KeyData } from '../../web/engine/wire/protocol.ts';
 import type { ImportOptions, InputFile, Warning } from '../../web/engine/api/types.ts';
 import { retimeKey } from '../../web/model/edits.ts';
@@ -32,10 +32,10 @@ function openerOf({ warnings = [] as Warning[], refuse = (_: Doc): void => undef
     options: {} as ImportOptions,
     pool: null as PosePool | null,
     range: [0, 1],
-    async open<S extends Start>(input: Input, given: ImportOptions, steps: OpeningSteps<S>) {
+    async open<S extends Start>(input: Input, given: ImportOptions, steps: LoadSteps<S>) {
       const files = typeof input === 'function' ? await input(() => undefined, new AbortController().signal) : input;
       const positions = [new Float32Array(3), new Float32Array(3)];
-      const pool = new PosePool(new KeysHandle({ info: { ...info, ...found }, positions } as unknown as KeyData));
+      const pool = new PosePool(new KeyArrays({ info: { ...info, ...found }, positions } as unknown as KeyData));
       const options = steps.otherwise(pool.keys.info) ?? given;
       const opening = { ...steps.start(read, pool), info: pool.keys.info, pool };
       refuse(opening.doc);
@@ -73,8 +73,8 @@ it('steps back to what was open before, with its edits, and forth again', async 
   await opener.forth();
   expect(idOf(store.get())).toBe('b');
   expect(await opener.forth()).toBe(false);
-  await opener.again(opener.openings.before, null);
-  expect([idOf(store.get()), opener.openings.all.length]).toEqual(['a', 1]);
+  await opener.again(opener.history.before, null);
+  expect([idOf(store.get()), opener.history.all.length]).toEqual(['a', 1]);
 });
 
 it('a sample is not opened if another is requested while it loads', async () => {

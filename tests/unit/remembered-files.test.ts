@@ -1,6 +1,6 @@
 /** When the user's own files are kept between visits, with a shelf in memory. */
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import type { Changing, Remembered } from '../../web/app/kept/project-shelf.ts';
+import type { Changing, StoredProject } from '../../web/app/kept/project-shelf.ts';
 import { RememberedFiles } from '../../web/app/kept/remembered-files.ts';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Store } from '../../web/app/session/store.ts';
@@ -8,10 +8,10 @@ import type { Workspace } from '../../web/app/session/workspace.ts';
 import type { AppState } from '../../web/model/state.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 
-const shelf = vi.hoisted(() => new Map<string, { remembered: Remembered; version: number; opening: boolean }>());
+const shelf = vi.hoisted(() => new Map<string, { remembered: StoredProject; version: number; opening: boolean }>());
 vi.mock('../../web/app/kept/project-shelf.ts', () => ({
   newProjectId: () => 'other',
-  async keepProject(id: string, remembered: Remembered) {
+  async keepProject(id: string, remembered: StoredProject) {
     shelf.set(id, { remembered, version: 1, opening: false });
     return 1;
   },
@@ -106,14 +106,14 @@ it('the next visit opens the state that was noted when the page was left', async
   await vi.advanceTimersByTimeAsync(500);
   shelf.set('mine', { ...before, version: 2 });
   for (const [key, value] of noted) settings.set(key, value);
-  const open = vi.fn(async (_: Remembered) => true);
+  const open = vi.fn(async (_: StoredProject) => true);
   expect(await visit().remembered.reopen('mine', open)).toBe(true);
   expect(open.mock.calls[0]![0].state.time).toBe(0.25);
   expect(shelf.get('mine')?.opening).toBe(false);
 });
 
 it('a tab that is loaded again opens its own files first, and a new tab those that were changed last', async () => {
-  shelf.set('of another tab', { remembered: {} as Remembered, version: 1, opening: false });
+  shelf.set('of another tab', { remembered: {} as StoredProject, version: 1, opening: false });
   const { remembered } = visit();
   remembered.follow();
   await vi.advanceTimersByTimeAsync(500);

@@ -11,11 +11,11 @@ namespace shapespline {
 namespace {
 
 // Up to here single precision rounds to a millionth of the diagonal.
-constexpr double kNear = 16;
+constexpr double near = 16;
 // Squares and products of larger numbers overflow single precision.
-constexpr double kMostCoordinate = 1e18;
+constexpr double mostCoordinate = 1e18;
 // Share of a key's diagonal; smaller roundings are invisible.
-constexpr double kVisibleRounding = 1e-4;
+constexpr double visibleRounding = 1e-4;
 
 struct Box {
   Vec3 low, high;
@@ -42,7 +42,7 @@ bool havePositions(std::span<const Key> keys) {
 
 // Whether the keys are near a point.
 bool areNear(const Box& box, const Vec3& point) {
-  return (box.middle() - point).cwiseAbs().maxCoeff() <= kNear * box.diagonal();
+  return (box.middle() - point).cwiseAbs().maxCoeff() <= near * box.diagonal();
 }
 
 Error tooLarge(const Key& key, int index, int vertex) {
@@ -50,7 +50,7 @@ Error tooLarge(const Key& key, int index, int vertex) {
           key.name + " (key " + std::to_string(index + 1) + "): vertex " + grouped(vertex) + " lies at (" +
               shortNumber(key.positions[vertex].x()) + ", " + shortNumber(key.positions[vertex].y()) + ", " +
               shortNumber(key.positions[vertex].z()) + "), too far away to compute with (" +
-              shortNumber(kMostCoordinate) + "). Scale the mesh down, or give another unit if the format has none.",
+              shortNumber(mostCoordinate) + "). Scale the mesh down, or give another unit if the format has none.",
           index, vertex};
 }
 
@@ -58,7 +58,7 @@ Status checkReach(const std::vector<Key>& keys) {
   for (std::size_t j = 0; j < keys.size(); ++j) {
     const Positions& positions = keys[j].positions;
     for (std::size_t v = 0; v < positions.size(); ++v)
-      if (std::isfinite(positions[v].sum()) && positions[v].cwiseAbs().maxCoeff() > kMostCoordinate)
+      if (std::isfinite(positions[v].sum()) && positions[v].cwiseAbs().maxCoeff() > mostCoordinate)
         return tooLarge(keys[j], static_cast<int>(j), static_cast<int>(v));
   }
   return {};
@@ -103,7 +103,7 @@ void warnOfRounding(Import& import) {
   for (std::size_t j = 0; j < keys.size(); ++j) {
     const double diagonal = diagonalOf(keys[j]), rounding = largestRounding(keys[j].positions);
     const int key = static_cast<int>(j);
-    if (import.rounding > kVisibleRounding * diagonal) {
+    if (import.rounding > visibleRounding * diagonal) {
       import.warnings.push_back(
           {"rounded-positions",
            import.roundedIn + " stores positions far from the origin in single precision, which " +
@@ -113,7 +113,7 @@ void warnOfRounding(Import& import) {
            1, key});
       return;
     }
-    if (rounding > kVisibleRounding * diagonal) {
+    if (rounding > visibleRounding * diagonal) {
       import.warnings.push_back({"distant-keys",
                                  keys[j].name + " (key " + std::to_string(key + 1) +
                                      ") is so far from other keys that single precision " +

@@ -31,76 +31,76 @@ struct OtherFormat {
   std::string_view extension, what, advice;
 };
 
-constexpr std::string_view kAsMesh = "Export it as glTF, OBJ or PLY.";
-constexpr std::string_view kUnpack = "Unpack it and give the files in it.";
-constexpr std::string_view kAsFrames = "Export its frames as numbered OBJ files, or as an OBJ with a PC2 or MDD file.";
-constexpr std::string_view kAsGltf = "Export it as glTF.";
-constexpr std::string_view kNoFaces =
+constexpr std::string_view asMesh = "Export it as glTF, OBJ or PLY.";
+constexpr std::string_view unpack = "Unpack it and give the files in it.";
+constexpr std::string_view asFrames = "Export its frames as numbered OBJ files, or as an OBJ with a PC2 or MDD file.";
+constexpr std::string_view asGltf = "Export it as glTF.";
+constexpr std::string_view noFaces =
     "It holds points without faces: make a mesh of it and export that as glTF, OBJ or PLY.";
 
-constexpr OtherFormat kOtherFormats[] = {
-    {"fbx", "an FBX file", kAsGltf},
-    {"blend", "a Blender file", kAsGltf},
-    {"abc", "an Alembic file", kAsFrames},
+constexpr OtherFormat otherFormats[] = {
+    {"fbx", "an FBX file", asGltf},
+    {"blend", "a Blender file", asGltf},
+    {"abc", "an Alembic file", asFrames},
     {"usd", "a USD file", "Export it as glTF, or its frames as numbered OBJ files."},
     {"stl", "an STL file", "It does not state which triangles share a vertex: export the shape as glTF, OBJ or PLY."},
-    {"dae", "a COLLADA file", kAsGltf},
-    {"x3d", "an X3D file", kAsGltf},
-    {"wrl", "a VRML file", kAsGltf},
-    {"3ds", "a 3DS file", kAsGltf},
-    {"3mf", "a 3MF file", kAsMesh},
-    {"max", "a 3ds Max file", kAsGltf},
-    {"ma", "a Maya file", kAsGltf},
-    {"c4d", "a Cinema 4D file", kAsGltf},
-    {"lwo", "a LightWave file", kAsMesh},
-    {"hip", "a Houdini file", kAsGltf},
-    {"bgeo", "a Houdini geometry file", kAsMesh},
-    {"ztl", "a ZBrush file", kAsMesh},
-    {"skp", "a SketchUp file", kAsGltf},
+    {"dae", "a COLLADA file", asGltf},
+    {"x3d", "an X3D file", asGltf},
+    {"wrl", "a VRML file", asGltf},
+    {"3ds", "a 3DS file", asGltf},
+    {"3mf", "a 3MF file", asMesh},
+    {"max", "a 3ds Max file", asGltf},
+    {"ma", "a Maya file", asGltf},
+    {"c4d", "a Cinema 4D file", asGltf},
+    {"lwo", "a LightWave file", asMesh},
+    {"hip", "a Houdini file", asGltf},
+    {"bgeo", "a Houdini geometry file", asMesh},
+    {"ztl", "a ZBrush file", asMesh},
+    {"skp", "a SketchUp file", asGltf},
     {"vrm", "a VRM avatar", "Rename it to .glb."},
     {"bvh", "a skeleton's motion without a mesh", "Export the mesh with its animation as glTF."},
-    {"step", "a CAD file", kAsMesh},
-    {"iges", "a CAD file", kAsMesh},
-    {"dxf", "a CAD file", kAsMesh},
-    {"vtk", "a VTK file", kAsMesh},
-    {"pcd", "a point cloud", kNoFaces},
-    {"las", "a point cloud", kNoFaces},
-    {"e57", "a point cloud", kNoFaces},
-    {"xyz", "a point cloud", kNoFaces},
-    {"xml", "an XML file", kAsGltf},
-    {"zip", "a ZIP archive", kUnpack},
-    {"gz", "a gzip archive", kUnpack},
-    {"7z", "a 7-Zip archive", kUnpack},
-    {"rar", "a RAR archive", kUnpack},
-    {"tar", "a tar archive", kUnpack},
+    {"step", "a CAD file", asMesh},
+    {"iges", "a CAD file", asMesh},
+    {"dxf", "a CAD file", asMesh},
+    {"vtk", "a VTK file", asMesh},
+    {"pcd", "a point cloud", noFaces},
+    {"las", "a point cloud", noFaces},
+    {"e57", "a point cloud", noFaces},
+    {"xyz", "a point cloud", noFaces},
+    {"xml", "an XML file", asGltf},
+    {"zip", "a ZIP archive", unpack},
+    {"gz", "a gzip archive", unpack},
+    {"7z", "a 7-Zip archive", unpack},
+    {"rar", "a RAR archive", unpack},
+    {"tar", "a tar archive", unpack},
 };
 
 // Other endings of the same kinds.
 std::string_view mainExtension(std::string_view extension) {
-  static constexpr std::pair<std::string_view, std::string_view> kSame[] = {
+  static constexpr std::pair<std::string_view, std::string_view> same[] = {
       {"usda", "usd"},  {"usdc", "usd"},  {"usdz", "usd"},     {"mb", "ma"},   {"stp", "step"}, {"igs", "iges"},
       {"x3dv", "x3d"},  {"x3db", "x3d"},  {"laz", "las"},      {"pts", "xyz"}, {"vtp", "vtk"},  {"vtu", "vtk"},
       {"hiplc", "hip"}, {"hipnc", "hip"}, {"blend1", "blend"}, {"tgz", "gz"}};
-  for (const auto& [other, main] : kSame)
+  for (const auto& [other, main] : same)
     if (other == extension) return main;
   return extension;
 }
 
 // The extension that matches the content; empty if unknown.
 std::string_view extensionByContent(std::string_view text) {
-  static constexpr std::pair<std::string_view, std::string_view> kStarts[] = {
+  static constexpr std::pair<std::string_view, std::string_view> starts[] = {
       {"kaydara fbx", "fbx"}, {"; fbx ", "fbx"},     {"blender", "blend"},      {"ogawa", "abc"},
       {"#usda ", "usd"},      {"pxr-usdc", "usd"},   {"solid ", "stl"},         {"//maya ascii", "ma"},
       {"<?xml", "xml"},       {"pk\x03\x04", "zip"}, {"\x1f\x8b", "gz"},        {"7z\xbc\xaf\x27\x1c", "7z"},
       {"rar!", "rar"},        {"#vrml ", "wrl"},     {"# vtk datafile", "vtk"}, {"iso-10303-21", "step"},
       {"hierarchy", "bvh"}};
-  for (const auto& [start, extension] : kStarts)
+  for (const auto& [start, extension] : starts)
     if (startsWithWord(text, start)) return extension;
   return {};
 }
 
 const OtherFormat* otherFormat(std::string_view extension) {
-  for (const OtherFormat& format : kOtherFormats)
+  for (const OtherFormat& format : otherFormats)
     if (format.extension == extension) return &format;
   return nullptr;
 }
@@ -113,11 +113,11 @@ std::string somethingElse(std::string_view text, std::string_view extension) {
     return " is a Git LFS pointer, not the file itself. Fetch it with git lfs pull.";
   const OtherFormat* named = otherFormat(mainExtension(extension));
   const OtherFormat* found = otherFormat(extensionByContent(text));
-  const bool isContainer = found && (found->advice == kUnpack || found->extension == "xml");
+  const bool isContainer = found && (found->advice == unpack || found->extension == "xml");
   const OtherFormat* format = found && !(isContainer && named) ? found : named;
   if (!format) return {};
   std::string sentence = " is ";
-  sentence.append(format->what).append(format->advice == kUnpack ? ". " : ", which is not supported. ");
+  sentence.append(format->what).append(format->advice == unpack ? ". " : ", which is not supported. ");
   return sentence.append(format->advice);
 }
 
@@ -133,21 +133,21 @@ std::optional<FileKind> kindByContent(std::span<const std::uint8_t> bytes, std::
 }  // namespace
 
 bool isCompanion(std::string_view name) {
-  static constexpr std::array kExtensions{"bin", "png", "jpg", "jpeg", "webp", "ktx", "ktx2", "basis", "dds",     "gif",
-                                          "bmp", "tga", "tif", "tiff", "hdr",  "mtl", "txt",  "md",    "ds_store"};
+  static constexpr std::array extensions{"bin", "png", "jpg", "jpeg", "webp", "ktx", "ktx2", "basis", "dds",     "gif",
+                                         "bmp", "tga", "tif", "tiff", "hdr",  "mtl", "txt",  "md",    "ds_store"};
   const std::string extension = extensionOf(name);
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 bool isMeshName(std::string_view name) {
-  static constexpr std::array kExtensions{"glb", "gltf", "obj", "ply", "off", "pc2", "mdd"};
+  static constexpr std::array extensions{"glb", "gltf", "obj", "ply", "off", "pc2", "mdd"};
   const std::string extension = extensionOf(name);
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (file.bytes.empty()) return Error{ErrorCode::EmptyFile, where + " is empty. Export or copy it again."};
-  if (isUtf16(file.bytes)) return Error{ErrorCode::NotRecognised, where + kUtf16};
+  if (isUtf16(file.bytes)) return Error{ErrorCode::NotRecognised, where + utf16};
   const std::string extension = extensionOf(file.name);
   const std::string_view text = textOf(file.bytes);
   if (const auto kind = kindByContent(file.bytes, text)) return *kind;

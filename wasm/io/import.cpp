@@ -98,7 +98,7 @@ Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes,
 Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
                            const StageProgress& progress) {
   const auto series = numberedFiles(meshes);
-  const bool many = series && meshes.size() > kMostOwnKeys && options.keyTimes.empty() && options.like.empty();
+  const bool many = series && meshes.size() > mostOwnKeys && options.keyTimes.empty() && options.like.empty();
   if (series && (many || options.animationAsked())) return importSeries(meshes, *series, files, options, progress);
   if (!options.animationAsked()) {
     auto import = importPoses(meshes, files, options, progress);

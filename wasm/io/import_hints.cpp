@@ -14,11 +14,11 @@ namespace shapespline {
 
 namespace {
 
-constexpr double kSameShare = 1e-6;  // of the diagonal
+constexpr double sameShare = 1e-6;  // of the diagonal
 
 bool isSamePose(const Positions& a, const Positions& b) {
   const Positions* one = &a;
-  const double distance = kSameShare * boundingDiagonal({&one, 1});
+  const double distance = sameShare * boundingDiagonal({&one, 1});
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](const Vec3& p, const Vec3& q) { return (p - q).squaredNorm() <= distance * distance; });
 }
@@ -83,18 +83,18 @@ Vec3 centreOfArea(const Positions& positions, const std::vector<Triangle>& faces
 // With `axis` up: how far the centre lies inside the outline that touches the floor, in widths. Below 0 the shape tips
 // over.
 double footing(const Positions& positions, const Vec3& centre, int axis) {
-  constexpr int kDirections = 32;
-  constexpr double kFeet = 0.05;  // of the height
+  constexpr int directions = 32;
+  constexpr double feet = 0.05;  // of the height
   Vec3 least = positions[0], most = positions[0];
   for (const Vec3& p : positions) least = least.cwiseMin(p), most = most.cwiseMax(p);
   const Vec3 extent = most - least;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  std::array<double, kDirections> reach;
+  std::array<double, directions> reach;
   reach.fill(-std::numeric_limits<double>::infinity());
   for (const Vec3& p : positions) {
-    if (p[axis] > least[axis] + kFeet * extent[axis]) continue;
-    for (int k = 0; k < kDirections; ++k) {
-      const double angle = 2 * std::numbers::pi * k / kDirections;
+    if (p[axis] > least[axis] + feet * extent[axis]) continue;
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / directions;
       reach[k] = std::max(reach[k], std::cos(angle) * (p[u] - centre[u]) + std::sin(angle) * (p[v] - centre[v]));
     }
   }
@@ -104,10 +104,10 @@ double footing(const Positions& positions, const Vec3& centre, int axis) {
 
 // 1: stands along Z and would tip over along Y; -1: the opposite; 0: undecided.
 int standsRather(const Positions& positions, const std::vector<Triangle>& faces) {
-  constexpr double kStable = 0.04;  // of the width
+  constexpr double stable = 0.04;  // of the width
   const Vec3 centre = centreOfArea(positions, faces);
   const double y = footing(positions, centre, 1), z = footing(positions, centre, 2);
-  return z > kStable && y < 0 ? 1 : y > kStable && z < 0 ? -1 : 0;
+  return z > stable && y < 0 ? 1 : y > stable && z < 0 ? -1 : 0;
 }
 
 // Stands on the floor of its world, where this axis is 0, and the other one's is not.

@@ -101,7 +101,7 @@ std::optional<NumberedFiles> numberedFiles(const std::vector<MeshFile>& meshes) 
     const Numbered& at = files[i];
     if (meshes[i].kind != kind || !at.number || at.path != files[0].path) return {};
     if (i > 0 && *at.number <= *files[i - 1].number) return {};
-    out.seconds.push_back((*at.number - *files[0].number) / kFramesPerSecond);
+    out.seconds.push_back((*at.number - *files[0].number) / framesPerSecond);
   }
   out.name = nameOf(files[0].path);
   return out;

@@ -11,7 +11,7 @@ namespace shapespline {
 
 struct NumberedFiles {
   std::string name;             ///< common start of their names
-  std::vector<double> seconds;  ///< of each file, from 0, at kFramesPerSecond
+  std::vector<double> seconds;  ///< of each file, from 0, at framesPerSecond
 };
 
 /// At least two OBJ or PLY files of one kind, whose names differ only in the number before the extension, in increasing

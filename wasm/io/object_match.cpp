@@ -18,11 +18,11 @@ namespace {
 
 // Limit of face comparisons in the search for similar objects, as a multiple of all faces: bounds the cost of files
 // with many unnamed objects.
-constexpr std::int64_t kMostComparisons = 40;
+constexpr std::int64_t mostComparisons = 40;
 // Up to this many similar objects are matched by position, in quadratic time.
-constexpr std::size_t kMostAlike = 400;
+constexpr std::size_t mostAlike = 400;
 // Places of each object that a rigid motion is fitted to.
-constexpr std::size_t kMostPoints = 64;
+constexpr std::size_t mostPoints = 64;
 
 // "Cube" of Blender's "Cube.001".
 std::string_view withoutNumber(std::string_view name) {
@@ -32,7 +32,7 @@ std::string_view withoutNumber(std::string_view name) {
 }
 
 // Possible names of an object, the most specific first; empty if it has no such name.
-constexpr int kNames = 5;
+constexpr int propertyNames = 5;
 std::string nameOf(const ObjectFaces& object, int kind) {
   const std::string &node = object.nodeName, &mesh = object.meshName;
   const std::string& any = node.empty() ? mesh : node;
@@ -199,7 +199,7 @@ struct Matcher {
       to.push_back(centroidOf(b.positions));
       return;
     }
-    const std::size_t step = a.positions.size() / kMostPoints + 1;
+    const std::size_t step = a.positions.size() / mostPoints + 1;
     for (std::size_t v = 0; v < a.positions.size(); v += step)
       from.push_back(a.positions[v]), to.push_back(b.positions[v]);
   }
@@ -253,7 +253,7 @@ struct Matcher {
     constexpr std::size_t mostTried = 8;
     std::vector<Placement> places;
     Pairs matched;
-    for (std::size_t i = 0; i < out.otherOf.size() && matched.size() < kMostAlike; ++i)
+    for (std::size_t i = 0; i < out.otherOf.size() && matched.size() < mostAlike; ++i)
       if (out.otherOf[i] >= 0) matched.emplace_back(static_cast<int>(i), out.otherOf[i]);
     if (!matched.empty()) places.push_back(placementOf(matched));
     Placement centre;
@@ -269,7 +269,7 @@ struct Matcher {
     const Pairs order = inOrder(c);
     MatchRule rule = MatchRule::Order;
     Pairs best = order;
-    if (c.mine.size() <= kMostAlike && c.others.size() <= kMostAlike) {
+    if (c.mine.size() <= mostAlike && c.others.size() <= mostAlike) {
       // The order of the files may be random; a different order must explain the poses clearly better.
       const bool sameCount = c.mine.size() == c.others.size();
       double least = sameCount ? strainOf(order) : std::numeric_limits<double>::infinity();
@@ -320,11 +320,11 @@ struct Matcher {
     taken.assign(other.objects.size(), 0);
     unsure.assign(first.objects.size(), 0);
     otherUnsure.assign(other.objects.size(), 0);
-    room = kMostComparisons * static_cast<std::int64_t>(first.faces.size() + other.faces.size());
-    for (int kind = 0; kind < kNames; ++kind) matchNames(kind);
+    room = mostComparisons * static_cast<std::int64_t>(first.faces.size() + other.faces.size());
+    for (int kind = 0; kind < propertyNames; ++kind) matchNames(kind);
     checkNames();
     if (first.objects.size() == 1 && other.objects.size() == 1 && isOpen(0)) match(0, 0, MatchRule::Order);
-    for (int kind = 0; kind < kNames; ++kind) matchWithinNames(kind);
+    for (int kind = 0; kind < propertyNames; ++kind) matchWithinNames(kind);
     matchRest();
     out.extra = static_cast<int>(std::count(taken.begin(), taken.end(), 0));
     return std::move(out);

@@ -216,7 +216,7 @@ bool settle(Match& match) {
   return make(changes, match);
 }
 
-constexpr int kRounds = 12;
+constexpr int rounds = 12;
 
 }  // namespace
 
@@ -225,7 +225,7 @@ std::vector<int> matchCorners(const std::vector<Triangle>& mesh, const std::vect
   std::iota(match.corners.begin(), match.corners.end(), 0);
   turnUsualCuts(mesh, pose, match.corners);
   const std::vector<int> usual = match.corners;
-  for (int round = 0; round < kRounds && settle(match);) ++round;
+  for (int round = 0; round < rounds && settle(match);) ++round;
   // A change that does not make all faces agree was not a different cut but a different mesh.
   const std::vector<bool> disputed = disputedFaces(match);
   for (std::size_t c = 0; c < usual.size(); ++c)

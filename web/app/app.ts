@@ -7,7 +7,7 @@ import { bindActions } from './actions/action.ts';
 import type { Context, Ways } from './actions/context.ts';
 import { ACTIONS } from './actions/table.ts';
 import { createAnalysisCache } from './analysis/analysis-cache.ts';
-import { createMotionPace } from './analysis/motion-pace.ts';
+import { createMotionSpeed } from './analysis/motion-speed.ts';
 import { createDisplay } from './drawing/display.ts';
 import { applyLook, followState, sessionEvents } from './follow-state.ts';
 import { factsOf } from './guide/facts.ts';
@@ -65,10 +65,10 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       applyLook(context);
       redraw();
     }),
-    pace: createMotionPace({
+    motionSpeed: createMotionSpeed({
       sequence: session.sequence,
       towards: () => endTangents(store.get().doc),
-      onPace: (pace, mostSpeeds) => viewState.change({ pace, mostSpeeds }),
+      onSpeed: (speedCurve, mostSpeeds) => viewState.change({ speedCurve, mostSpeeds }),
     }),
     takeFiles: new TakeFiles({
       store,
@@ -102,14 +102,14 @@ async function loadGuide(
   { store, workspace }: Session,
   { files, remembered, link }: Ways,
   layout: Layout,
-  openFirst: () => Promise<void>,
+  openInitial: () => Promise<void>,
 ): Promise<Guide> {
   const { createGuide } = await import('./guide/guide.ts');
   return createGuide({
     store,
     workspace,
     files,
-    openFirst,
+    openInitial,
     place: layout.setGuide,
     showPanel: layout.showPanel,
     frame: layout.setFramed,

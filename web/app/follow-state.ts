@@ -68,7 +68,7 @@ export function sessionEvents(app: () => Context): SessionEvents {
 }
 
 /** The motions are up to date with the document. */
-function showServed({ session, display, viewState, feedback, analysis, pace }: Context): void {
+function showServed({ session, display, viewState, feedback, analysis, motionSpeed }: Context): void {
   const main = session.sequence();
   if (!main) return;
   viewState.change({ warnings: warningsOf(session) });
@@ -76,7 +76,7 @@ function showServed({ session, display, viewState, feedback, analysis, pace }: C
   main.shape.stats().then((stats) => viewState.change({ stats }), feedback.onError);
   display.playback.frameLoop.follow(session.store.get().time);
   analysis.invalidate();
-  pace.refresh();
+  motionSpeed.refresh();
   display.pinPaths.refresh();
   display.timePictures.forget();
   display.thumbnails.refresh();

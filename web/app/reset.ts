@@ -33,7 +33,7 @@ export async function reset({ context, offers, visit }: ResetParts, fragment: st
     exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
   });
   await visit(fragment);
-  files.openings.forget();
+  files.history.forget();
   viewState.change({ welcome: session.store.get().source.kind === 'sample' });
   // The shape is fitted below what is said over it, which is drawn with the next frame.
   await files.idle();

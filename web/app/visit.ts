@@ -2,7 +2,7 @@
 import { clampTime } from '../model/time-scale.ts';
 import type { Context } from './actions/context.ts';
 import { showMotion } from './follow-state.ts';
-import { openFirst } from './sources/open-first.ts';
+import { openInitial } from './sources/open-initial.ts';
 import { guideLink } from './sources/page-link.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
 import type { TestHook } from './test-hook.ts';
@@ -24,12 +24,15 @@ export interface Visit {
 export function createVisit({ context, offers, onGuide }: VisitParts): Visit {
   const { session, display, viewState, feedback, files, remembered, link } = context;
   const { frameLoop } = display.playback;
-  const onSamples: Parameters<typeof openFirst>[0]['onSamples'] = (samples) => {
+  const onSamples: Parameters<typeof openInitial>[0]['onSamples'] = (samples) => {
     viewState.change({ samples, offline: !navigator.onLine });
     link.listen();
   };
   const open = (named: () => string): Promise<void> =>
-    openFirst({ files, remembered, onSamples, say: feedback.say, onGuide, onStopped: offers.notReopened.offer }, named);
+    openInitial(
+      { files, remembered, onSamples, say: feedback.say, onGuide, onStopped: offers.notReopened.offer },
+      named,
+    );
   let begun = '';
   const address = (): string => {
     if (!guideLink(location.hash)) begun = location.hash;

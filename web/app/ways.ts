@@ -14,8 +14,8 @@ import type { ViewStateHolder } from './view/view-state.ts';
 import { reducedMotion } from './view/window-events.ts';
 import type { Session } from './session/session.ts';
 import { Opener } from './sources/opener.ts';
-import { reopening } from './sources/open-first.ts';
-import type { Opened } from './sources/opener.ts';
+import { reopening } from './sources/open-initial.ts';
+import type { OpenResult } from './sources/opener.ts';
 import { sourceTitle } from './sources/own-files.ts';
 import { createPageLink } from './sources/page-link.ts';
 import { RememberedFiles } from './kept/remembered-files.ts';
@@ -88,7 +88,7 @@ export function createWays(parts: WaysParts): Ways {
   };
   const undo = createUndo({ store, files, titleOf });
   const openOwn = async (project: string): Promise<void> => {
-    const left = files.openings.all.find(({ state }) => state.project === project);
+    const left = files.history.all.find(({ state }) => state.project === project);
     if (left) await files.again(left);
     else await remembered.reopen(project, reopening(files)).catch(onError);
   };
@@ -98,7 +98,7 @@ export function createWays(parts: WaysParts): Ways {
 function showOpened(
   { session: { store }, display, viewState, feedback, onOffer }: WaysParts,
   files: Ways['files'],
-  opened: Opened,
+  opened: OpenResult,
 ): void {
   const { info, pool, source, doc, camera } = opened;
   const { scene, firstKey } = display;
@@ -122,9 +122,9 @@ function showOpened(
 
 /** Brings back what was open before, unless something else was done about it meanwhile. */
 function undoOpening(files: Ways['files']): ToastAction | undefined {
-  const { before } = files.openings;
+  const { before } = files.history;
   const run = (): void => {
-    if (files.openings.before === before) void files.back();
+    if (files.history.before === before) void files.back();
   };
   return before ? { label: 'Undo', testId: 'toast-undo', run } : undefined;
 }

@@ -58,7 +58,7 @@ export interface ShapeSplineStats {
 type Events = ShapeSplineEventMap & Omit<HTMLElementEventMap, keyof ShapeSplineEventMap>;
 
 /** The shown content. */
-interface Opened {
+interface LoadedSource {
   Viewer: typeof CanvasViewer;
   keys: KeysLease;
   held: Keys;
@@ -409,7 +409,7 @@ export class ShapeSplineElement extends Base {
   }
 
   /** Keys and motions for the attributes; null if they changed in the meantime. */
-  async #fetch(current: () => boolean): Promise<Opened | null> {
+  async #fetch(current: () => boolean): Promise<LoadedSource | null> {
     const [{ CanvasViewer }, { takeKeys, takeMotion }] = await heavy();
     if (!current()) return null;
     const from = (share: number) => (part: { stage: string; fraction: number }) =>
@@ -441,7 +441,10 @@ export class ShapeSplineElement extends Base {
     this.#opening = { keys: null, motions: [] };
   }
 
-  async #show({ Viewer, keys, held, methods, motions, sequences }: Opened, current: () => boolean): Promise<void> {
+  async #show(
+    { Viewer, keys, held, methods, motions, sequences }: LoadedSource,
+    current: () => boolean,
+  ): Promise<void> {
     this.#view ??= this.#newView(Viewer);
     const view = this.#view;
     for (const lease of [this.#keys, ...this.#motions]) lease?.release();

@@ -19,7 +19,7 @@ export interface KeyPassing {
   bias: number[];
 }
 
-export interface OpenShape extends KeyPassing {
+export interface SourceShape extends KeyPassing {
   /** The page that it is open in. */
   page: string;
   title: string;
@@ -29,7 +29,7 @@ export interface OpenShape extends KeyPassing {
 export type PlaygroundMessage =
   /** From the playground: a request for the open shape. */
   | { type: 'ask' }
-  | { type: 'open'; shape: OpenShape }
+  | { type: 'open'; shape: SourceShape }
   /** From the playground: pass the keys of that page's shape like this. */
   | ({ type: 'back'; page: string } & KeyPassing)
   | { type: 'done'; page: string };
@@ -49,7 +49,7 @@ export function messageFrom(data: unknown): PlaygroundMessage | null {
   return type === 'back' && isPassing(data) ? { ...data, type, page } : null;
 }
 
-function isShape(value: unknown): value is OpenShape & Record<string, unknown> {
+function isShape(value: unknown): value is SourceShape & Record<string, unknown> {
   if (!isRecord(value) || !isPassing(value) || !isWord(value['page']) || !isWord(value['title'])) return false;
   const keys = value.times.length;
   const isCoordinate = (one: unknown): boolean =>

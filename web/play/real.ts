@@ -1,7 +1,7 @@
 /** Takes a coordinate of a shape that is open in the app, in another tab, and gives times and ends back to it. */
 import { button, select } from '../ui/controls.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
-import type { OpenShape, PlaygroundMessage } from '../model/playground-channel.ts';
+import type { SourceShape, PlaygroundMessage } from '../model/playground-channel.ts';
 import { messageFrom, playgroundChannel } from '../model/playground-channel.ts';
 import { timesOf } from './derived.ts';
 import type { Panel } from './panels.ts';
@@ -54,7 +54,7 @@ export function createReal({ get, change }: RealParts): Panel {
   const buttons = h('div', { class: 'button-row' }, take, back);
   const some = h('div', { class: 'real-some', hidden: true }, coordinate.element, buttons, said);
 
-  const takeFrom = (shape: OpenShape, index: number): void => {
+  const takeFrom = (shape: SourceShape, index: number): void => {
     const state = takenState(get(), shape, index);
     const wrong = wrongWithKeys(state.keys);
     setText(said, wrong ? `These keys cannot be shown here: ${wrong}.` : '');
@@ -87,13 +87,13 @@ export function createReal({ get, change }: RealParts): Panel {
   };
 }
 
-function choicesOf({ page, title, coordinates }: OpenShape): { value: string; label: string }[] {
+function choicesOf({ page, title, coordinates }: SourceShape): { value: string; label: string }[] {
   return coordinates.map(({ name }, index) => ({ value: `${page}|${index}`, label: `${title}: ${name}` }));
 }
 
 interface Listener {
   /** One is open, or is another than before. */
-  onShape(shape: OpenShape): void;
+  onShape(shape: SourceShape): void;
   /** A shape has taken what was given back. */
   onDone(): void;
 }
@@ -101,7 +101,7 @@ interface Listener {
 /** The shapes that other tabs have open, by their pages: asked for whenever this one is seen. */
 function listenForShapes({ onShape, onDone }: Listener) {
   const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
-  const shapes = new Map<string, OpenShape>();
+  const shapes = new Map<string, SourceShape>();
   let again = 0;
   const send = (message: PlaygroundMessage): void => channel?.postMessage(message);
   const ask = (): void => {
@@ -127,7 +127,7 @@ function listenForShapes({ onShape, onDone }: Listener) {
 }
 
 /** The coordinate's values at the shape's own times, passed as the shape passes them. */
-function takenState(state: PlayState, shape: OpenShape, index: number): PlayState {
+function takenState(state: PlayState, shape: SourceShape, index: number): PlayState {
   const { name, unit, values } = shape.coordinates[index]!;
   const count = Math.min(values.length, MAX_KEYS);
   const { boundary, startSpeed, endSpeed, tension, bias } = shape;

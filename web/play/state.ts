@@ -21,7 +21,7 @@ export type Layer = (typeof LAYERS)[number];
 export type Touched = 'key' | 'plane' | 'spacing' | 'shaping' | 'speed' | 'samples' | 'time' | Layer;
 
 /** A coordinate of a shape that is open in the app. */
-export interface Taken {
+export interface CoordinateSource {
   /** Of the page that it was taken from. */
   from: string;
   shape: string;
@@ -44,7 +44,7 @@ export interface PlayState {
   /** In two dimensions. */
   plane: boolean;
   spacing: Spacing | 'hand';
-  taken: Taken | null;
+  taken: CoordinateSource | null;
 }
 
 export const MIN_KEYS = 2;

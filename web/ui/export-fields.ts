@@ -58,7 +58,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
     icon: 'reset',
     onClick: () => change({ duration: null }),
   });
-  const pace = h('span', { class: 'unit', 'data-testid': 'export-pace' });
+  const speed = h('span', { class: 'unit', 'data-testid': 'export-speed' });
   const frames = numberField({
     label: 'Frames',
     testId: 'export-frames',
@@ -76,7 +76,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
   });
   const bounce = checkbox('Forwards, then backwards (twice as long)', 'export-bounce', (on) => change({ bounce: on }));
   const rangeRow = fieldRow('Range', from, unit('to'), to, unit('s'));
-  const secondsRow = fieldRow('Seconds', pace, reset, seconds);
+  const secondsRow = fieldRow('Seconds', speed, reset, seconds);
   const framesRow = fieldRow('Frames', frames, unit('at'), rate, unit('fps'));
   return {
     elements: [rangeRow, secondsRow, framesRow, bounce.element],
@@ -94,7 +94,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
       setField(from, shortest(numbers.range[0], 4));
       setField(to, shortest(numbers.range[1], 4));
       setField(seconds, shortest(numbers.seconds, 3));
-      setText(pace, turns ? '' : paceWords(request, numbers.speed));
+      setText(speed, turns ? '' : speedWords(request, numbers.speed));
       setIdle(reset, turns || request.duration === null);
       setField(frames, String(numbers.frames));
       // For a video, the number of frames follows from its seconds.
@@ -105,7 +105,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
   };
 }
 
-function paceWords({ duration }: ExportRequest, speed: number): string {
+function speedWords({ duration }: ExportRequest, speed: number): string {
   const times = `${Number(speed.toPrecision(3))}×`;
   if (duration !== null) return `${times} the timeline`;
   return speed === 1 ? 'as it plays here' : `as played at ${times}`;

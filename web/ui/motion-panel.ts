@@ -22,7 +22,7 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
   {
     value: 'difference',
     text: 'By difference',
-    hint: 'Interval lengths proportional to pose difference: constant pace',
+    hint: 'Interval lengths proportional to pose difference: constant speed',
   },
 ];
 
@@ -56,7 +56,7 @@ export function createMotionPanel(
   animation: HTMLElement,
 ): Component<MotionPanelProps> & Pick<MotionEnds, 'endAt'> {
   const ends = createMotionEnds(events);
-  const parts = [createMethods(events), ends, createHolding(events), createPace(events)];
+  const parts = [createMethods(events), ends, createHolding(events), createTiming(events)];
   const reset = button({
     label: 'Reset the motion to what it was when opened',
     testId: 'motion-reset',
@@ -146,7 +146,7 @@ function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Fields<Motio
 }
 
 /** How the keys are passed, how far they lie apart, and in which direction they follow each other. */
-function createPace(events: MotionPanelEvents): Fields<MotionPanelProps> {
+function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
   const tightness = slider({
     label: 'Tightness',
     testId: 'tightness',

@@ -1,15 +1,15 @@
 /**
  * A small image of the shape at the time under the mouse, over the timeline. Not for touch, and never during a drag.
  */
-import type { Pace } from '../model/pace.ts';
-import { paceAt } from '../model/pace.ts';
+import type { SpeedCurve } from '../model/speed-curve.ts';
+import { speedAt } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
 import { momentWords } from '../model/frames.ts';
 import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 
 export interface TimePeekProps {
-  pace: Pace | null;
+  speedCurve: SpeedCurve | null;
   range: Range;
   fps: number | null;
   /** URL of the last image; null: none of the open shape. */
@@ -45,11 +45,11 @@ export function createTimePeek({ over, frame, timeAt, onPeek }: TimePeekParts): 
 
   const draw = (): void => {
     if (!props || moment === null) return;
-    const { pace, range, fps, picture } = props;
+    const { speedCurve, range, fps, picture } = props;
     setHidden(image, picture === null);
     if (picture !== null) setAttribute(image, 'src', picture);
     setText(time, momentWords(moment, range, fps));
-    const now = pace && paceAt(pace, moment);
+    const now = speedCurve && speedAt(speedCurve, moment);
     setText(words, !now ? '' : now.past ? 'swings past a key' : `${now.speed.toFixed(1)} × mean speed`);
   };
 

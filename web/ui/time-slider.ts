@@ -54,8 +54,8 @@ export function createTimeSlider(events: KeyTicksEvents): TimeSlider {
 
   const update = (props: TimeSliderProps, part: Range): void => {
     shown = [props, part];
-    const { range, whole, keys, time, phase, periodic, disabled, fps, between, pace } = props;
-    track.update({ range, part, between, periodic, pace });
+    const { range, whole, keys, time, phase, periodic, disabled, fps, between, speedCurve } = props;
+    track.update({ range, part, between, periodic, speedCurve });
     ticks.update({ keys, range, part, fps, width, disabled });
     ruler.update({ part, fps, width }, disabled ? null : time);
     place(playhead, disabled ? null : clampTime(time, range), part);

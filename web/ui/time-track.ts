@@ -1,10 +1,10 @@
 /** The timeline's track: the range of the keys between its margins, the part that does not play, and the speed. */
 import { loopRange } from '../model/frames.ts';
-import type { Pace } from '../model/pace.ts';
+import type { SpeedCurve } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
 import { stretch } from './at-moment.ts';
 import { h, memo, setAttribute, setText } from './dom.ts';
-import { createPaceLane } from './pace-lane.ts';
+import { createSpeedLane } from './speed-lane.ts';
 
 export interface TimeTrackProps {
   range: Range;
@@ -14,7 +14,7 @@ export interface TimeTrackProps {
   between: Range | null;
   periodic: boolean;
   /** null = not known yet. */
-  pace: Pace | null;
+  speedCurve: SpeedCurve | null;
 }
 
 export function createTimeTrack(): { element: HTMLElement; update(props: TimeTrackProps): void } {
@@ -22,11 +22,11 @@ export function createTimeTrack(): { element: HTMLElement; update(props: TimeTra
   const after = createMargin('after');
   const keyRange = h('div', { class: 'key-range' });
   const silent = [h('div', { class: 'silent' }), h('div', { class: 'silent' })] as const;
-  const pace = createPaceLane();
+  const lane = createSpeedLane();
   const element = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, keyRange, after.element);
-  element.append(pace.element, ...silent);
+  element.append(lane.element, ...silent);
 
-  const draw = memo(({ range, part, between, periodic }: Omit<TimeTrackProps, 'pace'>) => {
+  const draw = memo(({ range, part, between, periodic }: Omit<TimeTrackProps, 'speedCurve'>) => {
     const [start, end] = loopRange(between, range) ?? part;
     stretch(before.element, [part[0], range[0]], part);
     stretch(keyRange, range, part);
@@ -38,9 +38,9 @@ export function createTimeTrack(): { element: HTMLElement; update(props: TimeTra
   });
   return {
     element,
-    update({ pace: speed, ...props }) {
+    update({ speedCurve, ...props }) {
       draw(props);
-      pace.update({ pace: speed, range: props.range, part: props.part });
+      lane.update({ speedCurve, range: props.range, part: props.part });
     },
   };
 }

@@ -119,14 +119,14 @@ export function createTimeline(events: TimelineEvents): Timeline {
     update(next) {
       const last = props;
       props = next;
-      const { range, whole, disabled, fps, speeds, towards, pace, picture } = next;
+      const { range, whole, disabled, fps, speeds, towards, speedCurve, picture } = next;
       const part = shown();
       slider.update(next, part);
       setAttribute(element, 'data-zoomed', length(part) < length(whole));
       overview.update(next, part);
       handles.update({ range, window: part, between: loopRange(next.between, range), fps, disabled });
       speedHandles.update({ speeds, most: next.mostSpeeds, towards, range, window: part });
-      peek.update({ pace, range, fps, picture });
+      peek.update({ speedCurve, range, fps, picture });
       if (last && losesPlayhead(last, next)) events.onWindow(revealing(part, next, clampTime(next.time, range)));
     },
   };

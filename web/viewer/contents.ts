@@ -24,7 +24,7 @@ export const FIRST_EXTRAS = 8;
 export const MOST_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
 
 /** An import whose first key is shown while its motion is made. */
-interface Opening {
+interface Preview {
   of: KeysInfo;
   topology: Topology;
   textured: Promise<void>;
@@ -36,7 +36,7 @@ export class Contents {
   readonly object = new Group();
   /** All but the first key of an import, which is shown alone. */
   private readonly open = new Group();
-  private opening: Opening | null = null;
+  private opening: Preview | null = null;
   /** The import that the topology is of. */
   private of: KeysInfo | null = null;
   private topology: Topology | null = null;
@@ -96,7 +96,7 @@ export class Contents {
   /** A new import: fresh buffers, or those of its first key, which stays until its first frame. */
   setImport(info: KeysInfo): void {
     const opening = this.opening?.of === info ? this.opening : null;
-    if (!opening) this.endOpening();
+    if (!opening) this.hideFirstKey();
     this.prepare(info, opening);
     if (!opening) return;
     this.opening = null;
@@ -107,8 +107,8 @@ export class Contents {
   }
 
   /** Replaces the shown content, which is kept. Hidden until its textures are ready, so it is drawn once. */
-  setOpening({ info, positions, normals, colour }: FirstKey): void {
-    this.endOpening();
+  showFirstKey({ info, positions, normals, colour }: FirstKey): void {
+    this.hideFirstKey();
     // The import of a first visit is prepared already.
     const own = this.of === info ? this.topology : null;
     const topology = own ?? topologyOf(info);
@@ -127,7 +127,7 @@ export class Contents {
   }
 
   /** Shows the previous content again. */
-  endOpening(): void {
+  hideFirstKey(): void {
     const { opening } = this;
     if (!opening) return;
     opening.shape.dispose();
@@ -137,7 +137,7 @@ export class Contents {
   }
 
   /** Its textures are decoded in the meantime. */
-  private prepare(info: KeysInfo, opening: Opening | null = null): void {
+  private prepare(info: KeysInfo, opening: Preview | null = null): void {
     if (this.of === info && this.shapes.length === 0) return;
     this.of = info;
     this.clear();
@@ -305,7 +305,7 @@ export class Contents {
   }
 
   dispose(): void {
-    this.endOpening();
+    this.hideFirstKey();
     this.clear();
     this.warming?.dispose();
     disposeTextures(this.topology);

@@ -170,11 +170,11 @@ export class Viewer {
 
   /**
    * Shows the first key of an import alone, before it is set; `camera` null: the whole key. The present content is
-   * kept: call `endOpening` or `setImport` next.
+   * kept: call `hideFirstKey` or `setImport` next.
    */
-  setOpening(key: FirstKey, { bounds, points }: Extent, camera: CameraPose | null): void {
+  showFirstKey(key: FirstKey, { bounds, points }: Extent, camera: CameraPose | null): void {
     this.leaveOpening ??= this.restoring();
-    this.contents.setOpening(key);
+    this.contents.showFirstKey(key);
     this.stage.setPhase(key.colour);
     this.tileAspect = 1;
     this.setExtent(bounds, points);
@@ -198,11 +198,11 @@ export class Viewer {
     };
   }
 
-  endOpening(): void {
+  hideFirstKey(): void {
     const leave = this.leaveOpening;
     if (!leave) return;
     this.leaveOpening = null;
-    this.contents.endOpening();
+    this.contents.hideFirstKey();
     leave();
     this.change();
     // Without a previous shape, no later drawing would clear the image.

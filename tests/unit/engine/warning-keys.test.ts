@@ -16,7 +16,7 @@ describe('the keys that a warning is about', () => {
   });
 
   it('of a closed motion are the last and the first where it closes', () => {
-    for (const key of [0, 4]) expect(keysOf(warning('ambiguous-part-turn', key), 4)).toEqual([3, 0]);
+    for (const key of [0, 4]) expect(keysOf(warning('ambiguous-component-turn', key), 4)).toEqual([3, 0]);
   });
 
   it('are one key for what is about a pose', () => {

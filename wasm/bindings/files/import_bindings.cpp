@@ -16,10 +16,10 @@ struct ImportObject {
   std::vector<float> normals;
 };
 
-constexpr double kImporting = 0.5;  // share of the progress; the rest is the report on the mesh
+constexpr double importing = 0.5;  // share of the progress; the rest is the report on the mesh
 
 constexpr auto reportChecking = [](double fraction) {
-  reportProgress("checking the mesh", kImporting + (1 - kImporting) * fraction);
+  reportProgress("checking the mesh", importing + (1 - importing) * fraction);
 };
 
 Json describe(const ImportObject& object) {
@@ -55,7 +55,7 @@ EXPORT const char* shapespline_import(const char* request) {
     std::vector<NamedBytes> files;
     for (const Json& file : json.at("files"))
       files.push_back({file.at("name"), elements<std::uint8_t>(file.at("bytes"))});
-    const auto progress = [](const char* stage, double fraction) { reportProgress(stage, kImporting * fraction); };
+    const auto progress = [](const char* stage, double fraction) { reportProgress(stage, importing * fraction); };
     Result<Import> import = importKeyframes(files, importOptionsFrom(json.at("options")), progress);
     if (!import) return import.error();
     reportChecking(0);

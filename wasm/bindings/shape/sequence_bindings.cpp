@@ -34,7 +34,7 @@ std::vector<double> numbersOf(const Json& json, const char* name) { return json.
 
 Json described(const std::vector<int>& numbers) { return range(numbers.data(), numbers.size()); }
 
-Json described(const PartCurve& curve) {
+Json described(const CoordinateCurve& curve) {
   return {
       {"patch", curve.patch}, {"neighbours", curve.neighbours}, {"numbers", curve.numbers}, {"natural", curve.natural}};
 }
@@ -192,18 +192,18 @@ EXPORT const char* shapespline_patch_curve(int handle, const char* request) {
 }
 
 /// {} -> {distance, tension}: feature_curve.h.
-EXPORT const char* shapespline_pace(int handle, const char* request) {
+EXPORT const char* shapespline_key_spacing(int handle, const char* request) {
   return askCurve(handle, request, [](const FeatureCurve& curve, const Json&) -> Result<Json> {
-    const KeyPace pace = curve.pace();
-    return Json{{"distance", pace.distance}, {"tension", pace.tension}};
+    const KeySpacing spacing = curve.keySpacing();
+    return Json{{"distance", spacing.distance}, {"tension", spacing.tension}};
   });
 }
 
 /// {times} -> {speed, overshoot}: feature_curve.h.
-EXPORT const char* shapespline_motion_pace(int handle, const char* request) {
+EXPORT const char* shapespline_motion_speed(int handle, const char* request) {
   return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
-    const MotionPace pace = curve.paceAt(numbersOf(json, "times"));
-    return Json{{"speed", pace.speed}, {"overshoot", pace.overshoot}};
+    const MotionSpeed motion = curve.speedAt(numbersOf(json, "times"));
+    return Json{{"speed", motion.speed}, {"overshoot", motion.overshoot}};
   });
 }
 

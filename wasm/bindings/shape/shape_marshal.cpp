@@ -30,8 +30,8 @@ void from_json(const nlohmann::json& json, Transfer& value) { value = bindings::
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(AddedTurns, key, turns, component)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceStats, encodings, factorisations, solves, patches, weldedVertices,
                                    components, ghostFaces, ghostVertices, joinedComponents, weldMs, joinMs, simplifyMs,
-                                   transferMs, encodeMs, orderMs, factorMs, arrangeMs, finishMs, factorBytes, framesMs,
-                                   facesMs, solveMs, placeMs, normalsMs, ghostMs)
+                                   transferMs, encodeMs, orderMs, factorMs, arrangeMs, finishMs, factorBytes,
+                                   localFramesMs, facesMs, solveMs, positionsMs, normalsMs, ghostMs)
 
 }  // namespace shapespline
 

@@ -59,7 +59,7 @@ GhostMotion::GhostMotion(const Options& options, GhostMesh mesh, std::unique_ptr
       patches_(std::move(patches)),
       reconstructor_(std::move(reconstructor)) {}
 
-void GhostMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const {
+void GhostMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const {
   patches_.at(point, turns, scratch.patches, scratch.frames);
   reconstructor_.faceRotations(point, scratch.frames, frames.rotation);
   frames.gradient.clear();

@@ -35,7 +35,7 @@ class GhostMotion {
   };
   struct Scratch {
     PatchMotion::Scratch patches;
-    Frames frames;  // of the ghost's patches
+    LocalFrames frames;  // of the ghost's patches
     Reconstructor<double>::Scratch shape;
     Positions positions;
   };
@@ -49,13 +49,13 @@ class GhostMotion {
                                     const StageProgress& progress);
 
   /// The rotations of the ghost's faces at `point`, and their gradients where the paper's transfer asks for them.
-  void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const;
+  void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
   /// The ghost's vertices at `point`.
   void positions(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Positions& positions) const;
 
   /// The ghost's frames in the poses that were encoded.
-  FramePoses poses() const { return {faceOf_, rotation_}; }
+  LocalFramePoses poses() const { return {faceOf_, rotation_}; }
 
   const GhostMesh& mesh() const { return mesh_; }
   const WeldedShape& shape() const { return *shape_; }

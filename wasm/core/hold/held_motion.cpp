@@ -62,14 +62,14 @@ void HeldMotion::findResting(const HoldInput& input) {
     for (const int v : input.mesh.shape.faces[f])
       if (patchOf[v] < 0) patchOf[v] = input.patchOfFace[f];
   }
-  resting_ = std::make_shared<const RestingPatches>(target_.path(), *system_, patchOf, patches, area_);
+  resting_ = std::make_shared<const ContactConstraints>(target_.path(), *system_, patchOf, patches, area_);
 }
 
 HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve)
     : target_(input, curve), area_(vertexAreas(input.mesh)) {
-  for (const auto& body : target_.bodies()) {
+  for (const auto& body : target_.rigidGroups()) {
     std::vector<double>& share = placed_.emplace_back();
-    for (const double turn : body->turns.wholeTurn) share.push_back(1 - fade(turn, turnsLittle, turnsFar));
+    for (const double turn : body->turns.wholeTurn) share.push_back(1 - smoothstep2(turn, turnsLittle, turnsFar));
   }
   anchor_ = anchorWeights(input.mesh);
 }
@@ -78,11 +78,11 @@ HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve)
 std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
   constexpr double leastTurn = 1e-9;
   const std::vector<double> faceArea = faceAreas(mesh);
-  const std::vector<double>& frameTurn = target_.bodies()[0]->turns.frameTurn;
+  const std::vector<double>& frameTurn = target_.rigidGroups()[0]->turns.frameTurn;
   std::vector<double> weight(area_.size(), 0.0);
   for (std::size_t f = 0; f < faceArea.size(); ++f) {
-    if (mesh.frameOf[f] < 0) continue;
-    const double ratio = anchorTurn / std::max(frameTurn[mesh.frameOf[f]], leastTurn);
+    if (mesh.localFrameOf[f] < 0) continue;
+    const double ratio = anchorTurn / std::max(frameTurn[mesh.localFrameOf[f]], leastTurn);
     for (const int v : mesh.shape.faces[f]) weight[v] += faceArea[f] / 3 * std::min(ratio * ratio, mostAnchor);
   }
   for (std::size_t v = 0; v < weight.size(); ++v) weight[v] = std::max(weight[v], leastAnchor * area_[v]);
@@ -90,19 +90,19 @@ std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
 }
 
 // A body turns about its centroid.
-void HeldMotion::place(const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean,
-                       const Positions& target, Positions& shape) const {
+void HeldMotion::moveOntoTarget(const SpanPosition& inSpan, const std::vector<Quaternion>& frames, const Vec3& mean,
+                                const Positions& target, Positions& shape) const {
   for (std::size_t b = 0; b < placed_.size(); ++b) {
-    const RestTarget::Body& body = *target_.bodies()[b];
+    const RestTarget::RigidGroup& body = *target_.rigidGroups()[b];
     const Mat3 sum = body.turns.sumOf(frames);
     const double defined = (projectToRotation(sum).transpose() * sum).trace() / body.turns.area - 1;
-    const double share = tween(placed_[b].data(), target_.path().spans(), target_.path().loop(), place) *
-                         place.within() * fade(defined, scattered, gathered);
+    const double share = blendSpans(placed_[b].data(), target_.path().spans(), target_.path().loop(), inSpan) *
+                         inSpan.within() * smoothstep2(defined, scattered, gathered);
     const FitSums sums = fitSums(area_, mean, body.vertices, shape, target);
     const Mat3 fit = projectToRotation(stiffened(sums.covariance));
     const Vec3 angle = logRotation(fit);
-    const double taken =
-        share * (1 - fade(angle.norm(), fitTurnsLittle, fitTurnsFar)) * fade(definedness(sums, fit), openFit, soundFit);
+    const double taken = share * (1 - smoothstep2(angle.norm(), fitTurnsLittle, fitTurnsFar)) *
+                         smoothstep2(definedness(sums, fit), openFit, soundFit);
     const Mat3 turn = expRotation(taken * angle);
     moveRigidly(turn, sums.from + taken * (sums.to - sums.from) - turn * sums.from, body.vertices, shape);
   }
@@ -110,12 +110,12 @@ void HeldMotion::place(const SpanPlace& place, const std::vector<Quaternion>& fr
 
 void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
                        Scratch& scratch, ForkJoin* forkJoin) const {
-  const SpanPlace place = target_.path().placeOf(t);
-  if (place.beyond >= 1) return;
+  const SpanPosition inSpan = target_.path().spanPositionAt(t);
+  if (inSpan.beyond >= 1) return;
   target_.at(t, frames, mean, scratch.target, scratch.body);
-  this->place(place, frames, mean, scratch.target, shape);
-  const bool holds = resting_->weightsAt(place, scratch.weight);
-  pullsTo(shape, scratch.target, anchor_, place.within(), scratch.pulls);
+  moveOntoTarget(inSpan, frames, mean, scratch.target, shape);
+  const bool holds = resting_->weightsAt(inSpan, scratch.weight);
+  pullsTo(shape, scratch.target, anchor_, inSpan.within(), scratch.pulls);
   const bool together = holds && !resting_->response().empty();
   if (!together) system_->addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
   if (holds) holdPatches(together, shape, scratch, forkJoin);
@@ -124,7 +124,7 @@ void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Ve
 // together: what draws the vertices to their paths is in scratch.pulls still, and one solve does for both.
 void HeldMotion::holdPatches(bool together, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
   std::vector<Vec3>& pull = scratch.pull;
-  resting_->meanWays(shape, scratch.target, pull);
+  resting_->meanDisplacements(shape, scratch.target, pull);
   const std::vector<float>& response = resting_->response();
   if (together) takeResponse(response, scratch.pulls, pull);
   for (std::size_t h = 0; h < pull.size(); ++h) pull[h] *= scratch.weight[h];

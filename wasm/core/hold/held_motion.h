@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/hold/contact_constraints.h"
 #include "core/hold/hold_passes.h"
 #include "core/hold/rest_target.h"
-#include "core/hold/resting_patches.h"
 
 namespace shapespline {
 
@@ -39,8 +39,8 @@ class HeldMotion {
   HeldMotion(const HoldInput& input, const Curve& curve);
   void findResting(const HoldInput& input);
   std::vector<double> anchorWeights(const HoldMesh& mesh) const;
-  void place(const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean, const Positions& target,
-             Positions& shape) const;
+  void moveOntoTarget(const SpanPosition& inSpan, const std::vector<Quaternion>& frames, const Vec3& mean,
+                      const Positions& target, Positions& shape) const;
   void holdPatches(bool together, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
 
   RestTarget target_;
@@ -48,7 +48,7 @@ class HeldMotion {
   std::vector<std::vector<double>> placed_;  // of each body, share of each span
   std::vector<double> anchor_;               // of each vertex
   std::shared_ptr<const HoldSystem> system_;
-  std::shared_ptr<const RestingPatches> resting_;
+  std::shared_ptr<const ContactConstraints> resting_;
 };
 
 }  // namespace shapespline

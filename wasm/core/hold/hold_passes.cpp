@@ -109,7 +109,7 @@ void takeResponse(const std::vector<float>& response, const Positions& pull, std
   }
 }
 
-void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions) {
+void readXyzp(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions) {
   positions.resize(slot.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const float* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
@@ -119,7 +119,7 @@ void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, co
 }
 
 template <class Real>
-void addPlaces(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positions& positions) {
+void addXyzp(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positions& positions) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Real* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
     double* p = positions[v].data();
@@ -128,7 +128,7 @@ void addPlaces(const std::vector<Real>& xyzp, const std::vector<int>& slot, Posi
 }
 
 template <class Real>
-void writePlaces(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<Real>& xyzp) {
+void writeXyzp(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<Real>& xyzp) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
     Real* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
     const double* p = positions[v].data();
@@ -138,9 +138,9 @@ void writePlaces(const Positions& positions, const std::vector<int>& slot, const
   }
 }
 
-template void addPlaces(const std::vector<float>&, const std::vector<int>&, Positions&);
-template void addPlaces(const std::vector<double>&, const std::vector<int>&, Positions&);
-template void writePlaces(const Positions&, const std::vector<int>&, const Vec3&, std::vector<float>&);
-template void writePlaces(const Positions&, const std::vector<int>&, const Vec3&, std::vector<double>&);
+template void addXyzp(const std::vector<float>&, const std::vector<int>&, Positions&);
+template void addXyzp(const std::vector<double>&, const std::vector<int>&, Positions&);
+template void writeXyzp(const Positions&, const std::vector<int>&, const Vec3&, std::vector<float>&);
+template void writeXyzp(const Positions&, const std::vector<int>&, const Vec3&, std::vector<double>&);
 
 }  // namespace shapespline

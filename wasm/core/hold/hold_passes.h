@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-/// How the positions of a span's ends, the slopes there and what rests make up those between (vertex_path.h): of the
+/// How the positions of a span's ends, the slopes there and what rests make up those between (resting_spline.h): of the
 /// step and the slopes at both ends, and of the parts of them that rest takes away at either end.
 struct PathWeights {
   double step = 0, slope0 = 0, slope1 = 0, rest0[3] = {}, rest1[3] = {};
@@ -61,10 +61,10 @@ void pullsTo(const Positions& from, const Positions& to, const std::vector<doubl
 void takeResponse(const std::vector<float>& response, const Positions& pull, std::vector<Vec3>& left);
 
 /// Between positions and (x, y, z, pad) at `slot`.
-void readPlaces(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions);
+void readXyzp(const std::vector<float>& xyzp, const std::vector<int>& slot, const Vec3& move, Positions& positions);
 template <class Real>
-void addPlaces(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positions& positions);
+void addXyzp(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positions& positions);
 template <class Real>
-void writePlaces(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<Real>& xyzp);
+void writeXyzp(const Positions& positions, const std::vector<int>& slot, const Vec3& move, std::vector<Real>& xyzp);
 
 }  // namespace shapespline

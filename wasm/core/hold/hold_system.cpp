@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/centroid.h"
-#include "core/hold/bodies.h"
 #include "core/hold/hold_passes.h"
+#include "core/hold/rigid_groups.h"
 #include "core/mesh/triangle.h"
 
 namespace shapespline {
@@ -27,8 +27,8 @@ struct Stiffness {
 };
 
 void addFaces(const HoldMesh& mesh, Stiffness& k) {
-  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
-    if (mesh.frameOf[f] < 0) continue;
+  for (std::size_t f = 0; f < mesh.localFrameOf.size(); ++f) {
+    if (mesh.localFrameOf[f] < 0) continue;
     const Triangle& t = mesh.shape.faces[f];
     for (int c = 0; c < 3; ++c) k.addSpring(t[(c + 1) % 3], t[(c + 2) % 3], sideStiffness(mesh, f, c));
   }
@@ -36,10 +36,10 @@ void addFaces(const HoldMesh& mesh, Stiffness& k) {
 
 void addJoints(const HoldMesh& mesh, Stiffness& k) {
   const std::vector<double> own = k.diagonal;
-  for (const ComponentPlace& place : mesh.places) {
-    if (!staysJoined(mesh, place)) continue;
+  for (const ComponentJoint& joint : mesh.joints) {
+    if (!staysJoined(mesh, joint)) continue;
     for (int c = 0; c < 3; ++c) {
-      const int i = mesh.shape.faces[place.anchorFace][c], j = mesh.shape.faces[place.contactFace][c];
+      const int i = mesh.shape.faces[joint.anchorFace][c], j = mesh.shape.faces[joint.contactFace][c];
       k.addSpring(i, j, jointStiffness * (own[i] + own[j]));
     }
   }
@@ -75,9 +75,9 @@ std::vector<double> faceAreas(const HoldMesh& mesh) {
   const Positions& p = mesh.shape.poses[mesh.shape.reference];
   std::vector<double> area;
   double whole = 0;
-  for (std::size_t f = 0; f < mesh.frameOf.size(); ++f) {
+  for (std::size_t f = 0; f < mesh.localFrameOf.size(); ++f) {
     const Triangle& t = mesh.shape.faces[f];
-    area.push_back(mesh.frameOf[f] < 0 ? 0 : (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm());
+    area.push_back(mesh.localFrameOf[f] < 0 ? 0 : (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm());
     whole += area.back();
   }
   for (double& a : area) a /= whole;
@@ -110,9 +110,9 @@ Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const doub
 template <class Real>
 void HoldSystem::addSolvedIn(std::vector<Real>& x, const Positions& pull, Positions& shape, ForkJoin* forkJoin) const {
   x.resize(4 * static_cast<std::size_t>(solver_.paddedSize()));
-  writePlaces(pull, slot_, Vec3::Zero(), x);
+  writeXyzp(pull, slot_, Vec3::Zero(), x);
   solver_.solve(x.data(), forkJoin);
-  addPlaces(x, slot_, shape);
+  addXyzp(x, slot_, shape);
 }
 
 void HoldSystem::addSolved(const Positions& pull, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {

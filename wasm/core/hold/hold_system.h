@@ -14,8 +14,8 @@ namespace shapespline {
 /// What the system is made of. The reference pose's cotangent stiffness is the one of the second system.
 struct HoldMesh {
   const WeldedShape& shape;
-  std::span<const int> frameOf;            ///< of each face; -1 where it has no area
-  std::span<const ComponentPlace> places;  ///< where components are joined
+  std::span<const int> localFrameOf;       ///< of each face; -1 where it has no area
+  std::span<const ComponentJoint> joints;  ///< where components are joined
   std::span<const LooseVertex> loose;
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/hold/pin.h"
-#include "core/hold/vertex_path.h"
+#include "core/hold/resting_spline.h"
 
 namespace shapespline {
 
@@ -30,7 +30,7 @@ class PinPath {
   std::optional<RigidMotion> closing_;
   WeldedShape keys_;  // of one vertex; in a loop as it was before it turned
   std::optional<Curve> curve_;
-  std::optional<VertexPath> path_;
+  std::optional<RestingSpline> path_;
 };
 
 }  // namespace shapespline

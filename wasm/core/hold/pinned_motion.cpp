@@ -47,8 +47,8 @@ Result<std::shared_ptr<const PinnedMotion>> PinnedMotion::create(const HoldInput
   for (const HeldVertex& h : pinned->held_) weight[h.vertex] += h.weight;
   auto system = HoldSystem::create(input.mesh, weight, input.precision);
   if (!system) return system.error();
-  PullModes modes(input, *system, pinned->held_, static_cast<int>(pins.size()));
-  PatchTurn patches(input, modes);
+  AffineResponse modes(input, *system, pinned->held_, static_cast<int>(pins.size()));
+  ArapRotation patches(input, modes);
   pinned->pull_ = std::make_shared<const Pull>(std::move(*system), std::move(modes), std::move(patches));
   return std::shared_ptr<const PinnedMotion>(std::move(pinned));
 }
@@ -71,7 +71,7 @@ PinnedMotion::PinnedMotion(const HoldInput& input, const Curve& curve, std::vect
   }
 }
 
-RigidMotion PinnedMotion::wayOf(const Stay& stay, double t) const {
+RigidMotion PinnedMotion::motionOfPin(const Stay& stay, double t) const {
   return closing_ && stay.pose ? closing_->power((t - stay.time) / period_) : RigidMotion{};
 }
 
@@ -100,34 +100,34 @@ std::vector<int> PinnedMotion::verticesOf(int pin) const {
 
 void PinnedMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
                          Scratch& scratch, ForkJoin* forkJoin) const {
-  const SpanPlace place = target_.path().placeOf(t);
-  if (place.beyond >= 1) return;
-  findWay(t, place, frames, mean, shape, scratch);
+  const SpanPosition inSpan = target_.path().spanPositionAt(t);
+  if (inSpan.beyond >= 1) return;
+  findDisplacement(t, inSpan, frames, mean, shape, scratch);
   const auto& [system, modes, patches] = *pull_;
-  modes.fit(scratch.way, scratch.mode);
+  modes.fit(scratch.displacement, scratch.mode);
   patches.find(modes, scratch.mode, frames, scratch.turn);
   scratch.pulls.assign(shape.size(), Vec3::Zero());
   // What a pull alone would leave of the way pulls, too.
   for (std::size_t i = 0; i < held_.size(); ++i)
-    scratch.pulls[held_[i].vertex] = held_[i].weight * (2 * scratch.way[i] - modes.moved(i, scratch.mode));
+    scratch.pulls[held_[i].vertex] = held_[i].weight * (2 * scratch.displacement[i] - modes.moved(i, scratch.mode));
   patches.addTo(scratch.pulls, scratch.turn);
   system.addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
 }
 
 // From where each held vertex is to where it is wanted.
-void PinnedMotion::findWay(double t, const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean,
-                           const Positions& shape, Scratch& scratch) const {
+void PinnedMotion::findDisplacement(double t, const SpanPosition& inSpan, const std::vector<Quaternion>& frames,
+                                    const Vec3& mean, const Positions& shape, Scratch& scratch) const {
   target_.at(t, frames, mean, scratch.target, scratch.body);
-  scratch.way.clear();
+  scratch.displacement.clear();
   std::vector<Vec3> move;
   std::vector<RigidMotion> way;
   for (const auto& path : path_) move.push_back(path ? path->at(t) : Vec3::Zero());
-  for (const Stay& stay : stays_) way.push_back(wayOf(stay, t));
+  for (const Stay& stay : stays_) way.push_back(motionOfPin(stay, t));
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const HeldVertex& h = held_[i];
     const Positions* kept = stays_[h.pin].pose;
     const Vec3 wanted = kept ? way[h.pin]((*kept)[h.vertex]) : scratch.target[i];
-    scratch.way.push_back(place.within() * (wanted + move[h.pin] - shape[h.vertex]));
+    scratch.displacement.push_back(inSpan.within() * (wanted + move[h.pin] - shape[h.vertex]));
   }
 }
 

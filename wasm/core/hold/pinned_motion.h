@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/hold/patch_turn.h"
+#include "core/hold/arap_rotation.h"
 #include "core/hold/pin_path.h"
 #include "core/hold/rest_target.h"
 
@@ -27,7 +27,7 @@ class PinnedMotion {
   bool sharesSystem(const PinnedMotion* other) const { return other && other->pull_ == pull_; }
 
   struct Scratch {
-    Positions target, body, way, pulls;
+    Positions target, body, displacement, pulls;
     std::vector<Vec3> mode;
     std::vector<Mat3> turn;
     HoldSystem::Scratch solve;
@@ -45,8 +45,8 @@ class PinnedMotion {
   /// What depends on which vertices are held alone.
   struct Pull {
     HoldSystem system;
-    PullModes modes;
-    PatchTurn patches;
+    AffineResponse modes;
+    ArapRotation patches;
   };
 
   /// A key whose place is kept. In a loop that ends elsewhere what stays goes with it, evenly.
@@ -56,11 +56,11 @@ class PinnedMotion {
   };
 
   PinnedMotion(const HoldInput& input, const Curve& curve, std::vector<HeldVertex> held, const std::vector<Pin>& pins);
-  RigidMotion wayOf(const Stay& stay, double t) const;
+  RigidMotion motionOfPin(const Stay& stay, double t) const;
   static std::vector<HeldVertex> heldVertices(const HoldInput& input, const std::vector<Pin>& pins,
                                               const std::vector<int>& weldedOf);
-  void findWay(double t, const SpanPlace& place, const std::vector<Quaternion>& frames, const Vec3& mean,
-               const Positions& shape, Scratch& scratch) const;
+  void findDisplacement(double t, const SpanPosition& inSpan, const std::vector<Quaternion>& frames, const Vec3& mean,
+                        const Positions& shape, Scratch& scratch) const;
 
   std::vector<HeldVertex> held_;
   std::vector<int> vertices_;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/base/centroid.h"
-#include "core/hold/bodies.h"
 #include "core/hold/hold_passes.h"
+#include "core/hold/rigid_groups.h"
 
 namespace shapespline {
 
@@ -28,7 +28,7 @@ KeyTurns::KeyTurns(const HoldInput& input, const Curve& curve, const std::vector
   const std::vector<double> faceArea = faceAreas(input.mesh);
   for (std::size_t f = 0; f < faceArea.size(); ++f) {
     const bool in = bodyOf.empty() || bodyOf[input.mesh.shape.faces[f][0]] == body;
-    if (in && input.mesh.frameOf[f] >= 0) frameArea[input.mesh.frameOf[f]] += faceArea[f];
+    if (in && input.mesh.localFrameOf[f] >= 0) frameArea[input.mesh.localFrameOf[f]] += faceArea[f];
   }
   for (const double frame : frameArea) area += frame;
   for (const std::vector<Quaternion>& pose : input.rotation) whole.push_back(projectToRotation(sumOf(pose)));
@@ -48,7 +48,7 @@ KeyTurns::KeyTurns(const HoldInput& input, const Curve& curve, const std::vector
   }
   for (const double square : own) frameTurn.push_back(std::sqrt(square));
   constexpr double still = 1e-12;
-  deforms = fade(std::sqrt(turnedAgainst / (turned + still)), rigid, deforming);
+  deforms = smoothstep2(std::sqrt(turnedAgainst / (turned + still)), rigid, deforming);
 }
 
 Mat3 KeyTurns::sumOf(const std::vector<Quaternion>& frames) const {
@@ -60,25 +60,25 @@ Mat3 KeyTurns::sumOf(const std::vector<Quaternion>& frames) const {
 RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::vector<int>* only) {
   const WeldedShape* shape = &input.mesh.shape;
   const double size = keySize(*shape);
-  const std::vector<int> bodyOf = only ? std::vector<int>(shape->poses[0].size(), 0) : bodiesOf(input.mesh);
+  const std::vector<int> bodyOf = only ? std::vector<int>(shape->poses[0].size(), 0) : rigidGroupsOf(input.mesh);
   for (std::size_t v = 0; v < bodyOf.size(); ++v) {
-    if (bodyOf[v] == static_cast<int>(bodies_.size()))
-      bodies_.emplace_back(new Body{KeyTurns(input, curve, bodyOf, bodyOf[v]), {}});
-    bodies_[bodyOf[v]]->vertices.push_back(static_cast<int>(v));
+    if (bodyOf[v] == static_cast<int>(rigidGroups_.size()))
+      rigidGroups_.emplace_back(new RigidGroup{KeyTurns(input, curve, bodyOf, bodyOf[v]), {}});
+    rigidGroups_[bodyOf[v]]->vertices.push_back(static_cast<int>(v));
   }
   std::vector<Vec3> mean;
-  for (const std::unique_ptr<Body>& body : bodies_)
+  for (const std::unique_ptr<RigidGroup>& body : rigidGroups_)
     for (const Positions& pose : shape->poses) mean.push_back(centroidOf(picked(pose, body->vertices)));
   if (only) {
     std::vector<Positions> poses;
     for (const Positions& pose : shape->poses) poses.push_back(picked(pose, *only));
     some_ = shape->withMesh({}, std::move(poses));
     shape = &some_;
-    bodies_[0]->vertices.resize(only->size());  // 0, 1, ...
+    rigidGroups_[0]->vertices.resize(only->size());  // 0, 1, ...
   }
   path_.emplace(*shape, curve, PathRest{PathRest::WhereStill, size});
   const Vec3* meanOf = mean.data();
-  for (const std::unique_ptr<Body>& body : bodies_) {
+  for (const std::unique_ptr<RigidGroup>& body : rigidGroups_) {
     const KeyTurns& turns = body->turns;
     if (turns.deforms < 1) {
       // Every pose seen from the frame of the body; there no period differs from another.
@@ -97,10 +97,10 @@ RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::ve
 void RestTarget::at(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& target,
                     Positions& scratch) const {
   path_->positionsAt(t, target);
-  for (const std::unique_ptr<Body>& body : bodies_) {
+  for (const std::unique_ptr<RigidGroup>& body : rigidGroups_) {
     if (!body->path) continue;
     body->path->positionsAt(t, scratch);
-    const Vec3 own = bodies_.size() > 1 ? centroidOf(picked(target, body->vertices)) : mean;
+    const Vec3 own = rigidGroups_.size() > 1 ? centroidOf(picked(target, body->vertices)) : mean;
     blendWithBody(body->turns.deforms, projectToRotation(body->turns.sumOf(frames)), own, scratch, body->vertices,
                   target);
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/hold/hold_input.h"
-#include "core/hold/vertex_path.h"
+#include "core/hold/resting_spline.h"
 
 namespace shapespline {
 
@@ -31,12 +31,12 @@ struct KeyTurns {
 class RestTarget {
  public:
   /// What moves as one. Alone it is the whole.
-  struct Body {
+  struct RigidGroup {
     KeyTurns turns;
     std::vector<int> vertices;  ///< in the order of the target
     // Seen from the body, where the motion is nearly a rigid body's.
     WeldedShape shape = {};
-    std::optional<VertexPath> path = {};
+    std::optional<RestingSpline> path = {};
   };
 
   /// only: welded vertices, all of one body, or null for all vertices. The curve must be cubic, and the input outlive
@@ -46,8 +46,8 @@ class RestTarget {
   RestTarget(const RestTarget&) = delete;
   RestTarget& operator=(const RestTarget&) = delete;
 
-  const VertexPath& path() const { return *path_; }
-  const std::vector<std::unique_ptr<Body>>& bodies() const { return bodies_; }
+  const RestingSpline& path() const { return *path_; }
+  const std::vector<std::unique_ptr<RigidGroup>>& rigidGroups() const { return rigidGroups_; }
 
   /// frames: at t; mean: what the mean of all vertices follows.
   void at(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& target,
@@ -55,8 +55,8 @@ class RestTarget {
 
  private:
   WeldedShape some_;  // with `only`
-  std::optional<VertexPath> path_;
-  std::vector<std::unique_ptr<Body>> bodies_;
+  std::optional<RestingSpline> path_;
+  std::vector<std::unique_ptr<RigidGroup>> rigidGroups_;
 };
 
 }  // namespace shapespline

@@ -24,16 +24,16 @@ Sliding::Sliding(const HoldMesh& mesh, const Curve& keys)
 }
 
 double Sliding::at(double t, const Positions& shape, const std::vector<int>& weldedOf) const {
-  const SpanPlace place = path_.placeOf(t);
+  const SpanPosition inSpan = path_.spanPositionAt(t);
   Positions rests;
   path_.positionsAt(t, rests);
   double square = 0, resting = 0;
   std::vector<char> seen(area_.size(), 0);
-  for (std::size_t raw = 0; raw < shape.size() && place.beyond == 0; ++raw) {
+  for (std::size_t raw = 0; raw < shape.size() && inSpan.beyond == 0; ++raw) {
     const auto v = static_cast<std::size_t>(weldedOf[raw]);
     if (seen[v]) continue;
     seen[v] = 1;
-    const double weight = area_[v] * static_cast<double>(path_.rest(place.span, v));
+    const double weight = area_[v] * static_cast<double>(path_.rest(inSpan.span, v));
     if (weight == 0) continue;
     resting += weight;
     square += weight * (shape[raw] - rests[v]).squaredNorm();

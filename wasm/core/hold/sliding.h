@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/hold/hold_system.h"
-#include "core/hold/vertex_path.h"
+#include "core/hold/resting_spline.h"
 
 namespace shapespline {
 
@@ -18,7 +18,7 @@ class Sliding {
   double at(double t, const Positions& shape, const std::vector<int>& weldedOf) const;
 
  private:
-  VertexPath path_;
+  RestingSpline path_;
   std::vector<double> area_;
   double diagonal_;
 };

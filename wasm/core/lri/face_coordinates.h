@@ -22,16 +22,16 @@ inline constexpr int numbersPerFace = 6;
 /// Faces side by side in one vector register.
 inline constexpr int faceLanes = 4;
 
-/// A stored column, by its place among them, and its weight.
+/// A stored column, by its index among them, and its weight.
 template <class Real>
 struct WeightedColumn {
-  int place;
+  int column;
   Real weight;
 };
 
 /// The key that a frame beyond the keys goes on from, and where the columns have the keys.
 struct EndKey {
-  int place;       ///< of the end key among the stored columns, or -1 where its faces rest
+  int column;      ///< of the end key among the stored columns, or -1 where its faces rest
   int storedKeys;  ///< the first stored columns, which are keys
   bool anyAtRest;  ///< whether faces rest in one of the keys
 };
@@ -55,24 +55,26 @@ class FaceCoordinates {
 
   /// All faces at rest: no rotation, and a diagonal of `rest`, 1 for S_f = I and 0 for its logarithm.
   FaceCoordinates(int faces, int columns, Real rest)
-      : blocks_((faces + faceLanes - 1) / faceLanes), rest_(rest), place_(columns, -1) {}
+      : blocks_((faces + faceLanes - 1) / faceLanes), rest_(rest), storedAs_(columns, -1) {}
 
   /// Makes room for what set() writes, in every column.
   void store() {
     stored_ = columns();
-    for (int c = 0; c < stored_; ++c) place_[c] = c;
+    for (int c = 0; c < stored_; ++c) storedAs_[c] = c;
     data_.assign(static_cast<std::size_t>(blocks_) * blockSize(), Real(0));
     if (rest_ == 0) return;
     for (std::size_t at = 0; at < data_.size(); at += numbersPerFace * faceLanes)
       for (int k = 0; k < numbersPerFace; ++k) std::fill_n(&data_[at + k * faceLanes], faceLanes, restOf(k));
   }
 
-  int columns() const { return static_cast<int>(place_.size()); }
+  int columns() const { return static_cast<int>(storedAs_.size()); }
   /// Where a face lies in the blocks: block slot / faceLanes, lane slot % faceLanes.
   int slot(int face) const { return face < static_cast<int>(slot_.size()) ? slot_[face] : face; }
-  void set(int face, int column, int number, Real value) { data_[index(slot(face), place_[column], number)] = value; }
+  void set(int face, int column, int number, Real value) {
+    data_[index(slot(face), storedAs_[column], number)] = value;
+  }
   Real at(int face, int column, int number) const {
-    return place_[column] < 0 ? restOf(number) : data_[index(slot(face), place_[column], number)];
+    return storedAs_[column] < 0 ? restOf(number) : data_[index(slot(face), storedAs_[column], number)];
   }
   /// The stored columns of four faces.
   const Real* block(int block) const { return data_.data() + static_cast<std::size_t>(block) * blockSize(); }
@@ -82,14 +84,15 @@ class FaceCoordinates {
     double atRest = 0;
     for (int c = 0; c < columns(); ++c) {
       const double weight = poses.column[c] - (c == poses.beyond ? 1 : 0);
-      if (place_[c] < 0) atRest += weight;
-      else if (std::abs(weight) >= leastWeight<Real>) result.stored.push_back({place_[c], static_cast<Real>(weight)});
+      if (storedAs_[c] < 0) atRest += weight;
+      else if (std::abs(weight) >= leastWeight<Real>)
+        result.stored.push_back({storedAs_[c], static_cast<Real>(weight)});
     }
     result.atRest = static_cast<Real>(atRest) * rest_;
     if (poses.beyond < 0) return result;
-    EndKey end{place_[poses.beyond], 0, false};
+    EndKey end{storedAs_[poses.beyond], 0, false};
     for (int c = 0; c < poses.keys; ++c) {
-      if (place_[c] < 0) end.anyAtRest = true;
+      if (storedAs_[c] < 0) end.anyAtRest = true;
       else ++end.storedKeys;
     }
     result.end = end;
@@ -106,7 +109,7 @@ class FaceCoordinates {
 
   /// Stops storing a column in which every face rests, to the last bit.
   void dropIfAtRest(int column) {
-    const int dropped = place_[column];
+    const int dropped = storedAs_[column];
     if (dropped < 0) return;
     const std::size_t size = blockSize(), part = numbersPerFace * faceLanes;
     for (std::size_t b = 0; b < static_cast<std::size_t>(blocks_); ++b)
@@ -120,9 +123,9 @@ class FaceCoordinates {
     }
     data_.erase(to, data_.end());
     data_.shrink_to_fit();
-    place_[column] = -1;
-    for (int& place : place_)
-      if (place > dropped) --place;
+    storedAs_[column] = -1;
+    for (int& stored : storedAs_)
+      if (stored > dropped) --stored;
     --stored_;
   }
 
@@ -150,15 +153,15 @@ class FaceCoordinates {
  private:
   Real restOf(int number) const { return number == 3 || number == 5 ? rest_ : Real(0); }
   std::size_t blockSize() const { return static_cast<std::size_t>(stored_) * numbersPerFace * faceLanes; }
-  std::size_t index(int slot, int place, int number) const {
+  std::size_t index(int slot, int column, int number) const {
     return static_cast<std::size_t>(slot / faceLanes) * blockSize() +
-           (static_cast<std::size_t>(place) * numbersPerFace + number) * faceLanes + slot % faceLanes;
+           (static_cast<std::size_t>(column) * numbersPerFace + number) * faceLanes + slot % faceLanes;
   }
 
   int blocks_ = 0, stored_ = 0;
   Real rest_ = 0;
-  std::vector<int> place_;  // of each column among the stored ones, or -1
-  std::vector<int> slot_;   // of each face; empty while they lie in their own order
+  std::vector<int> storedAs_;  // of each column among the stored ones, or -1
+  std::vector<int> slot_;      // of each face; empty while they lie in their own order
   std::vector<Real> data_;
 };
 

@@ -19,7 +19,7 @@ constexpr double roundedTurn = 1e-9;
 template <class Real>
 class Encoder {
  public:
-  Encoder(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames, Stretch stretch,
+  Encoder(const WeldedShape& shape, const ShapeTopology& topology, const LocalFramePoses& frames, Stretch stretch,
           Transfer transfer)
       : shape_(shape), topology_(topology), frames_(frames), stretch_(stretch), rests_(transfer == Transfer::Paper) {}
 
@@ -27,8 +27,8 @@ class Encoder {
     out_.face =
         FaceCoordinates<Real>(shape_.faceCount(), shape_.columns(), stretch_ == Stretch::Log ? Real(0) : Real(1));
     if (!rests_) encodeFaces(partOf(onProgress, 0, 0.9));
-    CarriedParts carried = encodeCarriedParts(shape_, topology_, frames_, rests_);
-    out_.places = std::move(carried.places);
+    CarriedComponents carried = encodeCarriedComponents(shape_, topology_, frames_, rests_);
+    out_.joints = std::move(carried.joints);
     out_.loose = std::move(carried.loose);
     reportFraction(onProgress, 0.95);
     for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(centroidOf(pose));
@@ -36,7 +36,7 @@ class Encoder {
   }
 
  private:
-  const Quaternion& frameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
+  const Quaternion& localFrameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
 
   void encodeFaces(const FractionReport& onProgress) {
     const int columns = shape_.columns();
@@ -49,12 +49,12 @@ class Encoder {
       area += frame.area;
       for (int c = 0; c < columns; ++c) {
         if (c == shape_.reference) {
-          const Vec3 r = logRotation(frameOf(f, c).conjugate());
+          const Vec3 r = logRotation(localFrameOf(f, c).conjugate());
           if (r.norm() > roundedTurn) out_.face.setRotation(f, c, r);
           continue;  // deformed by nothing
         }
         const FaceDeformation d = deformationOf(shape_, f, frame, c);
-        const Vec3 r = logRotation(Quaternion(frameOf(f, c).conjugate() * Quaternion(d.rotation)));
+        const Vec3 r = logRotation(Quaternion(localFrameOf(f, c).conjugate() * Quaternion(d.rotation)));
         out_.face.setRotation(f, c, r);
         largest = std::max(largest, r.norm());
         const Mat2 s = stretch_ == Stretch::Log ? logSymmetric(d.stretch) : d.stretch;
@@ -134,7 +134,7 @@ class Encoder {
 
   const WeldedShape& shape_;
   const ShapeTopology& topology_;
-  const FramePoses& frames_;
+  const LocalFramePoses& frames_;
   Stretch stretch_;
   bool rests_;
   LriCoordinates<Real> out_;
@@ -143,14 +143,14 @@ class Encoder {
 }  // namespace
 
 template <class Real>
-LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames,
+LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeTopology& topology, const LocalFramePoses& frames,
                             Stretch stretch, Transfer transfer, const FractionReport& onProgress) {
   return Encoder<Real>(shape, topology, frames, stretch, transfer).run(onProgress);
 }
 
-template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeTopology&, const FramePoses&, Stretch,
+template LriCoordinates<float> encode<float>(const WeldedShape&, const ShapeTopology&, const LocalFramePoses&, Stretch,
                                              Transfer, const FractionReport&);
-template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeTopology&, const FramePoses&, Stretch,
-                                               Transfer, const FractionReport&);
+template LriCoordinates<double> encode<double>(const WeldedShape&, const ShapeTopology&, const LocalFramePoses&,
+                                               Stretch, Transfer, const FractionReport&);
 
 }  // namespace shapespline

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/types.h"
-#include "core/lri/carried_parts.h"
+#include "core/lri/carried_components.h"
 #include "core/lri/face_coordinates.h"
-#include "core/lri/frames.h"
+#include "core/lri/local_frames.h"
 #include "core/lri/welded_shape.h"
 
 namespace shapespline {
@@ -30,7 +30,7 @@ struct AmbiguousFaces {
 template <class Real>
 struct LriCoordinates {
   FaceCoordinates<Real> face;          ///< log(G^T R_f) and S_f; no column is stored where faces rest in their frames
-  std::vector<ComponentPlace> places;  ///< parents before children; the root has none
+  std::vector<ComponentJoint> joints;  ///< parents before children; the root has none
   std::vector<LooseVertex> loose;
   std::vector<Vec3> meanPosition;         ///< one per column: of all welded vertices
   std::vector<AmbiguousFaces> ambiguous;  ///< one per interval between keys
@@ -38,7 +38,7 @@ struct LriCoordinates {
 
 /// Encodes all poses in the given frames. With Transfer::Paper faces rest in their frames as they do in the reference.
 template <class Real>
-LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames,
+LriCoordinates<Real> encode(const WeldedShape& shape, const ShapeTopology& topology, const LocalFramePoses& frames,
                             Stretch stretch, Transfer transfer, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

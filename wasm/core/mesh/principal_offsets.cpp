@@ -13,9 +13,9 @@ using Row = Eigen::Map<Eigen::VectorXf>;
 using Rows = std::vector<std::vector<float>>;
 
 // Components below this share of the first are rounding.
-constexpr double kSmallest = 1e-14;
+constexpr double smallest = 1e-14;
 // Number of columns converted to double precision at a time, which small components need next to large ones.
-constexpr Eigen::Index kBlock = 1024;
+constexpr Eigen::Index blockSize = 1024;
 
 Row row(std::vector<float>& values) { return {values.data(), static_cast<Eigen::Index>(values.size())}; }
 
@@ -23,8 +23,8 @@ Eigen::MatrixXd gramOf(Rows& rows) {
   const Eigen::Index count = static_cast<Eigen::Index>(rows.size()), size = row(rows[0]).size();
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   Eigen::MatrixXd block;  // a row in a column
-  for (Eigen::Index start = 0; start < size; start += kBlock) {
-    const Eigen::Index width = std::min(kBlock, size - start);
+  for (Eigen::Index start = 0; start < size; start += blockSize) {
+    const Eigen::Index width = std::min(blockSize, size - start);
     block.resize(width, count);
     for (Eigen::Index i = 0; i < count; ++i) block.col(i) = row(rows[i]).segment(start, width).cast<double>();
     for (Eigen::Index i = 0; i < count; ++i)
@@ -53,7 +53,7 @@ PrincipalOffsets principalOffsets(Rows& rows, double tolerance, int most) {
   const double first = solver.eigenvalues()[count - 1];
   std::vector<Eigen::VectorXf> weights;
   for (Eigen::Index k = count - 1; k >= 0 && out.count < most && out.largest > tolerance; --k) {
-    if (!(solver.eigenvalues()[k] > kSmallest * first)) break;
+    if (!(solver.eigenvalues()[k] > smallest * first)) break;
     const Eigen::VectorXd direction = solver.eigenvectors().col(k);
     // Of what is left of the rows: rounding of the components before does not add up.
     Eigen::VectorXf offset = Eigen::VectorXf::Zero(size);

@@ -54,12 +54,11 @@ struct Faces {
   const std::vector<Triangle>& target;
 };
 
-void addNormals(const Faces& faces, const FaceRange& range, const float* places, float* sums) {
+void addNormals(const Faces& faces, const FaceRange& range, const float* xyzp, float* sums) {
   const Triangle *corner = faces.corner.data(), *target = faces.target.data();
   const auto add = [&](int f) {
     const auto& [a, b, c] = corner[f];
-    const Float4 normal =
-        areaNormal(Float4::load(at(places, a)), Float4::load(at(places, b)), Float4::load(at(places, c)));
+    const Float4 normal = areaNormal(Float4::load(at(xyzp, a)), Float4::load(at(xyzp, b)), Float4::load(at(xyzp, c)));
     for (int group : target[f]) {
       float* sum = at(sums, group);
       (Float4::load(sum) + normal).store(sum);
@@ -75,7 +74,7 @@ void addNormals(const Faces& faces, const FaceRange& range, const float* places,
 
 // Groups of four, the last of them filled up with vertices before it.
 template <class Drawn>
-void drawVertices(std::span<const Drawn> drawn, const float* places, const float* move, const float* sums,
+void drawVertices(std::span<const Drawn> drawn, const float* xyzp, const float* move, const float* sums,
                   float* positions, float* normals) {
   const Float4 by = Float4::load(move);
   const std::size_t count = drawn.size(), last = count - std::min<std::size_t>(count, 4);
@@ -85,8 +84,8 @@ void drawVertices(std::span<const Drawn> drawn, const float* places, const float
     for (std::size_t k = 0; k < 4; ++k) normal[k] = Float4::load(at(sums, d[std::min(k, count - 1)].group));
     normalise(normal);
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto [vertex, place, group] = d[std::min(k, count - 1)];
-      (Float4::load(at(places, place)) + by).storeXyz(positions + 3 * static_cast<std::size_t>(vertex));
+      const auto [vertex, slot, group] = d[std::min(k, count - 1)];
+      (Float4::load(at(xyzp, slot)) + by).storeXyz(positions + 3 * static_cast<std::size_t>(vertex));
       normal[k].storeXyz(normals + 3 * static_cast<std::size_t>(vertex));
     }
   }
@@ -95,20 +94,20 @@ void drawVertices(std::span<const Drawn> drawn, const float* places, const float
 }  // namespace
 
 VertexNormals::VertexNormals(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups,
-                             const std::vector<int>& placeOf, const FractionReport& onProgress)
+                             const std::vector<int>& slotOf, const FractionReport& onProgress)
     : groups_(groups) {
   std::vector<int> renumbered(groups, -1);
   int next = 0;
   bool seams = false;
-  const std::vector<int> drawn = sortedBy(placeOf);
+  const std::vector<int> drawn = sortedBy(slotOf);
   drawn_.reserve(drawn.size());
   inBlocks(partOf(onProgress, 0.1, 0.3), drawn.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const int v = drawn[i];
       int& group = renumbered[groupOf[v]];
       if (group < 0) group = next++;
-      drawn_.push_back({v, placeOf[v], group});
-      seams = seams || group != placeOf[v];
+      drawn_.push_back({v, slotOf[v], group});
+      seams = seams || group != slotOf[v];
     }
   });
   std::vector<Triangle> target(faces.size());
@@ -124,28 +123,28 @@ VertexNormals::VertexNormals(const std::vector<Triangle>& faces, const std::vect
   inBlocks(partOf(onProgress, 0.8, 1), ordered.order.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& [a, b, c] = faces[ordered.order[i]];
-      corner_.push_back({placeOf[a], placeOf[b], placeOf[c]});
+      corner_.push_back({slotOf[a], slotOf[b], slotOf[c]});
       if (seams) target_.push_back(target[ordered.order[i]]);
     }
   });
 }
 
-void VertexNormals::draw(const std::vector<float>& places, const Vec3& move, Scratch& sums,
-                         std::vector<float>& positions, std::vector<float>& normals, ForkJoin* forkJoin) const {
+void VertexNormals::draw(const std::vector<float>& xyzp, const Vec3& move, Scratch& sums, std::vector<float>& positions,
+                         std::vector<float>& normals, ForkJoin* forkJoin) const {
   positions.resize(3 * drawn_.size());
   normals.resize(positions.size());
   sums.assign(4 * static_cast<std::size_t>(groups_), 0.0f);
   const Faces faces = {corner_, target_.empty() ? corner_ : target_};
   const auto add = outOfLine(addNormals);
-  inTwo(forkJoin, [&](int half) { add(faces, ranges_[half], places.data(), sums.data()); });
-  add(faces, ranges_[2], places.data(), sums.data());
+  inTwo(forkJoin, [&](int half) { add(faces, ranges_[half], xyzp.data(), sums.data()); });
+  add(faces, ranges_[2], xyzp.data(), sums.data());
   const auto write = outOfLine(drawVertices<Drawn>);
   const std::array<float, 4> by = {static_cast<float>(move.x()), static_cast<float>(move.y()),
                                    static_cast<float>(move.z()), 0};
   inTwo(forkJoin, [&](int part) {
     const std::span<const Drawn> all = drawn_;
     const std::size_t half = all.size() / 2;
-    write(part == 0 ? all.first(half) : all.subspan(half), places.data(), by.data(), sums.data(), positions.data(),
+    write(part == 0 ? all.first(half) : all.subspan(half), xyzp.data(), by.data(), sums.data(), positions.data(),
           normals.data());
   });
 }

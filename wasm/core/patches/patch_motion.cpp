@@ -295,7 +295,7 @@ Quaternion PatchMotion::addedTurn(const CurvePoint& point, const PatchTurns& tur
   return turn;
 }
 
-void PatchMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const {
+void PatchMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const {
   const Solver& solver = point.closes ? *loop_ : *open_;
   patches_.connection.at(point, turns.bridges, scratch.connection);
   solver.system.solve(scratch.connection, frameSteps, scratch.turn, frames.rotation);

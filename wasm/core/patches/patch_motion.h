@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/lri/frames.h"
+#include "core/lri/local_frames.h"
 #include "core/patches/global_alignment.h"
 #include "core/patches/patch_coordinates.h"
 #include "core/patches/patch_rotations.h"
@@ -36,10 +36,10 @@ class PatchMotion {
   PatchTurns addedTurns(const WeldedShape& shape, const std::vector<AddedTurns>& turns) const;
 
   /// The frames at `point`: equal to the encoded ones at a key.
-  void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const;
+  void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
   const PatchCoordinates& coordinates() const { return patches_; }
-  FramePoses poses() const { return {patches_.patches.ofFace, patches_.rotation}; }
+  LocalFramePoses poses() const { return {patches_.patches.ofFace, patches_.rotation}; }
 
   /// How far the whole turns in a step between two keys, radians: the mean over the patches.
   double wholeTurn(int step) const { return worldTurn(step).norm(); }

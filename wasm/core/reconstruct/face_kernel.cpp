@@ -51,8 +51,8 @@ struct alignas(32) Passing {
 };
 
 template <class Real>
-const Real* columnOf(const Real* block, int place) {
-  return block + place * numbersPerFace * faceLanes;
+const Real* columnOf(const Real* block, int column) {
+  return block + column * numbersPerFace * faceLanes;
 }
 
 // Three of a column's numbers.
@@ -69,9 +69,9 @@ void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>&
   const L atRest = L::splat(weights.atRest);
   Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{atRest, L::zero(), atRest};
   const auto add = [](L& sum, const L& w, const Real* number) { sum = sum + w * L::load(number); };
-  for (const auto& [place, weight] : weights.stored) {
+  for (const auto& [stored, weight] : weights.stored) {
     const L w = L::splat(weight);
-    const Real* const column = columnOf(block, place);
+    const Real* const column = columnOf(block, stored);
     add(r.x, w, column), add(r.y, w, column + faceLanes), add(r.z, w, column + 2 * faceLanes);
     add(s.x, w, column + 3 * faceLanes), add(s.y, w, column + 4 * faceLanes), add(s.z, w, column + 5 * faceLanes);
   }
@@ -120,8 +120,8 @@ Extremes<Lanes<Real>> extremesOfKeys(const EndKey& end, const Real* block, Real 
   using L = Lanes<Real>;
   constexpr Real most = std::numeric_limits<Real>::max();
   Extremes<L> result{L::splat(end.anyAtRest ? rest : most), L::splat(end.anyAtRest ? rest : -most)};
-  for (int place = 0; place < end.storedKeys; ++place) {
-    const auto [xx, xy, yy] = loadThree(columnOf(block, place) + 3 * faceLanes);
+  for (int column = 0; column < end.storedKeys; ++column) {
+    const auto [xx, xy, yy] = loadThree(columnOf(block, column) + 3 * faceLanes);
     const auto [mean, spread] = eigenvalues(xx, yy, xy * xy);
     result.low = smaller(result.low, mean - spread), result.high = larger(result.high, mean + spread);
   }
@@ -138,8 +138,8 @@ void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Rea
   const Real rest = isLog ? 0 : 1;
   const auto [low, high] = extremesOfKeys(end, block, rest);
   Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{L::splat(rest), L::zero(), L::splat(rest)};
-  if (end.place >= 0)
-    r = loadThree(columnOf(block, end.place)), s = loadThree(columnOf(block, end.place) + 3 * faceLanes);
+  if (end.column >= 0)
+    r = loadThree(columnOf(block, end.column)), s = loadThree(columnOf(block, end.column) + 3 * faceLanes);
   const auto turn = load(passing.number), change = load(passing.number + 3);
   const Symmetric<L> d{change.x, change.y, change.z};
 
@@ -225,12 +225,12 @@ void scatter(const FaceBlock<Real>& face, int lane, const Real* g, const Four<Re
 }
 
 // Where each face's corners lie; in the trashSlot for faces that take no part.
-std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>& frameOf,
+std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>& localFrameOf,
                                 const std::vector<int>& position, int trashSlot, const FractionReport& onProgress) {
   std::vector<Triangle> corners(shape.faces.size(), {trashSlot, trashSlot, trashSlot});
   inBlocks(onProgress, corners.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
-      for (int c = 0; c < 3 && frameOf[f] >= 0; ++c) corners[f][c] = position[shape.faces[f][c]];
+      for (int c = 0; c < 3 && localFrameOf[f] >= 0; ++c) corners[f][c] = position[shape.faces[f][c]];
   });
   return corners;
 }
@@ -238,10 +238,10 @@ std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>
 }  // namespace
 
 template <class Real>
-FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
+FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& localFrameOf, Stretch stretch,
                              const std::vector<int>& position, int trashSlot, const FractionReport& onProgress)
     : stretch_(stretch) {
-  const std::vector<Triangle> corners = cornersOf(shape, frameOf, position, trashSlot, partOf(onProgress, 0, 0.1));
+  const std::vector<Triangle> corners = cornersOf(shape, localFrameOf, position, trashSlot, partOf(onProgress, 0, 0.1));
   FaceOrder ordered = orderFaces(corners, trashSlot + 1, trashSlot, partOf(onProgress, 0.1, 0.4));
   order_ = std::move(ordered.order);
   const FractionReport onBlocks = partOf(onProgress, 0.4, 1);
@@ -253,7 +253,7 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& f
     FaceBlock<Real>& block = blocks_[i / faceLanes];
     const int lane = static_cast<int>(i % faceLanes);
     for (int c = 0; c < 3; ++c) block.corner[c][lane] = trashSlot;
-    if (i >= order_.size() || frameOf[order_[i]] < 0) continue;  // zero gradients contribute nothing
+    if (i >= order_.size() || localFrameOf[order_[i]] < 0) continue;  // zero gradients contribute nothing
     const Triangle& t = shape.faces[order_[i]];
     const FaceFrame frame = faceFrame(p[t[0]], p[t[1]], p[t[2]]);
     for (int k = 0; k < 3; ++k) {
@@ -268,7 +268,7 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& f
     block.gradient[0][lane] = static_cast<Real>(g1.x());  // -g0.x()
     block.gradient[1][lane] = static_cast<Real>(g0.y());
     block.gradient[2][lane] = static_cast<Real>(g1.y());
-    block.frame[lane] = frameOf[order_[i]];
+    block.frame[lane] = localFrameOf[order_[i]];
   }
 }
 

@@ -51,7 +51,7 @@ class FaceKernel {
  public:
   /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side
   /// lies, or `trashSlot`, behind all others, for vertices that have none.
-  FaceKernel(const WeldedShape& shape, const std::vector<int>& frameOf, Stretch stretch,
+  FaceKernel(const WeldedShape& shape, const std::vector<int>& localFrameOf, Stretch stretch,
              const std::vector<int>& position, int trashSlot, const FractionReport& onProgress = {});
 
   /// The faces in the order in which they are gone through and in which their coordinates must lie.

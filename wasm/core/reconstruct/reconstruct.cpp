@@ -11,14 +11,14 @@ namespace shapespline {
 
 namespace {
 
-// The sum of `count` places, by runs that are short enough for the precision.
+// The sum of `count` positions, by runs that are short enough for the precision.
 template <class Real>
-Vec3 sumOf(const Real* places, std::size_t count) {
+Vec3 sumOf(const Real* xyzp, std::size_t count) {
   constexpr std::size_t run = 64;
   Vec3 sum = Vec3::Zero();
   for (std::size_t begin = 0; begin < count; begin += run) {
     auto part = Lanes<Real>::zero();
-    for (std::size_t i = begin; i < std::min(count, begin + run); ++i) part = part + Lanes<Real>::load(places + 4 * i);
+    for (std::size_t i = begin; i < std::min(count, begin + run); ++i) part = part + Lanes<Real>::load(xyzp + 4 * i);
     alignas(32) Real number[4];
     part.store(number);
     sum += Vec3(number[0], number[1], number[2]);
@@ -27,7 +27,7 @@ Vec3 sumOf(const Real* places, std::size_t count) {
 }
 
 template <class Real>
-const Real* matricesOf(const Frames& frames, std::vector<Real>& matrices) {
+const Real* matricesOf(const LocalFrames& frames, std::vector<Real>& matrices) {
   const std::size_t count = frames.rotation.size();
   matrices.resize(numbersPerFrame * count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -64,10 +64,11 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
     : shape_(&in.shape),
       precision_(in.precision),
       stretch_(in.stretch),
-      frameOf_(in.frameOf.begin(), in.frameOf.end()),
+      localFrameOf_(in.localFrameOf.begin(), in.localFrameOf.end()),
       lri_(std::move(coordinates)),
       poisson_(std::move(poisson)),
-      kernel_(in.shape, frameOf_, in.stretch, poisson_.slot(), poisson_.trashSlot(), partOf(onProgress, 0.8, 0.93)),
+      kernel_(in.shape, localFrameOf_, in.stretch, poisson_.slot(), poisson_.trashSlot(),
+              partOf(onProgress, 0.8, 0.93)),
       componentOfVertex_(in.shape.vertexCount(), -1) {
   lri_.face.reorder(kernel_.order(), partOf(onProgress, 0.93, 0.95));
   const Positions* reference = &shape_->poses[shape_->reference];
@@ -79,13 +80,13 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
   verticesOfComponent_.assign(components, 0);
   for (int component : componentOfVertex_)
     if (component >= 0) ++verticesOfComponent_[component];
-  placeOf_ = poisson_.slot();
+  slotOf_ = poisson_.slot();
   int next = poisson_.unknowns();
-  for (int& place : placeOf_)
-    if (place == poisson_.trashSlot()) place = next++;
-  assert(isPermutation(placeOf_));
-  componentAt_.assign(components > 1 ? placeOf_.size() : 0, 0);
-  for (std::size_t v = 0; v < componentAt_.size(); ++v) componentAt_[placeOf_[v]] = std::max(0, componentOfVertex_[v]);
+  for (int& slot : slotOf_)
+    if (slot == poisson_.trashSlot()) slot = next++;
+  assert(isPermutation(slotOf_));
+  componentAt_.assign(components > 1 ? slotOf_.size() : 0, 0);
+  for (std::size_t v = 0; v < componentAt_.size(); ++v) componentAt_[slotOf_[v]] = std::max(0, componentOfVertex_[v]);
 }
 
 template <class Real>
@@ -99,12 +100,12 @@ Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeig
 }
 
 template <class Real>
-void Reconstructor<Real>::faceRotations(const CurvePoint& point, const Frames& frames,
+void Reconstructor<Real>::faceRotations(const CurvePoint& point, const LocalFrames& frames,
                                         std::vector<Quaternion>& rotation) const {
   const PoseWeights w = poseWeights(point, shape_->roles());
   rotation.resize(shape_->faceCount());
   for (int f = 0; f < shape_->faceCount(); ++f)
-    rotation[f] = frameOf_[f] >= 0 ? faceRotation(f, frameOf_[f], w, {&frames}) : Quaternion::Identity();
+    rotation[f] = localFrameOf_[f] >= 0 ? faceRotation(f, localFrameOf_[f], w, {&frames}) : Quaternion::Identity();
 }
 
 template <class Real>
@@ -148,37 +149,37 @@ void Reconstructor<Real>::solve(const PoseWeights& weights, Scratch& scratch, Re
 }
 
 template <class Real>
-Vec3 Reconstructor<Real>::placedVertex(int v, const Scratch& scratch, const Real* x) const {
+Vec3 Reconstructor<Real>::shiftedVertex(int v, const Scratch& scratch, const Real* x) const {
   const Real* p = x + 4 * static_cast<std::size_t>(poisson_.slot()[v]);
   return Vec3(p[0], p[1], p[2]) + scratch.shift[componentOfVertex_[v]];
 }
 
 template <class Real>
-Vec3 Reconstructor<Real>::placedCentroid(int face, const Scratch& scratch, const Real* x) const {
+Vec3 Reconstructor<Real>::shiftedCentroid(int face, const Scratch& scratch, const Real* x) const {
   const Triangle& t = shape_->faces[face];
-  return (placedVertex(t[0], scratch, x) + placedVertex(t[1], scratch, x) + placedVertex(t[2], scratch, x)) / 3;
+  return (shiftedVertex(t[0], scratch, x) + shiftedVertex(t[1], scratch, x) + shiftedVertex(t[2], scratch, x)) / 3;
 }
 
 // Each component keeps its offset in its anchor face's R_f.
 template <class Real>
-void Reconstructor<Real>::placeComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
-                                          const Real* x) const {
+void Reconstructor<Real>::moveComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
+                                         const Real* x) const {
   scratch.shift.assign(verticesOfComponent_.size(), Vec3::Zero());
-  for (const ComponentPlace& place : lri_.places) {
-    const Quaternion anchor = faceRotation(place.anchorFace, place.anchorFrame, weights, turning);
-    const Quaternion contact = faceRotation(place.contactFace, place.contactFrame, weights, turning);
-    const Vec3 wanted = placedCentroid(place.anchorFace, scratch, x) + anchor * blend(place.offset, weights);
-    scratch.shift[place.component] = wanted - (placedCentroid(place.contactFace, scratch, x) + contact * place.pivot);
+  for (const ComponentJoint& joint : lri_.joints) {
+    const Quaternion anchor = faceRotation(joint.anchorFace, joint.anchorFrame, weights, turning);
+    const Quaternion contact = faceRotation(joint.contactFace, joint.contactFrame, weights, turning);
+    const Vec3 wanted = shiftedCentroid(joint.anchorFace, scratch, x) + anchor * blend(joint.offset, weights);
+    scratch.shift[joint.component] = wanted - (shiftedCentroid(joint.contactFace, scratch, x) + contact * joint.pivot);
   }
 }
 
 template <class Real>
-void Reconstructor<Real>::placeLoose(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
-                                     const Real* x) const {
+void Reconstructor<Real>::moveLoose(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
+                                    const Real* x) const {
   scratch.loose.clear();
   for (const LooseVertex& loose : lri_.loose) {
     const Quaternion anchor = faceRotation(loose.anchorFace, loose.anchorFrame, weights, turning);
-    scratch.loose.push_back(placedCentroid(loose.anchorFace, scratch, x) + anchor * blend(loose.offset, weights));
+    scratch.loose.push_back(shiftedCentroid(loose.anchorFace, scratch, x) + anchor * blend(loose.offset, weights));
   }
 }
 
@@ -191,13 +192,13 @@ Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Scratch& sc
   return blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
 }
 
-// The solver's slots come first among the places; each component is moved by its shift, and the vertices without a slot
+// The solver's slots come first; each component is moved by its shift, and the vertices without a slot
 // follow.
 template <class Real>
-void Reconstructor<Real>::slotsToPlaces(Scratch& scratch, Real* x) const {
+void Reconstructor<Real>::applyShifts(Scratch& scratch, Real* x) const {
   using L = Lanes<Real>;
   const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
-  std::fill(x + 4 * unknowns, x + 4 * placeOf_.size(), Real(0));  // pinned to zero
+  std::fill(x + 4 * unknowns, x + 4 * slotOf_.size(), Real(0));  // pinned to zero
   scratch.shiftLanes.assign(4 * scratch.shift.size(), Real(0));
   for (std::size_t p = 0; p < scratch.shift.size(); ++p)
     for (int k = 0; k < 3; ++k) scratch.shiftLanes[4 * p + k] = static_cast<Real>(scratch.shift[p][k]);
@@ -205,62 +206,62 @@ void Reconstructor<Real>::slotsToPlaces(Scratch& scratch, Real* x) const {
     (L::load(x + 4 * i) + L::load(&scratch.shiftLanes[4 * static_cast<std::size_t>(componentAt_[i])])).store(x + 4 * i);
   for (std::size_t i = 0; i < scratch.loose.size(); ++i)
     for (int k = 0; k < 3; ++k)
-      x[4 * static_cast<std::size_t>(placeOf_[lri_.loose[i].vertex]) + k] = static_cast<Real>(scratch.loose[i][k]);
+      x[4 * static_cast<std::size_t>(slotOf_[lri_.loose[i].vertex]) + k] = static_cast<Real>(scratch.loose[i][k]);
 }
 
 template <class Real>
-Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
-                                                PlacedShape<Real>& shape, ForkJoin* forkJoin) const {
+Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const LocalFrames& frames, Scratch& scratch,
+                                                PaddedShape<Real>& shape, ForkJoin* forkJoin) const {
   return reconstruct(point, Turning{.frames = &frames}, scratch, shape, forkJoin);
 }
 
 template <class Real>
 Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const RotationBlocks<Real>& rotations,
-                                                Scratch& scratch, PlacedShape<Real>& shape, ForkJoin* forkJoin) const {
+                                                Scratch& scratch, PaddedShape<Real>& shape, ForkJoin* forkJoin) const {
   return reconstruct(point, Turning{.faces = &rotations}, scratch, shape, forkJoin);
 }
 
 template <class Real>
 Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const Turning& turning, Scratch& scratch,
-                                                PlacedShape<Real>& shape, ForkJoin* forkJoin) const {
+                                                PaddedShape<Real>& shape, ForkJoin* forkJoin) const {
   Stopwatch watch;
   Reconstruction result;
   const PoseWeights w = poseWeights(point, shape_->roles());
-  shape.places.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), placeOf_.size()));
-  Real* const x = shape.places.data();
+  shape.xyzp.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), slotOf_.size()));
+  Real* const x = shape.xyzp.data();
   const IndefiniteFaces indefinite = assemble(w, turning, scratch, x, forkJoin);
   result.indefiniteFaces = indefinite.count;
   if (indefinite.slot >= 0) result.indefiniteFace = kernel_.order()[indefinite.slot];
   result.facesMs = watch.lap();
   solve(w, scratch, x, forkJoin);
   result.solveMs = watch.lap();
-  placeComponents(w, turning, scratch, x);
-  placeLoose(w, turning, scratch, x);
+  moveComponents(w, turning, scratch, x);
+  moveLoose(w, turning, scratch, x);
   shape.move = meanMove(w, scratch, x);
-  slotsToPlaces(scratch, x);
-  result.placeMs = watch.lap();
+  applyShifts(scratch, x);
+  result.positionsMs = watch.lap();
   return result;
 }
 
 template <class Real>
-Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const Frames& frames, Scratch& scratch,
+Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const LocalFrames& frames, Scratch& scratch,
                                                 Positions& positions) const {
-  const Reconstruction result = reconstruct(point, frames, scratch, scratch.placed);
-  positionsOf(scratch.placed, positions);
+  const Reconstruction result = reconstruct(point, frames, scratch, scratch.padded);
+  positionsOf(scratch.padded, positions);
   return result;
 }
 
 template <class Real>
-void Reconstructor<Real>::positionsOf(const PlacedShape<Real>& shape, Positions& positions) const {
-  positions.resize(placeOf_.size());
+void Reconstructor<Real>::positionsOf(const PaddedShape<Real>& shape, Positions& positions) const {
+  positions.resize(slotOf_.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const Real* p = &shape.places[4 * static_cast<std::size_t>(placeOf_[v])];
+    const Real* p = &shape.xyzp[4 * static_cast<std::size_t>(slotOf_[v])];
     positions[v] = Vec3(p[0], p[1], p[2]) + shape.move;
   }
 }
 
 template <class Real>
-void Reconstructor<Real>::rotationsAt(const CurvePoint& point, const Frames& frames, Scratch& scratch,
+void Reconstructor<Real>::rotationsAt(const CurvePoint& point, const LocalFrames& frames, Scratch& scratch,
                                       RotationBlocks<Real>& rotations, ForkJoin* forkJoin) const {
   scratch.matrices.clear();
   for (const Quaternion& q : frames.rotation)

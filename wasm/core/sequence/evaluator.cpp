@@ -34,7 +34,7 @@ void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t
 void Evaluator::frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame) {
   const CurvePoint point = pointAt(motion, t);
   reconstruct(encoded, motion, point, frame);
-  holdPlaced(encoded, motion, t, point, placed_);
+  holdShape(encoded, motion, t, point, padded_);
   draw(encoded, motion, motion.globalMotion(encoded, t, point), frame);
 }
 
@@ -48,36 +48,36 @@ void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const s
   draw(encoded, motion, {}, frame);
 }
 
-// Leaves the shape in `placed_`.
+// Leaves the shape in `padded_`.
 void Evaluator::reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame) {
-  const Reconstruction found = place(encoded, motion, point, placed_, forkJoin_);
-  stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.placeMs = found.placeMs;
+  const Reconstruction found = reconstruct(encoded, motion, point, padded_, forkJoin_);
+  stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.positionsMs = found.positionsMs;
   frame.indefiniteFaces = found.indefiniteFaces;
   frame.indefiniteFace = found.indefiniteFaces > 0 ? encoded.input().inputFaceOf[found.indefiniteFace] : -1;
 }
 
-void Evaluator::holdPlaced(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
-                           PlacedShape<float>& placed) {
+void Evaluator::holdShape(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
+                          PaddedShape<float>& padded) {
   if (!motion.corrects()) return;
   Stopwatch watch;
-  readPlaces(placed.places, encoded.lri().placeOf(), placed.move, welded_);
+  readXyzp(padded.xyzp, encoded.lri().slotOf(), padded.move, welded_);
   hold(encoded, motion, t, point);
-  writePlaces(welded_, encoded.lri().placeOf(), placed.move, placed.places);
-  stats_.placeMs += watch.lap();
+  writeXyzp(welded_, encoded.lri().slotOf(), padded.move, padded.xyzp);
+  stats_.positionsMs += watch.lap();
 }
 
-// Leaves the shape in `placed`.
-Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
-                                PlacedShape<float>& placed, ForkJoin* forkJoin) {
-  stats_.framesMs = 0;
-  if (motion.blendsVertices()) return placeBlend(encoded, point, placed);
+// Leaves the shape in `padded`.
+Reconstruction Evaluator::reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                                      PaddedShape<float>& padded, ForkJoin* forkJoin) {
+  stats_.localFramesMs = 0;
+  if (motion.blendsVertices()) return blendKeys(encoded, point, padded);
   return encoded.lri().withReconstructor([&]<class Real>(const Reconstructor<Real>& reconstructor) {
     if constexpr (std::is_same_v<Real, float>) {
-      return solve(encoded, motion, point, reconstructor, placed, forkJoin);
+      return solve(encoded, motion, point, reconstructor, padded, forkJoin);
     } else {
-      const Reconstruction found = solve(encoded, motion, point, reconstructor, double_.placed, forkJoin);
-      placed.places.assign(double_.placed.places.begin(), double_.placed.places.end());
-      placed.move = double_.placed.move;
+      const Reconstruction found = solve(encoded, motion, point, reconstructor, double_.padded, forkJoin);
+      padded.xyzp.assign(double_.padded.xyzp.begin(), double_.padded.xyzp.end());
+      padded.move = double_.padded.move;
       return found;
     }
   });
@@ -85,33 +85,33 @@ Reconstruction Evaluator::place(const EncodedShape& encoded, const Motion& motio
 
 template <class Real>
 Reconstruction Evaluator::solve(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
-                                const Reconstructor<Real>& reconstructor, PlacedShape<Real>& placed,
+                                const Reconstructor<Real>& reconstructor, PaddedShape<Real>& padded,
                                 ForkJoin* forkJoin) {
   ++stats_.solves;
   Solved<Real>& own = solved(reconstructor);
   Stopwatch watch;
   if (motion.options().method == Method::RotationStrain) {
     encoded.rotationStrain().rotationsAt(point, own.rotations, forkJoin);
-    stats_.framesMs = watch.lap();
-    return reconstructor.reconstruct(point, own.rotations, own.scratch, placed, forkJoin);
+    stats_.localFramesMs = watch.lap();
+    return reconstructor.reconstruct(point, own.rotations, own.scratch, padded, forkJoin);
   }
-  encoded.lri().framesAt(point, motion.turns(), framesScratch_, frames_);
-  stats_.framesMs = watch.lap();
+  encoded.lri().localFramesAt(point, motion.turns(), framesScratch_, frames_);
+  stats_.localFramesMs = watch.lap();
   if (const OwnPaths base = motion.options().ownPaths; base != OwnPaths::Off) {
     encoded.ownPaths(base).rotationsAt(point, frames_, reconstructor, own.scratch, own.own, own.rotations, forkJoin);
-    return reconstructor.reconstruct(point, own.rotations, own.scratch, placed, forkJoin);
+    return reconstructor.reconstruct(point, own.rotations, own.scratch, padded, forkJoin);
   }
-  const Reconstruction found = reconstructor.reconstruct(point, frames_, own.scratch, placed, forkJoin);
+  const Reconstruction found = reconstructor.reconstruct(point, frames_, own.scratch, padded, forkJoin);
   if (motion.options().method != Method::Rimd) return found;
-  return encoded.rimd().improve(point, reconstructor, rimdScratch_, own.scratch, placed, forkJoin);
+  return encoded.rimd().improve(point, reconstructor, rimdScratch_, own.scratch, padded, forkJoin);
 }
 
-Reconstruction Evaluator::placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed) {
+Reconstruction Evaluator::blendKeys(const EncodedShape& encoded, const CurvePoint& point, PaddedShape<float>& padded) {
   encoded.vertices().positions(point, welded_);
-  placed.move = Vec3::Zero();
-  placed.places.resize(4 * welded_.size());
+  padded.move = Vec3::Zero();
+  padded.xyzp.resize(4 * welded_.size());
   for (std::size_t v = 0; v < welded_.size(); ++v)
-    for (int k = 0; k < 3; ++k) placed.places[4 * v + k] = static_cast<float>(welded_[v][k]);
+    for (int k = 0; k < 3; ++k) padded.xyzp[4 * v + k] = static_cast<float>(welded_[v][k]);
   return {};
 }
 
@@ -119,9 +119,9 @@ void Evaluator::unmoved(const EncodedShape& encoded, const Motion& motion, const
                         Positions& positions) {
   if (motion.blendsVertices()) return encoded.vertices().positions(point, positions);
   encoded.lri().withReconstructor([&](const auto& r) {
-    auto& placed = solved(r).placed;
-    solve(encoded, motion, point, r, placed, nullptr);
-    r.positionsOf(placed, positions);
+    auto& padded = solved(r).padded;
+    solve(encoded, motion, point, r, padded, nullptr);
+    r.positionsOf(padded, positions);
   });
 }
 
@@ -137,20 +137,20 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = welded_[weldedOf[v]];
 }
 
-// From `placed_` to what is drawn.
+// From `padded_` to what is drawn.
 void Evaluator::draw(const EncodedShape& encoded, const Motion& motion, const RigidMotion& global, Frame& frame) {
   Stopwatch watch;
-  std::vector<float>& places = placed_.places;
+  std::vector<float>& xyzp = padded_.xyzp;
   if (moves(global)) {
-    for (std::size_t i = 0; i < places.size(); i += 4) {
-      const Vec3 p = global(Vec3(places[i], places[i + 1], places[i + 2]) + placed_.move);
-      for (int k = 0; k < 3; ++k) places[i + k] = static_cast<float>(p[k]);
+    for (std::size_t i = 0; i < xyzp.size(); i += 4) {
+      const Vec3 p = global(Vec3(xyzp[i], xyzp[i + 1], xyzp[i + 2]) + padded_.move);
+      for (int k = 0; k < 3; ++k) xyzp[i + k] = static_cast<float>(p[k]);
     }
-    placed_.move = Vec3::Zero();
+    padded_.move = Vec3::Zero();
   }
-  stats_.placeMs += watch.lap();
+  stats_.positionsMs += watch.lap();
   const VertexNormals& normals = motion.blendsVertices() ? encoded.vertices().normals() : encoded.lri().normals();
-  normals.draw(places, placed_.move, normalsScratch_, frame.positions, frame.normals, forkJoin_);
+  normals.draw(xyzp, padded_.move, normalsScratch_, frame.positions, frame.normals, forkJoin_);
   stats_.normalsMs = watch.lap();
 }
 
@@ -172,14 +172,14 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
 // The ghost in `welded_` goes with the vertices that it collapsed to.
 void Evaluator::moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
   Positions ghost = std::move(welded_);
-  PlacedShape<float> shape;
-  place(encoded, motion, point, shape, nullptr);
-  PlacedShape<float> held = shape;
-  holdPlaced(encoded, motion, t, point, held);
+  PaddedShape<float> shape;
+  reconstruct(encoded, motion, point, shape, nullptr);
+  PaddedShape<float> held = shape;
+  holdShape(encoded, motion, t, point, held);
   const std::vector<int>& vertexOf = encoded.lri().ghostMotion()->mesh().vertexOf;
   for (std::size_t v = 0; v < ghost.size(); ++v) {
-    const std::size_t at = 4 * static_cast<std::size_t>(encoded.lri().placeOf()[vertexOf[v]]);
-    for (int k = 0; k < 3; ++k) ghost[v][k] += held.places[at + k] - shape.places[at + k];
+    const std::size_t at = 4 * static_cast<std::size_t>(encoded.lri().slotOf()[vertexOf[v]]);
+    for (int k = 0; k < 3; ++k) ghost[v][k] += held.xyzp[at + k] - shape.xyzp[at + k];
   }
   welded_ = std::move(ghost);
 }

@@ -46,25 +46,25 @@ class Evaluator {
   const FrameStats& stats() const { return stats_; }
 
  private:
-  Reconstruction place(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
-                       PlacedShape<float>& placed, ForkJoin* forkJoin);
-  Reconstruction placeBlend(const EncodedShape& encoded, const CurvePoint& point, PlacedShape<float>& placed);
+  Reconstruction reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
+                             PaddedShape<float>& padded, ForkJoin* forkJoin);
+  Reconstruction blendKeys(const EncodedShape& encoded, const CurvePoint& point, PaddedShape<float>& padded);
   void hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);
-  void holdPlaced(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
-                  PlacedShape<float>& placed);
+  void holdShape(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point,
+                 PaddedShape<float>& padded);
   void moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point);
   void reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame);
   void draw(const EncodedShape& encoded, const Motion& motion, const RigidMotion& global, Frame& frame);
   template <class Real>
   Reconstruction solve(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
-                       const Reconstructor<Real>& reconstructor, PlacedShape<Real>& placed, ForkJoin* forkJoin);
+                       const Reconstructor<Real>& reconstructor, PaddedShape<Real>& padded, ForkJoin* forkJoin);
 
   // What shapes are reconstructed in, in either precision.
   template <class Real>
   struct Solved {
     typename Reconstructor<Real>::Scratch scratch;
     RotationBlocks<Real> rotations, own;  // where faces rotate by themselves
-    PlacedShape<Real> placed;
+    PaddedShape<Real> padded;
   };
   Solved<float>& solved(const Reconstructor<float>&) { return single_; }
   Solved<double>& solved(const Reconstructor<double>&) { return double_; }
@@ -73,13 +73,13 @@ class Evaluator {
   FrameStats stats_;
   LriSpace::Scratch framesScratch_;
   RimdSpace::Scratch rimdScratch_;
-  Frames frames_;
+  LocalFrames frames_;
   Solved<float> single_;
   Solved<double> double_;
   HeldMotion::Scratch heldScratch_;
   PinnedMotion::Scratch pinnedScratch_;
   VertexNormals::Scratch normalsScratch_;
-  PlacedShape<float> placed_;
+  PaddedShape<float> padded_;
   Positions welded_;
 };
 

@@ -57,10 +57,10 @@ double FeatureCurve::meanStep() const {
   return sum / (shape_.keys - 1);
 }
 
-Result<PartCurve> FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
+Result<CoordinateCurve> FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
   if (inputFace < 0 || inputFace >= static_cast<int>(lri_.patchOfInputFace().size()))
     return Error{ErrorCode::InvalidOption, "There is no face " + grouped(inputFace) + "."};
-  PartCurve result;
+  CoordinateCurve result;
   result.patch = lri_.patchOfInputFace()[inputFace];
   if (result.patch < 0) return result;
   const Eigen::MatrixXd columns = lri_.faceColumns(inputFace);
@@ -75,11 +75,11 @@ Result<PartCurve> FeatureCurve::face(int inputFace, const std::vector<double>& t
   return result;
 }
 
-Result<PartCurve> FeatureCurve::patch(int patch, const std::vector<double>& times) const {
+Result<CoordinateCurve> FeatureCurve::patch(int patch, const std::vector<double>& times) const {
   const PatchCoordinates& patches = lri_.patches().coordinates();
   if (patch < 0 || patch >= patches.patches.count)
     return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + "."};
-  PartCurve result;
+  CoordinateCurve result;
   const std::vector<PatchLink>& links = patches.graph.links();
   for (const PatchLink& link : links)
     if (link.from == patch || link.to == patch) result.neighbours.push_back(link.from + link.to - patch);
@@ -133,38 +133,38 @@ double FeatureCurve::squaredDistance(int key, int other) const {
   return squaredLength(step);
 }
 
-KeyPace FeatureCurve::pace() const {
+KeySpacing FeatureCurve::keySpacing() const {
   constexpr double steepest = 3;
   const std::vector<double>& times = motion_.keyTimes();
   const Curve smooth = motion_.unshapedCurve(shape_);
   const Eigen::MatrixXd toPoses = columnsToPoses();
   const double none = std::numeric_limits<double>::infinity();
-  KeyPace pace;
+  KeySpacing spacing;
   std::vector<double> chord = {none};  // the slope before each key, and after the last
   for (int j = 1; j < shape_.keys; ++j) {
-    pace.distance.push_back(std::sqrt(squaredDistance(j, j - 1)));
-    chord.push_back(pace.distance.back() / (times[j] - times[j - 1]));
+    spacing.distance.push_back(std::sqrt(squaredDistance(j, j - 1)));
+    chord.push_back(spacing.distance.back() / (times[j] - times[j - 1]));
   }
   chord.push_back(none);
   for (int j = 0; j < shape_.keys; ++j) {
     const Eigen::VectorXd slope = toPoses.transpose() * smooth.weights(times[j], 1);
     const double length = std::sqrt(squaredLength(slope)), most = steepest * std::min(chord[j], chord[j + 1]);
-    pace.tension.push_back(length > most ? 1 - most / length : 0);
+    spacing.tension.push_back(length > most ? 1 - most / length : 0);
   }
-  return pace;
+  return spacing;
 }
 
-MotionPace FeatureCurve::paceAt(const std::vector<double>& times) const {
+MotionSpeed FeatureCurve::speedAt(const std::vector<double>& times) const {
   const Eigen::MatrixXd toPoses = columnsToPoses();
   double average = 0;
   for (int j = 1; j < shape_.keys; ++j) average += std::sqrt(squaredDistance(j, j - 1)) / (shape_.keys - 1);
-  MotionPace pace;
+  MotionSpeed motion;
   for (double t : times) {
     const double inside = motion_.curve().wrap(t).time;
-    pace.speed.push_back(std::sqrt(squaredLength(toPoses.transpose() * motion_.curve().weights(inside, 1))));
-    pace.overshoot.push_back(average > 0 ? overshoot(poseWeightsAt(t), inside) / average : 0);
+    motion.speed.push_back(std::sqrt(squaredLength(toPoses.transpose() * motion_.curve().weights(inside, 1))));
+    motion.overshoot.push_back(average > 0 ? overshoot(poseWeightsAt(t), inside) / average : 0);
   }
-  return pace;
+  return motion;
 }
 
 // Of equal keys, which have no way from one to the other, it is the distance from them.

@@ -25,7 +25,7 @@ struct ShapePlane {
 };
 
 /// A face or a patch over time: rows of numbers, one for each of the asked times.
-struct PartCurve {
+struct CoordinateCurve {
   int patch = -1;  ///< of a face: that it belongs to; -1 where it has no area, and nothing else is known then
   std::vector<int> neighbours;  ///< of a patch: those that it is linked with, components that are attached among them
   /// Of a face, 6: the rotation vector against its patch (radians) and S_f or log S_f as xx, xy, yy in the face's
@@ -47,7 +47,7 @@ struct DiscretePath {
 };
 
 /// How far the keys lie apart, and what keeps the curve from overshooting them.
-struct KeyPace {
+struct KeySpacing {
   std::vector<double> distance;  ///< J - 1: |x_j - x_(j-1)|, without unit
   /// J, in [0, 1]: the least tension with which the slope at a key is at most three times that of either chord beside
   /// it (Fritsch and Carlson 1980, one bound for all coordinates, so the weights stay linear in the keys). 1 where two
@@ -56,7 +56,7 @@ struct KeyPace {
 };
 
 /// How the motion goes through shape space over time.
-struct MotionPace {
+struct MotionSpeed {
   std::vector<double> speed;  ///< |x'(t)|, per unit of time; of a piecewise linear curve after a key, not before it
   /// How far the curve is past either of the keys beside it along the way from one to the other, relative to the mean
   /// distance of neighbouring keys; 0 between them, and beyond the first and last key.
@@ -92,14 +92,14 @@ class FeatureCurve {
   /// its own representation, as in the paper.
   std::vector<double> bendingEnergy(const std::vector<double>& times) const;
 
-  KeyPace pace() const;
+  KeySpacing keySpacing() const;
 
-  MotionPace paceAt(const std::vector<double>& times) const;
+  MotionSpeed speedAt(const std::vector<double>& times) const;
   /// The coordinates of a face of the input as the motion's curve has them; of a blend of vertices those that the
   /// coordinates' own curve would have. Error: InvalidOption (no such face).
-  Result<PartCurve> face(int inputFace, const std::vector<double>& times) const;
+  Result<CoordinateCurve> face(int inputFace, const std::vector<double>& times) const;
   /// The same for a patch; with a ghost, for a patch of the ghost.
-  Result<PartCurve> patch(int patch, const std::vector<double>& times) const;
+  Result<CoordinateCurve> patch(int patch, const std::vector<double>& times) const;
 
  private:
   Eigen::MatrixXd ownGram() const;

@@ -15,7 +15,7 @@ std::string keyName(const std::string& name, int key) {
   return name.empty() ? number : name + " (" + number + ")";
 }
 
-constexpr const char* kOneMesh =
+constexpr const char* oneMesh =
     " All keys must be poses of one mesh. In Blender, export the same object each time, with its modifiers applied and "
     "the same settings, or one GLB with shape keys or an animation; OBJ keeps the vertices as they are.";
 
@@ -101,7 +101,7 @@ Status validate(const Keyframes& k) {
 Error vertexCountMismatch(const std::string& what, int key, std::size_t count, std::size_t first) {
   return {ErrorCode::VertexCountMismatch,
           what + " has " + grouped(static_cast<std::int64_t>(count)) + " vertices, but key 1 has " +
-              grouped(static_cast<std::int64_t>(first)) + "." + kOneMesh,
+              grouped(static_cast<std::int64_t>(first)) + "." + oneMesh,
           key};
 }
 
@@ -110,14 +110,13 @@ Status compareFaces(const std::vector<Triangle>& first, const std::vector<Triang
   if (first.size() != other.size())
     return Error{
         ErrorCode::FaceCountMismatch,
-        name + " has " + grouped(other.size()) + " faces, but key 1 has " + grouped(first.size()) + "." + kOneMesh,
-        key};
+        name + " has " + grouped(other.size()) + " faces, but key 1 has " + grouped(first.size()) + "." + oneMesh, key};
   const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin(), sameTriangle);
   if (a == first.end()) return {};
   const int face = static_cast<int>(a - first.begin());
   return Error{ErrorCode::FaceMismatch,
                name + ": face " + grouped(face) + " is " + faceText(*b) + ", but in key 1 it is " + faceText(*a) +
-                   ", all counted from 0." + sameTrianglesHint(first, other) + kOneMesh,
+                   ", all counted from 0." + sameTrianglesHint(first, other) + oneMesh,
                key, -1, face};
 }
 

@@ -19,7 +19,7 @@ struct FrameStats {
   /// Wall time of the last frame's parts: the frames that faces stand in (of patches or of a ghost's faces); splined
   /// faces and right-hand side; the full-resolution solve; placing the vertices; normals and what is drawn, in the
   /// order of the raw vertices.
-  double framesMs = 0, facesMs = 0, solveMs = 0, placeMs = 0, normalsMs = 0;
+  double localFramesMs = 0, facesMs = 0, solveMs = 0, positionsMs = 0, normalsMs = 0;
   double ghostMs = 0;  ///< wall time of the ghost's own last shape, from the spline to its vertices
 };
 

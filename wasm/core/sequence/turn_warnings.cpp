@@ -87,7 +87,7 @@ class TurnWarnings {
     }
     if (count == 0) return;
     const bool one = count == 1;
-    add("ambiguous-part-turn",
+    add("ambiguous-component-turn",
         (one ? "a component turns by " : std::to_string(count) + " components turn by up to ") + angleText(furthest) +
             " relative to what " + (one ? "it is" : "they are") + " attached to" +
             ". The keys alone do not say which way and how often: add whole turns to the component, or a key in "

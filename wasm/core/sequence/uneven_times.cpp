@@ -12,11 +12,11 @@ namespace shapespline {
 namespace {
 
 // An interval this many times longer than its neighbour is suspicious.
-constexpr double kUneven = 4;
+constexpr double unevenFactor = 4;
 // So are weights of keys whose absolute values sum to more: evenly spaced keys reach 1.6 between them, and 3.6 one
 // interval beyond the last one.
-constexpr double kBetween = 3, kBeyond = 8;
-constexpr int kSamples = 8;  // of an interval
+constexpr double betweenFactor = 3, beyondFactor = 8;
+constexpr int samples = 8;  // of an interval
 
 struct Suspect {
   double time, weight, ratio;
@@ -42,11 +42,11 @@ std::vector<Suspect> suspectsOf(const Motion& motion) {
   const bool closed = motion.curve().periodic();
   const auto [start, end] = motion.range();
   std::vector<Suspect> suspects;
-  Suspect worst{0, kBetween, 0, 0, 0};
+  Suspect worst{0, betweenFactor, 0, 0, 0};
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const double ratio = lengthOf(spans[i]) / shortestNeighbour(spans, i, closed);
-    for (int k = 1; k < kSamples && ratio > kUneven; ++k) {
-      const double t = spans[i].start + k * lengthOf(spans[i]) / kSamples, weight = weightAt(motion, t);
+    for (int k = 1; k < samples && ratio > unevenFactor; ++k) {
+      const double t = spans[i].start + k * lengthOf(spans[i]) / samples, weight = weightAt(motion, t);
       if (weight > worst.weight) worst = {t, weight, ratio, i, 0};
     }
   }
@@ -56,7 +56,7 @@ std::vector<Suspect> suspectsOf(const Motion& motion) {
   for (int side : {-1, 1}) {
     const std::size_t last = side < 0 ? 0 : spans.size() - 1;
     const double t = side < 0 ? start - mean : end + mean, ratio = mean / lengthOf(spans[last]);
-    if (const double weight = weightAt(motion, t); ratio > kUneven && weight > kBeyond)
+    if (const double weight = weightAt(motion, t); ratio > unevenFactor && weight > beyondFactor)
       suspects.push_back({t, weight, ratio, last, side});
   }
   return suspects;

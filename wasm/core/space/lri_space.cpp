@@ -21,7 +21,7 @@ Result<LriSpace> LriSpace::create(const WeldedKeys& keys, const ShapeTopology& t
   Stopwatch watch;
   std::vector<int> places;
   places.reserve(keys.input.welding.weldedOfRaw.size());
-  for (int w : keys.input.welding.weldedOfRaw) places.push_back(space.placeOf()[w]);
+  for (int w : keys.input.welding.weldedOfRaw) places.push_back(space.slotOf()[w]);
   space.normals_.emplace(keys.input.faces, keys.shadingGroup, keys.shadingGroups, places,
                          partOf(factorising, 0.95, 0.97));
   factorising(0.97);
@@ -58,7 +58,7 @@ Status LriSpace::makeReconstructor(const ShapeTopology& topology, const LriOptio
                                    const StageProgress& progress) {
   const Stage encoding{progress, "encoding"};
   Stopwatch watch;
-  const FramePoses frames = framePoses();
+  const LocalFramePoses frames = localFramePoses();
   auto coordinates = encode<Real>(keys_->shape, topology, frames, options.stretch,
                                   ghost_ ? options.transfer : Transfer::Exact, partOf(encoding, ghost_ ? 0 : 0.6, 1));
   (ghost_ ? stats_.transferMs : stats_.encodeMs) += watch.lap();
@@ -121,7 +121,8 @@ void LriSpace::collectWarnings(int wantedGhostFaces) {
         {"regularised", "The mesh has triangles so thin that the solver had to fix some of their vertices.", pivots});
 }
 
-void LriSpace::framesAt(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const {
+void LriSpace::localFramesAt(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch,
+                             LocalFrames& frames) const {
   if (ghost_) ghost_->at(point, turns, scratch.ghost, frames);
   else patches_->at(point, turns, scratch.patches, frames);
 }
@@ -129,16 +130,16 @@ void LriSpace::framesAt(const CurvePoint& point, const PatchTurns& turns, Scratc
 HoldInput LriSpace::holdInput() const {
   return withReconstructor([&]<class Real>(const Reconstructor<Real>& r) {
     const LriCoordinates<Real>& lri = r.coordinates();
-    const FramePoses frames = framePoses();
-    return HoldInput{{keys_->shape, frames.ofFace, lri.places, lri.loose},
+    const LocalFramePoses frames = localFramePoses();
+    return HoldInput{{keys_->shape, frames.ofFace, lri.joints, lri.loose},
                      patchOfFace_,
                      frames.rotation,
                      std::is_same_v<Real, float> ? Precision::Single : Precision::Double};
   });
 }
 
-const std::vector<int>& LriSpace::placeOf() const {
-  return withReconstructor([](const auto& r) -> const std::vector<int>& { return r.placeOf(); });
+const std::vector<int>& LriSpace::slotOf() const {
+  return withReconstructor([](const auto& r) -> const std::vector<int>& { return r.slotOf(); });
 }
 
 const std::vector<AmbiguousFaces>& LriSpace::ambiguousFaces() const {

@@ -77,7 +77,7 @@ class LriSpace {
   const WeldedShape& ledBy() const { return ghost_ ? ghost_->shape() : keys_->shape; }
 
   /// The frames of the faces at `point`: of patches, or of the ghost's faces.
-  void framesAt(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Frames& frames) const;
+  void localFramesAt(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
   /// Calls visit with the reconstructor, in whichever precision it is.
   template <class Visit>
@@ -88,7 +88,7 @@ class LriSpace {
   /// What a motion that holds what rests is made of (hold/held_motion.h).
   HoldInput holdInput() const;
 
-  const std::vector<int>& placeOf() const;                    ///< reconstruct.h
+  const std::vector<int>& slotOf() const;                     ///< reconstruct.h
   const std::vector<AmbiguousFaces>& ambiguousFaces() const;  ///< one per interval between keys
 
   /// Patch of each face of the welded mesh, and of the input; -1 where it has no area.
@@ -119,7 +119,7 @@ class LriSpace {
   template <class Real>
   Status makeReconstructor(const ShapeTopology& topology, const LriOptions& options, OrderSource order,
                            const StageProgress& progress);
-  FramePoses framePoses() const { return ghost_ ? ghost_->poses() : patches_->poses(); }
+  LocalFramePoses localFramePoses() const { return ghost_ ? ghost_->poses() : patches_->poses(); }
   Eigen::MatrixXd weldedFaceColumns(int face) const;
   // That the metric is made of: the ghost's, with one.
   PoseCoordinates poseCoordinates() const;

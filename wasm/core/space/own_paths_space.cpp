@@ -18,10 +18,10 @@ constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
 constexpr double surelyNearest = std::numbers::pi / 4;
 
 // The frame that holds the largest area.
-int largestFrame(const WeldedShape& shape, const std::vector<int>& frameOf, std::size_t frames) {
+int largestFrame(const WeldedShape& shape, const std::vector<int>& localFrameOf, std::size_t frames) {
   std::vector<double> area(frames, 0);
   for (int f = 0; f < shape.faceCount(); ++f)
-    if (frameOf[f] >= 0) area[frameOf[f]] += referenceFrame(shape, f).area;
+    if (localFrameOf[f] >= 0) area[localFrameOf[f]] += referenceFrame(shape, f).area;
   return static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
 }
 
@@ -77,10 +77,10 @@ class PathFinder {
   void findIncrements(int step) {
     std::array<std::vector<Quaternion>, shares.size()> wanted;
     LriSpace::Scratch scratch;
-    Frames frames;
+    LocalFrames frames;
     for (std::size_t i = 0; i < shares.size(); ++i) {
       const CurvePoint point = pointOn(shape_, step, shares[i]);
-      lri_.framesAt(point, {}, scratch, frames);
+      lri_.localFramesAt(point, {}, scratch, frames);
       lri_.withReconstructor([&](const auto& r) { r.faceRotations(point, frames, wanted[i]); });
       if (root_ >= 0)
         for (Quaternion& q : wanted[i]) q = frames.rotation[root_].conjugate() * q;
@@ -137,8 +137,8 @@ class PathFinder {
 
 OwnPathsSpace::OwnPathsSpace(const WeldedKeys& keys, const LriSpace& lri, OwnPaths base) : keys_(&keys), base_(base) {
   const HoldInput frames = lri.holdInput();
-  const std::vector<int> frameOf(frames.mesh.frameOf.begin(), frames.mesh.frameOf.end());
-  root_ = largestFrame(keys.shape, frameOf, frames.rotation.front().size());
+  const std::vector<int> localFrameOf(frames.mesh.localFrameOf.begin(), frames.mesh.localFrameOf.end());
+  root_ = largestFrame(keys.shape, localFrameOf, frames.rotation.front().size());
   const RotationSplines paths = PathFinder(keys.shape, lri, base == OwnPaths::Root ? root_ : -1).run();
   lri.withReconstructor([&]<class Real>(const Reconstructor<Real>& r) {
     std::vector<int> slotOf;
@@ -147,7 +147,7 @@ OwnPathsSpace::OwnPathsSpace(const WeldedKeys& keys, const LriSpace& lri, OwnPat
   });
 }
 
-Quaternion OwnPathsSpace::baseAt(const CurvePoint& point, const Frames& frames) const {
+Quaternion OwnPathsSpace::baseAt(const CurvePoint& point, const LocalFrames& frames) const {
   if (base_ == OwnPaths::Root) return frames.rotation[root_];
   const std::optional<RigidMotion>& closing = keys_->shape.closing;
   if (!closing || point.closes) return Quaternion::Identity();
@@ -155,7 +155,8 @@ Quaternion OwnPathsSpace::baseAt(const CurvePoint& point, const Frames& frames) 
 }
 
 template <class Real>
-void OwnPathsSpace::rotationsAt(const CurvePoint& point, const Frames& frames, const Reconstructor<Real>& reconstructor,
+void OwnPathsSpace::rotationsAt(const CurvePoint& point, const LocalFrames& frames,
+                                const Reconstructor<Real>& reconstructor,
                                 typename Reconstructor<Real>::Scratch& scratch, RotationBlocks<Real>& own,
                                 RotationBlocks<Real>& rotations, ForkJoin* forkJoin) const {
   std::get<RotationPaths<Real>>(paths_).at(point, baseAt(point, frames), own, forkJoin);
@@ -163,10 +164,10 @@ void OwnPathsSpace::rotationsAt(const CurvePoint& point, const Frames& frames, c
   fadeRotations(own, rotations, forkJoin);
 }
 
-template void OwnPathsSpace::rotationsAt(const CurvePoint&, const Frames&, const Reconstructor<float>&,
+template void OwnPathsSpace::rotationsAt(const CurvePoint&, const LocalFrames&, const Reconstructor<float>&,
                                          Reconstructor<float>::Scratch&, RotationBlocks<float>&, RotationBlocks<float>&,
                                          ForkJoin*) const;
-template void OwnPathsSpace::rotationsAt(const CurvePoint&, const Frames&, const Reconstructor<double>&,
+template void OwnPathsSpace::rotationsAt(const CurvePoint&, const LocalFrames&, const Reconstructor<double>&,
                                          Reconstructor<double>::Scratch&, RotationBlocks<double>&,
                                          RotationBlocks<double>&, ForkJoin*) const;
 

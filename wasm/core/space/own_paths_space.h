@@ -26,12 +26,12 @@ class OwnPathsSpace {
 
   /// frames: of LRI space at `point`. Real: of LRI space's reconstructor. own: scratch space.
   template <class Real>
-  void rotationsAt(const CurvePoint& point, const Frames& frames, const Reconstructor<Real>& reconstructor,
+  void rotationsAt(const CurvePoint& point, const LocalFrames& frames, const Reconstructor<Real>& reconstructor,
                    typename Reconstructor<Real>::Scratch& scratch, RotationBlocks<Real>& own,
                    RotationBlocks<Real>& rotations, ForkJoin* forkJoin = nullptr) const;
 
  private:
-  Quaternion baseAt(const CurvePoint& point, const Frames& frames) const;
+  Quaternion baseAt(const CurvePoint& point, const LocalFrames& frames) const;
 
   const WeldedKeys* keys_;
   OwnPaths base_;

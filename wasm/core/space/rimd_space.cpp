@@ -123,7 +123,7 @@ FaceDeformation RimdSpace::deformationIn(const Positions& positions, int face) c
 
 template <class Real>
 Reconstruction RimdSpace::improve(const CurvePoint& point, const Reconstructor<Real>& reconstructor, Scratch& scratch,
-                                  typename Reconstructor<Real>::Scratch& ofReconstructor, PlacedShape<Real>& shape,
+                                  typename Reconstructor<Real>::Scratch& ofReconstructor, PaddedShape<Real>& shape,
                                   ForkJoin* forkJoin) const {
   const int faces = keys_->shape.faceCount();
   std::vector<Real> stretch;
@@ -155,8 +155,8 @@ Eigen::MatrixXd RimdSpace::gramMatrix() const {
 }
 
 template Reconstruction RimdSpace::improve(const CurvePoint&, const Reconstructor<float>&, Scratch&,
-                                           Reconstructor<float>::Scratch&, PlacedShape<float>&, ForkJoin*) const;
+                                           Reconstructor<float>::Scratch&, PaddedShape<float>&, ForkJoin*) const;
 template Reconstruction RimdSpace::improve(const CurvePoint&, const Reconstructor<double>&, Scratch&,
-                                           Reconstructor<double>::Scratch&, PlacedShape<double>&, ForkJoin*) const;
+                                           Reconstructor<double>::Scratch&, PaddedShape<double>&, ForkJoin*) const;
 
 }  // namespace shapespline

@@ -32,7 +32,7 @@ class RimdSpace {
   /// shape: that of LRI space at `point`; becomes the one of this space. Real: of LRI space's reconstructor.
   template <class Real>
   Reconstruction improve(const CurvePoint& point, const Reconstructor<Real>& reconstructor, Scratch& scratch,
-                         typename Reconstructor<Real>::Scratch& ofReconstructor, PlacedShape<Real>& shape,
+                         typename Reconstructor<Real>::Scratch& ofReconstructor, PaddedShape<Real>& shape,
                          ForkJoin* forkJoin = nullptr) const;
 
   /// Inner products of the columns (path_gram.h), every pair with the same weight.

@@ -13,10 +13,10 @@ namespace {
 
 // Relative to the diagonal entry: below the first a pivot is rounding noise of a semi-definite matrix, below the second
 // the matrix is indefinite. Schur complements of a positive semi-definite matrix never exceed its diagonal.
-constexpr double kSemidefinite = 1e-13;
-constexpr double kIndefinite = -1e-8;
+constexpr double semidefinite = 1e-13;
+constexpr double indefinite = -1e-8;
 // Not relative: one over a smaller number may be none.
-constexpr double kSmallest = std::numeric_limits<double>::min();
+constexpr double smallest = std::numeric_limits<double>::min();
 
 // A 4 x 4 tile in registers: of each column rows 0, 1 and rows 2, 3.
 struct Tile {
@@ -76,11 +76,11 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
   for (int c = 0; c < 4; ++c) {
     double pivot = at(c, c);
     const double scale = std::abs(reference[c]);
-    if (!(pivot > std::max(kSemidefinite * scale, kSmallest))) {
-      if (!(pivot >= kIndefinite * scale) && report.failed == -1) report.failed = firstColumn + c;
+    if (!(pivot > std::max(semidefinite * scale, smallest))) {
+      if (!(pivot >= indefinite * scale) && report.failed == -1) report.failed = firstColumn + c;
       // As if this unknown were pinned to zero with the strength of its own diagonal entry: any weaker pin would let
       // rounding errors of the right-hand side through.
-      pivot = scale > kSmallest ? scale : 1.0;
+      pivot = scale > smallest ? scale : 1.0;
       ++report.regularised;
     }
     // From pivot to pivot there is one division to wait for, and no square root.
@@ -103,7 +103,7 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
 }
 
 // Strips that are eliminated together: each strip above is read once for all of them, and they fit a level-2 cache.
-constexpr int kGroup = 8;
+constexpr int groupSize = 8;
 
 // In strips begin ... end - 1 the tile that follows `depth` columns from `rows` on: updated by those and solved. above:
 // the same columns of the strip in which the tile is the diagonal one.
@@ -141,8 +141,8 @@ void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, 
   const auto diagonal = outOfLine(updateDiagonal);
   const auto factor = outOfLine(factorTile);
   const auto make = outOfLine(makeUpdate);
-  for (int group = begin; group < end; group += kGroup) {
-    const int groupEnd = std::min(end, group + kGroup);
+  for (int group = begin; group < end; group += groupSize) {
+    const int groupEnd = std::min(end, group + groupSize);
     for (int j = 0; j < std::min(groupEnd, pivots.strips); ++j) {
       const int skipped = j > 0 ? pivots.padding : 0, depth = 4 * j - skipped, next = std::max(j + 1, group);
       double* const inverted = inverse + 16 * j;

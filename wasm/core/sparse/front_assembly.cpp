@@ -10,7 +10,7 @@ Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbo
   const EntryMap map = mapEntries(matrix, symbolic.position);
   Assembly assembly;
   assembly.slot.resize(map.item.size());
-  assembly.place.resize(map.item.size());
+  assembly.target.resize(map.item.size());
   for (std::size_t i = 0; i < map.item.size(); ++i) assembly.slot[map.item[i].source] = static_cast<int>(i);
   for (int first : symbolic.first) assembly.start.push_back(map.start[first]);
 
@@ -27,7 +27,7 @@ Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbo
     for (int p = first; p < end; ++p)
       for (int i = map.start[p]; i < map.start[p + 1]; ++i) {
         const int row = local[map.item[i].row];
-        assembly.place[i] = pivots.stripAt(row / 4) + 4 * static_cast<std::size_t>(local[p]) + row % 4;
+        assembly.target[i] = pivots.stripAt(row / 4) + 4 * static_cast<std::size_t>(local[p]) + row % 4;
       }
     for (int child = firstChild[s]; child != -1; child = sibling[child])
       for (std::size_t i = symbolic.rowStart[child]; i < symbolic.rowStart[child + 1]; ++i)

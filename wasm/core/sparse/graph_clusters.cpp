@@ -8,12 +8,12 @@ namespace shapespline {
 
 namespace {
 
-constexpr int kUnclustered = -1;
+constexpr int unclustered = -1;
 
 // Returns how many there are.
 int growClusters(const Graph& graph, std::vector<int>& ofNode) {
-  const auto isClustered = [&](int v) { return ofNode[v] != kUnclustered; };
-  ofNode.assign(graph.size(), kUnclustered);
+  const auto isClustered = [&](int v) { return ofNode[v] != unclustered; };
+  ofNode.assign(graph.size(), unclustered);
   int count = 0;
   for (int v = 0; v < graph.size(); ++v) {
     const auto neighbours = graph.neighbours(v);
@@ -25,7 +25,7 @@ int growClusters(const Graph& graph, std::vector<int>& ofNode) {
   const std::vector<int> grown = ofNode;
   for (int v = 0; v < graph.size(); ++v)
     for (const int u : graph.neighbours(v)) {
-      if (ofNode[v] != kUnclustered) break;
+      if (ofNode[v] != unclustered) break;
       ofNode[v] = grown[u];
     }
   return count;
@@ -39,7 +39,7 @@ GraphClusters clusterNodes(const Graph& graph) {
   const auto members = compressedRows<int>(count, [&](auto add) {
     for (int v = 0; v < graph.size(); ++v) add(clusters.ofNode[v], v);
   });
-  std::vector<int> seenFrom(count, kUnclustered);
+  std::vector<int> seenFrom(count, unclustered);
   for (int c = 0; c < count; ++c) {
     seenFrom[c] = c;
     for (const int v : members.of(c))

@@ -12,8 +12,8 @@ namespace shapespline {
 
 namespace {
 
-constexpr int kNone = -1;
-constexpr int kSource = -2;  // the predecessor of a path's first node
+constexpr int none = -1;
+constexpr int source = -2;  // the predecessor of a path's first node
 
 // Vertex-disjoint maximum flow with node splitting: every node of the band has an entrance and an exit of capacity one
 // between them. A node on a path may be entered once more only to go back to its predecessor, whose path then leaves it
@@ -22,8 +22,8 @@ class DisjointPaths {
  public:
   DisjointPaths(const Graph& graph, const std::vector<Side>& side) {
     number(graph, side);
-    predecessor_.assign(node_.size(), kNone);
-    successor_.assign(node_.size(), kNone);
+    predecessor_.assign(node_.size(), none);
+    successor_.assign(node_.size(), none);
     next_.assign(node_.size(), 0);
     findPaths();
   }
@@ -64,7 +64,7 @@ class DisjointPaths {
   int size() const { return static_cast<int>(node_.size()); }
 
  private:
-  bool used(int b) const { return predecessor_[b] != kNone; }
+  bool used(int b) const { return predecessor_[b] != none; }
 
   // Where one is who has entered a node: at its exit, or at that of its predecessor. Below 0 at a path's start.
   int exitBehind(int b) const { return used(b) ? predecessor_[b] : b; }
@@ -75,9 +75,9 @@ class DisjointPaths {
   // The band's nodes in the order of their distances from the sink, so a search stays where it is; then those without a
   // way there.
   void number(const Graph& graph, const std::vector<Side>& side) {
-    std::vector<int> local(side.size(), kNone), band;
+    std::vector<int> local(side.size(), none), band;
     const auto add = [&](int v, int distance) {
-      if (side[v] != Side::Separator || local[v] != kNone) return;
+      if (side[v] != Side::Separator || local[v] != none) return;
       local[v] = size();
       node_.push_back(v);
       distance_.push_back(distance);
@@ -100,7 +100,7 @@ class DisjointPaths {
     for (int b = 0; b < size(); ++b) {
       bool first = false;
       for (int u : graph.neighbours(node_[b])) {
-        if (local[u] != kNone) band_.neighbour.push_back(local[u]);
+        if (local[u] != none) band_.neighbour.push_back(local[u]);
         else first = first || side[u] == Side::Left;
       }
       band_.start.push_back(static_cast<int>(band_.neighbour.size()));
@@ -151,7 +151,7 @@ class DisjointPaths {
       const int from = path_.back();
       if (distance_[from] == 0) return apply();
       const int through = advance(from);
-      if (through != kNone) {
+      if (through != none) {
         entered_.push_back(through);
         path_.push_back(exitBehind(through));
       } else {
@@ -162,7 +162,7 @@ class DisjointPaths {
     }
   }
 
-  // The next node to enter from an exit, one nearer to the sink, or kNone: a neighbour, or the exit's own node.
+  // The next node to enter from an exit, one nearer to the sink, or none: a neighbour, or the exit's own node.
   int advance(int from) {
     const int wanted = distance_[from] - 1, degree = band_.degree(from);
     const int* neighbour = band_.neighbour.data() + band_.start[from];
@@ -171,7 +171,7 @@ class DisjointPaths {
       const int through = i < degree ? neighbour[i] : from, exit = exitBehind(through);
       if (exit >= 0 && distance_[exit] == wanted) return through;
     }
-    return kNone;
+    return none;
   }
 
   void raise(int from) {
@@ -188,21 +188,21 @@ class DisjointPaths {
 
   // Reroutes the paths. No node is entered twice on the way, so the old predecessors are those that it was found with.
   void apply() {
-    predecessor_[entered_[0]] = kSource;
+    predecessor_[entered_[0]] = source;
     for (std::size_t i = 1; i < path_.size(); ++i) {
       const int from = path_[i - 1];
       const bool leaves = entered_[i] == from;  // the path through it takes another way
-      predecessor_[entered_[i]] = leaves ? kNone : from;
-      successor_[from] = leaves ? kNone : entered_[i];
+      predecessor_[entered_[i]] = leaves ? none : from;
+      successor_[from] = leaves ? none : entered_[i];
     }
-    successor_[path_.back()] = kNone;
+    successor_[path_.back()] = none;
   }
 
   std::vector<int> node_;
   Graph band_;
   std::vector<int> atSource_;
   int atSink_ = 0;                            // how many nodes are: the first ones
-  std::vector<int> predecessor_, successor_;  // on the path through the node; kNone if there is none
+  std::vector<int> predecessor_, successor_;  // on the path through the node; none if there is none
   std::vector<int> distance_;                 // of exits from the sink, at least
   std::vector<int> next_;                     // arc of an exit to be tried
   std::vector<int> queue_;                    // exits that reach the sink

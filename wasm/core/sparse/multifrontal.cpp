@@ -12,7 +12,7 @@ namespace shapespline {
 namespace {
 
 // Strips eliminated between two looks at the budget.
-constexpr int kStripsAtOnce = 32;
+constexpr int stripsAtOnce = 32;
 
 Pivots pivotsOf(const SymbolicFactor& symbolic, int s) { return Pivots(symbolic.columns(s)); }
 int updateStrips(const SymbolicFactor& symbolic, int s) { return stripsFor(symbolic.rows(s)); }
@@ -50,8 +50,8 @@ void clear(double* begin, std::size_t n) {
 void sortValues(std::span<const double> values, const int* slot, double* sorted) {
   for (std::size_t i = 0; i < values.size(); ++i) sorted[slot[i]] = values[i];
 }
-void placeValues(const double* value, const std::size_t* place, int count, double* columns) {
-  for (int i = 0; i < count; ++i) columns[place[i]] = value[i];
+void scatterValues(const double* value, const std::size_t* target, int count, double* columns) {
+  for (int i = 0; i < count; ++i) columns[target[i]] = value[i];
 }
 
 // Adds columns begin ... end - 1 of strip i of an update matrix to a part of its parent's front: entry (4 i + r, c) to
@@ -131,8 +131,8 @@ void Multifrontal::assembleFront() {
   };
   outOfLine(clear)(columns, columnsSize(symbolic_, s));
   for (int c = 0; c < pivots.padding; ++c) diagonal(c) = 1.0;
-  outOfLine(placeValues)(values_.get() + first, assembly_.place.data() + first, assembly_.start[s + 1] - first,
-                         columns);
+  outOfLine(scatterValues)(values_.get() + first, assembly_.target.data() + first, assembly_.start[s + 1] - first,
+                           columns);
   reference_.resize(pivotRows);
   inverse_.resize(4 * static_cast<std::size_t>(pivotRows));
   for (int c = 0; c < pivotRows; ++c) reference_[c] = diagonal(c);
@@ -158,7 +158,7 @@ bool Multifrontal::eliminate(double& flopBudget) {
   const int strips = pivots.strips + updateStrips(symbolic_, supernode_);
   double *columns = stack_.get() + low_, *update = stack_.get() + updateBase_[supernode_];
   while (nextStrip_ < strips && flopBudget > 0.0) {
-    const int end = std::min(strips, nextStrip_ + kStripsAtOnce);
+    const int end = std::min(strips, nextStrip_ + stripsAtOnce);
     PivotReport report;
     eliminateStrips(columns, update, pivots, nextStrip_, end, reference_.data(), inverse_.data(), report);
     regularised_ += report.regularised;

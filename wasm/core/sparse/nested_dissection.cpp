@@ -19,14 +19,14 @@ namespace shapespline {
 
 namespace {
 
-constexpr int kLeafSize = 64;
+constexpr int leafSize = 64;
 // A separator of more than this share of the nodes is none: no mesh, so minimum degree does better.
-constexpr double kUselessSeparator = 0.3;
+constexpr double uselessSeparator = 0.3;
 // Larger subgraphs are divided among their clusters, in a band that would be costly among nodes.
-constexpr int kManyNodes = 3000;
-constexpr Band kBandOfClusters = {60, 0.3};
+constexpr int manyNodes = 3000;
+constexpr Band bandOfClusters = {60, 0.3};
 // Layers of clusters on either side of theirs in which the nodes' separator is sought.
-constexpr int kNearbyLayers = 2;
+constexpr int nearbyLayers = 2;
 
 // A subgraph of nodes or of clusters, compactly renumbered.
 struct Subgraph {
@@ -45,7 +45,7 @@ Counts countSides(const std::vector<Side>& side) {
 
 bool isUseful(const Counts& count) {
   const int size = count[0] + count[1] + count[2];
-  return count[0] > 0 && count[1] > 0 && count[2] <= kUselessSeparator * size;
+  return count[0] > 0 && count[1] > 0 && count[2] <= uselessSeparator * size;
 }
 
 // The separator and what borders on it.
@@ -79,7 +79,7 @@ class Dissection {
   // Fills the order from its end: the separator, then the right side, then the left one.
   void dissect(Subgraph subgraph) {
     const int size = subgraph.graph.size();
-    if (size <= kLeafSize) return orderLeaf(subgraph.original);
+    if (size <= leafSize) return orderLeaf(subgraph.original);
     reportWork(size);
     const std::vector<Side> side = sidesOf(subgraph);
     const Counts count = countSides(side);
@@ -95,7 +95,7 @@ class Dissection {
   std::vector<Side> sidesOf(const Subgraph& subgraph) {
     const double step = 0.3 * subgraph.graph.size();
     const auto onStep = [&] { reportWork(step); };
-    if (subgraph.graph.size() > kManyNodes) {
+    if (subgraph.graph.size() > manyNodes) {
       std::vector<Side> side = sidesByClusters(subgraph, onStep);
       if (isUseful(countSides(side))) return side;
     }
@@ -106,9 +106,9 @@ class Dissection {
   std::vector<Side> sidesByClusters(const Subgraph& subgraph, const std::function<void()>& onStep) {
     const Subgraph clusters = clustersOf(subgraph);
     std::vector<Side> side;
-    if (clusters.graph.size() > kLeafSize) {
-      std::vector<Side> near = findSeparator(clusters.graph, clusters.coordinates, onStep, kBandOfClusters);
-      for (int layer = 0; layer < kNearbyLayers; ++layer) near = widened(clusters.graph, near);
+    if (clusters.graph.size() > leafSize) {
+      std::vector<Side> near = findSeparator(clusters.graph, clusters.coordinates, onStep, bandOfClusters);
+      for (int layer = 0; layer < nearbyLayers; ++layer) near = widened(clusters.graph, near);
       side.reserve(subgraph.original.size());
       for (const int v : subgraph.original) side.push_back(near[clusterNumber_[clusters_.ofNode[v]]]);
       shrinkSeparator(subgraph.graph, side);
@@ -137,7 +137,7 @@ class Dissection {
 
   // Every node is divided off about as often as subgraphs can be halved, each time in two steps: finding, extracting.
   void reportWork(double nodes) {
-    const double halvings = std::max(1.0, std::log2(static_cast<double>(whole_.size()) / kLeafSize));
+    const double halvings = std::max(1.0, std::log2(static_cast<double>(whole_.size()) / leafSize));
     work_ += nodes / (2 * halvings * whole_.size());
     if (work_ < reported_ + 0.01) return;
     reported_ = std::min(1.0, work_);
@@ -201,20 +201,20 @@ class Dissection {
   // Minimum degree on bit sets. Neighbours outside the leaf are eliminated later but count in the degrees.
   void orderLeaf(const std::vector<int>& nodes) {
     using Bits = std::array<std::uint64_t, 4>;
-    constexpr int kBits = 256;
+    constexpr int bitCount = 256;
     const int size = static_cast<int>(nodes.size());
     const auto degree = [](const Bits& bits) {
       int sum = 0;
       for (std::uint64_t word : bits) sum += std::popcount(word);
       return sum;
     };
-    std::array<Bits, kLeafSize> adjacent = {};
-    std::array<int, kLeafSize> degrees = {};
+    std::array<Bits, leafSize> adjacent = {};
+    std::array<int, leafSize> degrees = {};
     halo_.clear();
     for (int v = 0; v < size; ++v) local_[nodes[v]] = v;
     for (int v = 0; v < size; ++v) {
       for (int u : whole_.neighbours(nodes[v])) {
-        if (local_[u] == -1 && size + static_cast<int>(halo_.size()) < kBits) {
+        if (local_[u] == -1 && size + static_cast<int>(halo_.size()) < bitCount) {
           local_[u] = size + static_cast<int>(halo_.size());
           halo_.push_back(u);
         }
@@ -226,11 +226,11 @@ class Dissection {
     for (int v = 0; v < size; ++v) local_[nodes[v]] = -1;
 
     end_ -= size;
-    constexpr int kGone = 1 << 30;
+    constexpr int gone = 1 << 30;
     for (int i = 0; i < size; ++i) {
       const int v = static_cast<int>(std::min_element(degrees.begin(), degrees.begin() + size) - degrees.begin());
       order_[end_ + i] = nodes[v];
-      degrees[v] = kGone;
+      degrees[v] = gone;
       const Bits clique = adjacent[v];
       for (int word = 0; word < 4; ++word) {
         for (std::uint64_t rest = clique[word]; rest != 0; rest &= rest - 1) {

@@ -12,7 +12,7 @@ namespace shapespline {
 
 namespace {
 
-constexpr int kMaxColumns = 64;
+constexpr int maxColumns = 64;
 
 constexpr int triangle(int n) { return n * (n + 1) / 2; }
 
@@ -168,7 +168,7 @@ const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Group<V
 
 template <class V, class Scalar>
 void backwardPanel(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first) {
-  alignas(16) Scalar sums[12 * kMaxColumns];
+  alignas(16) Scalar sums[12 * maxColumns];
   Scalar* const end = sums + 12 * columns;
   values += panelEntries(columns, rows);
   row += rows;

@@ -10,14 +10,14 @@
 
 namespace shapespline {
 
-/// A supernode's columns are cut into panels of at most kWidth, all of about the same width.
+/// A supernode's columns are cut into panels of at most width, all of about the same width.
 ///
 /// The supernode tree is cut into two parts, one per thread, and a top (subtree_partition.h); panels are stored in that
 /// order. The second part must not touch the unknowns of the top: its rows index copies of them, beyond the matrix's
 /// size.
 class PanelLayout {
  public:
-  static constexpr int kWidth = 64;
+  static constexpr int width = 64;
 
   /// Unknowns: the matrix's, one that fills up each part's rows, the copies.
   int paddedSize() const { return size_ + 2 + static_cast<int>(top_.size()); }
@@ -48,7 +48,7 @@ class PanelLayout {
 };
 
 /// Panels of a supernode, and the first column of panel i: each but the first starts with a strip of the front.
-inline int panelCount(int columns) { return (columns + PanelLayout::kWidth - 1) / PanelLayout::kWidth; }
+inline int panelCount(int columns) { return (columns + PanelLayout::width - 1) / PanelLayout::width; }
 inline int panelStart(int columns, int count, int i) {
   const Pivots pivots(columns);
   return std::max(0, 4 * static_cast<int>(static_cast<long long>(pivots.strips) * i / count) - pivots.padding);

@@ -14,9 +14,9 @@ namespace {
 
 // Times the square root of all nodes, the side of a square subgraph: separators longer than this are worth a try along
 // the diagonals, and along the other axes. The cubes of the largest separators are most of a factorisation's work.
-constexpr double kLongSeparator = 1.1, kVeryLongSeparator = 1.6;
+constexpr double longSeparator = 1.1, veryLongSeparator = 1.6;
 // Of a subgraph of n nodes over n^1.5, in units of a separator's cube. Lopsided cuts would be too cheap without it.
-constexpr double kDissectionCost = 5.0;
+constexpr double dissectionCost = 5.0;
 
 // The principal axes, longest first.
 std::array<Vec3, 3> principalAxes(std::span<const Vec3> points) {
@@ -35,21 +35,21 @@ std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& dire
   const double halfBand = std::min(band.share * size, band.depth * std::sqrt(size));
   const auto low = static_cast<std::ptrdiff_t>(0.5 * size - halfBand),
              high = static_cast<std::ptrdiff_t>(0.5 * size + halfBand) + 1;
-  std::vector<double> place;
-  place.reserve(coordinates.size());
-  for (const Vec3& p : coordinates) place.push_back(direction.dot(p));
-  std::vector<double> sorted = place;
+  std::vector<double> projection;
+  projection.reserve(coordinates.size());
+  for (const Vec3& p : coordinates) projection.push_back(direction.dot(p));
+  std::vector<double> sorted = projection;
   std::nth_element(sorted.begin(), sorted.begin() + low, sorted.end());
   std::nth_element(sorted.begin() + low + 1, sorted.begin() + high, sorted.end());
   const double from = sorted[low], to = sorted[high];
   // How many of the nodes at the limits themselves lie below.
   const auto tiesBelow = [&](std::ptrdiff_t count, double limit) {
-    return count - std::count_if(place.begin(), place.end(), [&](double x) { return x < limit; });
+    return count - std::count_if(projection.begin(), projection.end(), [&](double x) { return x < limit; });
   };
   std::ptrdiff_t belowFrom = tiesBelow(low, from), belowTo = tiesBelow(high, to);
-  std::vector<Side> side(place.size(), Side::Right);
-  for (std::size_t v = 0; v < place.size(); ++v) {
-    const double x = place[v];
+  std::vector<Side> side(projection.size(), Side::Right);
+  for (std::size_t v = 0; v < projection.size(); ++v) {
+    const double x = projection[v];
     if (x < to || (x == to && belowTo-- > 0)) side[v] = Side::Separator;
     if (x < from || (x == from && belowFrom-- > 0)) side[v] = Side::Left;
   }
@@ -92,7 +92,7 @@ Cut cutAlong(const Graph& graph, std::span<const Vec3> coordinates, const Vec3& 
   const auto count = [&](Side s) { return static_cast<double>(std::count(cut.side.begin(), cut.side.end(), s)); };
   cut.separator = count(Side::Separator);
   cut.cost = std::pow(cut.separator, 3) +
-             kDissectionCost * (std::pow(count(Side::Left), 1.5) + std::pow(count(Side::Right), 1.5));
+             dissectionCost * (std::pow(count(Side::Left), 1.5) + std::pow(count(Side::Right), 1.5));
   return cut;
 }
 
@@ -106,10 +106,10 @@ std::vector<Side> findSeparator(const Graph& graph, std::span<const Vec3> coordi
   const struct {
     Vec3 direction;
     double worthAbove;
-  } others[] = {{first + second, kLongSeparator},
-                {first - second, kLongSeparator},
-                {second, kVeryLongSeparator},
-                {third, kVeryLongSeparator}};
+  } others[] = {{first + second, longSeparator},
+                {first - second, longSeparator},
+                {second, veryLongSeparator},
+                {third, veryLongSeparator}};
   for (const auto& [direction, worthAbove] : others) {
     if (best.separator <= worthAbove * std::sqrt(graph.size())) break;
     Cut cut = cutAlong(graph, coordinates, direction, band);

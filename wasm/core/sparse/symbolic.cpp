@@ -15,8 +15,8 @@ namespace {
 
 // Merging a child into its parent stores zeros but saves the child's rows in every gather, scatter and assembly.
 // In units of one stored entry: what one row and what one supernode cost. Measured on mesh Laplacians.
-constexpr std::int64_t kCostOfRow = 4;
-constexpr std::int64_t kCostOfSupernode = 80;
+constexpr std::int64_t costOfRow = 4;
+constexpr std::int64_t costOfSupernode = 80;
 
 // One node of the supernode tree while it is being merged.
 struct Node {
@@ -65,7 +65,7 @@ std::vector<int> mergeSupernodes(std::vector<Node>& nodes) {
       const Node& child = nodes[c];
       const std::int64_t zeros = trapezoid(parent.columns + child.columns, parent.front + child.columns) -
                                  trapezoid(parent.columns, parent.front) - trapezoid(child.columns, child.front);
-      if (zeros > kCostOfRow * (child.front - child.columns) + kCostOfSupernode) continue;
+      if (zeros > costOfRow * (child.front - child.columns) + costOfSupernode) continue;
       parent.columns += child.columns;
       parent.front += child.columns;
       mergedInto[c] = s;

@@ -69,17 +69,17 @@ Affine stacked(const Affine& a, const Affine& b) {
 Affine atKeys(const Grid& grid, const std::vector<double>& keyTimes, Index columns) {
   Affine keys = nothing(static_cast<Index>(keyTimes.size()), grid.samples, columns);
   for (std::size_t j = 0; j < keyTimes.size(); ++j) {
-    const double place = (keyTimes[j] - grid.start) / grid.step;
+    const double sample = (keyTimes[j] - grid.start) / grid.step;
     const Index before =
-        std::clamp<Index>(static_cast<Index>(std::floor(place)), 0, grid.samples - (grid.periodic ? 1 : 2));
-    const double share = place - static_cast<double>(before);
+        std::clamp<Index>(static_cast<Index>(std::floor(sample)), 0, grid.samples - (grid.periodic ? 1 : 2));
+    const double share = sample - static_cast<double>(before);
     grid.add(keys, static_cast<Index>(j), before, 1 - share);
     grid.add(keys, static_cast<Index>(j), before + 1, share);
   }
   return keys;
 }
 
-// Solves a x = b for all columns of b, in place: Gaussian elimination with partial pivoting. (Eigen's is ten times as
+// Solves a x = b for all columns of b, in sample: Gaussian elimination with partial pivoting. (Eigen's is ten times as
 // long, and K is small.)
 void eliminate(MatrixXd& a, MatrixXd& b) {
   const Index n = a.rows();

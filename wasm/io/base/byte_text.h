@@ -18,7 +18,7 @@ std::string_view baseName(std::string_view path);
 std::string extensionOf(std::string_view path);
 
 /// Completes a sentence about a file.
-constexpr const char* kUtf16 = " is text in UTF-16, which is not supported. Save it as UTF-8.";
+constexpr const char* utf16 = " is text in UTF-16, which is not supported. Save it as UTF-8.";
 /// Whether the bytes are text in UTF-16, with a byte order mark or without.
 bool isUtf16(std::span<const std::uint8_t> bytes);
 

@@ -63,7 +63,7 @@ struct Import {
   int animation = -1;  ///< which one the keys were taken from
   std::vector<std::string>
       objects;  ///< names of objects that may be left out: those of the first file, without duplicates
-  std::vector<MatchedObject> matches;  ///< of files with objects, after the first; at most kMostObjects
+  std::vector<MatchedObject> matches;  ///< of files with objects, after the first; at most mostObjects
   std::vector<Warning> warnings;
   /// Subtracted from all positions in double precision, in metres with Y up: position + offset is the true position.
   /// From a reader: the offset of a saved project.

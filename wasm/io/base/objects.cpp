@@ -12,7 +12,7 @@ bool holdsObject(const std::vector<std::string>& names, const std::string& name)
 }
 
 void addObject(const std::string& name, std::vector<std::string>& names) {
-  if (names.size() < kMostObjects && !holdsObject(names, name)) names.push_back(name);
+  if (names.size() < mostObjects && !holdsObject(names, name)) names.push_back(name);
 }
 
 bool takesObject(const std::vector<std::string>& wanted, const std::string& name) {

@@ -9,7 +9,7 @@
 namespace shapespline {
 
 /// More names than anybody would choose from.
-constexpr std::size_t kMostObjects = 1000;
+constexpr std::size_t mostObjects = 1000;
 
 /// Adds a name unless it is in the list.
 void addObject(const std::string& name, std::vector<std::string>& names);

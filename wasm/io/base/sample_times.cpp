@@ -10,9 +10,9 @@ namespace shapespline {
 namespace {
 
 // Positions of all keys that fit into a 32-bit address space together with their encoding.
-constexpr std::uint64_t kMostKeyVertices = 60'000'000;
+constexpr std::uint64_t mostKeyVertices = 60'000'000;
 // Keys of one file; more are a recording, not key poses.
-constexpr std::size_t kMostKeys = 10'000;
+constexpr std::size_t mostKeys = 10'000;
 
 Status checkTimes(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i)
@@ -49,7 +49,7 @@ Result<std::vector<double>> sampleTimes(const ImportOptions& options, double sta
 std::string sampleName(double seconds) { return shortNumber(std::round(1000 * seconds) / 1000) + " s"; }
 
 Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& where) {
-  if (keys <= kMostKeys && static_cast<std::uint64_t>(keys) * vertices <= kMostKeyVertices) return {};
+  if (keys <= mostKeys && static_cast<std::uint64_t>(keys) * vertices <= mostKeyVertices) return {};
   return Error{ErrorCode::TooLarge, where + ": " + grouped(static_cast<std::int64_t>(keys)) + " keys of " +
                                         grouped(static_cast<std::int64_t>(vertices)) +
                                         " vertices are more than is supported. Take fewer keys."};

@@ -12,7 +12,7 @@
 namespace shapespline {
 
 /// Key times up to which an animation that only shows its own shapes gives these as keys.
-constexpr std::size_t kMostOwnKeys = 32;
+constexpr std::size_t mostOwnKeys = 32;
 
 /// The requested times, or evenly spaced ones over the animation, with a warning if some lie outside. `what` is the
 /// name of the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.

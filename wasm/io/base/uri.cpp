@@ -39,7 +39,7 @@ constexpr std::array<std::int16_t, 256> makeBase64Table() {
   for (int i = 0; i < 64; ++i) table[static_cast<unsigned char>(digits[i])] = static_cast<std::int16_t>(i);
   return table;
 }
-constexpr std::array<std::int16_t, 256> kBase64 = makeBase64Table();
+constexpr std::array<std::int16_t, 256> base64Mark = makeBase64Table();
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
@@ -52,7 +52,7 @@ std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
   int have = 0;
   for (char c : text) {
     if (isSpace(c)) continue;
-    const int value = kBase64[static_cast<unsigned char>(c)];
+    const int value = base64Mark[static_cast<unsigned char>(c)];
     if (value < 0) return std::nullopt;
     bits = bits << 6 | static_cast<std::uint32_t>(value);
     have += 6;
@@ -87,10 +87,10 @@ bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 
 // The start of a URI as browsers read it, without leading spaces and line breaks: enough for a scheme.
 std::string headOf(std::string_view uri) {
-  constexpr std::size_t kHead = 64;
+  constexpr std::size_t uriHead = 64;
   while (!uri.empty() && static_cast<unsigned char>(uri.front()) <= ' ') uri.remove_prefix(1);
   std::string head;
-  for (char c : uri.substr(0, kHead))
+  for (char c : uri.substr(0, uriHead))
     if (c != '\t' && c != '\n' && c != '\r') head += c;
   return head;
 }

@@ -13,7 +13,7 @@
 namespace shapespline {
 
 /// Frames of files that state their number, but not their duration.
-constexpr double kFramesPerSecond = 24;
+constexpr double framesPerSecond = 24;
 
 /// A cache whose counts fit its bytes, which must outlive it.
 struct PointCache {

@@ -13,8 +13,8 @@
 namespace shapespline {
 
 /// glTF's codes of component types and buffer view targets.
-constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
-constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
+constexpr int glFloat = 5126, glUnsignedShort = 5123, glUnsignedInt = 5125;
+constexpr int glArrayBuffer = 34962, glElementArrayBuffer = 34963;
 
 /// The binary chunk and the JSON that describes it, growing together.
 struct GlbBuilder {

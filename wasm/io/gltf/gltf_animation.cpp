@@ -21,7 +21,7 @@ using Interpolation = AnimationCurve::Interpolation;
 
 // Numbers of all curves together: half a gigabyte. Channels may share accessors, so a small file could declare any
 // amount.
-constexpr std::uint64_t kMostNumbers = 64'000'000;
+constexpr std::uint64_t mostNumbers = 64'000'000;
 
 std::optional<Path> pathOf(const std::string& name) {
   if (name == "translation") return Path::Translation;
@@ -77,9 +77,9 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
 
   const int components = target.path == Path::Weights ? 1 : curve.width;
   numbers += accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
-  if (numbers > kMostNumbers)
+  if (numbers > mostNumbers)
     return Error{ErrorCode::TooLarge,
-                 doc.where + ": its animations hold more than " + grouped(kMostNumbers) +
+                 doc.where + ": its animations hold more than " + grouped(mostNumbers) +
                      " numbers, more than is supported. Export fewer animations or fewer key times."};
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);
   if (!times) return times.error();

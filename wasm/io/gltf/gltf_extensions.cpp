@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using enum ExtensionUse;
 
-constexpr std::array kKnown = std::to_array<KnownExtension>({
+constexpr std::array extensionList = std::to_array<KnownExtension>({
     {"EXT_mesh_gpu_instancing", Applied},
     {"EXT_texture_webp", Applied},
     {"KHR_animation_pointer", Applied},
@@ -112,8 +112,8 @@ const KnownExtension* known(std::string_view name) {
   const auto fits = [&](const KnownExtension& one) {
     return one.name.ends_with('*') ? name.starts_with(one.name.substr(0, one.name.size() - 1)) : name == one.name;
   };
-  const auto found = std::find_if(kKnown.begin(), kKnown.end(), fits);
-  return found == kKnown.end() ? nullptr : &*found;
+  const auto found = std::find_if(extensionList.begin(), extensionList.end(), fits);
+  return found == extensionList.end() ? nullptr : &*found;
 }
 
 const json* memberOf(const json& object, const char* name) {
@@ -123,8 +123,8 @@ const json* memberOf(const json& object, const char* name) {
 }
 
 // Parts of the document whose extensions may change the shape: nodes and similar, with their content.
-constexpr std::array kShaping{"nodes",      "meshes",   "skins",    "accessors", "bufferViews", "animations",
-                              "primitives", "channels", "samplers", "target",    "targets",     "sparse"};
+constexpr std::array shaping{"nodes",      "meshes",   "skins",    "accessors", "bufferViews", "animations",
+                             "primitives", "channels", "samplers", "target",    "targets",     "sparse"};
 
 // Adds the extensions on an object and its content. The parser limits the depth.
 void collect(const json& at, std::set<std::string>& names) {
@@ -133,14 +133,14 @@ void collect(const json& at, std::set<std::string>& names) {
   if (!at.is_object()) return;
   if (const json* extensions = memberOf(at, "extensions"); extensions && extensions->is_object())
     for (const auto& [name, value] : extensions->items())
-      if (names.size() < kMostObjects) names.insert(name);
-  for (const char* member : kShaping)
+      if (names.size() < mostObjects) names.insert(name);
+  for (const char* member : shaping)
     if (const json* inside = memberOf(at, member)) collect(*inside, names);
 }
 
 }  // namespace
 
-std::span<const KnownExtension> knownExtensions() { return kKnown; }
+std::span<const KnownExtension> knownExtensions() { return extensionList; }
 
 Status checkRequiredExtensions(const json& doc, const std::string& where) {
   const json* required = memberOf(doc, "extensionsRequired");
@@ -166,7 +166,7 @@ std::vector<Warning> extensionWarnings(const json& doc, const std::string& where
   std::set<std::string> used;
   if (const json* list = memberOf(doc, "extensionsUsed"); list && list->is_array())
     for (const json& name : *list)
-      if (name.is_string() && used.size() < kMostObjects) used.insert(name.get<std::string>());
+      if (name.is_string() && used.size() < mostObjects) used.insert(name.get<std::string>());
   for (const std::string& name : used)
     if (const KnownExtension* extension = known(name); extension && extension->use == Ignored) ignored.insert(name);
   if (ignored.empty()) return {};

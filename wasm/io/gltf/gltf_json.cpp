@@ -16,12 +16,12 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kCollections{"accessors", "animations", "buffers", "bufferViews", "cameras",
-                                  "images",    "materials",  "meshes",  "nodes",       "samplers",
-                                  "scenes",    "skins",      "textures"};
+constexpr std::array collectionNames{"accessors", "animations", "buffers", "bufferViews", "cameras",
+                                     "images",    "materials",  "meshes",  "nodes",       "samplers",
+                                     "scenes",    "skins",      "textures"};
 
 // Members that hold an index, a count or a size wherever they stand.
-constexpr std::array kWholeNumbers{
+constexpr std::array wholeNumbers{
     "buffer",        "bufferView", "byteLength", "byteOffset", "byteStride", "camera",
     "componentType", "count",      "index",      "indices",    "input",      "inverseBindMatrices",
     "material",      "mesh",       "mode",       "node",       "output",     "sampler",
@@ -29,11 +29,11 @@ constexpr std::array kWholeNumbers{
     "wrapT"};
 
 // Lists whose items are indices; `nodes` is one in a scene.
-constexpr std::array kIndexLists{"children", "joints", "nodes"};
+constexpr std::array indexLists{"children", "joints", "nodes"};
 
-constexpr std::array kReadExtensions{"EXT_mesh_gpu_instancing", "EXT_texture_webp",    "KHR_animation_pointer",
-                                     "KHR_materials_unlit",     "KHR_node_visibility", "KHR_texture_basisu",
-                                     "KHR_texture_transform"};
+constexpr std::array readExtensions{"EXT_mesh_gpu_instancing", "EXT_texture_webp",    "KHR_animation_pointer",
+                                    "KHR_materials_unlit",     "KHR_node_visibility", "KHR_texture_basisu",
+                                    "KHR_texture_transform"};
 
 template <std::size_t N>
 bool contains(const std::array<const char*, N>& names, std::string_view name) {
@@ -50,7 +50,7 @@ Extent extentOf(std::string_view text) {
   Extent extent;
   int depth = 0;
   bool inString = false;
-  for (std::size_t i = 0; i < text.size() && extent.depth <= kDeepestJson; ++i) {
+  for (std::size_t i = 0; i < text.size() && extent.depth <= deepestJson; ++i) {
     const char c = text[i];
     if (inString && c == '\\') ++i;
     else if (c == '"') inString = !inString;
@@ -67,12 +67,12 @@ Extent extentOf(std::string_view text) {
 
 Status checkExtent(std::string_view text, const std::string& where) {
   const Extent extent = extentOf(text);
-  if (extent.depth > kDeepestJson)
-    return malformed(where, "its JSON is nested more than " + std::to_string(kDeepestJson) + " levels deep");
-  const bool objects = extent.objects > kMostJsonObjects;
-  if (!objects && extent.values <= kMostJsonValues) return {};
+  if (extent.depth > deepestJson)
+    return malformed(where, "its JSON is nested more than " + std::to_string(deepestJson) + " levels deep");
+  const bool objects = extent.objects > mostJsonObjects;
+  if (!objects && extent.values <= mostJsonValues) return {};
   return Error{ErrorCode::TooLarge, where + ": its JSON holds more than " +
-                                        grouped(objects ? kMostJsonObjects : kMostJsonValues) +
+                                        grouped(objects ? mostJsonObjects : mostJsonValues) +
                                         (objects ? " objects" : " values") +
                                         ", more than can be held. Join nodes and meshes, or export the shape alone."};
 }
@@ -115,7 +115,7 @@ void dropUnreadExtensions(json& node) {
   if (auto it = node.find("extensions"); it != node.end()) {
     if (!it->is_object()) node.erase(it);
     else
-      for (auto e = it->begin(); e != it->end();) e = contains(kReadExtensions, e.key()) ? std::next(e) : it->erase(e);
+      for (auto e = it->begin(); e != it->end();) e = contains(readExtensions, e.key()) ? std::next(e) : it->erase(e);
   }
   if (auto it = node.find("extras"); it != node.end()) {
     const auto names = it->is_object() ? it->find("targetNames") : it->end();
@@ -139,10 +139,10 @@ std::string tidy(json& node) {
     if (attributes && value.is_object())
       for (auto& [semantic, accessor] : value.items())
         if (std::string wrong = tidyMember(semantic, accessor, true); !wrong.empty()) return wrong;
-    if (contains(kIndexLists, name) && value.is_array())
+    if (contains(indexLists, name) && value.is_array())
       for (json& index : value)
         if (std::string wrong = tidyMember(name, index, true); !wrong.empty()) return wrong;
-    if (std::string wrong = tidyMember(name, value, contains(kWholeNumbers, name)); !wrong.empty()) return wrong;
+    if (std::string wrong = tidyMember(name, value, contains(wholeNumbers, name)); !wrong.empty()) return wrong;
   }
   return "";
 }
@@ -165,7 +165,7 @@ Status checkAsset(const json& doc, const std::string& where) {
 }
 
 Status checkCollections(const json& doc, const std::string& where) {
-  for (const char* name : kCollections) {
+  for (const char* name : collectionNames) {
     const auto collection = doc.find(name);
     if (collection == doc.end()) continue;
     if (!collection->is_array()) return malformed(where, std::string(name) + " is not a list");
@@ -173,8 +173,8 @@ Status checkCollections(const json& doc, const std::string& where) {
       if (!(*collection)[i].is_object())
         return malformed(where, std::string(name) + "[" + std::to_string(i) + "] is not an object");
   }
-  if (const auto materials = doc.find("materials"); materials != doc.end() && materials->size() > kMostMaterials)
-    return Error{ErrorCode::TooLarge, where + " has more than " + grouped(kMostMaterials) +
+  if (const auto materials = doc.find("materials"); materials != doc.end() && materials->size() > mostMaterials)
+    return Error{ErrorCode::TooLarge, where + " has more than " + grouped(mostMaterials) +
                                           " materials, more than can be held. Join those that are the same."};
   return {};
 }

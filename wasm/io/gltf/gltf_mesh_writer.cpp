@@ -111,11 +111,11 @@ int addIndices(GlbBuilder& glb, const DrawnPrimitive& primitive) {
   if (primitive.vertices.size() <= 0xffff) {  // 65535 itself would restart a strip
     std::vector<std::uint16_t> indices;
     collect(indices);
-    return glb.addArray(indices, "SCALAR", 1, kUnsignedShort, kElementArrayBuffer);
+    return glb.addArray(indices, "SCALAR", 1, glUnsignedShort, glElementArrayBuffer);
   }
   std::vector<std::uint32_t> indices;
   collect(indices);
-  return glb.addArray(indices, "SCALAR", 1, kUnsignedInt, kElementArrayBuffer);
+  return glb.addArray(indices, "SCALAR", 1, glUnsignedInt, glElementArrayBuffer);
 }
 
 }  // namespace
@@ -144,15 +144,15 @@ json MeshWriter::primitive(const DrawnPrimitive& drawn, json attributes) {
   const auto add = [&](std::string_view name, const std::vector<float>& values, const char* type, int width) {
     if (values.size() != width * vertices) return;
     const auto own = gathered(std::span<const float>(values), width, drawn);
-    attributes[std::string(name)] = glb.addArray(own, type, width, kFloat, kArrayBuffer);
+    attributes[std::string(name)] = glb.addArray(own, type, width, glFloat, glArrayBuffer);
   };
   std::vector<float> colors = scene.colors;
   addCopies(scene.seams, 4, colors);
   add("TEXCOORD_0", scene.uvs, "VEC2", 2);
   add("TANGENT", tangents, "VEC4", 4);
   add("COLOR_0", colors, "VEC4", 4);
-  add(kVertexAttribute, numbers, "SCALAR", 1);
-  add(kDrawnAttribute, drawnNumbers, "SCALAR", 1);
+  add(vertexAttribute, numbers, "SCALAR", 1);
+  add(drawnAttribute, drawnNumbers, "SCALAR", 1);
   if (drawn.material < 0 && plain < 0) plain = addPlainMaterial();
   return {{"attributes", std::move(attributes)},
           {"indices", addIndices(glb, drawn)},

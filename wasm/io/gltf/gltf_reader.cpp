@@ -19,7 +19,7 @@ namespace shapespline {
 namespace {
 
 // Share of the progress that goes to the file itself, before its keys.
-constexpr double kReading = 0.4;
+constexpr double readingShare = 0.4;
 
 void append(std::vector<Warning>& to, std::vector<Warning>&& from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
@@ -208,7 +208,7 @@ struct KeyReader {
   Result<std::vector<double>> timesOf(const GltfAnimation& animation) {
     const bool lone = std::count_if(animations.begin(), animations.end(), [](const auto& a) { return a.moves; }) == 1;
     const bool ownTimes = options.sampleTimes.empty() && lone && animation.weightsOnly && !options.sampleAsked &&
-                          animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= kMostOwnKeys;
+                          animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= mostOwnKeys;
     const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
     // The file asks for these keys, not the user.
     if (everyFrame) keysOfFile = animation.keyTimes.size();
@@ -285,7 +285,7 @@ struct KeyReader {
   Status addKey(const GltfShape& shape, const PlannedKey& key, const SceneState& state) {
     const std::size_t count = plan.size();
     const auto onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
-      report("taking the keys", kReading + (1 - kReading) * (before + fraction) / static_cast<double>(count));
+      report("taking the keys", readingShare + (1 - readingShare) * (before + fraction) / static_cast<double>(count));
     };
     onKey(0);
     const bool first = out.keyframes.keys.empty();
@@ -346,7 +346,7 @@ struct KeyReader {
     if (!nodes) return nodes.error();
     if (Status fits = checkAmount(doc, *nodes, {plan.size(), keysOfFile}); !fits) return fits;
     auto shape = readShape(doc, scene.graph, *nodes,
-                           [&](double fraction) { report("reading the mesh", kReading / 2 * (1 + fraction)); });
+                           [&](double fraction) { report("reading the mesh", readingShare / 2 * (1 + fraction)); });
     if (!shape) return shape.error();
     if (Status added = addKeys(*shape, *nodes, visible); !added) return added;
     out.objects = objectNames(doc, visibleNodes(scene, scene.meshNodes, visible));
@@ -411,7 +411,7 @@ Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, con
   if (progress) progress("reading the file", 0);
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
-  if (progress) progress("reading the mesh", kReading / 2);
+  if (progress) progress("reading the mesh", readingShare / 2);
   const auto scene = readScene(*doc);
   if (!scene) return scene.error();
   KeyReader reader{*doc, *scene, options, progress};

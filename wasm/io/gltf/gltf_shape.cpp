@@ -67,8 +67,8 @@ struct ShapeReader {
     if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
       return malformed(doc.where, part.name + " has a different number of joints or weights than of vertices");
     influenceCount += 4 * static_cast<std::int64_t>(n);
-    if (influenceCount > static_cast<std::int64_t>(4 * kMostElements))
-      return tooLarge(doc, 4 * kMostElements, "joint weights");
+    if (influenceCount > static_cast<std::int64_t>(4 * mostElements))
+      return tooLarge(doc, 4 * mostElements, "joint weights");
     auto j = readWholeNumbers(doc, jointAccessor, 4, "JOINTS" + suffix + " of " + part.name);
     if (!j) return j.error();
     auto w = readNumbers(doc, weightAccessor, 4, "WEIGHTS" + suffix + " of " + part.name);
@@ -129,8 +129,7 @@ struct ShapeReader {
     part.firstVertex = shape.vertexCount;
     const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
     if (position < 0) return malformed(doc.where, name + " has no positions");
-    if (shape.vertexCount + accessorCount(doc, position) > kMostElements)
-      return tooLarge(doc, kMostElements, "vertices");
+    if (shape.vertexCount + accessorCount(doc, position) > mostElements) return tooLarge(doc, mostElements, "vertices");
     // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
@@ -163,7 +162,7 @@ struct ShapeReader {
                                              const std::string& name, const FractionReport& report) {
     const std::size_t n = part.positions.size();
     cornerCount += static_cast<std::int64_t>(primitive.indices < 0 ? n : accessorCount(doc, primitive.indices));
-    if (cornerCount > 3 * kMostFaces) return tooLarge(doc, kMostFaces, "faces");
+    if (cornerCount > 3 * mostFaces) return tooLarge(doc, mostFaces, "faces");
     if (primitive.indices < 0) {
       std::vector<std::uint32_t> all(n);
       for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
@@ -229,8 +228,8 @@ struct ShapeReader {
       if (!v) return v.error();
       const int start = static_cast<int>(shape.faces.size());
       if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) >
-          kMostFaces)
-        return tooLarge(doc, kMostFaces, "faces");
+          mostFaces)
+        return tooLarge(doc, mostFaces, "faces");
       addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0,
                share(0.8, 1));
       shape.groups.push_back({start, static_cast<int>(shape.faces.size()) - start, primitive.material});

@@ -25,7 +25,7 @@ std::vector<int> vertexNumbers(const GltfDocument& doc, const GltfShape& shape, 
     const auto numbers = readNumbers(doc, attribute->second, 1, std::string(name) + " of " + part.name);
     if (!numbers) return {};
     for (double number : *numbers) {
-      const bool isVertex = number >= 0 && number < static_cast<double>(kMostElements) && number == std::floor(number);
+      const bool isVertex = number >= 0 && number < static_cast<double>(mostElements) && number == std::floor(number);
       if (!isVertex) return {};
       out.push_back(static_cast<int>(number));
     }
@@ -115,9 +115,9 @@ void renumber(std::vector<Triangle>& faces, const std::vector<int>& numbers) {
 
 void joinVertices(const GltfDocument& doc, const GltfShape& shape, const std::vector<Positions*>& poses,
                   Positions& normals, std::vector<Triangle>& faces, Scene& scene) {
-  const std::vector<int> numbers = vertexNumbers(doc, shape, kVertexAttribute);
+  const std::vector<int> numbers = vertexNumbers(doc, shape, vertexAttribute);
   if (numbers.empty()) return;
-  const std::vector<int> drawnNumbers = vertexNumbers(doc, shape, kDrawnAttribute);
+  const std::vector<int> drawnNumbers = vertexNumbers(doc, shape, drawnAttribute);
   Joining joining{scene, {}, {}, {}, {}, {}, {}};
   joining.numberVertices(numbers, drawnNumbers);
   if (!std::all_of(poses.begin(), poses.end(), [&](const Positions* p) { return joining.standTogether(*p); })) return;

@@ -12,12 +12,12 @@
 namespace shapespline {
 
 /// A number for each vertex of a primitive: the vertex of the mesh that it is, or is a copy of. A float holds them
-/// exactly up to 16.7 million, which is more than kMostElements.
-inline constexpr std::string_view kVertexAttribute = "_SHAPESPLINE_VERTEX";
+/// exactly up to 16.7 million, which is more than mostElements.
+inline constexpr std::string_view vertexAttribute = "_SHAPESPLINE_VERTEX";
 
 /// With seams: the number of the drawn vertex. Without this attribute, the first file vertex of a mesh vertex is drawn
 /// as the vertex, others are copies.
-inline constexpr std::string_view kDrawnAttribute = "_SHAPESPLINE_DRAWN";
+inline constexpr std::string_view drawnAttribute = "_SHAPESPLINE_DRAWN";
 
 /// Puts the mesh together again: poses, normals, faces and scene get the vertices that the file's numbers say, in their
 /// order, and the scene its seams. Numbers that other programs have left out leave no gaps. Nothing happens where a

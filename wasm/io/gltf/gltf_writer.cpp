@@ -19,7 +19,7 @@ using nlohmann::json;
 
 // Up to this number of frames the one-hot weight matrix (frames x targets floats, at most 4 MB) is written in full,
 // which every reader understands. Beyond, a sparse accessor grows with the frames instead of their square.
-constexpr std::size_t kMostDenseFrames = 1024;
+constexpr std::size_t mostDenseFrames = 1024;
 
 json boundsOf(const std::vector<float>& values) {
   float low[3] = {values[0], values[1], values[2]}, high[3] = {values[0], values[1], values[2]};
@@ -39,7 +39,7 @@ struct PrimitiveFrames {
   void add(GlbBuilder& glb, std::span<const float> ofMesh, std::vector<json>& accessors, bool bounded) {
     const std::vector<float> values = gathered(ofMesh, 3, drawn);
     json accessor = {
-        {"byteOffset", next - start}, {"componentType", kFloat}, {"count", values.size() / 3}, {"type", "VEC3"}};
+        {"byteOffset", next - start}, {"componentType", glFloat}, {"count", values.size() / 3}, {"type", "VEC3"}};
     if (bounded) accessor.update(boundsOf(values));  // POSITION must state them
     accessors.push_back(std::move(accessor));
     std::memcpy(glb.bin.data() + next, values.data(), values.size() * sizeof(float));
@@ -86,12 +86,11 @@ struct AnimationWriter {
 
   Status checkWeights() const {
     const std::uint64_t weights = source.seconds.size() * static_cast<std::uint64_t>(frameCount() - 1);
-    if (weights <= kMostElements) return {};
-    return Error{ErrorCode::TooLarge, "An animation with " + grouped(std::int64_t(frameCount() - 1)) +
-                                          " morph targets needs " + grouped(std::int64_t(weights)) +
-                                          " weights, one for each at every frame; with more than " +
-                                          grouped(std::int64_t(kMostElements)) +
-                                          " the file could not be opened again. Export fewer frames."};
+    if (weights <= mostElements) return {};
+    return Error{ErrorCode::TooLarge,
+                 "An animation with " + grouped(std::int64_t(frameCount() - 1)) + " morph targets needs " +
+                     grouped(std::int64_t(weights)) + " weights, one for each at every frame; with more than " +
+                     grouped(std::int64_t(mostElements)) + " the file could not be opened again. Export fewer frames."};
   }
 
   Status readFrame(int k, std::vector<float>& p, std::vector<float>& n) {
@@ -158,7 +157,7 @@ struct AnimationWriter {
     json view = {{"buffer", 0},
                  {"byteOffset", primitive.start},
                  {"byteLength", primitive.next - primitive.start},
-                 {"target", kArrayBuffer},
+                 {"target", glArrayBuffer},
                  {"byteStride", 12}};
     glb.doc["bufferViews"].push_back(std::move(view));
     const int index = static_cast<int>(glb.doc["bufferViews"].size()) - 1;
@@ -185,30 +184,30 @@ struct AnimationWriter {
 
   // Unless the source has its own, frame k shows target k - 1 alone, frame 0 the base.
   int addWeights(std::size_t frames, std::size_t targets) {
-    if (!source.weights.empty()) return glb.addArray(source.weights, "SCALAR", 1, kFloat);
-    if (frames <= kMostDenseFrames) {
+    if (!source.weights.empty()) return glb.addArray(source.weights, "SCALAR", 1, glFloat);
+    if (frames <= mostDenseFrames) {
       std::vector<float> weights(frames * targets, 0);
       for (std::size_t k = 1; k < frames; ++k) weights[k * targets + k - 1] = 1;
-      return glb.addArray(weights, "SCALAR", 1, kFloat);
+      return glb.addArray(weights, "SCALAR", 1, glFloat);
     }
     std::vector<std::uint32_t> places(frames - 1);
     for (std::size_t k = 1; k < frames; ++k) places[k - 1] = static_cast<std::uint32_t>(k * targets + k - 1);
     const std::vector<float> ones(frames - 1, 1);
     const int placeView = glb.addView(glb.append(places.data(), places.size()));
     const int valueView = glb.addView(glb.append(ones.data(), ones.size()));
-    return glb.addAccessor({{"componentType", kFloat},
+    return glb.addAccessor({{"componentType", glFloat},
                             {"count", frames * targets},
                             {"type", "SCALAR"},
                             {"sparse",
                              {{"count", places.size()},
-                              {"indices", {{"bufferView", placeView}, {"componentType", kUnsignedInt}}},
+                              {"indices", {{"bufferView", placeView}, {"componentType", glUnsignedInt}}},
                               {"values", {{"bufferView", valueView}}}}}});
   }
 
   void addAnimation() {
     if (source.seconds.size() < 2) return;
     const std::vector<float> times(source.seconds.begin(), source.seconds.end());
-    const int input = glb.addArray(times, "SCALAR", 1, kFloat);
+    const int input = glb.addArray(times, "SCALAR", 1, glFloat);
     glb.doc["accessors"][input]["min"] = {times.front()};
     glb.doc["accessors"][input]["max"] = {times.back()};
     const int output = addWeights(times.size(), frameCount() - 1);
@@ -260,7 +259,7 @@ GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int fr
   const auto primitives = drawnPrimitives(seams ? scene.seams.faces : faces, drawn, scene);
   const std::uint64_t f = frames, dense = f * f * 4, sparse = f * 8;
   GlbSize size;
-  size.bytes = 2000 + f * 20 + (f <= kMostDenseFrames ? dense : sparse);
+  size.bytes = 2000 + f * 20 + (f <= mostDenseFrames ? dense : sparse);
   for (const DrawnPrimitive& primitive : primitives) {
     const std::uint64_t n = primitive.vertices.size();
     size.vertices += n;

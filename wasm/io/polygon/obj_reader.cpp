@@ -25,10 +25,10 @@ float linear(double srgb) {
 }
 
 // More warnings would add nothing.
-constexpr std::size_t kMostWarnings = 100;
+constexpr std::size_t mostWarnings = 100;
 // Material libraries of one file, and words of a name that one is looked for by.
-constexpr std::size_t kMostLibraries = 256;
-constexpr int kMostWords = 8;
+constexpr std::size_t mostLibraries = 256;
+constexpr int mostWords = 8;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
@@ -36,7 +36,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 void warnOfMaterials(const std::string& why, PolygonMesh& mesh) {
-  if (mesh.warnings.size() < kMostWarnings)
+  if (mesh.warnings.size() < mostWarnings)
     mesh.warnings.push_back({"missing-materials", "Materials are left out: " + why, 1});
 }
 
@@ -74,7 +74,7 @@ struct MtlReader {
     }
     const std::string type = found ? imageType(found->bytes) : "";
     if (type.empty()) {
-      if (mesh.warnings.size() < kMostWarnings)
+      if (mesh.warnings.size() < mostWarnings)
         mesh.warnings.push_back(
             {"missing-texture",
              "A texture is left out: " +
@@ -88,7 +88,7 @@ struct MtlReader {
   }
 
   void read(std::span<const std::uint8_t> bytes) {
-    if (isUtf16(bytes)) return warnOfMaterials(std::string(baseName(from)) + kUtf16, mesh);
+    if (isUtf16(bytes)) return warnOfMaterials(std::string(baseName(from)) + utf16, mesh);
     LineReader lines(bytes);
     bool hasCommas = false;
     Material* current = nullptr;
@@ -96,7 +96,7 @@ struct MtlReader {
       const std::string_view word = takeWord(line);
       if (word == "newmtl") {
         current = nullptr;
-        if (mesh.scene.materials.size() >= kMostMaterials) continue;
+        if (mesh.scene.materials.size() >= mostMaterials) continue;
         const std::string name = asUtf8(trimmed(line));
         materialOf[name] = static_cast<int>(mesh.scene.materials.size());
         current = &mesh.scene.materials.emplace_back();
@@ -122,7 +122,7 @@ struct MtlReader {
 };
 
 // The material of polygons without a name.
-constexpr const char* kUnnamed = "default";
+constexpr const char* unnamed = "default";
 
 // The polygons from one name on belong to it, up to the next one.
 struct NamedRun {
@@ -158,9 +158,9 @@ struct ObjReader {
     while (count < 6 && takeNumber(text, value[count])) ++count;
     if (hasDecimalComma(text)) return decimalComma(where + ", line " + grouped(line));
     if (count < 3) return malformed("a vertex needs three numbers");
-    if (mesh.positions.size() >= kMostElements)
+    if (mesh.positions.size() >= mostElements)
       return Error{ErrorCode::TooLarge,
-                   where + " has more than " + grouped(kMostElements) + " vertices. Simplify the mesh first."};
+                   where + " has more than " + grouped(mostElements) + " vertices. Simplify the mesh first."};
     mesh.positions.emplace_back(value);
     if (count == 6) {
       colors.resize(mesh.positions.size() - 1, Vec3::Ones());
@@ -230,8 +230,8 @@ struct ObjReader {
 
   void startRun(std::vector<NamedRun>& runs, std::string_view name) {
     if (!runs.empty() && runs.back().start == mesh.polygonCount()) runs.pop_back();
-    if (runs.empty() && mesh.polygonCount() > 0) runs.push_back({0, kUnnamed});
-    runs.push_back({mesh.polygonCount(), std::string(name.empty() ? std::string_view(kUnnamed) : name)});
+    if (runs.empty() && mesh.polygonCount() > 0) runs.push_back({0, unnamed});
+    runs.push_back({mesh.polygonCount(), std::string(name.empty() ? std::string_view(unnamed) : name)});
   }
 
   // Groups serve as objects if there are none. Only polygons create one.
@@ -255,7 +255,7 @@ struct ObjReader {
     for (std::size_t r = 0; r < runs.size(); ++r) {
       ObjectFaces object{runs[r].name, runs[r].start, 0};
       object.count = (r + 1 < runs.size() ? runs[r + 1].start : mesh.polygonCount()) - object.start;
-      if (runs[r].name != kUnnamed) object.nodeName = runs[r].name;
+      if (runs[r].name != unnamed) object.nodeName = runs[r].name;
       object.isGroup = objects.empty();
       if (object.count > 0) mesh.scene.objects.push_back(std::move(object));
     }
@@ -321,7 +321,7 @@ struct ObjReader {
     std::string_view name = text, rest = text;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
       const std::string_view read = name.substr(0, name.size() - rest.size());
-      const bool ends = rest.empty() || extensionOf(word) == "mtl" || (++words <= kMostWords && isFile(read));
+      const bool ends = rest.empty() || extensionOf(word) == "mtl" || (++words <= mostWords && isFile(read));
       if (!ends) continue;
       readLibrary(read);
       name = rest = trimmed(rest);
@@ -330,7 +330,7 @@ struct ObjReader {
   }
 
   void readLibrary(std::string_view name) {
-    if (libraries.size() >= kMostLibraries || !libraries.emplace(name).second) return;
+    if (libraries.size() >= mostLibraries || !libraries.emplace(name).second) return;
     const auto found = resolveUri(name, file.name, files, where);
     const std::string folder = file.name.substr(0, file.name.size() - baseName(file.name).size());
     if (found && !librariesAt.insert(found->bytes.data()).second) return;

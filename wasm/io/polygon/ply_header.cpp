@@ -12,7 +12,7 @@ namespace shapespline {
 namespace {
 
 std::optional<PlyType> typeOf(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, PlyType>, 16> kNames{{
+  static constexpr std::array<std::pair<std::string_view, PlyType>, 16> propertyNames{{
       {"char", PlyType::Int8},
       {"int8", PlyType::Int8},
       {"uchar", PlyType::UInt8},
@@ -30,7 +30,7 @@ std::optional<PlyType> typeOf(std::string_view name) {
       {"double", PlyType::Float64},
       {"float64", PlyType::Float64},
   }};
-  for (const auto& [text, type] : kNames)
+  for (const auto& [text, type] : propertyNames)
     if (text == name) return type;
   return std::nullopt;
 }

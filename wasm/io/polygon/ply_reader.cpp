@@ -77,14 +77,14 @@ class ValueReader {
 };
 
 // Destination of a vertex property: position, normal, coordinates, colour; -1 for none.
-enum Slot { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, kSlots };
+enum Slot { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, slotCount };
 
 int slotOf(const std::string& name) {
-  static constexpr std::pair<std::string_view, Slot> kNames[] = {
+  static constexpr std::pair<std::string_view, Slot> propertyNames[] = {
       {"x", X},     {"y", Y},         {"z", Z},       {"nx", NormalX}, {"ny", NormalY},  {"nz", NormalZ},
       {"u", U},     {"v", V},         {"s", U},       {"t", V},        {"texture_u", U}, {"texture_v", V},
       {"red", Red}, {"green", Green}, {"blue", Blue}, {"alpha", Alpha}};
-  for (const auto& [text, slot] : kNames)
+  for (const auto& [text, slot] : propertyNames)
     if (text == name) return slot;
   return -1;
 }
@@ -114,7 +114,7 @@ struct PlyReader {
     std::uint64_t least = 0;
     for (const PlyProperty& p : element.properties) least += values.least(p.isList ? p.countType : p.type);
     const auto count = static_cast<std::uint64_t>(element.count);
-    if (count > kMostElements * 4)
+    if (count > mostElements * 4)
       return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " of element " +
                                             inQuotes(element.name) +
                                             ", more than is supported. Simplify the mesh first."};
@@ -168,7 +168,7 @@ struct PlyReader {
   Status readVertices(const PlyElement& element) {
     if (!mesh.positions.empty())  // others might have other properties
       return Error{ErrorCode::MalformedFile, where + " declares its vertices twice. Export the file again."};
-    bool has[kSlots] = {};
+    bool has[slotCount] = {};
     std::vector<int> slots;
     for (const PlyProperty& p : element.properties) {
       slots.push_back(p.isList ? -1 : slotOf(p.name));
@@ -176,13 +176,13 @@ struct PlyReader {
     }
     if (!has[X] || !has[Y] || !has[Z])
       return Error{ErrorCode::MalformedFile, where + ": its vertices have no x, y and z. Export the file again."};
-    if (element.count > static_cast<std::int64_t>(kMostElements))
+    if (element.count > static_cast<std::int64_t>(mostElements))
       return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) +
                                             " vertices, more than is supported. Simplify the mesh first."};
     mesh.positions.reserve(element.count);
     for (std::int64_t i = 0; i < element.count; ++i) {
       reportRow(i);
-      double slot[kSlots] = {};
+      double slot[slotCount] = {};
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& p = element.properties[k];
         const bool read = readProperty(p, [&](double value) {

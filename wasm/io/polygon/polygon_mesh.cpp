@@ -9,7 +9,7 @@ namespace shapespline {
 namespace {
 
 // Ears are looked for in polygons up to this size, because that takes cubic time; larger ones become fans.
-constexpr int kMostEarCorners = 32;
+constexpr int mostEarCorners = 32;
 
 struct Polygon {
   const PolygonMesh& mesh;
@@ -121,7 +121,7 @@ PolygonCuts cutPolygons(const PolygonMesh& mesh) {
     const int size = mesh.ends[i] - mesh.firstCorner(i);
     if (size == 3) cuts.push_back({0, 1, 2});
     else if (size == 4) cutQuad(Polygon(mesh, i), cuts);
-    else if (size <= kMostEarCorners) cutEars(Polygon(mesh, i), cuts);
+    else if (size <= mostEarCorners) cutEars(Polygon(mesh, i), cuts);
     else cutFan(size, cuts);
   }
   return cuts;
@@ -134,7 +134,7 @@ PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>
   for (int p = 0; p < mesh.polygonCount(); ++p) {
     const auto first = mesh.corners.begin() + mesh.firstCorner(p), last = mesh.corners.begin() + mesh.ends[p];
     const int size = static_cast<int>(last - first);
-    if (size > kMostEarCorners) {
+    if (size > mostEarCorners) {
       cutFan(size, cuts);
       continue;
     }

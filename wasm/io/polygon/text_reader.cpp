@@ -9,8 +9,8 @@ namespace shapespline {
 
 namespace {
 
-constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                              1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                             1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -76,7 +76,7 @@ bool parseNumber(std::string_view word, double& value) {
   }
   if (at != word.size() || mantissa > (1ull << 53) || exponent < -22 || exponent > 22) return slowNumber(word, value);
   value = static_cast<double>(mantissa);
-  value = exponent < 0 ? value / kPowers[-exponent] : value * kPowers[exponent];
+  value = exponent < 0 ? value / powers[-exponent] : value * powers[exponent];
   if (negative) value = -value;
   return true;
 }

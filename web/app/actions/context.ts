@@ -5,7 +5,7 @@ import type { Lazy } from '../../ui/lazy.ts';
 import type { Offer } from '../../ui/messages.ts';
 import type { ThemeSwitch } from '../../ui/theme.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
-import type { MotionPaceFollower } from '../analysis/motion-pace.ts';
+import type { MotionSpeedFollower } from '../analysis/motion-speed.ts';
 import type { Display } from '../drawing/display.ts';
 import type { ExportController } from '../export/export-controller.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
@@ -26,7 +26,7 @@ export interface Context extends Ways {
   feedback: Feedback;
   theme: ThemeSwitch;
   analysis: AnalysisCache;
-  pace: MotionPaceFollower;
+  motionSpeed: MotionSpeedFollower;
   takeFiles: TakeFiles;
   /** Offers what can be done about the files that were just opened; null takes the offer back. */
   offerImport(offer: Offer | null): void;

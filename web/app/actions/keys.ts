@@ -1,6 +1,6 @@
 /** Commands on the keys. */
 import { MOST_TIME, PER_KEY } from '../../engine/api/option-table.ts';
-import type { KeyPace } from '../../engine/api/types.ts';
+import type { KeySpacing } from '../../engine/api/types.ts';
 import {
   addKey,
   isTaken,
@@ -67,9 +67,9 @@ export const KEYS = {
   autoTightness: { run: autoTightness },
   spaceKeys: {
     async run(context, spacing: Spacing) {
-      const pace = await paceOfKeys(context);
-      if (!pace) return;
-      context.session.store.edit('times of the keys', (doc) => spaceKeys(doc, pace.distance, SPACINGS[spacing]));
+      const keySpacing = await spacingOfKeys(context);
+      if (!keySpacing) return;
+      context.session.store.edit('times of the keys', (doc) => spaceKeys(doc, keySpacing.distance, SPACINGS[spacing]));
     },
   },
   turns: {
@@ -85,19 +85,19 @@ export const KEYS = {
   },
 } satisfies Actions;
 
-/** The pace at the keys; null if they have changed meanwhile, or nothing is open. */
-async function paceOfKeys({ session: { store, sequence } }: Context): Promise<KeyPace | null> {
+/** The spacing of the keys; null if they have changed meanwhile, or nothing is open. */
+async function spacingOfKeys({ session: { store, sequence } }: Context): Promise<KeySpacing | null> {
   const { keys } = store.get().doc;
-  const pace = (await sequence()?.keyPace()) ?? null;
-  return store.get().doc.keys === keys && pace?.tension.length === keys.length ? pace : null;
+  const keySpacing = (await sequence()?.keySpacing()) ?? null;
+  return store.get().doc.keys === keys && keySpacing?.tension.length === keys.length ? keySpacing : null;
 }
 
-/** Gives each key just enough tension to keep its slope within the bound of `KeyPace`. */
+/** Gives each key just enough tension to keep its slope within the bound of `KeySpacing`. */
 async function autoTightness(context: Context): Promise<void> {
-  const pace = await paceOfKeys(context);
-  if (!pace) return;
+  const keySpacing = await spacingOfKeys(context);
+  if (!keySpacing) return;
   const { store } = context.session;
-  const tension = pace.tension.map((value) => Math.ceil(value * 1000) / 1000);
+  const tension = keySpacing.tension.map((value) => Math.ceil(value * 1000) / 1000);
   if (store.get().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
     return context.feedback.say('The motion keeps within the bound at every key: there is nothing to change.');
   store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));

@@ -85,11 +85,11 @@ export function createDisplay({ session, stage, viewState, feedback, seek, onRes
     rest: playback.rest,
     resume: playback.resume,
     async show(opening) {
-      scene.showOpening(opening);
+      scene.showFirstKey(opening);
       await scene.viewer.textured();
       performance.mark('shapespline first key');
     },
-    hide: () => scene.endOpening(),
+    hide: () => scene.hideFirstKey(),
     onSeen: (seen) => viewState.change({ seen }),
   });
   const thumbnails = createThumbnails({

@@ -1,5 +1,5 @@
 /** While large files are opened, what is open rests dimmed until the first key of the new motion takes its place. */
-import type { Opening } from '../session/workspace.ts';
+import type { LoadedKeys } from '../session/workspace.ts';
 import type { Seen } from '../view/view-state.ts';
 
 export interface FirstKeyParts {
@@ -7,7 +7,7 @@ export interface FirstKeyParts {
   rest(): Promise<void>;
   resume(): void;
   /** Resolves once the first key is seen. */
-  show(opening: Opening): Promise<void>;
+  show(opening: LoadedKeys): Promise<void>;
   /** What is open is shown again. */
   hide(): void;
   onSeen(seen: Seen): void;
@@ -27,7 +27,7 @@ export class FirstKey {
     this.rested = this.parts.rest();
   }
 
-  async show(opening: Opening): Promise<void> {
+  async show(opening: LoadedKeys): Promise<void> {
     // Compressed files show only now that they are large.
     this.rested ??= this.parts.rest();
     const { rested } = this;

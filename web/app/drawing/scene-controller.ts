@@ -29,7 +29,7 @@ import { patchColours } from '../../viewer/patch-colours.ts';
 import { vertexNormals } from './vertex-normals.ts';
 import type { FrameSet, RunningMotion } from '../../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
-import type { Opening } from '../session/workspace.ts';
+import type { LoadedKeys } from '../session/workspace.ts';
 
 /**
  * While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then.
@@ -141,19 +141,19 @@ export class SceneController {
   }
 
   /** The first key of files that are being opened, alone in the picture; what is open stays as it is. */
-  showOpening({ info, doc, pool, camera }: Opening): void {
+  showFirstKey({ info, doc, pool, camera }: LoadedKeys): void {
     this.opening = { info, extent: extentOf(pool.poses(pool.imported)) };
     const pose = doc.keys[0]?.pose ?? 0;
     const positions = pool.keys.positions(pose);
     const normals = (pose === 0 && pool.keys.normals()) || vertexNormals(positions, info.faces);
-    this.viewer.setOpening({ info, positions, normals, colour: PHASE_COLOURS.key }, this.opening.extent, camera);
+    this.viewer.showFirstKey({ info, positions, normals, colour: PHASE_COLOURS.key }, this.opening.extent, camera);
     this.placeNames();
   }
 
   /** What is open is seen again, as it was. */
-  endOpening(): void {
+  hideFirstKey(): void {
     if (!this.opening) return;
-    this.viewer.endOpening();
+    this.viewer.hideFirstKey();
     this.opening = null;
     this.placeNames();
   }

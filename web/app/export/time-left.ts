@@ -5,7 +5,7 @@ const TOLD_AFTER_MS = 3000;
 /** What is soon over is not told, in seconds. */
 const WORTH_TELLING = 10;
 
-/** At the mean pace so far, as a phrase; empty before it is known. fraction: of the work, above 0. */
+/** At the mean speed so far, as a phrase; empty before it is known. fraction: of the work, above 0. */
 export function timeLeft(milliseconds: number, fraction: number): string {
   const left = (milliseconds / fraction - milliseconds) / 1000;
   if (milliseconds < TOLD_AFTER_MS || left < WORTH_TELLING) return '';

@@ -11,11 +11,11 @@ import { readPermalink } from '../sources/permalink.ts';
 import { FIGURES } from './figures.ts';
 import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
-import { createWayBack } from './way-back.ts';
-import type { WayBackParts } from './way-back.ts';
+import { createReturnPoint } from './return-point.ts';
+import type { ReturnPointParts } from './return-point.ts';
 import { filled, pressed, untilTouched, whenThere } from './when-there.ts';
 
-export interface GuideParts extends WayBackParts {
+export interface GuideParts extends ReturnPointParts {
   /** Where its panel stands, beside wider options where it wants them; null takes it away. */
   place(panel: HTMLElement | null, wide?: boolean): void;
   /** Brings options or plots in sight. */
@@ -56,7 +56,7 @@ export function createGuide(parts: GuideParts): Guide {
   let turning = 0;
   /** Of what the page on show has prepared. */
   let takeBack = nothing;
-  const back = createWayBack(parts);
+  const back = createReturnPoint(parts);
   const panel = createGuidePanel(() => void guide.close());
   const answers = createAnswers(workspace, (answer) => panel.setLive(answer));
   /** A presentation goes on with the next page. */

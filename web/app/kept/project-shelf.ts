@@ -18,7 +18,7 @@ export interface Changing {
 }
 
 /** Everything that opens the files again as they were left. */
-export interface Remembered extends Changing {
+export interface StoredProject extends Changing {
   files: InputFile[];
 }
 
@@ -93,7 +93,7 @@ function abort(transaction: IDBTransaction): void {
 }
 
 /** Writes a project, its files included, and resolves to its version; the oldest of too many goes. */
-export function keepProject(id: string, { files, ...changing }: Remembered): Promise<number> {
+export function keepProject(id: string, { files, ...changing }: StoredProject): Promise<number> {
   return atomically(async (store) => {
     const version = ((await projectOn(store, id))?.version ?? 0) + 1;
     store.put(recordOf(id, version, changing), PROJECT + id);
@@ -139,7 +139,7 @@ export function readShelf(): Promise<Shelf> {
 }
 
 /** A project with its files and its version, or null where it is kept no longer, or was set aside as unreadable. */
-export function readProject(id: string): Promise<{ remembered: Remembered; version: number } | null> {
+export function readProject(id: string): Promise<{ remembered: StoredProject; version: number } | null> {
   return atomically(async (store) => {
     const [project, files] = [await projectOn(store, id), await stored(store, FILES + id)];
     if (!project || !files) return null;

@@ -16,8 +16,8 @@ import {
   readShelf,
   updateProject,
 } from './project-shelf.ts';
-import type { ProjectOnShelf, Remembered } from './project-shelf.ts';
-import { bytesOf, currentWork } from './work.ts';
+import type { ProjectOnShelf, StoredProject } from './project-shelf.ts';
+import { bytesOf, currentSnapshot } from './snapshot.ts';
 
 export interface RememberedFilesParts {
   store: Store;
@@ -133,7 +133,7 @@ export class RememberedFiles {
    * Opens what is kept by `open`, which resolves to null where something else was asked for meanwhile. A failure leaves
    * a mark, and so does a visit that ends meanwhile: the next one does not open it unasked.
    */
-  async reopen(id: string, open: (remembered: Remembered) => Promise<boolean | null>): Promise<boolean> {
+  async reopen(id: string, open: (remembered: StoredProject) => Promise<boolean | null>): Promise<boolean> {
     const project = await readProject(id);
     if (!project) {
       this.giveUp(id);
@@ -204,8 +204,8 @@ export class RememberedFiles {
 
   private get isWanted(): boolean {
     if (this.isKept) return true;
-    const work = readSetting(UNWANTED) === null ? currentWork(this.parts.store, this.parts.workspace) : null;
-    return work !== null && bytesOf(work) <= UNASKED_BYTES;
+    const snapshot = readSetting(UNWANTED) === null ? currentSnapshot(this.parts.store, this.parts.workspace) : null;
+    return snapshot !== null && bytesOf(snapshot) <= UNASKED_BYTES;
   }
 
   /** How many poses there are that are not of the files. */
@@ -282,13 +282,13 @@ export class RememberedFiles {
   }
 
   private async write(id: string): Promise<void> {
-    const work = currentWork(this.parts.store, this.parts.workspace);
-    if (!work || this.own !== id || this.dropped.has(id)) return;
-    const { files, history: _, ...changing } = work;
-    const text = JSON.stringify(work.state);
+    const snapshot = currentSnapshot(this.parts.store, this.parts.workspace);
+    if (!snapshot || this.own !== id || this.dropped.has(id)) return;
+    const { files, history: _, ...changing } = snapshot;
+    const text = JSON.stringify(snapshot.state);
     const before = this.kept.get(id);
     const wrote = (version: number): void => {
-      this.kept.set(id, { version, poses: work.poses.length, files, state: text });
+      this.kept.set(id, { version, poses: snapshot.poses.length, files, state: text });
       this.setNewest(id);
     };
     if (before?.files !== files) {

@@ -131,7 +131,7 @@ function timelineProps(shown: Shown): TimelineProps {
     speeds: endSpeeds(shown),
     mostSpeeds: viewState.mostSpeeds,
     towards: endTangents(doc),
-    pace: disabled ? null : viewState.pace,
+    speedCurve: disabled ? null : viewState.speedCurve,
     picture: viewState.timePicture,
   };
 }

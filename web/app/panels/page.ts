@@ -125,7 +125,7 @@ function header(context: Context, commands: Commands, connect: Connect): HTMLEle
   return connect(component, ({ state, viewState, theme }) => ({
     samples: viewState.samples,
     sample: state.source.kind === 'sample' ? state.source.id : null,
-    own: ownFiles(state, files.openings.all, viewState.shelf),
+    own: ownFiles(state, files.history.all, viewState.shelf),
     project: state.project,
     theme,
   }));

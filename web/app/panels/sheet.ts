@@ -1,7 +1,7 @@
 /** The sheet that asks which keys to take of an animation that was just opened. */
 import { h } from '../../ui/dom.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
-import type { OpeningSheet } from '../../ui/opening-sheet.ts';
+import type { ImportSheet } from '../../ui/import-sheet.ts';
 import type { Commands } from '../actions/table.ts';
 import type { Connect } from './connect.ts';
 import type { Side } from './side.ts';
@@ -22,11 +22,11 @@ export function createSheet({ sampling, commands, connect, onError, over, next }
     'data-testid': 'opening',
     hidden: true,
   });
-  const sheet = lazyComponent<boolean, OpeningSheet>(
+  const sheet = lazyComponent<boolean, ImportSheet>(
     async () => {
-      const [{ createOpeningSheet }] = await Promise.all([import('../../ui/opening-sheet.ts'), sampling.need()]);
+      const [{ createImportSheet }] = await Promise.all([import('../../ui/import-sheet.ts'), sampling.need()]);
       const { asked: onClose, stepBack: onEscape } = commands;
-      return createOpeningSheet({ element, choices: sampling.element, over, next, onClose, onEscape });
+      return createImportSheet({ element, choices: sampling.element, over, next, onClose, onEscape });
     },
     onError,
     element,

@@ -19,7 +19,7 @@ export interface Start {
 }
 
 /** What is being opened: its keys are read, its motion is not made yet. */
-export interface Opening extends Start {
+export interface LoadedKeys extends Start {
   info: KeysInfo;
   pool: PosePool;
 }
@@ -31,14 +31,14 @@ export interface WorkspaceEvents {
   /** Files that may be large are about to be read. */
   onLarge(): void;
   /** Keys are read. null: what is open is seen, and used, until their motion is made. */
-  onKeys(opening: Opening | null): void;
+  onKeys(opening: LoadedKeys | null): void;
   /** What was being opened will not be. */
   onGivenUp(): void;
   onReady(plan: SequencePlan): void;
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
-export interface OpeningSteps<S extends Start> {
+export interface LoadSteps<S extends Start> {
   /** The same mesh: what is open is seen, and used, until then. */
   stays: boolean;
   /** How the files are to be read after all, for what was found in them; null: as they were. */
@@ -122,8 +122,8 @@ export class Workspace {
   async open<S extends Start>(
     source: Input,
     given: ImportOptions,
-    { stays, otherwise, start, leave }: OpeningSteps<S>,
-  ): Promise<(Opening & S) | null> {
+    { stays, otherwise, start, leave }: LoadSteps<S>,
+  ): Promise<(LoadedKeys & S) | null> {
     if (this.opening) this.events.onGivenUp();
     this.opening?.abort();
     const abort = new AbortController();

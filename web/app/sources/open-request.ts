@@ -5,9 +5,9 @@ import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { Doc, Source } from '../../model/state.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
-import type { Step } from '../kept/openings.ts';
-import type { Remembered } from '../kept/project-shelf.ts';
-import type { Work } from '../kept/work.ts';
+import type { Step } from '../kept/open-history.ts';
+import type { StoredProject } from '../kept/project-shelf.ts';
+import type { Snapshot } from '../kept/snapshot.ts';
 import type { Turn } from '../session/store.ts';
 import type { Input } from '../session/workspace.ts';
 import { readFiles } from './input-files.ts';
@@ -30,7 +30,7 @@ export interface OpenRequest {
   /** By the user just now, who has chosen nothing about them yet: shapes that seem to lie are stood up. */
   picked?: boolean;
   /** Restored exactly as it was left. */
-  left?: Remembered | Work;
+  left?: StoredProject | Snapshot;
   /** The document that settings are taken from. */
   settings?: Doc;
   /** The same mesh: time, view and playing go on. */
@@ -40,7 +40,7 @@ export interface OpenRequest {
 }
 
 /** What is open: its files, how they were read, and its state. */
-export type Present = Pick<Work, 'files' | 'options' | 'state'>;
+export type Present = Pick<Snapshot, 'files' | 'options' | 'state'>;
 
 export function sampleRequest(
   sample: Sample,
@@ -60,7 +60,11 @@ export function pickedRequest(files: readonly PickedFile[]): OpenRequest {
 }
 
 /** By an earlier visit, or by this one for something else. */
-export function leftRequest(left: Remembered | Work, samples: readonly Sample[], step: Step | null): OpenRequest {
+export function leftRequest(
+  left: StoredProject | Snapshot,
+  samples: readonly Sample[],
+  step: Step | null,
+): OpenRequest {
   const { files, options, state } = left;
   const { source, project } = state;
   const sample = source.kind === 'sample' ? samples.find(({ id }) => id === source.id) : undefined;

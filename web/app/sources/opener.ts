@@ -7,13 +7,13 @@ import { orientationStep } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
-import { Openings } from '../kept/openings.ts';
-import type { Step } from '../kept/openings.ts';
-import type { Remembered } from '../kept/project-shelf.ts';
-import { currentWork } from '../kept/work.ts';
-import type { Work } from '../kept/work.ts';
+import { OpenHistory } from '../kept/open-history.ts';
+import type { Step } from '../kept/open-history.ts';
+import type { StoredProject } from '../kept/project-shelf.ts';
+import { currentSnapshot } from '../kept/snapshot.ts';
+import type { Snapshot } from '../kept/snapshot.ts';
 import type { Store } from '../session/store.ts';
-import type { Opening, Workspace } from '../session/workspace.ts';
+import type { LoadedKeys, Workspace } from '../session/workspace.ts';
 import { addPoses, takeTangent } from './add-poses.ts';
 import {
   animationRequest,
@@ -26,15 +26,15 @@ import {
   turnRequest,
 } from './open-request.ts';
 import type { OpenRequest, Present } from './open-request.ts';
-import { openedState, startOf } from './opened-state.ts';
-import type { OpenedStart } from './opened-state.ts';
+import { openedState, startOf } from './start-state.ts';
+import type { StartState } from './start-state.ts';
 import { leftOut } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
 
 /** What is open now, while the state does not say so yet. Its camera is of a link or an earlier visit. */
-export interface Opened extends Opening, OpenedStart, Pick<OpenRequest, 'source' | 'picked' | 'stays'> {
+export interface OpenResult extends LoadedKeys, StartState, Pick<OpenRequest, 'source' | 'picked' | 'stays'> {
   /** How the files were read where they do not say it themselves. */
   orientation: Orientation | null;
   /** They were stood up for how their shapes look. */
@@ -52,7 +52,7 @@ export interface OpenerParts {
   say(text: string): void;
   /** Something else is asked for: what went wrong before is of no interest. */
   onStart(): void;
-  onOpened(opened: Opened): void;
+  onOpened(opened: OpenResult): void;
   /** The files were read again for the same document: the motions are to be made from them. */
   onRead(): void;
   /** Progress of reading more poses; the workspace reports imports. */
@@ -62,7 +62,7 @@ export interface OpenerParts {
 
 /** What opens something resolves to whether that is open now, and fails only where it says so. */
 export class Opener {
-  readonly openings = new Openings();
+  readonly history = new OpenHistory();
   /** How often anything was asked for so far. */
   asks = 0;
   private fetching = new AbortController();
@@ -127,7 +127,7 @@ export class Opener {
   }
 
   /** Opens what an earlier visit left, or this one; false where there is none. */
-  again(left: Remembered | Work | null, step: Step | null = 'on'): Promise<boolean> {
+  again(left: StoredProject | Snapshot | null, step: Step | null = 'on'): Promise<boolean> {
     return this.guarded(async () => {
       if (!left) return false;
       // Cancels a sample that is still loading.
@@ -138,12 +138,12 @@ export class Opener {
 
   /** What was open before this, as it was left; opening is undone by it. */
   back(): Promise<boolean> {
-    return this.again(this.openings.before, 'back');
+    return this.again(this.history.before, 'back');
   }
 
   /** Redoes that. */
   forth(): Promise<boolean> {
-    return this.again(this.openings.after, 'forth');
+    return this.again(this.history.after, 'forth');
   }
 
   /** Takes the keys again, at these seconds of the animation's own timeline. */
@@ -196,9 +196,9 @@ export class Opener {
       stays,
       otherwise: ({ warnings }) =>
         picked && warnings.some(({ code }) => code === 'z-up') ? { ...options, up: 'z' } : null,
-      start: (read, pool) => startOf(request, read, pool, turn ? currentWork(store, workspace) : null),
+      start: (read, pool) => startOf(request, read, pool, turn ? currentSnapshot(store, workspace) : null),
       leave: () => {
-        if (step && !turn) this.openings.left(currentWork(store, workspace)!, step);
+        if (step && !turn) this.history.left(currentSnapshot(store, workspace)!, step);
       },
     });
     if (!opening) return false;

@@ -3,7 +3,7 @@ import { leadingName } from '../../ui/dropped-files.ts';
 import type { AppState, Source } from '../../model/state.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
 import type { Sample } from './samples.ts';
-import type { Work } from '../kept/work.ts';
+import type { Snapshot } from '../kept/snapshot.ts';
 
 export interface OwnFiles {
   /** The project. */
@@ -14,7 +14,7 @@ export interface OwnFiles {
 /** Each project once: what is open first, then what was left last. */
 export function ownFiles(
   { source, project }: AppState,
-  earlier: readonly Work[],
+  earlier: readonly Snapshot[],
   shelf: readonly ProjectOnShelf[],
 ): OwnFiles[] {
   const titles = new Map<string, string>();

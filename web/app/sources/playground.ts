@@ -3,7 +3,7 @@ import type { Motion } from '../../engine/api/api.ts';
 import { MOST_TIME, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import { wrongWith } from '../../engine/api/options.ts';
 import { setMotion } from '../../model/edits.ts';
-import type { KeyPassing, OpenShape, PlaygroundMessage, ShapeCoordinate } from '../../model/playground-channel.ts';
+import type { KeyPassing, SourceShape, PlaygroundMessage, ShapeCoordinate } from '../../model/playground-channel.ts';
 import { messageFrom, playgroundChannel } from '../../model/playground-channel.ts';
 import type { Doc } from '../../model/state.ts';
 import { referenceKey } from '../../model/state.ts';
@@ -28,7 +28,7 @@ export function listenToPlayground({ store, workspace, sequence, title, onError 
   const page = `${performance.timeOrigin} ${Math.random()}`;
   const send = (message: PlaygroundMessage): void => channel.postMessage(message);
 
-  const openShape = async (): Promise<OpenShape | null> => {
+  const openShape = async (): Promise<SourceShape | null> => {
     const [main, { info, pool }] = [sequence(), workspace];
     const { doc } = store.get();
     if (!main || !info || !pool) return null;

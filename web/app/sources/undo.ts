@@ -25,7 +25,7 @@ export function createUndo({ store, files, titleOf }: UndoParts): Undo {
     else step();
   };
   const opening = (source: Source | undefined): string | null => (source ? `open ${titleOf(source)}` : null);
-  const { openings } = files;
+  const { history } = files;
   return {
     undo() {
       if (store.undoLabel() !== null) stepOver(store.undoTurn(), store.undo);
@@ -35,7 +35,7 @@ export function createUndo({ store, files, titleOf }: UndoParts): Undo {
       if (store.redoLabel() !== null) stepOver(store.redoTurn(), store.redo);
       else void files.forth();
     },
-    undoLabel: () => store.undoLabel() ?? opening(openings.before ? store.get().source : undefined),
-    redoLabel: () => store.redoLabel() ?? opening(openings.after?.state.source),
+    undoLabel: () => store.undoLabel() ?? opening(history.before ? store.get().source : undefined),
+    redoLabel: () => store.redoLabel() ?? opening(history.after?.state.source),
   };
 }

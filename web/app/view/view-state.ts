@@ -1,6 +1,6 @@
 /** Content of the page outside the state: running work, results, thumbnails. It is never saved. */
 import type { Frame, KeysInfo, Method, SequenceStats, Warning } from '../../engine/api/types.ts';
-import type { Pace } from '../../model/pace.ts';
+import type { SpeedCurve } from '../../model/speed-curve.ts';
 import { USUAL_MOST } from '../../model/speeds.ts';
 import type { Speeds } from '../../model/speeds.ts';
 import type { Doc } from '../../model/state.ts';
@@ -9,7 +9,7 @@ import { DEFAULT_REQUEST } from '../../model/export-request.ts';
 import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { Fewest } from '../sources/animation.ts';
-import type { Opened } from '../sources/opener.ts';
+import type { OpenResult } from '../sources/opener.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
 
@@ -49,7 +49,7 @@ export interface ViewState {
   /** By pose. */
   thumbnails: ReadonlyMap<number, string>;
   /** How the motion goes over time; null until it is known. */
-  pace: Pace | null;
+  speedCurve: SpeedCurve | null;
   /** Hermite: the fastest on offer at the ends. */
   mostSpeeds: Speeds;
   /** Of the moment that the mouse points at on the timeline, as an address; null = none of this motion. */
@@ -84,7 +84,7 @@ export interface ViewStateHolder {
 }
 
 /** What other files bring with them. */
-export function openedView(opened: Opened, before: ViewState): Partial<ViewState> {
+export function openedView(opened: OpenResult, before: ViewState): Partial<ViewState> {
   const { info, initial, orientation, objects, source } = opened;
   return {
     info,
@@ -93,7 +93,7 @@ export function openedView(opened: Opened, before: ViewState): Partial<ViewState
     objects,
     warnings: info.warnings,
     thumbnails: new Map(),
-    pace: null,
+    speedCurve: null,
     mostSpeeds: USUAL_MOST,
     timePicture: null,
     placing: false,
@@ -157,7 +157,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   indefinite: 0,
   indefiniteFace: -1,
   thumbnails: new Map(),
-  pace: null,
+  speedCurve: null,
   mostSpeeds: USUAL_MOST,
   timePicture: null,
   welcome: true,

@@ -17,8 +17,8 @@ import type {
   Progress,
   SequenceOptions,
   SequenceStats,
-  KeyPace,
-  MotionPace,
+  KeySpacing,
+  MotionSpeed,
   PatchCurve,
   ShapePlane,
   Warning,
@@ -115,9 +115,9 @@ export interface Motion {
   /** A patch's coordinates at these times; `patch` as in `patches`. */
   patchCurve(patch: number, times: number[]): Promise<PatchCurve>;
   /** For spacing keys by how different they are, and for tensions that limit overshoot. */
-  keyPace(): Promise<KeyPace>;
+  keySpacing(): Promise<KeySpacing>;
   /** Speed and overshoot over time; yields to frames that are shown or fetched ahead. */
-  motionPace(times: number[]): Promise<MotionPace>;
+  motionSpeed(times: number[]): Promise<MotionSpeed>;
   bendingEnergy(times: number[]): Promise<number[]>;
   /** 3 x ghost vertices at t; code 'invalid-option' without a ghost mesh. */
   ghostPositions(t: number): Promise<Float32Array>;

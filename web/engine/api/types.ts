@@ -274,10 +274,10 @@ export interface SequenceStats {
   /** Size of the stored factor, entries and row lists: a solve reads them twice. */
   factorBytes: number;
   /** Of the last exact frame: local frames; splined faces and right-hand side; solve; placing the vertices; normals. */
-  framesMs: number;
+  localFramesMs: number;
   facesMs: number;
   solveMs: number;
-  placeMs: number;
+  positionsMs: number;
   normalsMs: number;
   /** For the ghost's own last shape, from the spline to its vertices. */
   ghostMs: number;
@@ -326,7 +326,7 @@ export interface MeasuresAt {
 }
 
 /** How far the keys lie apart in shape space, and the tensions that bound the slope at them. */
-export interface KeyPace {
+export interface KeySpacing {
   /** Between each key and the next, without unit. */
   distance: number[];
   /** Per key, in [0, 1]: the least tension that keeps the slope within three times that of either adjacent chord. */
@@ -334,8 +334,8 @@ export interface KeyPace {
 }
 
 /** How the motion goes through shape space: a number for each of the asked times. */
-export interface MotionPace {
-  /** In the unit of KeyPace.distance, per unit of time. */
+export interface MotionSpeed {
+  /** In the unit of KeySpacing.distance, per unit of time. */
   speed: number[];
   /**
    * Overshoot beyond either adjacent key along the line between them, relative to the mean distance of neighbouring

@@ -3,7 +3,7 @@ import type { CallOptions, Engine, Keys, Sequence, Shape } from '../api/api.ts';
 import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
-import { KeysHandle } from './keyframes.ts';
+import { KeyArrays } from './keyframes.ts';
 import { withoutLeftovers } from '../api/paths.ts';
 import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
@@ -72,7 +72,7 @@ export class EngineClient implements Engine {
     const imported = await this.inFilesWorker(call, mayBeLarge(files), (client) =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
     );
-    return new KeysHandle(imported);
+    return new KeyArrays(imported);
   }
 
   async createKeys(mesh: KeyMesh, call?: CallOptions): Promise<Keys> {
@@ -83,7 +83,7 @@ export class EngineClient implements Engine {
     const client = this.takeCore();
     const { report } = await this.task(client, call, () => client.call('report', { names, times, faces, ...poses }));
     this.idle.core = this.kept(client, this.idle.core);
-    return new KeysHandle({ ...poses, info: { ...info, report } });
+    return new KeyArrays({ ...poses, info: { ...info, report } });
   }
 
   async encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape> {
@@ -118,7 +118,7 @@ export class EngineClient implements Engine {
   ): Promise<T> {
     this.checkAlive();
     checkCall(call);
-    if (!(keys instanceof KeysHandle))
+    if (!(keys instanceof KeyArrays))
       throw invalidOption('The keys must come from importKeyframes or createKeys of this engine.');
     const large = keys.info.report.vertices >= LARGE;
     const inTwo = large && Boolean(this.platform.threaded);

@@ -5,7 +5,7 @@ import { checkTimes } from '../api/options.ts';
 import type { KeyData } from '../wire/protocol.ts';
 import type { KeysInfo } from '../api/types.ts';
 
-export class KeysHandle implements Keys {
+export class KeyArrays implements Keys {
   private content: KeyData | null;
 
   constructor(content: KeyData) {
@@ -30,7 +30,7 @@ export class KeysHandle implements Keys {
     return this.data.normals?.slice() ?? null;
   }
 
-  arrange(order: number[], times: number[], names?: string[]): KeysHandle {
+  arrange(order: number[], times: number[], names?: string[]): KeyArrays {
     const { info, positions } = this.data;
     for (const key of order) this.checkKey(key);
     const checkedTimes = increasing(checkTimes(times), order.length);
@@ -42,7 +42,7 @@ export class KeysHandle implements Keys {
     );
   }
 
-  withPose(name: string, time: number, pose: Float32Array): KeysHandle {
+  withPose(name: string, time: number, pose: Float32Array): KeyArrays {
     const { info, positions } = this.data;
     const [added] = checkTimes([time]) as [number];
     const wanted = positions[0]!.length;
@@ -60,8 +60,8 @@ export class KeysHandle implements Keys {
     this.content = null;
   }
 
-  private with(names: string[], times: number[], positions: readonly Float32Array[]): KeysHandle {
-    return new KeysHandle({ ...this.data, info: { ...this.info, names, times }, positions });
+  private with(names: string[], times: number[], positions: readonly Float32Array[]): KeyArrays {
+    return new KeyArrays({ ...this.data, info: { ...this.info, names, times }, positions });
   }
 
   private checkKey(key: number): number {

@@ -17,9 +17,9 @@ import type {
   ExportPlan,
   FaceCurve,
   Frame,
-  KeyPace,
+  KeySpacing,
   Measures,
-  MotionPace,
+  MotionSpeed,
   PatchCurve,
   SequenceOptions,
   ShapePlane,
@@ -145,12 +145,12 @@ export class MotionClient implements Motion {
     return this.ask('patchCurve', { patch: checkFace(patch, this.faces, 'patch'), times: checkTimes(times) });
   }
 
-  async keyPace(): Promise<KeyPace> {
-    return this.ask('pace', {});
+  async keySpacing(): Promise<KeySpacing> {
+    return this.ask('keySpacing', {});
   }
 
-  async motionPace(times: number[]): Promise<MotionPace> {
-    return this.ask('motionPace', { times: checkTimes(times) });
+  async motionSpeed(times: number[]): Promise<MotionSpeed> {
+    return this.ask('motionSpeed', { times: checkTimes(times) });
   }
 
   async bendingEnergy(times: number[]): Promise<number[]> {

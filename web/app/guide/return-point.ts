@@ -1,30 +1,30 @@
 /** What was open before the first page of the guide, and the way back to it. */
 import { DEFAULT_VIEW } from '../../model/state.ts';
-import { currentWork } from '../kept/work.ts';
-import type { Work } from '../kept/work.ts';
+import { currentSnapshot } from '../kept/snapshot.ts';
+import type { Snapshot } from '../kept/snapshot.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import type { Opener } from '../sources/opener.ts';
 
-export interface WayBackParts {
+export interface ReturnPointParts {
   store: Store;
   workspace: Workspace;
   files: Opener;
   /** Opens what a visit starts with. */
-  openFirst(): Promise<void>;
+  openInitial(): Promise<void>;
 }
 
-export function createWayBack(parts: WayBackParts) {
+export function createReturnPoint(parts: ReturnPointParts) {
   const { store, workspace, files } = parts;
-  let before: Work | null = null;
+  let before: Snapshot | null = null;
   let focused: Element | null = null;
   /** Ways back that are under way, the last one to this. */
   let returning = 0;
-  let comingBack: Work | null = null;
+  let comingBack: Snapshot | null = null;
   return {
     /** The first page is about to be opened. */
     remember(): void {
-      before = returning > 0 ? comingBack : currentWork(store, workspace);
+      before = returning > 0 ? comingBack : currentSnapshot(store, workspace);
       focused = document.activeElement;
     },
     async go(): Promise<void> {
@@ -37,7 +37,7 @@ export function createWayBack(parts: WayBackParts) {
     },
     /** Other content was opened, so there is no way back. */
     drop(): void {
-      if (before) files.openings.left(before);
+      if (before) files.history.left(before);
       before = null;
     },
     get underWay(): boolean {
@@ -53,11 +53,11 @@ function focusAgain(focused: Element | null): void {
 }
 
 /** As it was, moving where it moved. */
-async function giveBack(left: Work | null, { store, files, openFirst }: WayBackParts): Promise<void> {
+async function giveBack(left: Snapshot | null, { store, files, openInitial }: ReturnPointParts): Promise<void> {
   if (!left) {
     // Of the guide's pages nothing is left: what is opened looks as on a first visit.
     store.set({ view: DEFAULT_VIEW });
-    return openFirst();
+    return openInitial();
   }
   const { playing } = left.state.play;
   if ((await files.again(left, null)) && playing) store.set({ play: { ...store.get().play, playing } });

@@ -1,14 +1,14 @@
 /** What is open with all that was done to it: enough to open it again as it was left. */
 import type { History, Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
-import type { Remembered } from './project-shelf.ts';
+import type { StoredProject } from './project-shelf.ts';
 
-export interface Work extends Remembered {
+export interface Snapshot extends StoredProject {
   history: History;
 }
 
 /** null where nothing is open. */
-export function currentWork(store: Store, workspace: Workspace): Work | null {
+export function currentSnapshot(store: Store, workspace: Workspace): Snapshot | null {
   const { options, pool, input } = workspace;
   if (!pool) return null;
   const poses = Array.from({ length: pool.count - pool.imported }, (_, index) => pool.imported + index).map((pose) => ({
@@ -19,7 +19,7 @@ export function currentWork(store: Store, workspace: Workspace): Work | null {
   return { files: input, options, poses, offset, state: store.get(), history: store.history() };
 }
 
-export function bytesOf({ files, poses }: Remembered): number {
+export function bytesOf({ files, poses }: StoredProject): number {
   const sum = (sizes: number[]): number => sizes.reduce((total, size) => total + size, 0);
   return sum(files.map(({ bytes }) => bytes.byteLength)) + sum(poses.map(({ positions }) => positions.byteLength));
 }

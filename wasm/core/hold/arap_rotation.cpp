@@ -1,10 +1,10 @@
-#include "core/hold/patch_turn.h"
+#include "core/hold/arap_rotation.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/compressed_rows.h"
-#include "core/hold/fade.h"
+#include "core/hold/smoothstep.h"
 #include "core/rotation/rotation.h"
 
 namespace shapespline {
@@ -20,8 +20,8 @@ constexpr double crushed = 0.2, whole = 1;
 
 double extent(const Mat3& m) { return (m.trace() * m.trace() - m.squaredNorm()) / 2; }
 
-// planes: of a patch (pull_modes.h), gradient: of what moves it, seen from it. The turn that leaves least of that to
-// shear, to first order: its sine where the patch turns far, and what is more than a sine can be where it stretches
+// planes: of a patch (affine_response.h), gradient: of what moves it, seen from it. The turn that leaves least of that
+// to shear, to first order: its sine where the patch turns far, and what is more than a sine can be where it stretches
 // far.
 Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
   const Vec3 curl(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
@@ -34,20 +34,20 @@ Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
   const double square = turn.squaredNorm(),
                sine = 1 / std::sqrt(std::sqrt(std::sqrt(1 + square * square * square * square)));
   const Mat3 left = expRotation(-sine * turn) * (planes + gradient);
-  const double meant = fade(extent(left), crushed * was, whole * was);
+  const double meant = smoothstep2(extent(left), crushed * was, whole * was);
   return expRotation(meant * further / std::sqrt(1 + turn.squaredNorm() / (most * most)) * turn);
 }
 
 }  // namespace
 
-PatchTurn::PatchTurn(const HoldInput& input, const PullModes& modes) {
+ArapRotation::ArapRotation(const HoldInput& input, const AffineResponse& modes) {
   const std::vector<double> area = faceAreas(input.mesh);
   const std::size_t frames = input.rotation.front().size();
   patchOfFrame_.assign(frames, -1);
   frameShare_.assign(frames, 0.0);
   std::vector<double> patchArea(modes.planes().size(), 0.0);
   for (std::size_t f = 0; f < area.size(); ++f)
-    if (const int frame = input.mesh.frameOf[f], patch = input.patchOfFace[f]; frame >= 0 && patch >= 0)
+    if (const int frame = input.mesh.localFrameOf[f], patch = input.patchOfFace[f]; frame >= 0 && patch >= 0)
       patchOfFrame_[frame] = patch, frameShare_[frame] += area[f], patchArea[patch] += area[f];
   for (std::size_t k = 0; k < frames; ++k)
     if (patchOfFrame_[k] >= 0) frameShare_[k] /= patchArea[patchOfFrame_[k]];
@@ -55,7 +55,7 @@ PatchTurn::PatchTurn(const HoldInput& input, const PullModes& modes) {
   const Positions& p = shape.poses[shape.reference];
   const CompressedRows<std::size_t> facesOf = compressedRows<std::size_t>(shape.vertexCount(), [&](auto add) {
     for (std::size_t f = 0; f < shape.faces.size(); ++f)
-      for (int c = 0; c < 3 && input.mesh.frameOf[f] >= 0; ++c) add(shape.faces[f][c], f);
+      for (int c = 0; c < 3 && input.mesh.localFrameOf[f] >= 0; ++c) add(shape.faces[f][c], f);
   });
   for (int v = 0; v < facesOf.count(); ++v) {
     const std::size_t first = pulls_.size();
@@ -76,8 +76,8 @@ PatchTurn::PatchTurn(const HoldInput& input, const PullModes& modes) {
 }
 
 // A patch is taken for what it is in the reference pose, turned as its frames are in the mean.
-void PatchTurn::find(const PullModes& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
-                     std::vector<Mat3>& turn) const {
+void ArapRotation::find(const AffineResponse& modes, const std::vector<Vec3>& mode,
+                        const std::vector<Quaternion>& frames, std::vector<Mat3>& turn) const {
   turn.assign(modes.planes().size(), Mat3::Zero());
   for (std::size_t k = 0; k < frames.size(); ++k)
     if (patchOfFrame_[k] >= 0) turn[patchOfFrame_[k]] += frameShare_[k] * frames[k].toRotationMatrix();

@@ -4,22 +4,22 @@
 #include <vector>
 
 #include "core/hold/hold_system.h"
-#include "core/hold/vertex_path.h"
+#include "core/hold/resting_spline.h"
 
 namespace shapespline {
 
 /// Handles on the patches that rest in some span. Immutable.
-class RestingPatches {
+class ContactConstraints {
  public:
   /// patchOf: of each vertex, or -1. area: of each vertex.
-  RestingPatches(const VertexPath& path, const HoldSystem& system, const std::vector<int>& patchOf, int patches,
-                 const std::vector<double>& area);
+  ContactConstraints(const RestingSpline& path, const HoldSystem& system, const std::vector<int>& patchOf, int patches,
+                     const std::vector<double>& area);
 
-  /// The mean ways of the vertices of each handle.
-  void meanWays(const Positions& from, const Positions& to, std::vector<Vec3>& way) const;
+  /// The mean displacements of the vertices of each handle.
+  void meanDisplacements(const Positions& from, const Positions& to, std::vector<Vec3>& displacement) const;
 
-  /// How much each handle holds at a place, in [0, 1]; false where none does.
-  bool weightsAt(const SpanPlace& place, std::vector<double>& weight) const;
+  /// How much each handle holds at a time, in [0, 1]; false where none does.
+  bool weightsAt(const SpanPosition& inSpan, std::vector<double>& weight) const;
 
   /// What the vertices of each handle are pulled by, so they move by about what is left of their way. Replaces `left`.
   void pull(std::vector<Vec3>& left) const;

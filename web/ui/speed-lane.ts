@@ -1,11 +1,11 @@
 /** The motion's speed as a thin curve in the timeline's track; tinted where the motion overshoots a key. */
-import type { Pace } from '../model/pace.ts';
-import { pacePaths } from '../model/pace.ts';
+import type { SpeedCurve } from '../model/speed-curve.ts';
+import { speedPaths } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
 import { memo, setAttribute, setHidden, svg } from './dom.ts';
 
-export interface PaceLaneProps {
-  pace: Pace | null;
+export interface SpeedLaneProps {
+  speedCurve: SpeedCurve | null;
   /** The range that the keys define. */
   range: Range;
   /** The stretch of time that is shown. */
@@ -15,29 +15,29 @@ export interface PaceLaneProps {
 const WIDTH = 1000;
 const HEIGHT = 100;
 
-export function createPaceLane(): { element: SVGSVGElement; update(props: PaceLaneProps): void } {
-  const area = svg('path', { class: 'pace-area' });
-  const past = svg('path', { class: 'pace-past', 'data-testid': 'pace-past' });
-  const line = svg('path', { class: 'pace-line', 'vector-effect': 'non-scaling-stroke' });
+export function createSpeedLane(): { element: SVGSVGElement; update(props: SpeedLaneProps): void } {
+  const area = svg('path', { class: 'speed-area' });
+  const past = svg('path', { class: 'speed-past', 'data-testid': 'speed-past' });
+  const line = svg('path', { class: 'speed-line', 'vector-effect': 'non-scaling-stroke' });
   const element = svg(
     'svg',
     {
-      class: 'pace',
+      class: 'speed-lane',
       viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
       preserveAspectRatio: 'none',
       'aria-hidden': 'true',
-      'data-testid': 'pace',
+      'data-testid': 'speed-lane',
       hidden: true,
     },
     area,
     past,
     line,
   );
-  const update = memo(({ pace, range, part }: PaceLaneProps) => {
-    const known = pace !== null && pace.mean > 0;
+  const update = memo(({ speedCurve: curve, range, part }: SpeedLaneProps) => {
+    const known = curve !== null && curve.mean > 0;
     setHidden(element, !known);
     if (!known) return;
-    const paths = pacePaths(pace, { range, part, width: WIDTH, height: HEIGHT });
+    const paths = speedPaths(curve, { range, part, width: WIDTH, height: HEIGHT });
     setAttribute(area, 'd', paths.area);
     setAttribute(past, 'd', paths.past);
     setAttribute(line, 'd', paths.line);

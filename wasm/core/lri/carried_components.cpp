@@ -1,4 +1,4 @@
-#include "core/lri/carried_parts.h"
+#include "core/lri/carried_components.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,38 +16,38 @@ constexpr int queriesPerGroup = 1000;
 
 class CarriedEncoder {
  public:
-  CarriedEncoder(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames, bool facesRest)
+  CarriedEncoder(const WeldedShape& shape, const ShapeTopology& topology, const LocalFramePoses& frames, bool facesRest)
       : shape_(shape), topology_(topology), frames_(frames), rests_(facesRest) {}
 
-  CarriedParts run() {
-    encodePlaces();
+  CarriedComponents run() {
+    encodeJoints();
     encodeLoose();
     return std::move(out_);
   }
 
  private:
-  const Quaternion& frameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
+  const Quaternion& localFrameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
 
-  void encodePlaces() {
+  void encodeJoints() {
     for (int component : topology_.tree.order) {
       const ComponentLink& link = topology_.tree.link[component];
       if (link.parent < 0) continue;
       const int a = link.anchorFace, b = link.contactFace;
-      ComponentPlace place{component, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
+      ComponentJoint joint{component, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
       std::vector<Mat3> turn;  // of b against a
       for (int c = 0; c < shape_.columns(); ++c) {
         const Quaternion anchor = turnOf(a, c);
         const Positions& p = shape_.poses[c];
         turn.push_back((anchor.conjugate() * turnOf(b, c)).toRotationMatrix());
-        place.offset.push_back(anchor.conjugate() * (centroidOf(p, shape_.faces[b]) - centroidOf(p, shape_.faces[a])));
+        joint.offset.push_back(anchor.conjugate() * (centroidOf(p, shape_.faces[b]) - centroidOf(p, shape_.faces[a])));
       }
       std::vector<Mat3> distinctTurn;
       std::vector<Vec3> distinctOffset;
       for (int c = 0; c < shape_.columns(); ++c)
-        if (!shape_.repeatsFirst(c)) distinctTurn.push_back(turn[c]), distinctOffset.push_back(place.offset[c]);
-      place.pivot = stillPoint(distinctTurn, distinctOffset);
-      for (int c = 0; c < shape_.columns(); ++c) place.offset[c] += turn[c] * place.pivot;
-      out_.places.push_back(std::move(place));
+        if (!shape_.repeatsFirst(c)) distinctTurn.push_back(turn[c]), distinctOffset.push_back(joint.offset[c]);
+      joint.pivot = stillPoint(distinctTurn, distinctOffset);
+      for (int c = 0; c < shape_.columns(); ++c) joint.offset[c] += turn[c] * joint.pivot;
+      out_.joints.push_back(std::move(joint));
     }
   }
 
@@ -66,7 +66,9 @@ class CarriedEncoder {
   }
 
   // R_f, or that of its frame where faces rest in their frames.
-  Quaternion turnOf(int f, int column) const { return rests_ ? frameOf(f, column) : rotationOf(shape_, f, column); }
+  Quaternion turnOf(int f, int column) const {
+    return rests_ ? localFrameOf(f, column) : rotationOf(shape_, f, column);
+  }
 
   void encodeLoose() {
     std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area
@@ -141,15 +143,15 @@ class CarriedEncoder {
 
   const WeldedShape& shape_;
   const ShapeTopology& topology_;
-  const FramePoses& frames_;
+  const LocalFramePoses& frames_;
   bool rests_;
-  CarriedParts out_;
+  CarriedComponents out_;
 };
 
 }  // namespace
 
-CarriedParts encodeCarriedParts(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames,
-                                bool facesRest) {
+CarriedComponents encodeCarriedComponents(const WeldedShape& shape, const ShapeTopology& topology,
+                                          const LocalFramePoses& frames, bool facesRest) {
   return CarriedEncoder(shape, topology, frames, facesRest).run();
 }
 

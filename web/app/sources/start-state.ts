@@ -9,18 +9,18 @@ import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.
 import type { Range } from '../../model/time-scale.ts';
 import { clampTime, length } from '../../model/time-scale.ts';
 import { newProjectId } from '../kept/project-shelf.ts';
-import type { Remembered } from '../kept/project-shelf.ts';
-import type { Work } from '../kept/work.ts';
+import type { StoredProject } from '../kept/project-shelf.ts';
+import type { Snapshot } from '../kept/snapshot.ts';
 import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Turn } from '../session/store.ts';
-import type { Opening, Start } from '../session/workspace.ts';
+import type { LoadedKeys, Start } from '../session/workspace.ts';
 import type { OpenRequest } from './open-request.ts';
 import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 
-export interface OpenedStart extends Start {
+export interface StartState extends Start {
   /** The document that the files start with when nothing else is known: links are written against it. */
   initial: Doc;
   /** What is followed of a link. */
@@ -28,7 +28,7 @@ export interface OpenedStart extends Start {
 }
 
 /** What becomes of the document of files that are read; `present`: what is still open. */
-export function startOf(request: OpenRequest, read: Doc, pool: PosePool, present: Work | null): OpenedStart {
+export function startOf(request: OpenRequest, read: Doc, pool: PosePool, present: Snapshot | null): StartState {
   const { begins, left, settings, turn } = request;
   const { info } = pool.keys;
   const base = settings ? withSettings(read, settings) : read;
@@ -41,7 +41,7 @@ export function startOf(request: OpenRequest, read: Doc, pool: PosePool, present
 }
 
 /** The poses that are not of the files come back first: the document's keys name them by their place. */
-export function restored({ poses, offset = [0, 0, 0], state }: Remembered, pool: PosePool, turn?: Turn): Doc {
+export function restored({ poses, offset = [0, 0, 0], state }: StoredProject, pool: PosePool, turn?: Turn): Doc {
   const offsets = [offset, pool.keys.info.offset] as const;
   for (const { name, positions } of poses.slice(pool.count - pool.imported))
     pool.add(name, turn ? reoriented(positions, turn.before, turn.after, offsets) : relativeTo(positions, ...offsets));
@@ -79,7 +79,7 @@ type OfFiles = Pick<KeysInfo, 'animation' | 'animations' | 'project'>;
 /** What is there when the request is met: what is shown of it first, for what was shown before. */
 export function openedState(
   { source, project, left, stays, turn }: OpenRequest,
-  opening: Opening & OpenedStart,
+  opening: LoadedKeys & StartState,
   before: AppState,
   range: Range,
   reducedMotion: boolean,
@@ -101,7 +101,7 @@ export function openedState(
 }
 
 /** What an earlier version did not have starts as it is by default. */
-const leftView = ({ state }: Remembered): View => ({ ...DEFAULT_VIEW, ...state.view });
+const leftView = ({ state }: StoredProject): View => ({ ...DEFAULT_VIEW, ...state.view });
 
 /** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
 function openingView(view: View, link: Permalink | null): View {
@@ -112,7 +112,7 @@ function openingView(view: View, link: Permalink | null): View {
 
 /** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
 function openingPlay(
-  { info, doc, link }: Opening & OpenedStart,
+  { info, doc, link }: LoadedKeys & StartState,
   source: Source,
   { loop, fps }: Play,
   reducedMotion: boolean,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/types.h"
-#include "core/lri/frames.h"
+#include "core/lri/local_frames.h"
 #include "core/lri/welded_shape.h"
 
 namespace shapespline {
@@ -19,7 +19,7 @@ struct LooseVertex {
 /// How a component b keeps its place at its anchor face a: by the point that moves least against both in all poses,
 /// such as the axle of a wheel or the joint of a hoof. A point elsewhere would be splined along chords while the
 /// component turns.
-struct ComponentPlace {
+struct ComponentJoint {
   int component;
   int anchorFace, contactFace;  ///< the link's two faces
   int anchorFrame, contactFrame;
@@ -27,13 +27,13 @@ struct ComponentPlace {
   std::vector<Vec3> offset;  ///< one per column: R_a^T (that point - centroid of a)
 };
 
-struct CarriedParts {
-  std::vector<ComponentPlace> places;  ///< parents before children; the root has none
+struct CarriedComponents {
+  std::vector<ComponentJoint> joints;  ///< parents before children; the root has none
   std::vector<LooseVertex> loose;
 };
 
 /// facesRest: R_f is that of the face's frame, in every column.
-CarriedParts encodeCarriedParts(const WeldedShape& shape, const ShapeTopology& topology, const FramePoses& frames,
-                                bool facesRest);
+CarriedComponents encodeCarriedComponents(const WeldedShape& shape, const ShapeTopology& topology,
+                                          const LocalFramePoses& frames, bool facesRest);
 
 }  // namespace shapespline

@@ -8,12 +8,12 @@ import { h, setHidden, setStyle } from './dom.ts';
 /** Elements that can be used with the sheet open, to see the effect of a choice. */
 const GOES_ON = '.picture, .divider, .view-bar, .transport, .overlay-top, .toast, .opening';
 
-export interface OpeningSheet {
+export interface ImportSheet {
   element: HTMLElement;
   update(shown: boolean): void;
 }
 
-export interface OpeningSheetParts {
+export interface ImportSheetParts {
   /** Container of the sheet. */
   element: HTMLElement;
   /** The choices, in their panel. */
@@ -27,7 +27,7 @@ export interface OpeningSheetParts {
   onEscape(): void;
 }
 
-export function createOpeningSheet(parts: OpeningSheetParts): OpeningSheet {
+export function createImportSheet(parts: ImportSheetParts): ImportSheet {
   const { element, choices, over, next, onClose, onEscape } = parts;
   const panel = choices.parentElement!;
   const messages = over[0]!.parentElement!;

@@ -11,13 +11,13 @@
 namespace shapespline {
 
 /// The frames of the poses that are encoded.
-struct FramePoses {
+struct LocalFramePoses {
   std::span<const int> ofFace;                           ///< frame of each face; -1 where it has no area
   const std::vector<std::vector<Quaternion>>& rotation;  ///< rotation[column][frame]
 };
 
 /// The frames at one time.
-struct Frames {
+struct LocalFrames {
   std::vector<Quaternion> rotation;  ///< one per frame
   std::vector<Mat3> gradient;        ///< what faces are multiplied by, where that is more than the rotation; else empty
 };

@@ -1,4 +1,4 @@
-#include "core/hold/pull_modes.h"
+#include "core/hold/affine_response.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,8 @@ constexpr double littleGradient = 5e-3;
 
 }  // namespace
 
-PullModes::PullModes(const HoldInput& input, const HoldSystem& system, std::span<const HeldVertex> held, int pins)
+AffineResponse::AffineResponse(const HoldInput& input, const HoldSystem& system, std::span<const HeldVertex> held,
+                               int pins)
     : modes_(fields * static_cast<std::size_t>(pins)), held_(held.begin(), held.end()) {
   int patches = 0;
   for (const int p : input.patchOfFace) patches = std::max(patches, p + 1);
@@ -45,7 +46,7 @@ PullModes::PullModes(const HoldInput& input, const HoldSystem& system, std::span
 }
 
 // Of each pin: one, and the places of its vertices, orthonormal over its weights.
-void PullModes::findFields(const Positions& reference) {
+void AffineResponse::findFields(const Positions& reference) {
   field_.assign(fields * held_.size(), 0.0);
   for (std::size_t begin = 0, end = 0; begin < held_.size(); begin = end) {
     double whole = 1e-300;  // a loose vertex has no weight
@@ -77,13 +78,13 @@ void PullModes::findFields(const Positions& reference) {
   }
 }
 
-void PullModes::addGradients(const HoldInput& input, const Positions& moved, std::size_t first) {
+void AffineResponse::addGradients(const HoldInput& input, const Positions& moved, std::size_t first) {
   const WeldedShape& shape = input.mesh.shape;
   const Positions& p = shape.poses[shape.reference];
   std::vector<double> area(planes_.size(), 0.0);
   for (int pass = 0; pass < 2; ++pass)
     for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-      const int patch = input.mesh.frameOf[f] < 0 ? -1 : input.patchOfFace[f];
+      const int patch = input.mesh.localFrameOf[f] < 0 ? -1 : input.patchOfFace[f];
       if (patch < 0) continue;
       const Triangle& t = shape.faces[f];
       const Vec3 normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
@@ -102,17 +103,17 @@ void PullModes::addGradients(const HoldInput& input, const Positions& moved, std
     }
 }
 
-void PullModes::fit(std::span<const Vec3> way, std::vector<Vec3>& mode) const {
+void AffineResponse::fit(std::span<const Vec3> displacement, std::vector<Vec3>& mode) const {
   mode.assign(modes_, Vec3::Zero());
   for (std::size_t i = 0; i < held_.size(); ++i)
-    for (std::size_t k = 0; k < fields; ++k) mode[fields * held_[i].pin + k] += fit_[fields * i + k] * way[i];
+    for (std::size_t k = 0; k < fields; ++k) mode[fields * held_[i].pin + k] += fit_[fields * i + k] * displacement[i];
 }
 
-Vec3 PullModes::moved(std::size_t held, const std::vector<Vec3>& mode) const {
+Vec3 AffineResponse::moved(std::size_t held, const std::vector<Vec3>& mode) const {
   return weightedSum(modes_, &response_[modes_ * held], mode.data());
 }
 
-Mat3 PullModes::gradient(std::size_t patch, const std::vector<Vec3>& mode) const {
+Mat3 AffineResponse::gradient(std::size_t patch, const std::vector<Vec3>& mode) const {
   return outerProducts(modes_, mode.data(), &gradient_[modes_ * patch]);
 }
 

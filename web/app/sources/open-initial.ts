@@ -7,7 +7,7 @@ import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { Opener } from './opener.ts';
 import { guideLink, strangeLink } from './page-link.ts';
 import { readPermalink } from './permalink.ts';
-import type { Remembered } from '../kept/project-shelf.ts';
+import type { StoredProject } from '../kept/project-shelf.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
 import { fetchSamples, makeSample } from './samples.ts';
 import type { Sample } from './samples.ts';
@@ -17,7 +17,7 @@ const VISITED = 'shapespline.visited';
 const FIRST_SAMPLE = 'column';
 const FIRST_VISIT = `sample=${FIRST_SAMPLE}&compare=linear&split=0.5&t=0.25&play=1`;
 
-export interface OpenFirstParts {
+export interface OpenInitialParts {
   files: Opener;
   remembered: RememberedFiles;
   onSamples(samples: readonly Sample[]): void;
@@ -29,8 +29,8 @@ export interface OpenFirstParts {
 }
 
 /** `address`: the fragment, which may change before there is something to open. */
-export async function openFirst(
-  { files, remembered, onSamples, say, onGuide, onStopped }: OpenFirstParts,
+export async function openInitial(
+  { files, remembered, onSamples, say, onGuide, onStopped }: OpenInitialParts,
   address: () => string,
 ): Promise<void> {
   let asked = files.asks;
@@ -61,10 +61,10 @@ export async function openFirst(
   if (page && ((await onGuide(page)) || isOvertaken())) return;
   const strange = named ? null : strangeLink(fragment);
   if (strange) say(strange);
-  const again = async (work: Remembered): Promise<boolean | null> => {
+  const again = async (project: StoredProject): Promise<boolean | null> => {
     if (isOvertaken()) return null;
     asked += 1;
-    return reopening(files)(work);
+    return reopening(files)(project);
   };
   const [left] = named ? [] : kept;
   if (left?.opening) {
@@ -88,9 +88,9 @@ export async function openFirst(
 }
 
 /** Opens what was kept; null where something else is asked for before it is there. */
-export function reopening(files: Opener): (work: Remembered) => Promise<boolean | null> {
-  return async (work) => {
-    const opened = files.again(work);
+export function reopening(files: Opener): (project: StoredProject) => Promise<boolean | null> {
+  return async (project) => {
+    const opened = files.again(project);
     const { asks } = files;
     return (await opened) || (files.asks === asks ? false : null);
   };

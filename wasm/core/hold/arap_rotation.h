@@ -3,21 +3,21 @@
 
 #include <vector>
 
+#include "core/hold/affine_response.h"
 #include "core/hold/hold_passes.h"
-#include "core/hold/pull_modes.h"
 
 namespace shapespline {
 
 /// One step of as-rigid-as-possible deformation (Sorkine and Alexa 2007) with a rotation per patch instead of one per
 /// vertex, over-relaxed. Immutable.
-class PatchTurn {
+class ArapRotation {
  public:
   /// modes: of what pulls; patches that these hardly turn are left as they are.
-  PatchTurn(const HoldInput& input, const PullModes& modes);
+  ArapRotation(const HoldInput& input, const AffineResponse& modes);
 
   /// The further rotation of each patch, minus the identity, in the frame of its present rotation. frames: of the shape
   /// before the pull; mode: of the pull.
-  void find(const PullModes& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
+  void find(const AffineResponse& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
             std::vector<Mat3>& turn) const;
 
   /// Adds what pulls each vertex so that its patches turn.

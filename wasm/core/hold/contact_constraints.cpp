@@ -1,4 +1,4 @@
-#include "core/hold/resting_patches.h"
+#include "core/hold/contact_constraints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ void factorise(std::vector<double>& a, int n) {
 
 }  // namespace
 
-RestingPatches::RestingPatches(const VertexPath& path, const HoldSystem& system, const std::vector<int>& patchOf,
-                               int patches, const std::vector<double>& area)
+ContactConstraints::ContactConstraints(const RestingSpline& path, const HoldSystem& system,
+                                       const std::vector<int>& patchOf, int patches, const std::vector<double>& area)
     : loop_(path.loop()), spans_(path.spans()) {
   std::vector<double> patchArea(patches, 0.0), rest(static_cast<std::size_t>(patches) * spans_, 0.0);
   for (std::size_t v = 0; v < patchOf.size(); ++v) {
@@ -38,7 +38,7 @@ RestingPatches::RestingPatches(const VertexPath& path, const HoldSystem& system,
     double most = 0;
     for (int s = 0; s < spans_; ++s) {
       double& r = rest[p * spans_ + s];
-      r = fade(r / patchArea[p], restsLittle, restsWhole);
+      r = smoothstep2(r / patchArea[p], restsLittle, restsWhole);
       most = std::max(most, r);
     }
     if (!(most > 0)) continue;
@@ -52,7 +52,7 @@ RestingPatches::RestingPatches(const VertexPath& path, const HoldSystem& system,
 }
 
 // How far a pull at one handle moves the others, three handles at once.
-void RestingPatches::findCompliance(const HoldSystem& system, std::size_t vertices) {
+void ContactConstraints::findCompliance(const HoldSystem& system, std::size_t vertices) {
   factor_.assign(static_cast<std::size_t>(count_) * count_, 0.0);
   if (count_ <= mostResponses) response_.resize(vertices * count_);
   HoldSystem::Scratch scratch;
@@ -73,17 +73,17 @@ void RestingPatches::findCompliance(const HoldSystem& system, std::size_t vertic
   factorise(factor_, count_);
 }
 
-bool RestingPatches::weightsAt(const SpanPlace& place, std::vector<double>& weight) const {
+bool ContactConstraints::weightsAt(const SpanPosition& inSpan, std::vector<double>& weight) const {
   bool any = false;
   weight.clear();
   for (int h = 0; h < count_; ++h) {
-    weight.push_back(tween(&rest_[h * spans_], spans_, loop_, place) * place.within());
+    weight.push_back(blendSpans(&rest_[h * spans_], spans_, loop_, inSpan) * inSpan.within());
     any = any || weight.back() > 0;
   }
   return any;
 }
 
-void RestingPatches::pull(std::vector<Vec3>& left) const {
+void ContactConstraints::pull(std::vector<Vec3>& left) const {
   const int n = count_;
   for (int i = 0; i < n; ++i) {
     for (int k = 0; k < i; ++k) left[i] -= factor_[i * n + k] * left[k];
@@ -95,12 +95,13 @@ void RestingPatches::pull(std::vector<Vec3>& left) const {
   }
 }
 
-void RestingPatches::meanWays(const Positions& from, const Positions& to, std::vector<Vec3>& way) const {
-  way.assign(count_, Vec3::Zero());
-  for (const auto& [vertex, handle, share] : shares_) way[handle] += share * (to[vertex] - from[vertex]);
+void ContactConstraints::meanDisplacements(const Positions& from, const Positions& to,
+                                           std::vector<Vec3>& displacement) const {
+  displacement.assign(count_, Vec3::Zero());
+  for (const auto& [vertex, handle, share] : shares_) displacement[handle] += share * (to[vertex] - from[vertex]);
 }
 
-void RestingPatches::addTo(Positions& pulls, const std::vector<Vec3>& pull) const {
+void ContactConstraints::addTo(Positions& pulls, const std::vector<Vec3>& pull) const {
   for (const auto& [vertex, handle, share] : shares_) pulls[vertex] += share * pull[handle];
 }
 

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { paceAt, paceOf, pacePaths, paceTimes } from '../../web/model/pace.ts';
+import { speedAt, speedCurveOf, speedPaths, speedTimes } from '../../web/model/speed-curve.ts';
 
-describe('the pace of a motion on the timeline', () => {
+describe('the curve of a motion on the timeline', () => {
   it('is asked for on both sides of every key, in increasing order', () => {
-    const times = paceTimes([0, 1], [0, 0.25, 1]);
+    const times = speedTimes([0, 1], [0, 0.25, 1]);
     expect(times.every((t, i) => i === 0 || t > times[i - 1]!)).toBe(true);
     for (const key of [0, 0.25, 1]) {
       expect(times.some((t) => t < key && key - t < 1e-5)).toBe(true);
@@ -15,29 +15,29 @@ describe('the pace of a motion on the timeline', () => {
 
   it('grows little with many keys', () => {
     const keys = Array.from({ length: 80 }, (_, i) => i);
-    expect(paceTimes([0, 79], keys).length).toBeLessThan(900);
+    expect(speedTimes([0, 79], keys).length).toBeLessThan(900);
   });
 
   it('knows the mean speed over the keys alone', () => {
     const times = [-1, 0, 0.5, 0.500001, 1, 2];
-    const pace = paceOf(times, { speed: [9, 2, 2, 4, 4, 9], overshoot: [0, 0, 0, 0, 0, 0] }, [0, 1]);
-    expect(pace.mean).toBeCloseTo(3, 4);
-    expect(paceAt(pace, 0.7)).toEqual({ speed: 4 / pace.mean, past: false });
+    const curve = speedCurveOf(times, { speed: [9, 2, 2, 4, 4, 9], overshoot: [0, 0, 0, 0, 0, 0] }, [0, 1]);
+    expect(curve.mean).toBeCloseTo(3, 4);
+    expect(speedAt(curve, 0.7)).toEqual({ speed: 4 / curve.mean, past: false });
   });
 
   it('says nothing of a motion that stands still', () => {
-    const still = paceOf([0, 1], { speed: [0, 0], overshoot: [0, 0] }, [0, 1]);
-    expect(paceAt(still, 0.5)).toBeNull();
-    expect(pacePaths(still, { range: [0, 1], part: [0, 1], width: 100, height: 10 }).line).not.toContain('NaN');
+    const still = speedCurveOf([0, 1], { speed: [0, 0], overshoot: [0, 0] }, [0, 1]);
+    expect(speedAt(still, 0.5)).toBeNull();
+    expect(speedPaths(still, { range: [0, 1], part: [0, 1], width: 100, height: 10 }).line).not.toContain('NaN');
   });
 
   it('draws the fastest moment highest, and tints what swings past a key alone', () => {
-    const pace = paceOf([0, 1, 2, 3, 4], { speed: [1, 2, 4, 2, 1], overshoot: [0, 0, 0.2, 0.1, 0] }, [0, 4]);
+    const curve = speedCurveOf([0, 1, 2, 3, 4], { speed: [1, 2, 4, 2, 1], overshoot: [0, 0, 0.2, 0.1, 0] }, [0, 4]);
     const picture = { range: [0, 3], part: [0, 4], width: 100, height: 10 } as const;
-    const { line, area, past } = pacePaths(pace, picture);
+    const { line, area, past } = speedPaths(curve, picture);
     expect(line).toBe('M0.0 7.8L25.0 5.5L50.0 1.0L75.0 5.5L100.0 7.8');
     expect(area).toBe('M0.0 10L0.0 7.8L25.0 5.5L50.0 1.0L75.0 5.5L75.0 10Z');
     expect(past).toBe('M50.0 10L50.0 1.0L75.0 5.5L75.0 10Z');
-    expect(pacePaths(pace, { ...picture, part: [2, 4] }).line).toContain('L0.0 1.0L50.0 5.5L100.0 7.8');
+    expect(speedPaths(curve, { ...picture, part: [2, 4] }).line).toContain('L0.0 1.0L50.0 5.5L100.0 7.8');
   });
 });

@@ -1,4 +1,4 @@
-#include "core/hold/vertex_path.h"
+#include "core/hold/resting_spline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ double keySize(const WeldedShape& shape) {
   return size;
 }
 
-VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, const PathRest& rest)
+RestingSpline::RestingSpline(const WeldedShape& shape, const Curve& curve, const PathRest& rest)
     : spans_(curve.spans()), loop_(curve.periodic()) {
   for (const KeySpan& span : spans_) knots_.push_back(&shape.poses[span.from]);
   knots_.push_back(&shape.poses[spans_.back().to]);
@@ -70,7 +70,7 @@ VertexPath::VertexPath(const WeldedShape& shape, const Curve& curve, const PathR
     for (std::vector<float>* end : {&knotRest_.front(), &knotRest_.back()}) std::fill(end->begin(), end->end(), 1.0f);
 }
 
-void VertexPath::findRest(double size) {
+void RestingSpline::findRest(double size) {
   const int count = spans();
   const std::size_t vertices = knots_[0]->size();
   const double meanTime = (spans_.back().end - spans_.front().start) / count;
@@ -83,7 +83,7 @@ void VertexPath::findRest(double size) {
     for (int s = 0; s < count; ++s) {
       const double around = std::max(movedIn(neighbour(s - 1)), movedIn(neighbour(s + 1)));
       rest_[s][v] =
-          static_cast<float>((1 - fade(moved[s] / (around + leastMotion * size), atRest, inMotion)) *
+          static_cast<float>((1 - smoothstep2(moved[s] / (around + leastMotion * size), atRest, inMotion)) *
                              (1 - turnsBack(v, neighbour(s - 1), neighbour(s + 1), leastMotion * size / meanTime)));
     }
     const auto restIn = [&](int span) { return span >= 0 && span < count ? rest_[span][v] : 0; };
@@ -94,7 +94,7 @@ void VertexPath::findRest(double size) {
 
 // A limb that swings hardly moves between two keys on either side of its turning point, and does not rest there: it
 // goes back as fast as it came. What is slower than the slowest goes nowhere: rounding says where to.
-double VertexPath::turnsBack(std::size_t v, int before, int after, double slowest) const {
+double RestingSpline::turnsBack(std::size_t v, int before, int after, double slowest) const {
   if (before < 0 || after < 0 || before >= spans() || after >= spans()) return 0;
   const auto speed = [&](int s) -> Vec3 {
     return ((*knots_[s + 1])[v] - (*knots_[s])[v]) / (spans_[s].end - spans_[s].start);
@@ -102,11 +102,11 @@ double VertexPath::turnsBack(std::size_t v, int before, int after, double slowes
   const Vec3 came = speed(before), goes = speed(after);
   const double slower = std::min(came.norm(), goes.norm()), faster = std::max(came.norm(), goes.norm());
   if (!(slower > 0)) return 0;
-  return fade(-came.dot(goes) / (slower * faster + slowest * slowest), 0, backwards) *
-         fade(slower / faster, dawdles, hurries);
+  return smoothstep2(-came.dot(goes) / (slower * faster + slowest * slowest), 0, backwards) *
+         smoothstep2(slower / faster, dawdles, hurries);
 }
 
-bool VertexPath::hasSpansOf(const VertexPath& other) const {
+bool RestingSpline::hasSpansOf(const RestingSpline& other) const {
   const auto same = [](const KeySpan& a, const KeySpan& b) {
     return a.start == b.start && a.end == b.end && a.from == b.from && a.to == b.to;
   };
@@ -114,22 +114,22 @@ bool VertexPath::hasSpansOf(const VertexPath& other) const {
          std::equal(spans_.begin(), spans_.end(), other.spans_.begin(), other.spans_.end(), same);
 }
 
-SpanPlace VertexPath::placeOf(double t) const {
+SpanPosition RestingSpline::spanPositionAt(double t) const {
   const auto after = std::upper_bound(spans_.begin(), spans_.end(), t,
                                       [](double time, const KeySpan& span) { return time < span.start; });
-  SpanPlace place;
-  place.span = std::max(0, static_cast<int>(after - spans_.begin()) - 1);
-  const KeySpan& span = spans_[place.span];
+  SpanPosition inSpan;
+  inSpan.span = std::max(0, static_cast<int>(after - spans_.begin()) - 1);
+  const KeySpan& span = spans_[inSpan.span];
   const double share = (t - span.start) / (span.end - span.start);
-  place.share = std::clamp(share, 0.0, 1.0);
-  place.beyond = std::abs(share - place.share);
-  return place;
+  inSpan.share = std::clamp(share, 0.0, 1.0);
+  inSpan.beyond = std::abs(share - inSpan.share);
+  return inSpan;
 }
 
-void VertexPath::positionsAt(double t, Positions& positions) const {
-  const SpanPlace place = placeOf(t);
-  const int k = place.span;
-  const double h = spans_[k].end - spans_[k].start, u = place.share, w = 1 - u;
+void RestingSpline::positionsAt(double t, Positions& positions) const {
+  const SpanPosition inSpan = spanPositionAt(t);
+  const int k = inSpan.span;
+  const double h = spans_[k].end - spans_[k].start, u = inSpan.share, w = 1 - u;
   PathWeights at;
   at.step = u * u * (3 - 2 * u);
   at.slope0 = h * u * w * w;
@@ -143,8 +143,8 @@ void VertexPath::positionsAt(double t, Positions& positions) const {
   at.rest1[0] = -6 * acceleration1;
   at.rest1[1] = 2 * h * acceleration1;
   at.rest1[2] = h * (velocity1 + 4 * acceleration1);
-  if (place.beyond > 0) {  // straight on from the end, with what rest leaves of its velocity
-    const double further = h * (u > 0 ? place.beyond : -place.beyond);
+  if (inSpan.beyond > 0) {  // straight on from the end, with what rest leaves of its velocity
+    const double further = h * (u > 0 ? inSpan.beyond : -inSpan.beyond);
     (u > 0 ? at.slope1 : at.slope0) += further;
     if (u > 0) at.rest1[2] += further;
     else at.rest0[1] += further;

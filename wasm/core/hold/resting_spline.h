@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/hold/fade.h"
+#include "core/hold/smoothstep.h"
 #include "core/lri/welded_shape.h"
 #include "core/spline/spline.h"
 
@@ -19,20 +19,20 @@ struct PathRest {
 double keySize(const WeldedShape& shape);
 
 /// Positions at the ends of the spans of a curve, and how a vertex passes them.
-class VertexPath {
+class RestingSpline {
  public:
   /// The keys of `shape` on `curve`, in the world of its first period. The curve must be cubic, and the shape outlive
   /// the path. With PathRest::AtEnds an open path stands still beyond its ends.
-  VertexPath(const WeldedShape& shape, const Curve& curve, const PathRest& rest);
+  RestingSpline(const WeldedShape& shape, const Curve& curve, const PathRest& rest);
 
-  VertexPath(const VertexPath&) = delete;
-  VertexPath& operator=(const VertexPath&) = delete;
+  RestingSpline(const RestingSpline&) = delete;
+  RestingSpline& operator=(const RestingSpline&) = delete;
 
   int spans() const { return static_cast<int>(spans_.size()); }
   bool loop() const { return loop_; }
-  SpanPlace placeOf(double t) const;
+  SpanPosition spanPositionAt(double t) const;
   /// Whether it runs through the same keys at the same times: of the same shape, the same vertices rest then.
-  bool hasSpansOf(const VertexPath& other) const;
+  bool hasSpansOf(const RestingSpline& other) const;
 
   /// How little a vertex moves in a span beside the spans before and after it, in [0, 1], and not only turns around.
   /// Speeds are compared, so neither size nor unit of time matter.

@@ -1,4 +1,4 @@
-#include "core/hold/bodies.h"
+#include "core/hold/rigid_groups.h"
 
 #include <algorithm>
 
@@ -22,24 +22,24 @@ double gap(const Positions& p, const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-bool staysJoined(const HoldMesh& mesh, const ComponentPlace& place) {
+bool staysJoined(const HoldMesh& mesh, const ComponentJoint& joint) {
   const WeldedShape& shape = mesh.shape;
   const double size = sizeOf(shape.poses[shape.reference]);
   double given = 0, apart = 0;
   for (int key = 0; key < shape.keys; ++key) {
-    given = std::max(given, (place.offset[key] - place.offset[shape.reference]).norm());
-    apart = std::max(apart, gap(shape.poses[key], shape.faces[place.anchorFace], shape.faces[place.contactFace]));
+    given = std::max(given, (joint.offset[key] - joint.offset[shape.reference]).norm());
+    apart = std::max(apart, gap(shape.poses[key], shape.faces[joint.anchorFace], shape.faces[joint.contactFace]));
   }
   return given < slack * size || apart < touches * size;
 }
 
-std::vector<int> bodiesOf(const HoldMesh& mesh) {
+std::vector<int> rigidGroupsOf(const HoldMesh& mesh) {
   const std::vector<Triangle>& faces = mesh.shape.faces;
   UnionFind joined(mesh.shape.vertexCount());
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (mesh.frameOf[f] >= 0) joined.join(faces[f][0], faces[f][1]), joined.join(faces[f][0], faces[f][2]);
-  for (const ComponentPlace& place : mesh.places)
-    if (staysJoined(mesh, place)) joined.join(faces[place.anchorFace][0], faces[place.contactFace][0]);
+    if (mesh.localFrameOf[f] >= 0) joined.join(faces[f][0], faces[f][1]), joined.join(faces[f][0], faces[f][2]);
+  for (const ComponentJoint& joint : mesh.joints)
+    if (staysJoined(mesh, joint)) joined.join(faces[joint.anchorFace][0], faces[joint.contactFace][0]);
   for (const LooseVertex& loose : mesh.loose) joined.join(faces[loose.anchorFace][0], loose.vertex);
   std::vector<int> body, number(mesh.shape.vertexCount(), -1);
   int count = 0;

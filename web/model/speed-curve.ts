@@ -1,5 +1,5 @@
-/** The pace of a motion for its timeline: at which times it is asked for, and how its curve is drawn. */
-import type { MotionPace } from '../engine/api/types.ts';
+/** The speed of a motion for its timeline: at which times it is asked for, and how its curve is drawn. */
+import type { MotionSpeed } from '../engine/api/types.ts';
 import type { Range } from './time-scale.ts';
 import { length, timeScale } from './time-scale.ts';
 import { fractionIn } from './time-window.ts';
@@ -7,7 +7,7 @@ import { fractionIn } from './time-window.ts';
 /** Overshoot is reported from this distance beyond a key, relative to the mean distance of the keys. */
 export const SEEN_OVERSHOOT = 0.01;
 
-export interface Pace extends MotionPace {
+export interface SpeedCurve extends MotionSpeed {
   times: readonly number[];
   /** Mean of the speed from the first key to the last. */
   mean: number;
@@ -19,8 +19,8 @@ const LEAST_SAMPLES = 6;
 /** Distance from a key, relative to the range, where the speed of a piecewise linear motion jumps. */
 const NEAR = 1e-7;
 
-/** Increasing times that resolve the pace everywhere on the timeline, on both sides of every key. */
-export function paceTimes(range: Range, keyTimes: readonly number[]): number[] {
+/** Increasing times that resolve the speed everywhere on the timeline, on both sides of every key. */
+export function speedTimes(range: Range, keyTimes: readonly number[]): number[] {
   const [low, high] = timeScale(range, keyTimes.length).whole;
   const gap = NEAR * length(range);
   const ends = [...new Set([low, ...keyTimes, range[1], high])].sort((a, b) => a - b);
@@ -33,7 +33,7 @@ export function paceTimes(range: Range, keyTimes: readonly number[]): number[] {
   });
 }
 
-export function paceOf(times: readonly number[], { speed, overshoot }: MotionPace, range: Range): Pace {
+export function speedCurveOf(times: readonly number[], { speed, overshoot }: MotionSpeed, range: Range): SpeedCurve {
   let area = 0;
   let span = 0;
   for (let i = 1; i < times.length; i += 1) {
@@ -46,14 +46,17 @@ export function paceOf(times: readonly number[], { speed, overshoot }: MotionPac
 }
 
 /** At a time: the multiple of the mean speed, and whether the motion overshoots a key. */
-export function paceAt({ times, speed, overshoot, mean }: Pace, t: number): { speed: number; past: boolean } | null {
+export function speedAt(
+  { times, speed, overshoot, mean }: SpeedCurve,
+  t: number,
+): { speed: number; past: boolean } | null {
   if (mean <= 0 || times.length === 0) return null;
   const after = times.findIndex((time) => time >= t);
   const i = after < 0 ? times.length - 1 : after;
   return { speed: speed[i]! / mean, past: overshoot[i]! > SEEN_OVERSHOOT };
 }
 
-export interface PacePaths {
+export interface SpeedPaths {
   /** The speed over time. */
   line: string;
   /** Areas below the curve between the first and the last key: the whole, and the overshoots. */
@@ -64,7 +67,7 @@ export interface PacePaths {
 /** Height of the largest speed, relative to the plot. */
 const TOP = 0.9;
 
-export interface PacePicture {
+export interface SpeedPicture {
   /** The range that the keys define. */
   range: Range;
   /** The part of the time that is shown. */
@@ -74,17 +77,17 @@ export interface PacePicture {
 }
 
 /** As SVG paths. */
-export function pacePaths(pace: Pace, { range, part, width, height }: PacePicture): PacePaths {
-  const fastest = Math.max(...pace.speed, 1e-300);
-  const points = pace.times.map((t, i) => ({
+export function speedPaths(curve: SpeedCurve, { range, part, width, height }: SpeedPicture): SpeedPaths {
+  const fastest = Math.max(...curve.speed, 1e-300);
+  const points = curve.times.map((t, i) => ({
     x: fractionIn(t, part) * width,
-    y: height * (1 - (TOP * pace.speed[i]!) / fastest),
+    y: height * (1 - (TOP * curve.speed[i]!) / fastest),
   }));
   const at = ({ x, y }: { x: number; y: number }): string => `${x.toFixed(1)} ${y.toFixed(1)}`;
   const below = (run: typeof points): string =>
     `M${run[0]!.x.toFixed(1)} ${height}L${run.map(at).join('L')}L${run.at(-1)!.x.toFixed(1)} ${height}Z`;
-  const within = points.filter((_, i) => pace.times[i]! >= range[0] && pace.times[i]! <= range[1]);
-  const past = runsOf(pace.overshoot).map(([from, to]) => points.slice(from, to));
+  const within = points.filter((_, i) => curve.times[i]! >= range[0] && curve.times[i]! <= range[1]);
+  const past = runsOf(curve.overshoot).map(([from, to]) => points.slice(from, to));
   return {
     line: points.length > 0 ? `M${points.map(at).join('L')}` : '',
     area: within.length > 0 ? below(within) : '',

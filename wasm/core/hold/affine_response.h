@@ -17,13 +17,13 @@ struct HeldVertex {
 };
 
 /// Immutable.
-class PullModes {
+class AffineResponse {
  public:
   /// Solves the system for four modes per pin. held: by pin.
-  PullModes(const HoldInput& input, const HoldSystem& system, std::span<const HeldVertex> held, int pins);
+  AffineResponse(const HoldInput& input, const HoldSystem& system, std::span<const HeldVertex> held, int pins);
 
-  /// The affine fields nearest to the ways of the held vertices: four vectors per pin.
-  void fit(std::span<const Vec3> way, std::vector<Vec3>& mode) const;
+  /// The affine fields nearest to the displacements of the held vertices: four vectors per pin.
+  void fit(std::span<const Vec3> displacement, std::vector<Vec3>& mode) const;
 
   /// What a held vertex moves by.
   Vec3 moved(std::size_t held, const std::vector<Vec3>& mode) const;

@@ -1,10 +1,10 @@
 /** The first state of opened files. */
 import { expect, it } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
-import { ofFiles, restored } from '../../web/app/sources/opened-state.ts';
-import { KeysHandle } from '../../web/engine/caller/keyframes.ts';
+import { ofFiles, restored } from '../../web/app/sources/start-state.ts';
+import { KeyArrays } from '../../web/engine/caller/keyframes.ts';
 import type { KeyData } from '../../web/engine/wire/protocol.ts';
-import type { Remembered } from '../../web/app/kept/project-shelf.ts';
+import type { StoredProject } from '../../web/app/kept/project-shelf.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
 const animations = [
@@ -31,9 +31,9 @@ it.each([
 ] as const)('a pose that was added to far files stays where it was: %s', (_, offset, kept) => {
   const info = { names: ['a', 'b'], times: [0, 1], offset: [1000, 0, -500] };
   const files = { info, positions: [new Float32Array(3), new Float32Array(3)], normals: null };
-  const pool = new PosePool(new KeysHandle(files as unknown as KeyData));
+  const pool = new PosePool(new KeyArrays(files as unknown as KeyData));
   const state = { doc: docOfKeys(keyRef(0, 'a', 0), keyRef(2, 'added', 1)) };
   const poses = [{ name: 'added', positions: Float32Array.from(kept) }];
-  restored({ poses, ...(offset && { offset }), state } as unknown as Remembered, pool);
+  restored({ poses, ...(offset && { offset }), state } as unknown as StoredProject, pool);
   expect([...pool.keys.positions(2)]).toEqual([1, 2, 3]);
 });
