@@ -6,9 +6,9 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostSteps = 60;
+constexpr int mostFitSteps = 60;
 constexpr double firstDamping = 1e-3, mostDamping = 1e6;
-constexpr double stop = 1e-6;  // length of a step, over the size of the shape
+constexpr double fitStop = 1e-6;  // length of a step, over the size of the shape
 
 }  // namespace
 
@@ -17,14 +17,14 @@ std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& targ
   ShellMeasures error = metric.difference(metric.measuresOf(shape), target);
   double energy = metric.squaredNorm(error);
   double damping = firstDamping;
-  for (int step = 0; step < mostSteps && std::isfinite(energy); ++step) {
+  for (int step = 0; step < mostFitSteps && std::isfinite(energy); ++step) {
     const Positions force = system.transposed(shape, error);
     system.fill(shape);
     for (bool better = false; !better; damping *= better ? 0.1 : 10) {
       if (damping > mostDamping || !system.factor(damping)) return std::nullopt;
       const Positions change = system.solve(force);
       const double length = largestNorm(change);
-      if (length <= stop * size) return shape;
+      if (length <= fitStop * size) return shape;
       Positions trial = shape;
       addScaled(trial, -1, change);
       ShellMeasures trialError = metric.difference(metric.measuresOf(trial), target);

@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostSteps = 20, mostHalvings = 10;
+constexpr int mostSplineSteps = 20, mostHalvings = 10;
 constexpr double leastFall = 1e-4;  // of the energy, relative
 constexpr int mostMeanSteps = 60;
 constexpr double meanStop = 1e-8;  // length of a step, over the size of the shape
@@ -249,8 +249,8 @@ void ShellSpline::minimise(std::vector<Positions>& shapes, const std::vector<cha
   Path gradient;
   double energy = this->energy(shapes, &gradient);
   release(gradient, fixed);
-  for (int step = 0; step < mostSteps && std::isfinite(energy); ++step) {
-    reportFraction(onProgress, static_cast<double>(step) / mostSteps);
+  for (int step = 0; step < mostSplineSteps && std::isfinite(energy); ++step) {
+    reportFraction(onProgress, static_cast<double>(step) / mostSplineSteps);
     const Path direction = memory.direction(gradient, [&](const Path& g) { return preconditioner->apply(g); });
     const double slope = dotOf(gradient, direction);
     length = std::min(1.0, 4 * length);

@@ -48,4 +48,14 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
       'Cubic splines of how each face rotates against its neighbours and stretches, fitted in three steps from the ' +
       'shape spline. Smooth; close to it, and several times slower.',
   },
+  lengths: {
+    label: 'Lengths and angles (NRIC)',
+    short: 'Lengths',
+    hint: 'Keeps edge lengths and the angles between faces on cubic splines: for cloth and paper. Takes seconds to make.',
+  },
+  shell: {
+    label: 'Spline in shell space',
+    short: 'Shell spline',
+    hint: 'The smoothest motion of a thin elastic shell through the keys, as in [2] of the paper. Takes seconds to make.',
+  },
 };

@@ -178,7 +178,7 @@ function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
     elements: [tight, buttonGroup('Space keys', ...spacings), buttonGroup('Direction', reverse)],
     update({ motion, tightness: mean }) {
       tightness.update(Number(mean.toFixed(3)));
-      setHidden(tight, METHOD[motion.method].curve === 'polygon');
+      setHidden(tight, METHOD[motion.method].curve !== 'spline');
     },
   };
 }

@@ -1,5 +1,5 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
-import { METHOD } from '../../engine/api/methods.ts';
+import { METHOD, hasEnds } from '../../engine/api/methods.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
@@ -53,6 +53,8 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
       pins: pinsFor(doc),
       ...listsOf(keys.map((key) => key.shaping)),
       ownPaths: MOTION_DEFAULTS.ownPaths,
+      spaceFaces: MOTION_DEFAULTS.spaceFaces,
+      spaceSamples: MOTION_DEFAULTS.spaceSamples,
       inPlace: false,
     },
     variants: [
@@ -91,24 +93,45 @@ function withGhost({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
 
 /** Variants with the same key are motions of the same shape. */
 export function shapeKey(plan: SequencePlan, variant: Variant): string {
-  const { order, startTangentPose, endTangentPose } = plan;
-  return JSON.stringify([order, withGhost(plan, variant), startTangentPose, endTangentPose]);
+  return JSON.stringify([plan.order, withGhost(plan, variant), tangentsOf(plan, variant)]);
+}
+
+/** Fitted motion has natural ends, whose slopes no shape gives. */
+function tangentsOf({ startTangentPose, endTangentPose }: SequencePlan, { method }: Variant): (number | null)[] {
+  return METHOD[method].curve === 'fitted' ? [null, null] : [startTangentPose, endTangentPose];
+}
+
+/** What is built for a plan, and takes a while: its shapes, and motions whose shapes are fitted. */
+export function buildKey(plan: SequencePlan): string {
+  const keys = plan.variants.flatMap((variant) => [
+    shapeKey(plan, variant),
+    METHOD[variant.method].curve === 'fitted' ? JSON.stringify([motionFor(plan, variant), plan.times]) : '',
+  ]);
+  return [...new Set(keys)].join();
 }
 
 /** What a variant's shape is encoded with; `keys` hold every pose. */
 export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): Partial<EncodingOptions> {
   const pose = (index: number | null): Float32Array | null => (index === null ? null : keys.positions(index));
-  return {
-    ...withGhost(plan, variant),
-    startTangent: pose(plan.startTangentPose),
-    endTangent: pose(plan.endTangentPose),
-  };
+  const [start, end] = tangentsOf(plan, variant) as [number | null, number | null];
+  return { ...withGhost(plan, variant), startTangent: pose(start), endTangent: pose(end) };
 }
 
-/** What a method makes use of: straight motion has no end derivatives, some methods hold and turn nothing. */
+/**
+ * What a method makes use of: straight motion has no end derivatives, fitted motion has natural ends and no tension,
+ * some methods hold and turn nothing.
+ */
 export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
   const { curve, holds: can, turns } = METHOD[method];
-  const boundary = curve === 'polygon' && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
+  const boundary = hasEnds(method, plan.motion.boundary) ? plan.motion.boundary : 'natural';
   const { hold, pins } = plain || !can ? MOTION_DEFAULTS : plan.motion;
-  return { ...plan.motion, method, boundary, hold, pins: [...pins], turns: turns ? plan.motion.turns : [] };
+  return {
+    ...plan.motion,
+    method,
+    boundary,
+    hold,
+    pins: [...pins],
+    turns: turns ? plan.motion.turns : [],
+    ...(curve === 'fitted' && { tension: [], bias: [] }),
+  };
 }

@@ -11,6 +11,7 @@ import { decoder } from '../worker/decompress.ts';
 import { RequestHandler } from '../worker/request-handler.ts';
 import { help, type SecondThreadStart } from '../worker/second-thread.ts';
 import { codecsFrom } from './codecs-from.ts';
+import { startShells } from '../worker/start-shells.ts';
 import { trustedAddress } from './trusted-address.ts';
 
 function serve(): void {
@@ -21,6 +22,7 @@ function serve(): void {
     create: createWasm,
     createThreaded: async () => createThreaded,
     createFiles: async () => createFiles,
+    startShells,
     startSecondThread: (start, onReady) => {
       const secondThread = new Worker(trustedAddress(self.location.href), { type: 'module' });
       secondThread.onmessage = ({ data }: MessageEvent<null | Ready>) => {
