@@ -74,6 +74,18 @@ describe('lengths', () => {
     sequence.dispose();
   });
 
+  it('bends about as much as LRI space does, in the same unit, where both move alike', async () => {
+    const { keys } = await bendKeys(engine);
+    const [plain, fitted] = [
+      await engine.createSequence(keys),
+      await engine.createSequence(keys, { method: 'lengths', spaceSamples: 8 }),
+    ];
+    const [ours] = await plain.bendingEnergy([0.5]);
+    const [theirs] = await fitted.bendingEnergy([0.5]);
+    expect(theirs! / ours!).toBeGreaterThan(0.5);
+    expect(theirs! / ours!).toBeLessThan(2);
+  });
+
   it('is a motion of a shape beside others, and ends with it', async () => {
     const { keys } = await rolledSheet(5);
     const shape = await engine.encode(keys);

@@ -9,7 +9,7 @@
 
 namespace shapespline {
 
-/// A shape of the motion that is to be found.
+/// A time of the motion, whose shape is wanted.
 struct ShellSample {
   double time = 0;
   std::vector<double> weights;  ///< one per key, sum 1: of the spline at this time

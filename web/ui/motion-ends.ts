@@ -57,11 +57,13 @@ export interface MotionEnds extends Fields<MotionEndsProps> {
   endAt(at: DropPoint): End | null;
 }
 
+const FREE = 'This method has free ends.';
+
 /** Why a kind of curve has no such ends. */
 const REFUSED: Record<MethodFacts['curve'], Partial<Record<Boundary, string>>> = {
   spline: {},
   polygon: { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' },
-  fitted: { hermite: 'This method has free ends.', periodic: 'This method has free ends.' },
+  fitted: { hermite: FREE, periodic: FREE },
 };
 
 export function createMotionEnds(events: MotionEndsEvents): MotionEnds {

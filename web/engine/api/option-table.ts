@@ -238,7 +238,7 @@ export const MOTION = {
       'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
       "(absolute), or against the largest patch, so a key's own orientation changes nothing (root)",
   },
-  /** Faces of the mesh that the methods lengths and shell fit: the shape's own where it has no more. */
+  /** Faces of the mesh that the methods lengths and shell fit: the shape's own if it has at most this number. */
   spaceFaces: {
     kind: 'number',
     whole: true,
@@ -247,7 +247,7 @@ export const MOTION = {
     default: 1000,
     flag: 'space-faces',
     value: 'N',
-    help: 'lengths, shell: number of faces of the coarse mesh that leads the motion; default: 1,000',
+    help: 'lengths, shell: faces of the coarse mesh; default: 1,000',
   },
   /** Intervals between the times at which they fit shapes. */
   spaceSamples: {
@@ -258,7 +258,7 @@ export const MOTION = {
     default: 24,
     flag: 'space-samples',
     value: 'K',
-    help: 'lengths, shell: fit shapes at K + 1 times; default: 24',
+    help: 'lengths, shell: shapes are fitted at K + 1 times; default: 24',
   },
   /** Take out the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },

@@ -269,9 +269,7 @@ export function checkUpdate(
 
 /** The refusal of another motion of the same sequence. */
 export function notUpdated(method: string): EngineError {
-  return invalidOption(
-    `The method '${method}' fits shapes, which takes a while: make a new sequence with createSequence.`,
-  );
+  return invalidOption(`The method '${method}' cannot be updated: make a new sequence with createSequence.`);
 }
 
 export function motionOf(options: SequenceOptions): MotionOptions {

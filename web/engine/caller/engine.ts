@@ -15,7 +15,7 @@ import {
   encodingOf,
   motionOf,
 } from '../api/options.ts';
-import type { CallName, MotionSpec, Program, WorkerFiles } from '../wire/protocol.ts';
+import type { CallName, Program, WorkerFiles } from '../wire/protocol.ts';
 import { keysOfMesh } from './key-mesh.ts';
 import { WorkerClient, type CoreWorker, type FilesWorker, type ShellsWorker, type Spawn } from './worker-client.ts';
 import { SequenceClient } from './sequence.ts';
@@ -98,7 +98,8 @@ export class EngineClient implements Engine {
     const report = call?.onProgress ?? (() => undefined);
     return this.encoded(keys, encodingOf(checked), call, partOf(report, 0, ENCODING_SHARE), async (shape) => {
       const spec = shape.spec(motionOf(checked), shape.parts.keys.info.times);
-      if (METHOD[checked.method].curve === 'fitted') return this.fittedSequence(shape, spec, call, report);
+      if (METHOD[checked.method].curve === 'fitted')
+        return shape.fitted(spec, { ...call, onProgress: partOf(report, ENCODING_SHARE, 1) }, true);
       const state = await shape.make(spec, { onProgress: partOf(report, ENCODING_SHARE, 1) });
       return new SequenceClient(shape, spec, state);
     });
@@ -110,18 +111,6 @@ export class EngineClient implements Engine {
     for (const shape of this.shapes) shape.dispose();
     for (const worker of this.workers) worker.terminate(disposed('engine'));
     this.workers.clear();
-  }
-
-  /** It owns the shape. */
-  private async fittedSequence(
-    shape: ShapeClient,
-    spec: MotionSpec,
-    call: CallOptions | undefined,
-    report: NonNullable<CallOptions['onProgress']>,
-  ): Promise<Sequence> {
-    const motion = await shape.fitted(spec, { ...call, onProgress: partOf(report, ENCODING_SHARE, 1) });
-    motion.onDispose = () => shape.dispose();
-    return motion;
   }
 
   /** Encodes the keys and calls `goOn` with the shape; disposes of the shape if that fails or is cancelled. */

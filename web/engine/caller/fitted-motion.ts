@@ -43,14 +43,28 @@ interface Coarse {
 }
 
 /** A motion of the shape with the spec's options and times, in a shape of its own. */
-export async function fitMotion(shape: ShapeClient, spec: MotionSpec, call: CallOptions = {}): Promise<FittedMotion> {
+export async function fitMotion(
+  shape: ShapeClient,
+  spec: MotionSpec,
+  call: CallOptions = {},
+  owner = false,
+): Promise<FittedMotion> {
+  shape.checkAlive();
   checkSpec(spec, shape.parts.encoding);
   const full = { signal: call.signal, onProgress: call.onProgress ?? (() => undefined) } as Call;
   const worker = shape.parts.shellsWorker();
   const end = (): void => worker.terminate(invalidOption('The fit has ended.'));
   try {
     const fit = new Fit(shape, spec, worker, full);
-    return await untilAborted(call.signal, fit.run());
+    const motion = await untilAborted(call.signal, fit.run());
+    motion.owner = owner;
+    try {
+      shape.checkAlive();
+    } catch (error) {
+      motion.dispose();
+      throw error;
+    }
+    return motion;
   } finally {
     end();
   }
@@ -238,8 +252,8 @@ function withoutTangents(encoding: EncodingOptions): EncodingOptions {
 }
 
 export class FittedMotion extends MotionClient implements Sequence {
-  /** Ends what only this motion uses. */
-  onDispose: () => void = () => undefined;
+  /** Whether no other motion uses the shape of the user's keys. */
+  owner = false;
 
   /** `shape`, `spec`: of the user's keys; `inner`, `innerSpec`: of the fitted ones. */
   constructor(
@@ -274,6 +288,17 @@ export class FittedMotion extends MotionClient implements Sequence {
     }
   }
 
+  /** Relative to the deformation between the user's keys, as for other methods. */
+  override async bendingEnergy(times: number[]): Promise<number[]> {
+    const [energies, fitted, keys] = [
+      await super.bendingEnergy(times),
+      await super.keySpacing(),
+      await this.keySpacing(),
+    ];
+    const scale = meanSquare(fitted.distance) / meanSquare(keys.distance);
+    return energies.map((energy) => (Number.isFinite(scale) ? scale * energy : energy));
+  }
+
   async update(): Promise<void> {
     throw notUpdated(this.own.options.method);
   }
@@ -297,7 +322,7 @@ export class FittedMotion extends MotionClient implements Sequence {
   override dispose(): void {
     super.dispose();
     this.shape.dispose();
-    this.onDispose();
+    if (this.owner) this.outer.dispose();
   }
 
   protected override async exportSource(options: ExportOptions): Promise<ExportSource> {
@@ -310,6 +335,10 @@ export class FittedMotion extends MotionClient implements Sequence {
       options: { ...this.options, inPlace: source.options.inPlace },
     };
   }
+}
+
+function meanSquare(values: readonly number[]): number {
+  return values.reduce((sum, value) => sum + value * value, 0) / values.length;
 }
 
 function noBlend() {

@@ -61,13 +61,10 @@ export class ShapeClient implements Shape {
     return new MotionClient(this, spec, await untilAborted(call?.signal, made));
   }
 
-  /** A motion whose shapes are fitted, which ends with this shape. */
-  async fitted(spec: MotionSpec, call?: CallOptions): Promise<FittedMotion> {
-    this.checkAlive();
+  /** A motion whose shapes are fitted, which ends with this shape; `owner`: and this shape with it. */
+  async fitted(spec: MotionSpec, call?: CallOptions, owner = false): Promise<FittedMotion> {
     const { fitMotion } = await import('./fitted-motion.ts');
-    const motion = await fitMotion(this, spec, call);
-    if (this.over) motion.dispose();
-    this.checkAlive();
+    const motion = await fitMotion(this, spec, call, owner);
     this.led.add(motion);
     return motion;
   }

@@ -4,6 +4,7 @@
  */
 import createWasm from '../../../build/wasm/shapespline.mjs';
 import createFiles from '../../../build/wasm/shapespline_files.mjs';
+import { startShells } from '../worker/start-shells.ts';
 import createThreaded from '../../../build/wasm/shapespline_threads.mjs';
 import type { Locked, Ready, ToWorker, WorkerFiles } from '../wire/protocol.ts';
 import { holdLock } from '../wire/worker-lock.ts';
@@ -11,7 +12,6 @@ import { decoder } from '../worker/decompress.ts';
 import { RequestHandler } from '../worker/request-handler.ts';
 import { help, type SecondThreadStart } from '../worker/second-thread.ts';
 import { codecsFrom } from './codecs-from.ts';
-import { startShells } from '../worker/start-shells.ts';
 import { trustedAddress } from './trusted-address.ts';
 
 function serve(): void {
