@@ -60,7 +60,7 @@ async function pictureOf(app: App, { link, panel, part, beside }: GuidePage): Pr
     await app.setTime(t);
     await app.settled();
     await ready?.(app);
-    await expect(app.by('speed-lane')).toBeVisible();
+    await expect(app.by('speed-curve')).toBeVisible();
     // Plots above the one in sight, and their legend, come later.
     if (panel === 'analysis') await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
     if (part) await app.by(part).evaluate((one) => one.scrollIntoView());

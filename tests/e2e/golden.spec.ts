@@ -55,7 +55,7 @@ test.describe('looks as it did', () => {
       await reach(app);
       await app.settled();
       // The speed of the motion is asked for when frames leave time.
-      await expect(app.by('speed-lane')).toBeVisible();
+      await expect(app.by('speed-curve')).toBeVisible();
       if ('keys' in selectors) await expect(app.page.locator('.key-list img[src]')).toHaveCount(3);
       // The frame time differs every time.
       const style = await app.page.addStyleTag({

@@ -58,7 +58,7 @@ async function seen(app: App) {
 /** Everything that comes by itself has come. */
 async function complete(app: App): Promise<void> {
   await app.settled();
-  await expect(app.by('speed-lane')).toBeVisible();
+  await expect(app.by('speed-curve')).toBeVisible();
   await expect(app.page.locator('.key-list img[src]')).toHaveCount(3);
   await expect(app.by('faces')).toBeAttached();
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('sample=cactus');

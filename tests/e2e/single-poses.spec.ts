@@ -120,6 +120,15 @@ test('a pose of another mesh waits for the next, and own work comes back by Undo
   await app.expectNoProblems();
 });
 
+test('Undo in a message goes when something else opens', async ({ app }) => {
+  await app.open();
+  await openTwo(app);
+  await expect(app.by('toast-undo')).toBeVisible();
+  await app.pick('cactus');
+  await app.settled();
+  await expect(app.by('toast-undo')).toHaveCount(0);
+});
+
 test('a pose that is dropped on the timeline becomes a key at that time', async ({ app }, info) => {
   await app.open();
   await openTwo(app);

@@ -113,6 +113,7 @@ function showOpened(
   if (!viewState.get().opening) onOffer(offer);
   scene.setImport(info, pool, camera);
   if (viewState.get().opening) onOffer(offer);
+  feedback.withdraw();
   if (source.kind === 'files')
     feedback.say(
       `${plural(doc.keys.length, 'key', 'keys')}, ${plural(info.report.vertices, 'vertex', 'vertices')}.`,

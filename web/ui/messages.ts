@@ -227,6 +227,8 @@ export interface ToastAction {
 export interface Toast {
   element: HTMLElement;
   say(text: string, action?: ToastAction): void;
+  /** What was offered can no longer be done. */
+  withdraw(): void;
   clear(): void;
 }
 
@@ -254,6 +256,10 @@ export function createToast(): Toast {
         run();
       },
     });
+  const withdraw = (): void => {
+    for (const said of waiting) said.action = undefined;
+    element.replaceChildren(words);
+  };
   const next = (): void => {
     const said = waiting.shift();
     if (!said) return show('');
@@ -274,6 +280,7 @@ export function createToast(): Toast {
       if (left > 0) timer = window.setTimeout(next, left);
       else next();
     },
+    withdraw,
     clear() {
       window.clearTimeout(timer);
       waiting.length = 0;

@@ -4,7 +4,7 @@ import type { SpeedCurve } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
 import { stretch } from './at-moment.ts';
 import { h, memo, setAttribute, setText } from './dom.ts';
-import { createSpeedLane } from './speed-lane.ts';
+import { createSpeedCurve } from './speed-curve.ts';
 
 export interface TimeTrackProps {
   range: Range;
@@ -22,7 +22,7 @@ export function createTimeTrack(): { element: HTMLElement; update(props: TimeTra
   const after = createMargin('after');
   const keyRange = h('div', { class: 'key-range' });
   const silent = [h('div', { class: 'silent' }), h('div', { class: 'silent' })] as const;
-  const lane = createSpeedLane();
+  const lane = createSpeedCurve();
   const element = h('div', { class: 'track', 'aria-hidden': 'true' }, before.element, keyRange, after.element);
   element.append(lane.element, ...silent);
 

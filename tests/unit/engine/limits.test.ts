@@ -24,11 +24,11 @@ describe('a limit of the engine is the one of the core', () => {
   it.each([
     [TABLE, 'MOST_TURNS', 'wasm/core/sequence/motion.cpp', 'mostTurns'],
     [TABLE, 'MOST_TIME', 'wasm/core/spline/key_times.cpp', 'farthestTime'],
-    [TABLE, 'MOST_KEYS', 'wasm/io/base/sample_times.cpp', 'kMostKeys'],
-    ['web/engine/caller/export-plan.ts', 'MOST_WEIGHTS', LIMITS, 'kMostElements'],
-    [JSON_TS, 'DEEPEST', LIMITS, 'kDeepestJson'],
-    [JSON_TS, 'MOST_OBJECTS', LIMITS, 'kMostJsonObjects'],
-    [JSON_TS, 'MOST_VALUES', LIMITS, 'kMostJsonValues'],
+    [TABLE, 'MOST_KEYS', 'wasm/io/base/sample_times.cpp', 'mostKeys'],
+    ['web/engine/caller/export-plan.ts', 'MOST_WEIGHTS', LIMITS, 'mostElements'],
+    [JSON_TS, 'DEEPEST', LIMITS, 'deepestJson'],
+    [JSON_TS, 'MOST_OBJECTS', LIMITS, 'mostJsonObjects'],
+    [JSON_TS, 'MOST_VALUES', LIMITS, 'mostJsonValues'],
   ])('%s %s', (file, name, coreFile, coreName) => {
     expect(constantIn(file, name)).toBe(constantIn(coreFile, coreName));
   });

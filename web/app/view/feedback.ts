@@ -9,6 +9,8 @@ import type { ViewStateHolder } from './view-state.ts';
 export interface Feedback {
   toast: HTMLElement;
   say(text: string, action?: ToastAction): void;
+  /** Buttons of earlier messages no longer do what they say. */
+  withdraw(): void;
   /** Nothing was said. */
   clear(): void;
   /** Something else is asked for: what went wrong before is of no interest. */
@@ -22,6 +24,7 @@ export function createFeedback(viewState: ViewStateHolder): Feedback {
   return {
     toast: toast.element,
     say: toast.say,
+    withdraw: toast.withdraw,
     clear: toast.clear,
     onStart: () => viewState.change({ errorMessage: null }),
     onWorking: (working) => viewState.change({ working }),

@@ -4,7 +4,7 @@ import type { App } from './support.ts';
 
 /** Heights of the curve of the speed over the whole timeline, 0 at the bottom. */
 async function heights(app: App): Promise<number[]> {
-  const d = (await app.by('speed-lane').locator('.speed-line').getAttribute('d')) ?? '';
+  const d = (await app.by('speed-curve').locator('.speed-line').getAttribute('d')) ?? '';
   return [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, , y]) => 100 - Number(y));
 }
 
@@ -16,7 +16,7 @@ async function placeOf(app: App, t: number): Promise<{ x: number; y: number }> {
 
 test('the curve in the track is the speed in shape space, of the method that is chosen', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
-  await expect(app.by('speed-lane')).toBeVisible();
+  await expect(app.by('speed-curve')).toBeVisible();
   expect((await heights(app)).length).toBeGreaterThan(100);
   // The geodesic goes from key to key at one speed.
   await app.by('method').selectOption('geodesic');

@@ -4,7 +4,7 @@ import { speedPaths } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
 import { memo, setAttribute, setHidden, svg } from './dom.ts';
 
-export interface SpeedLaneProps {
+export interface SpeedCurveProps {
   speedCurve: SpeedCurve | null;
   /** The range that the keys define. */
   range: Range;
@@ -15,25 +15,25 @@ export interface SpeedLaneProps {
 const WIDTH = 1000;
 const HEIGHT = 100;
 
-export function createSpeedLane(): { element: SVGSVGElement; update(props: SpeedLaneProps): void } {
+export function createSpeedCurve(): { element: SVGSVGElement; update(props: SpeedCurveProps): void } {
   const area = svg('path', { class: 'speed-area' });
   const past = svg('path', { class: 'speed-past', 'data-testid': 'speed-past' });
   const line = svg('path', { class: 'speed-line', 'vector-effect': 'non-scaling-stroke' });
   const element = svg(
     'svg',
     {
-      class: 'speed-lane',
+      class: 'speed-curve',
       viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
       preserveAspectRatio: 'none',
       'aria-hidden': 'true',
-      'data-testid': 'speed-lane',
+      'data-testid': 'speed-curve',
       hidden: true,
     },
     area,
     past,
     line,
   );
-  const update = memo(({ speedCurve: curve, range, part }: SpeedLaneProps) => {
+  const update = memo(({ speedCurve: curve, range, part }: SpeedCurveProps) => {
     const known = curve !== null && curve.mean > 0;
     setHidden(element, !known);
     if (!known) return;
