@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { SequenceSet } from '../../web/app/session/sequence-set.ts';
 import type { SequencePlan } from '../../web/app/session/sequence-plan.ts';
-import { motionFor, sequencePlan, shapeKey } from '../../web/app/session/sequence-plan.ts';
+import { motionFor, sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import type { Engine, Keys, Motion, MotionChange, Shape } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 import type { EncodingOptions, Method } from '../../web/engine/api/types.ts';
@@ -180,10 +180,6 @@ describe('sequence sets', () => {
     plan.motion.tension = [0.5, 0.5, 0.5];
     expect(asked('lengths')).toEqual(['off', 0, 0, 'natural']);
     expect(motionFor(plan, { method: 'lengths', ghost: 0 }).tension).toEqual([]);
-    // A shape that gives a slope at an end is no part of it.
-    const towards = { ...plan, startTangentPose: 1 };
-    expect(shapeKey(towards, { method: 'lengths', ghost: 0 })).toBe(shapeKey(plan, { method: 'lri', ghost: 0 }));
-    expect(shapeKey(towards, { method: 'rimd', ghost: 0 })).not.toBe(shapeKey(plan, { method: 'rimd', ghost: 0 }));
     // It has the shape's own stretches only without the paper's transfer.
     for (const [transfer, ghost] of [
       ['paper', 0],

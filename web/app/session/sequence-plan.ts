@@ -93,19 +93,15 @@ function withGhost({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
 
 /** Variants with the same key are motions of the same shape. */
 export function shapeKey(plan: SequencePlan, variant: Variant): string {
-  return JSON.stringify([plan.order, withGhost(plan, variant), tangentsOf(plan, variant)]);
-}
-
-/** Fitted motion has natural ends, whose slopes no shape gives. */
-function tangentsOf({ startTangentPose, endTangentPose }: SequencePlan, { method }: Variant): (number | null)[] {
-  return METHOD[method].curve === 'fitted' ? [null, null] : [startTangentPose, endTangentPose];
+  const { order, startTangentPose, endTangentPose } = plan;
+  return JSON.stringify([order, withGhost(plan, variant), startTangentPose, endTangentPose]);
 }
 
 /** What is built for a plan, and takes a while: its shapes, and motions whose shapes are fitted. */
 export function buildKey(plan: SequencePlan): string {
   const keys = plan.variants.flatMap((variant) => [
     shapeKey(plan, variant),
-    METHOD[variant.method].curve === 'fitted' ? JSON.stringify([motionFor(plan, variant), plan.times]) : '',
+    METHOD[variant.method].curve === 'fitted' && JSON.stringify([motionFor(plan, variant), plan.times]),
   ]);
   return [...new Set(keys)].join();
 }
@@ -113,8 +109,11 @@ export function buildKey(plan: SequencePlan): string {
 /** What a variant's shape is encoded with; `keys` hold every pose. */
 export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): Partial<EncodingOptions> {
   const pose = (index: number | null): Float32Array | null => (index === null ? null : keys.positions(index));
-  const [start, end] = tangentsOf(plan, variant) as [number | null, number | null];
-  return { ...withGhost(plan, variant), startTangent: pose(start), endTangent: pose(end) };
+  return {
+    ...withGhost(plan, variant),
+    startTangent: pose(plan.startTangentPose),
+    endTangent: pose(plan.endTangentPose),
+  };
 }
 
 /**

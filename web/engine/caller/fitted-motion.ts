@@ -50,7 +50,7 @@ export async function fitMotion(
   owner = false,
 ): Promise<FittedMotion> {
   shape.checkAlive();
-  checkSpec(spec, shape.parts.encoding);
+  checkSpec(spec, owner ? shape.parts.encoding : null);
   const full = { signal: call.signal, onProgress: call.onProgress ?? (() => undefined) } as Call;
   const worker = shape.parts.shellsWorker();
   const end = (): void => worker.terminate(invalidOption('The fit has ended.'));
@@ -70,14 +70,14 @@ export async function fitMotion(
   }
 }
 
-/** What these methods cannot do. */
-function checkSpec({ options }: MotionSpec, { startTangent, endTangent }: EncodingOptions): void {
+/** What these methods cannot do. `encoding`: of the shape, where no other motion uses it. */
+function checkSpec({ options }: MotionSpec, encoding: EncodingOptions | null): void {
   const { method, hold, pins, boundary, tension, bias, turns, ownPaths } = options;
   const wanted: [boolean, string][] = [
     [hold === 'on', 'hold resting parts'],
     [pins.length > 0, 'hold pins'],
     [boundary !== 'natural', "have ends other than 'natural'"],
-    [startTangent !== null || endTangent !== null, 'take end tangents'],
+    [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'take end tangents'],
     [[...tension, ...bias].some((value) => value !== 0), 'take tension or bias'],
     [turns.some((one) => one.turns !== 0), 'take whole turns'],
     [ownPaths !== 'off', 'take own paths of faces'],
