@@ -22,7 +22,7 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
   geodesic: {
     label: 'Geodesic (LRI)',
     short: 'Geodesic',
-    hint: 'Straight from key to key in the same space. The volume changes little; the velocity jumps at the keys.',
+    hint: 'Straight from key to key in the same space. The velocity jumps at the keys.',
   },
   linear: {
     label: 'Morph targets (linear)',
@@ -47,7 +47,7 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
   lengths: {
     label: 'Lengths and angles (NRIC)',
     short: 'Lengths',
-    hint: 'Cubic splines of edge lengths and of angles between faces: for cloth and paper.',
+    hint: 'Cubic splines of edge lengths and angles between faces: for cloth.',
   },
   shell: {
     label: 'Spline in shell space',

@@ -64,6 +64,7 @@ export async function fitMotion(
       motion.dispose();
       throw error;
     }
+    shape.led.add(motion);
     return motion;
   } finally {
     end();
@@ -322,6 +323,7 @@ export class FittedMotion extends MotionClient implements Sequence {
   override dispose(): void {
     super.dispose();
     this.shape.dispose();
+    this.outer.led.delete(this);
     if (this.owner) this.outer.dispose();
   }
 

@@ -35,7 +35,8 @@ export class ShapeClient implements Shape {
   private motions = 0;
   private hasLri = false;
   private over = false;
-  private readonly led = new Set<FittedMotion>();
+  /** Motions that end with it. */
+  readonly led = new Set<FittedMotion>();
 
   private constructor(
     readonly parts: ShapeParts,
@@ -63,10 +64,7 @@ export class ShapeClient implements Shape {
 
   /** A motion whose shapes are fitted, which ends with this shape; `owner`: and this shape with it. */
   async fitted(spec: MotionSpec, call?: CallOptions, owner = false): Promise<FittedMotion> {
-    const { fitMotion } = await import('./fitted-motion.ts');
-    const motion = await fitMotion(this, spec, call, owner);
-    this.led.add(motion);
-    return motion;
+    return (await import('./fitted-motion.ts')).fitMotion(this, spec, call, owner);
   }
 
   /** A motion that no worker has yet. */
