@@ -3,34 +3,14 @@ import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import { dataFile, hasData } from './support/data.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
-import { bar, diagonal, largestDistance } from './support/shapes.ts';
+import { bar, diagonal, largestDistance, rolledSheet } from './support/shapes.ts';
 
 const engine = testEngine();
 
-/** A square sheet of n x n cells, rolled up along two directions. */
-async function rolledSheet(n: number): Promise<{ keys: Keys; poses: Float32Array[] }> {
-  const faces: number[] = [];
-  for (let j = 0; j < n; ++j)
-    for (let i = 0; i < n; ++i) {
-      const a = j * (n + 1) + i;
-      faces.push(a, a + 1, a + n + 2, a, a + n + 2, a + n + 1);
-    }
-  const rolled = (direction: number, angle: number): Float32Array => {
-    const [c, s] = [Math.cos(direction), Math.sin(direction)];
-    const points: number[] = [];
-    for (let j = 0; j <= n; ++j)
-      for (let i = 0; i <= n; ++i) {
-        const arc = ((c * i + s * j) / n) * angle;
-        const across = (c * j - s * i) / n;
-        const along = Math.sin(arc) / angle;
-        points.push(c * along - s * across, s * along + c * across, (1 - Math.cos(arc)) / angle);
-      }
-    return Float32Array.from(points);
-  };
-  const poses = [rolled(0.3, 3.5), rolled(0.3 + Math.PI / 2, 3.5)];
-  const indices = Uint32Array.from(faces);
+async function importSheet(n: number): Promise<{ keys: Keys; poses: Float32Array[] }> {
+  const { faces, poses } = rolledSheet(n, 3.5);
   const keys = await engine.createKeys({
-    faces: indices,
+    faces,
     poses: poses.map((positions, i) => ({ name: `${i}`, time: i, positions })),
   });
   return { keys, poses };
@@ -38,7 +18,7 @@ async function rolledSheet(n: number): Promise<{ keys: Keys; poses: Float32Array
 
 describe('lengths', () => {
   it('keeps the area of a sheet that LRI space stretches, passes through the keys, and is pure', async () => {
-    const { keys, poses } = await rolledSheet(14);
+    const { keys, poses } = await importSheet(14);
     const changes: number[] = [];
     for (const method of ['lri', 'lengths', 'shell'] as const) {
       const sequence = await engine.createSequence(keys, { method, spaceSamples: 12 });
@@ -87,7 +67,7 @@ describe('lengths', () => {
   });
 
   it('is a motion of a shape beside others, and ends with it', async () => {
-    const { keys } = await rolledSheet(5);
+    const { keys } = await importSheet(5);
     const shape = await engine.encode(keys);
     const plain = await shape.motion();
     const fitted = await shape.motion({ method: 'lengths', spaceSamples: 4, keyTimes: [0, 3] });
@@ -100,7 +80,7 @@ describe('lengths', () => {
   });
 
   it('refuses what it cannot do, an update, and mixtures of keys', async () => {
-    const { keys, poses } = await rolledSheet(4);
+    const { keys, poses } = await importSheet(4);
     for (const [options, what] of [
       [{ hold: 'on' }, 'hold resting parts'],
       [{ pins: [{ vertex: 0, radius: 0.1 }] }, 'hold pins'],
@@ -123,7 +103,7 @@ describe('lengths', () => {
   });
 
   it('can be cancelled, and reports how far it is', async () => {
-    const { keys } = await rolledSheet(12);
+    const { keys } = await importSheet(12);
     const abort = new AbortController();
     const fractions: number[] = [];
     const work = engine.createSequence(
@@ -144,7 +124,7 @@ describe('lengths', () => {
   });
 
   it("writes a project of the user's own keys", async () => {
-    const { keys } = await rolledSheet(4);
+    const { keys } = await importSheet(4);
     const sequence = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 6, spaceFaces: 500 });
     const files = await sequence.export();
     const back = await engine.importKeyframes(files);
