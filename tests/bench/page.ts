@@ -34,7 +34,8 @@ const compile = async (name: string): Promise<WebAssembly.Module> =>
 async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 2 = 1): Promise<T> {
   const threaded = threads === 2 ? onlyOnce(() => compile('shapespline_threads')) : null;
   const filesModule = onlyOnce(() => compile('shapespline_files'));
-  const engine = new EngineClient({ spawn, module: compile('shapespline'), filesModule, threaded });
+  const shellsModule = onlyOnce(() => compile('shapespline_shells'));
+  const engine = new EngineClient({ spawn, module: compile('shapespline'), filesModule, shellsModule, threaded });
   try {
     return await work(engine);
   } finally {

@@ -35,6 +35,33 @@ test('the boundary changes the motion between the keys and the picture, not the 
   await app.expectNoProblems();
 });
 
+test('a method whose shapes are fitted runs beside others, and offers only what it can do', async ({ app }) => {
+  await app.open({ hash: '#sample=twisted-bar&boundary=hermite' });
+  const key = await app.positionsAt(0);
+  const modules = async (): Promise<string[]> =>
+    app.page.evaluate(() =>
+      performance.getEntriesByType('resource').flatMap(({ name }) => /shapespline_shells[^/]*wasm$/.exec(name) ?? []),
+    );
+  expect(await modules()).toEqual([]);
+  await app.by('method').selectOption('lengths');
+  await app.settled();
+  expect(await modules()).toHaveLength(1);
+  expect((await app.state()).doc.motion).toMatchObject({ method: 'lengths', boundary: 'natural' });
+  expect(apart(key, await app.positionsAt(0))).toBeLessThan(1e-5);
+  const fitted = await app.positionsAt(0.3);
+  await expect(app.by('boundary-hermite')).toBeDisabled();
+  await expect(app.by('boundary-periodic')).toBeDisabled();
+  for (const control of ['hold', 'tightness']) await expect(app.by(control)).toBeHidden();
+  await app.by('compare-lri').check();
+  await app.settled();
+  expect(await app.positionsAt(0.3)).toEqual(fitted);
+  const plain = await app.positions(1);
+  expect(apart(fitted, plain)).toBeGreaterThan(1e-5);
+  expect(apart(fitted, plain)).toBeLessThan(0.05);
+  expect(app.page.url()).toContain('method=lengths');
+  await app.expectNoProblems();
+});
+
 /** A strip of a length, or bent by this many radians. */
 function strip(bend: number, long: number): string {
   const rings = Array.from({ length: 9 }, (_, i) => {

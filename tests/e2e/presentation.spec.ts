@@ -26,11 +26,11 @@ test('X leaves the shape alone on the screen, in large type, and Escape brings t
   expect((await app.state()).play.playing).toBe(true);
   await app.page.keyboard.press(' ');
   const compared: string[] = [];
-  for (let i = 0; i < 6; i += 1) {
+  for (let i = 0; i < 8; i += 1) {
     await app.page.keyboard.press('c');
     compared.push((await app.state()).view.compare.join());
   }
-  expect(compared).toEqual(['linear', 'cubic-vertex', 'geodesic', 'rotation-strain', 'rimd', '']);
+  expect(compared).toEqual(['linear', 'cubic-vertex', 'geodesic', 'rotation-strain', 'rimd', 'lengths', 'shell', '']);
   expect((await app.state()).view.split).toBeNull();
   await app.page.keyboard.press('Escape');
   await expect(app.by('timeline')).toBeVisible();

@@ -56,6 +56,7 @@ it('the tarball holds these files and no others', () => {
       'package.json',
       'shapespline.wasm',
       'shapespline_files.wasm',
+      'shapespline_shells.wasm',
       'shapespline_threads.wasm',
       'worker.js',
       ...(hasElement ? ofElement : []),
@@ -129,7 +130,7 @@ it('configure refuses what it does not know, and comes before the first engine',
      tried({ wasmUrl: '/elsewhere.wasm' });`,
   );
   expect(said.trim().split('\n')).toEqual([
-    'invalid-option configure has no option wasm. The options are wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl.',
+    'invalid-option configure has no option wasm. The options are wasmUrl, filesUrl, shellsUrl, workerUrl, threadsUrl, dracoUrl.',
     'invalid-option wasmUrl must be a URL: a string or a URL object.',
     expect.stringMatching(/^invalid-option configure was called too late: call it before the first engine is made/),
   ]);

@@ -1,9 +1,9 @@
-/** Rotation-strain and RIMD against an implementation of their formulas in numpy, which Blender brings along. */
+/** Rival methods against implementations of their formulas in numpy, which Blender brings along. */
 import { expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import type { Method } from '../../web/engine/api/types.ts';
 import { poseFiles } from '../engine/support/glb.ts';
-import { bar, bent, diagonal, largestDistance, moved } from '../engine/support/shapes.ts';
+import { bar, bent, diagonal, largestDistance, moved, rolledSheet } from '../engine/support/shapes.ts';
 import { describeBlender, runInBlender } from './blender.ts';
 import { engine } from './made.ts';
 
@@ -48,5 +48,29 @@ describeBlender('the rival spaces', () => {
         expect(largestDistance(shape, lri[index]!) / size).toBeGreaterThan(1e-5);
       });
     }
+  });
+
+  it('of shells have the least energies that their formulas allow', async () => {
+    const samples = 4;
+    const { faces, poses } = rolledSheet(4, 2.5);
+    const keys = await engine.createKeys({
+      faces,
+      poses: poses.map((positions, time) => ({ name: `${time}`, time, positions })),
+    });
+    const paths: Record<string, number[][]> = {};
+    for (const method of ['lri', 'lengths', 'shell'] as const) {
+      const sequence = await engine.createSequence(keys, { method, spaceSamples: samples, precision: 'exact' });
+      const times = Array.from({ length: samples + 1 }, (_, i) => i / samples);
+      paths[method] = (await sequence.evaluateMany(times)).map(({ positions }) => [...positions]);
+      sequence.dispose();
+    }
+    const { falls, bending } = await runInBlender<{ falls: number[]; bending: Record<string, number> }>(
+      'shell_energy.py',
+      { faces: [...faces], paths },
+    );
+    expect(falls).toHaveLength(samples - 1);
+    for (const fall of falls) expect(fall).toBeLessThan(1e-6);
+    expect(bending['lengths']).toBeLessThan(0.95 * bending['lri']!);
+    expect(bending['shell']).toBeLessThan(0.95 * bending['lengths']!);
   });
 });

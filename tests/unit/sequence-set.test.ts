@@ -177,6 +177,9 @@ describe('sequence sets', () => {
     expect(asked('lri')).toEqual(['on', 1, 1, 'hermite']);
     expect(asked('geodesic')).toEqual(['off', 0, 1, 'natural']);
     expect(asked('rotation-strain')).toEqual(['off', 0, 0, 'hermite']);
+    plan.motion.tension = [0.5, 0.5, 0.5];
+    expect(asked('lengths')).toEqual(['off', 0, 0, 'natural']);
+    expect(motionFor(plan, { method: 'lengths', ghost: 0 }).tension).toEqual([]);
     // It has the shape's own stretches only without the paper's transfer.
     for (const [transfer, ghost] of [
       ['paper', 0],

@@ -87,8 +87,8 @@ export async function buildFuzzers(targets) {
   return folder;
 }
 
-const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/bindings', 'tests/shapes'];
-const wasmModules = ['shapespline', 'shapespline_threads', 'shapespline_files'];
+const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/shells', 'wasm/bindings', 'tests/shapes'];
+const wasmModules = ['shapespline', 'shapespline_threads', 'shapespline_files', 'shapespline_shells'];
 const wasmOutputs = wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]);
 
 /** A step guarded by a digest of its inputs. The digest is taken before it runs, so later edits count as changes. */

@@ -9,6 +9,7 @@ export const FILES = [
   'codecs.js',
   'shapespline.wasm',
   'shapespline_files.wasm',
+  'shapespline_shells.wasm',
   'shapespline_threads.wasm',
   'draco_decoder_gltf.wasm',
 ];

@@ -161,7 +161,12 @@ export async function buildPackage() {
   const modules = await scripts(element);
   await types(element);
   if (element) await ofElement();
-  for (const name of ['shapespline.wasm', 'shapespline_files.wasm', 'shapespline_threads.wasm'])
+  for (const name of [
+    'shapespline.wasm',
+    'shapespline_files.wasm',
+    'shapespline_shells.wasm',
+    'shapespline_threads.wasm',
+  ])
     cpSync(inRoot('build/wasm', name), inPackage(name));
   cpSync(inRoot('node_modules/draco3dgltf/draco_decoder_gltf.wasm'), inPackage('draco_decoder_gltf.wasm'));
   cpSync(source('package/README.md'), inPackage('README.md'));

@@ -5,7 +5,7 @@ export interface PageFile {
   bytes: number;
   when: 'start' | 'later' | 'elsewhere';
 }
-export const LIMITS: Readonly<Record<'firstPicture' | 'shapespline_threads' | 'shapespline_files', number>>;
+export const LIMITS: Readonly<Record<'firstPicture' | 'shapespline_threads' | 'shapespline_files' | 'shapespline_shells', number>>;
 export const PACKAGE_LIMITS: Readonly<Record<string, number>>;
 export function sizesOf(folder: string, page?: string): PageFile[];
 export function checkSizes(folder: string, print?: (line: string) => void): void;

@@ -9,7 +9,12 @@ import { Explained } from './log.mjs';
  * Bytes after gzip: the page, its style, scripts and wasm that it starts with; and modules by the names that the
  * bundler lengthens.
  */
-export const LIMITS = { firstPicture: 660_000, shapespline_threads: 380_000, shapespline_files: 300_000 };
+export const LIMITS = {
+  firstPicture: 660_000,
+  shapespline_threads: 380_000,
+  shapespline_files: 300_000,
+  shapespline_shells: 150_000,
+};
 
 /**
  * Download size of each script of the npm package with its static imports; for the element, in addition to the engine.
@@ -17,7 +22,7 @@ export const LIMITS = { firstPicture: 660_000, shapespline_threads: 380_000, sha
  */
 export const PACKAGE_LIMITS = {
   'index.js': 24_000,
-  'worker.js': 24_500,
+  'worker.js': 26_000,
   'codecs.js': 98_000,
   'element.js': 40_000,
   'element-class.js': 40_000,

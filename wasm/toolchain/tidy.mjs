@@ -15,7 +15,7 @@ const rules = ['.clang-tidy', 'CMakeLists.txt'];
 
 const sourcesOf = (folder) => readdirSync(inRoot(folder)).filter((name) => /\.(h|cpp)$/.test(name));
 const rooms = () =>
-  ['wasm/core', 'wasm/io']
+  ['wasm/core', 'wasm/io', 'wasm/shells']
     .flatMap((folder) => [folder, ...readdirSync(inRoot(folder)).map((name) => path.join(folder, name))])
     .filter((folder) => !path.extname(folder) && sourcesOf(folder).some((name) => name.endsWith('.cpp')));
 

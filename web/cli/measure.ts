@@ -1,6 +1,7 @@
 /** The measure command: numbers of a motion by several methods, and their errors against an animation, as a table. */
 import { version } from '../../package.json';
-import type { Sequence } from '../engine/api/api.ts';
+import type { Motion } from '../engine/api/api.ts';
+import { checkSequenceOptions, encodingOf, motionOf } from '../engine/api/options.ts';
 import type { ExportOptions, Method } from '../engine/api/types.ts';
 import { withEngine } from '../engine/node.ts';
 import { MEASURE_UNITS, columnsOf, measureMotion, tableJson, tableOf } from '../study/motion-measures.ts';
@@ -35,7 +36,10 @@ export async function measure(args: Arguments): Promise<Measured> {
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);
-    const sequence = await engine.createSequence(keys, { ...keys.info.project, ...options, method: methods[0]! });
+    const wholly = checkSequenceOptions({ ...keys.info.project, ...options });
+    const shape = await engine.encode(keys, encodingOf(wholly));
+    const motionBy = (method: Method): Promise<Motion> => shape.motion({ ...motionOf(wholly), method });
+    const sequence = await motionBy(methods[0]!);
     const truth = against.length > 0 ? await readTruth(engine, keys, await readInputs(against), imported, own) : null;
     const compared = truth && (await comparedTimes(sequence, truth, wanted, against[0]!));
     const times = compared?.times ?? (await sequence.planExport({ format: 'obj', ...wanted })).times;
@@ -43,10 +47,10 @@ export async function measure(args: Arguments): Promise<Measured> {
     const columns: Column[] = [];
     const comments: string[] = truth ? [`# frames of the animation: ${truth.times.length}, ${truth.placed}`] : [];
     for (const method of methods) {
-      await sequence.update({ method });
-      columns.push(...columnsOf(await measureMotion(sequence, { method }, times)));
+      const motion = method === methods[0] ? sequence : await motionBy(method);
+      columns.push(...columnsOf(await measureMotion(motion, { method }, times)));
       if (!compared) continue;
-      const error = await compare(sequence, compared, keys.info.report.diagonal);
+      const error = await compare(motion, compared, keys.info.report.diagonal);
       columns.push(
         { name: `${method} distance largest`, values: error.over.largest },
         { name: `${method} distance mean`, values: error.over.mean },
@@ -84,7 +88,7 @@ const AT_END = 1e-6;
 
 /** The frames that the animation has, within the range of the keys; or the times that were asked for. */
 async function comparedTimes(
-  sequence: Sequence,
+  sequence: Motion,
   truth: Truth,
   wanted: Partial<ExportOptions>,
   file: string,
@@ -110,7 +114,7 @@ async function comparedTimes(
 /** Frames checked for a different size or axis. */
 const LOOKED_AT = 5;
 
-async function doubtsOf(sequence: Sequence, { times, frames }: Compared, truth: Truth): Promise<string[]> {
+async function doubtsOf(sequence: Motion, { times, frames }: Compared, truth: Truth): Promise<string[]> {
   const found = frames.flatMap((animation, index) => (animation ? [{ animation, t: times[index]! }] : []));
   const step = Math.max(1, Math.floor(found.length / LOOKED_AT));
   const looked = found.filter((_, index) => index % step === 0);
@@ -130,7 +134,7 @@ async function doubtsOf(sequence: Sequence, { times, frames }: Compared, truth: 
   return doubts;
 }
 
-async function compare(sequence: Sequence, { times, frames }: Compared, diagonal: number): Promise<MotionError> {
+async function compare(sequence: Motion, { times, frames }: Compared, diagonal: number): Promise<MotionError> {
   const error = new MotionError(diagonal);
   for (let from = 0; from < times.length; from += AT_ONCE) {
     const shapes = await sequence.evaluateMany(times.slice(from, from + AT_ONCE));

@@ -183,6 +183,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
   const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
+  if (METHOD[method].curve === 'fitted') checkFitted(options, method);
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(
       `--boundary hermite sets end speeds, but --method ${method} has none: it is straight from key to key`,
@@ -194,6 +195,12 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
     throw new UsageError('give either --own-paths or --turns: full turns cannot be added to own paths');
   if (!METHOD[method].turns && turns.length > 0) throw new UsageError('--turns requires --method lri or geodesic');
   return options;
+}
+
+/** Flags that methods with fitted shapes do not take, and that no other check below is about. */
+function checkFitted({ boundary, tension, bias }: Partial<SequenceOptions>, method: Method): void {
+  const flag = boundary && boundary !== 'natural' ? 'boundary' : tension ? 'tension' : bias ? 'bias' : null;
+  if (flag) throw new UsageError(`--method ${method} has natural ends, no tension and no bias: leave out --${flag}`);
 }
 
 export function exportOptions(args: Arguments, output: string): Partial<ExportOptions> {

@@ -1,6 +1,7 @@
 /** The engine's files as the app's bundler finds them; in the npm package `packaged/browser-files` takes its place. */
 import wasmUrl from '../../build/wasm/shapespline.wasm?url';
 import filesUrl from '../../build/wasm/shapespline_files.wasm?url';
+import shellsUrl from '../../build/wasm/shapespline_shells.wasm?url';
 import threadsUrl from '../../build/wasm/shapespline_threads.wasm?url';
 import { notLoaded } from './api/errors.ts';
 import type { BrowserFiles } from './caller/browser-files.ts';
@@ -9,6 +10,7 @@ import { PatientWorker } from './caller/patient-worker.ts';
 export const files: BrowserFiles = {
   wasm: () => new URL(wasmUrl, import.meta.url),
   filesWasm: () => new URL(filesUrl, import.meta.url),
+  shellsWasm: () => new URL(shellsUrl, import.meta.url),
   threads: () => new URL(threadsUrl, import.meta.url),
   // It knows its own.
   forWorker: () => ({}),

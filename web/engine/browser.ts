@@ -11,16 +11,18 @@ import { lockReleased } from './wire/worker-lock.ts';
 
 /** Starts fetching the wasm and a first worker immediately; more workers are made as needed. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
-  const { wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
+  const { wasmUrl, filesUrl, shellsUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
   const worker = ofPage(workerUrl);
   const compiled = onlyOnce(() => compileThreaded(threadsUrl));
   const module = compile(ofPage(wasmUrl) ?? files.wasm(), 'wasmUrl');
-  const filesWasm = ofPage(filesUrl) ?? besideCore(ofPage(wasmUrl));
+  const filesWasm = ofPage(filesUrl) ?? besideCore(ofPage(wasmUrl), 'files');
+  const shellsWasm = ofPage(shellsUrl) ?? besideCore(ofPage(wasmUrl), 'shells');
   const engine = new EngineClient({
     spawn: spawnFrom(module, worker, onLost),
     module,
     filesModule: onlyOnce(async () => compile(filesWasm ?? files.filesWasm(), 'filesUrl')),
+    shellsModule: onlyOnce(async () => compile(shellsWasm ?? files.shellsWasm(), 'shellsUrl')),
     threaded: possible ? () => Promise.race([compiled(), late()]) : null,
     files: files.forWorker({ draco: ofPage(dracoUrl)?.href, worker }),
   });

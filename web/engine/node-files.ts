@@ -10,6 +10,7 @@ export interface NodeFiles {
   worker: URL;
   wasm: URL;
   filesWasm: URL;
+  shellsWasm: URL;
   threads: URL;
   forWorker(draco?: string): WorkerFiles;
 }
@@ -20,6 +21,7 @@ export const files: NodeFiles = {
   worker: new URL('../../build/node/node-worker.mjs', import.meta.url),
   wasm: new URL('../../build/wasm/shapespline.wasm', import.meta.url),
   filesWasm: new URL('../../build/wasm/shapespline_files.wasm', import.meta.url),
+  shellsWasm: new URL('../../build/wasm/shapespline_shells.wasm', import.meta.url),
   threads: new URL('../../build/wasm/shapespline_threads.wasm', import.meta.url),
   forWorker: (draco = pathToFileURL(require.resolve('draco3dgltf/draco_decoder_gltf.wasm')).href) => ({ draco }),
 };

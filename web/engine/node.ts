@@ -13,13 +13,15 @@ import { endedWorker, type Spawn } from './caller/worker-client.ts';
 
 /** The process lives as long as an engine has workers, so dispose of it. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
-  const { wasmUrl, filesUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
-  const filesWasm = fileUrl(filesUrl) ?? besideCore(fileUrl(wasmUrl)) ?? files.filesWasm;
+  const { wasmUrl, filesUrl, shellsUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
+  const filesWasm = fileUrl(filesUrl) ?? besideCore(fileUrl(wasmUrl), 'files') ?? files.filesWasm;
+  const shellsWasm = fileUrl(shellsUrl) ?? besideCore(fileUrl(wasmUrl), 'shells') ?? files.shellsWasm;
   const threads = threadsUrl === null ? null : (fileUrl(threadsUrl) ?? files.threads);
   return new EngineClient({
     spawn: spawnFrom(fileUrl(workerUrl) ?? files.worker, onLost),
     module: compile(fileUrl(wasmUrl) ?? files.wasm, 'wasmUrl'),
     filesModule: onlyOnce(() => compile(filesWasm, 'filesUrl')),
+    shellsModule: onlyOnce(() => compile(shellsWasm, 'shellsUrl')),
     threaded:
       threads && availableParallelism() > 1 ? onlyOnce(() => compile(threads, 'threadsUrl').catch(() => null)) : null,
     files: files.forWorker(fileUrl(dracoUrl)?.href),

@@ -22,7 +22,7 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
   geodesic: {
     label: 'Geodesic (LRI)',
     short: 'Geodesic',
-    hint: 'Straight from key to key in the same space. The volume changes little; the velocity jumps at the keys.',
+    hint: 'Straight from key to key in the same space. The velocity jumps at the keys.',
   },
   linear: {
     label: 'Morph targets (linear)',
@@ -37,15 +37,21 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
   'rotation-strain': {
     label: 'Rotation-strain spline',
     short: 'Rotation-strain',
-    hint:
-      'Cubic splines of the rotation and stretch of each face by itself. Smooth; the surface tears where faces turn ' +
-      'by nearly 360 degrees between two keys.',
+    hint: 'Cubic splines of how each face rotates and stretches. Tears where faces turn by nearly 360 degrees.',
   },
   rimd: {
     label: 'Mesh difference spline (RIMD)',
     short: 'RIMD',
-    hint:
-      'Cubic splines of how each face rotates against its neighbours and stretches, fitted in three steps from the ' +
-      'shape spline. Smooth; close to it, and several times slower.',
+    hint: 'Cubic splines of how each face rotates against its neighbours and stretches. Smooth, but slow.',
+  },
+  lengths: {
+    label: 'Lengths and angles (NRIC)',
+    short: 'Lengths',
+    hint: 'Cubic splines of edge lengths and angles between faces: for cloth.',
+  },
+  shell: {
+    label: 'Spline in shell space',
+    short: 'Shell spline',
+    hint: 'The smoothest motion of an elastic shell, [2] in the paper.',
   },
 };

@@ -1,5 +1,5 @@
 /** The ends of the motion: the boundary and its options. */
-import { METHOD } from '../engine/api/methods.ts';
+import { METHOD, type MethodFacts } from '../engine/api/methods.ts';
 import type { Boundary } from '../engine/api/types.ts';
 import { keyLabel } from '../model/key-names.ts';
 import type { End, Speeds } from '../model/speeds.ts';
@@ -57,6 +57,15 @@ export interface MotionEnds extends Fields<MotionEndsProps> {
   endAt(at: DropPoint): End | null;
 }
 
+const FREE = 'This method has free ends.';
+
+/** Why a kind of curve has no such ends. */
+const REFUSED: Record<MethodFacts['curve'], Partial<Record<Boundary, string>>> = {
+  spline: {},
+  polygon: { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' },
+  fitted: { hermite: FREE, periodic: FREE },
+};
+
 export function createMotionEnds(events: MotionEndsEvents): MotionEnds {
   const boundary = segments<Boundary>(
     'Ends',
@@ -77,12 +86,7 @@ export function createMotionEnds(events: MotionEndsEvents): MotionEnds {
     elements: [boundary.element, hint, ease, period.element],
     update(props) {
       const { motion, encoding, mostSpeeds } = props;
-      boundary.update(
-        motion.boundary,
-        METHOD[motion.method].curve === 'polygon'
-          ? { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' }
-          : {},
-      );
+      boundary.update(motion.boundary, REFUSED[METHOD[motion.method].curve]);
       setText(hint, BOUNDARY_WORDS[motion.boundary].hint);
       setHidden(ease, motion.boundary !== 'hermite');
       for (const { end, speed, tangent } of ends) {

@@ -14,15 +14,15 @@ import type { Component, Fields } from './dom.ts';
 import { h, memo, setHidden, setText } from './dom.ts';
 
 const HOLD_HINT =
-  'Vertices that hardly move between two keys stay in place, as feet do. Off: as published; planted feet can slide.';
+  'Vertices that hardly move between two keys stay in place. Off: as published; planted feet can slide.';
 
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
   { value: 'even', text: 'Evenly', hint: 'Intervals of equal length' },
-  { value: 'root', text: 'Softly', hint: 'Interval lengths proportional to the square root of pose difference' },
+  { value: 'root', text: 'Softly', hint: 'Intervals proportional to the square root of pose difference' },
   {
     value: 'difference',
     text: 'By difference',
-    hint: 'Interval lengths proportional to pose difference: constant speed',
+    hint: 'Intervals proportional to pose difference: constant speed',
   },
 ];
 
@@ -150,7 +150,7 @@ function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
   const tightness = slider({
     label: 'Tightness',
     testId: 'tightness',
-    hint: 'Tension of all keys: 0 passes them smoothly, to the right with less overshoot, stopping at each at 1; to the left livelier',
+    hint: 'Tension of all keys. 0: smooth; 1: stops at each key, without overshoot; below 0: livelier',
     min: -1,
     max: 1,
     step: 0.05,
@@ -158,8 +158,7 @@ function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
     onInput: (value) => events.onTightness(value),
   });
   const auto = button({
-    label:
-      'Adds just enough tension at each key to keep its slope within three times that of the straight path to either neighbour',
+    label: 'Adds tension that keeps slopes within three times those of straight paths',
     testId: 'tightness-auto',
     text: 'Limit overshoot',
     onClick: () => events.onAutoTightness(),
@@ -178,7 +177,7 @@ function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
     elements: [tight, buttonGroup('Space keys', ...spacings), buttonGroup('Direction', reverse)],
     update({ motion, tightness: mean }) {
       tightness.update(Number(mean.toFixed(3)));
-      setHidden(tight, METHOD[motion.method].curve === 'polygon');
+      setHidden(tight, METHOD[motion.method].curve !== 'spline');
     },
   };
 }

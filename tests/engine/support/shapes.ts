@@ -75,3 +75,26 @@ export function largestDistance(a: ArrayLike<number>, b: ArrayLike<number>): num
   }
   return largest;
 }
+
+/** A square sheet of n x n cells, rolled up along two directions by an angle over its side: isometric poses. */
+export function rolledSheet(n: number, angle: number): { faces: Uint32Array; poses: Float32Array[] } {
+  const faces: number[] = [];
+  for (let j = 0; j < n; ++j)
+    for (let i = 0; i < n; ++i) {
+      const a = j * (n + 1) + i;
+      faces.push(a, a + 1, a + n + 2, a, a + n + 2, a + n + 1);
+    }
+  const rolled = (direction: number): Float32Array => {
+    const [c, s] = [Math.cos(direction), Math.sin(direction)];
+    const points: number[] = [];
+    for (let j = 0; j <= n; ++j)
+      for (let i = 0; i <= n; ++i) {
+        const arc = ((c * i + s * j) / n) * angle;
+        const across = (c * j - s * i) / n;
+        const along = Math.sin(arc) / angle;
+        points.push(c * along - s * across, s * along + c * across, (1 - Math.cos(arc)) / angle);
+      }
+    return Float32Array.from(points);
+  };
+  return { faces: Uint32Array.from(faces), poses: [rolled(0.3), rolled(0.3 + Math.PI / 2)] };
+}

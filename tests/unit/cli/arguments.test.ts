@@ -105,8 +105,19 @@ describe('the values of options', () => {
       expect(sequenceOptions(parse('--boundary=hermite', '--method', method))).toEqual({ boundary: 'hermite', method });
   });
 
+  it('refuse ends, tension and bias with methods whose shapes are fitted', () => {
+    for (const method of ['lengths', 'shell'])
+      for (const flag of ['--boundary=hermite', '--boundary=periodic', '--tension=0,1', '--bias=0,1'])
+        expect(() => sequenceOptions(parse(flag, '--method', method))).toThrow(/natural ends/);
+    expect(sequenceOptions(parse('--method=lengths', '--space-faces=500', '--boundary=natural'))).toEqual({
+      method: 'lengths',
+      spaceFaces: 500,
+      boundary: 'natural',
+    });
+  });
+
   it('refuse to hold anything with methods that hold nothing', () => {
-    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd'])
+    for (const method of ['geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'])
       for (const held of ['--hold=on', '--pin=3'])
         expect(() => sequenceOptions(parse(held, '--method', method))).toThrow(/--method lri/);
     expect(sequenceOptions(parse('--hold=off', '--method=linear'))).toEqual({ hold: 'off', method: 'linear' });
@@ -126,7 +137,7 @@ describe('the values of options', () => {
   });
 
   it('refuse whole turns with methods that have none', () => {
-    for (const method of ['linear', 'cubic-vertex', 'rotation-strain', 'rimd'])
+    for (const method of ['linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'])
       expect(() => sequenceOptions(parse('--turns=2:1', '--method', method))).toThrow(/--turns/);
     expect(sequenceOptions(parse('--turns=2:1', '--method=geodesic'))).toMatchObject({ method: 'geodesic' });
   });

@@ -89,6 +89,7 @@ export function fakeEngine(
   const filesWorkers: FakeWorker[] = [];
   const engine = new EngineClient({
     module: Promise.resolve(EMPTY_MODULE),
+    shellsModule: async () => EMPTY_MODULE,
     filesModule: onlyOnce(() => fetchFiles().then(() => EMPTY_MODULE)),
     threaded,
     spawn: (events) => {

@@ -9,7 +9,16 @@ import { jumpKey } from './time.ts';
 import { changeView } from './context.ts';
 
 /** From the best known method to the closest to ours. */
-const COMPARED: readonly Method[] = ['linear', 'cubic-vertex', 'geodesic', 'rotation-strain', 'rimd', 'lri'];
+const COMPARED: readonly Method[] = [
+  'linear',
+  'cubic-vertex',
+  'geodesic',
+  'rotation-strain',
+  'rimd',
+  'lengths',
+  'shell',
+  'lri',
+];
 
 export const COMPARISON = {
   toggleSplit: { keys: ['s'], shown: 'S', does: 'Divider between two motions on or off', run: toggleSplit },

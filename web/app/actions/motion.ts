@@ -1,5 +1,5 @@
 /** Commands on the motion through the keys. */
-import { METHOD, METHODS } from '../../engine/api/methods.ts';
+import { METHODS, hasEnds } from '../../engine/api/methods.ts';
 import type { Pin } from '../../engine/api/types.ts';
 import { reverseMotion, setMotion } from '../../model/edits.ts';
 import { undoName } from '../../model/page-options.ts';
@@ -20,7 +20,7 @@ export const MOTION = {
     edits: true,
     run(context) {
       const { method, boundary } = context.session.store.get().doc.motion;
-      const usable = BOUNDARIES.filter((one) => one !== 'hermite' || METHOD[method].curve === 'spline');
+      const usable = BOUNDARIES.filter((one) => hasEnds(method, one));
       changeMotion(context, { boundary: usable[(usable.indexOf(boundary) + 1) % usable.length]! });
     },
   },
@@ -84,8 +84,8 @@ function eased(change: Partial<Motion>, { motion, encoding }: Doc): Partial<Moti
   return begins && !chosen ? { ...change, startSpeed: 0, endSpeed: 0 } : change;
 }
 
-/** A method without Hermite ends gets natural ones. */
+/** A method without the present ends gets natural ones. */
 function withBoundary(change: Partial<Motion>, { boundary }: Motion): Partial<Motion> {
-  const straight = change.method !== undefined && METHOD[change.method].curve === 'polygon';
-  return straight && boundary === 'hermite' ? { ...change, boundary: 'natural' } : change;
+  const fits = change.method === undefined || hasEnds(change.method, boundary);
+  return fits ? change : { ...change, boundary: 'natural' };
 }

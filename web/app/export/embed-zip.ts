@@ -30,6 +30,7 @@ function packageFiles(): Record<string, string> {
     'draco_decoder_gltf.wasm': draco,
     'shapespline.wasm': files.wasm().href,
     'shapespline_files.wasm': files.filesWasm().href,
+    'shapespline_shells.wasm': files.shellsWasm().href,
     'shapespline_threads.wasm': files.threads().href,
     'notices.txt': notices,
   };

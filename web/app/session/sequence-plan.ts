@@ -1,5 +1,5 @@
 /** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
-import { METHOD } from '../../engine/api/methods.ts';
+import { METHOD, hasEnds } from '../../engine/api/methods.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
@@ -53,6 +53,8 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
       pins: pinsFor(doc),
       ...listsOf(keys.map((key) => key.shaping)),
       ownPaths: MOTION_DEFAULTS.ownPaths,
+      spaceFaces: MOTION_DEFAULTS.spaceFaces,
+      spaceSamples: MOTION_DEFAULTS.spaceSamples,
       inPlace: false,
     },
     variants: [
@@ -95,6 +97,15 @@ export function shapeKey(plan: SequencePlan, variant: Variant): string {
   return JSON.stringify([order, withGhost(plan, variant), startTangentPose, endTangentPose]);
 }
 
+/** What is built for a plan, and takes a while: its shapes, and motions whose shapes are fitted. */
+export function buildKey(plan: SequencePlan): string {
+  const keys = plan.variants.flatMap((variant) => [
+    shapeKey(plan, variant),
+    METHOD[variant.method].curve === 'fitted' && JSON.stringify([motionFor(plan, variant), plan.times]),
+  ]);
+  return [...new Set(keys)].join();
+}
+
 /** What a variant's shape is encoded with; `keys` hold every pose. */
 export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): Partial<EncodingOptions> {
   const pose = (index: number | null): Float32Array | null => (index === null ? null : keys.positions(index));
@@ -105,10 +116,21 @@ export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): P
   };
 }
 
-/** What a method makes use of: straight motion has no end derivatives, some methods hold and turn nothing. */
+/**
+ * What a method makes use of: straight motion has no end derivatives, fitted motion has natural ends and no tension,
+ * some methods hold and turn nothing.
+ */
 export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
   const { curve, holds: can, turns } = METHOD[method];
-  const boundary = curve === 'polygon' && plan.motion.boundary === 'hermite' ? 'natural' : plan.motion.boundary;
+  const boundary = hasEnds(method, plan.motion.boundary) ? plan.motion.boundary : 'natural';
   const { hold, pins } = plain || !can ? MOTION_DEFAULTS : plan.motion;
-  return { ...plan.motion, method, boundary, hold, pins: [...pins], turns: turns ? plan.motion.turns : [] };
+  return {
+    ...plan.motion,
+    method,
+    boundary,
+    hold,
+    pins: [...pins],
+    turns: turns ? plan.motion.turns : [],
+    ...(curve === 'fitted' && { tension: [], bias: [] }),
+  };
 }

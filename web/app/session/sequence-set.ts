@@ -5,7 +5,7 @@ import { ENCODING_SHARE, partOf } from '../../engine/api/progress.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { RunningMotion, Variant } from '../../playback/frame-set.ts';
 import type { SequencePlan } from './sequence-plan.ts';
-import { encodingFor, motionFor, shapeKey } from './sequence-plan.ts';
+import { buildKey, encodingFor, motionFor, shapeKey } from './sequence-plan.ts';
 
 export interface SequenceSetEvents {
   onProgress(progress: Progress | null): void;
@@ -34,7 +34,7 @@ export class SequenceSet {
   private motions: readonly Running[] = [];
   private served: SequencePlan | null = null;
   private wanted: SequencePlan | null = null;
-  private building: { shapes: string; abort: AbortController } | null = null;
+  private building: { key: string; abort: AbortController } | null = null;
   private running: Promise<void> | null = null;
 
   constructor(
@@ -59,7 +59,7 @@ export class SequenceSet {
   want(plan: SequencePlan): void {
     this.wanted = plan;
     // Other key times or speeds are moved in afterwards.
-    if (this.building && this.building.shapes !== shapesOf(plan)) this.building.abort.abort();
+    if (this.building && this.building.key !== buildKey(plan)) this.building.abort.abort();
     this.running ??= this.run();
   }
 
@@ -103,7 +103,7 @@ export class SequenceSet {
     const missing = [...variants].filter(([key]) => !this.shapes.has(key));
     const abort = new AbortController();
     const progress = new BuildProgress(missing.length, this.events.onProgress);
-    this.building = { shapes: shapesOf(plan), abort };
+    this.building = { key: buildKey(plan), abort };
     try {
       const added = await this.encode(plan, missing, abort, progress);
       const shapes = new Map([...kept, ...added]);
@@ -204,9 +204,6 @@ async function makeMotions(
 function disposeMotions(motions: readonly Running[], kept: readonly Running[]): void {
   for (const { sequence } of motions) if (!kept.some((other) => other.sequence === sequence)) sequence.dispose();
 }
-
-const shapesOf = (plan: SequencePlan): string =>
-  [...new Set(plan.variants.map((variant) => shapeKey(plan, variant)))].join();
 
 function disposeAll(shapes: Shapes): void {
   for (const { shape, keys } of shapes.values()) {

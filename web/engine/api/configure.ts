@@ -9,6 +9,8 @@ export interface FileUrls {
    * otherwise next to the engine's script.
    */
   filesUrl?: string | URL | undefined;
+  /** shapespline_shells.wasm, fetched for the first motion of method lengths or shell; default: as for `filesUrl`. */
+  shellsUrl?: string | URL | undefined;
   /**
    * The worker's script, a module; default: next to the engine's script. A script from another origin needs a page
    * policy that allows a `blob:` worker.
@@ -29,7 +31,7 @@ export interface EngineUrls extends FileUrls {
   onLost?: (() => void) | undefined;
 }
 
-const NAMES = ['wasmUrl', 'filesUrl', 'workerUrl', 'threadsUrl', 'dracoUrl'] as const;
+const NAMES = ['wasmUrl', 'filesUrl', 'shellsUrl', 'workerUrl', 'threadsUrl', 'dracoUrl'] as const;
 
 let configured: FileUrls = {};
 let inUse = false;
@@ -65,7 +67,7 @@ export function urlsFor(own: FileUrls): FileUrls {
   return { ...configured, ...own };
 }
 
-/** URL of the module for files if only the core's URL is configured. */
-export function besideCore(wasm: URL | undefined): URL | undefined {
-  return wasm && new URL('shapespline_files.wasm', wasm);
+/** URL of another module if only the core's URL is configured. */
+export function besideCore(wasm: URL | undefined, name: 'files' | 'shells'): URL | undefined {
+  return wasm && new URL(`shapespline_${name}.wasm`, wasm);
 }

@@ -153,7 +153,7 @@ export type ValuesOf<T> = { -readonly [N in keyof T]: ValueOf<T[N]> };
 export const MOTION = {
   method: {
     kind: 'choice',
-    choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd'],
+    choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'],
     default: 'lri',
     flag: 'method',
     help: "the paper's method (lri), or a method to compare with it",
@@ -237,6 +237,28 @@ export const MOTION = {
     help:
       'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
       "(absolute), or against the largest patch, so a key's own orientation changes nothing (root)",
+  },
+  /** Faces of the mesh that the methods lengths and shell fit: the shape's own if it has at most this number. */
+  spaceFaces: {
+    kind: 'number',
+    whole: true,
+    least: 4,
+    most: 2000,
+    default: 1000,
+    flag: 'space-faces',
+    value: 'N',
+    help: 'lengths, shell: faces of the coarse mesh; default: 1,000',
+  },
+  /** Intervals between the times at which they fit shapes. */
+  spaceSamples: {
+    kind: 'number',
+    whole: true,
+    least: 1,
+    most: 100,
+    default: 24,
+    flag: 'space-samples',
+    value: 'K',
+    help: 'lengths, shell: shapes are fitted at K + 1 times; default: 24',
   },
   /** Take out the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },

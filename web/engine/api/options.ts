@@ -2,7 +2,7 @@
  * Checks options: an unknown name, a wrong type or a value out of range is refused with code 'invalid-option' and the
  * option's name, before anything is sent to a worker.
  */
-import { invalidOption } from './errors.ts';
+import { invalidOption, type EngineError } from './errors.ts';
 import {
   ENCODING,
   EXPORT,
@@ -265,6 +265,11 @@ export function checkUpdate(
     motion: checked('motion', motionChecks, present, rest),
     keyTimes: (keyTimes as number[] | undefined) ?? null,
   };
+}
+
+/** The refusal of another motion of the same sequence. */
+export function notUpdated(method: string): EngineError {
+  return invalidOption(`The method '${method}' cannot be updated: make a new sequence with createSequence.`);
 }
 
 export function motionOf(options: SequenceOptions): MotionOptions {

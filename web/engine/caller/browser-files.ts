@@ -12,6 +12,7 @@ export interface StartedWorker
 export interface BrowserFiles {
   wasm(): URL;
   filesWasm(): URL;
+  shellsWasm(): URL;
   threads(): URL;
   /** URLs that a worker fetches itself when needed, configured or default. */
   forWorker(given: { draco?: string | undefined; worker?: URL | undefined }): WorkerFiles;

@@ -5,6 +5,7 @@ import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeyArrays } from './keyframes.ts';
 import { withoutLeftovers } from '../api/paths.ts';
+import { METHOD } from '../api/methods.ts';
 import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
   checkCall,
@@ -16,7 +17,7 @@ import {
 } from '../api/options.ts';
 import type { CallName, Program, WorkerFiles } from '../wire/protocol.ts';
 import { keysOfMesh } from './key-mesh.ts';
-import { WorkerClient, type CoreWorker, type FilesWorker, type Spawn } from './worker-client.ts';
+import { WorkerClient, type CoreWorker, type FilesWorker, type ShellsWorker, type Spawn } from './worker-client.ts';
 import { SequenceClient } from './sequence.ts';
 import { ShapeClient, type ShapeParts } from './shape.ts';
 import type { EncodingOptions, ImportOptions, InputFile, KeyMesh, SequenceOptions } from '../api/types.ts';
@@ -27,6 +28,8 @@ export interface Platform {
   module: Promise<WebAssembly.Module>;
   /** The compiled module for files, fetched on first use, and again after a failure. */
   filesModule: () => Promise<WebAssembly.Module>;
+  /** The same for fitted motions. */
+  shellsModule: () => Promise<WebAssembly.Module>;
   /**
    * The core for two threads, fetched on first use; null if threads cannot share memory, and its result null if it is
    * unavailable. Never rejects.
@@ -35,7 +38,7 @@ export interface Platform {
   files?: WorkerFiles;
 }
 
-type AnyWorker = CoreWorker | FilesWorker;
+type AnyWorker = CoreWorker | FilesWorker | ShellsWorker;
 
 export class EngineClient implements Engine {
   private readonly platform: Platform;
@@ -95,6 +98,8 @@ export class EngineClient implements Engine {
     const report = call?.onProgress ?? (() => undefined);
     return this.encoded(keys, encodingOf(checked), call, partOf(report, 0, ENCODING_SHARE), async (shape) => {
       const spec = shape.spec(motionOf(checked), shape.parts.keys.info.times);
+      if (METHOD[checked.method].curve === 'fitted')
+        return shape.fitted(spec, { ...call, onProgress: partOf(report, ENCODING_SHARE, 1) }, true);
       const state = await shape.make(spec, { onProgress: partOf(report, ENCODING_SHARE, 1) });
       return new SequenceClient(shape, spec, state);
     });
@@ -129,6 +134,9 @@ export class EngineClient implements Engine {
       workerBeside: inTwo ? () => this.takeCore() : null,
       filesWorker: () => this.filesWorker(),
       glbSize: (request) => this.inFilesWorker(undefined, large, (one) => one.call('glbSize', request)),
+      encode: (other, options, { onProgress, ...rest }) =>
+        this.encoded(new KeyArrays(other), options, rest, onProgress, async (shape) => shape),
+      shellsWorker: () => this.started(this.program('shells', this.platform.shellsModule())),
       onDispose: (gone) => void this.shapes.delete(gone),
     };
     const client = inTwo ? this.coreWorker(true) : this.takeCore();

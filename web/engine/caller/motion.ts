@@ -252,7 +252,7 @@ export class MotionClient implements Motion {
     return this.shape.scheduler.run(urgency.batch, work);
   }
 
-  private async exportSource({ inPlace, blend }: ExportOptions): Promise<ExportSource> {
+  protected async exportSource({ inPlace, blend }: ExportOptions): Promise<ExportSource> {
     const weights = blend && checkWeights(blend, this.spec.keyTimes.length);
     const settled = await this.settled();
     const motion =

@@ -1,6 +1,7 @@
 /** A shape with one motion, which can be changed. */
 import type { MotionChange, Sequence } from '../api/api.ts';
-import { checkUpdate } from '../api/options.ts';
+import { METHOD } from '../api/methods.ts';
+import { checkUpdate, notUpdated } from '../api/options.ts';
 import type { Ghost, SequenceStats } from '../api/types.ts';
 import type { MotionSpec } from '../wire/protocol.ts';
 import { MotionClient } from './motion.ts';
@@ -14,6 +15,7 @@ export class SequenceClient extends MotionClient implements Sequence {
     this.checkAlive();
     const work = this.shape.scheduler.run(urgency.shown, async () => {
       const { motion, keyTimes } = checkUpdate(this.spec.options, change);
+      if (METHOD[motion.method].curve === 'fitted') throw notUpdated(motion.method);
       const next = this.shape.spec(motion, keyTimes ?? this.spec.keyTimes);
       this.state = await this.shape.make(next);
       this.shape.drop(this.spec);

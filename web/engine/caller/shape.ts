@@ -8,10 +8,11 @@ import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../ap
 import type { CoreCallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
 import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
 import type { ExportSource } from './export-source.ts';
+import type { FittedMotion } from './fitted-motion.ts';
 import { MotionClient } from './motion.ts';
 import { orderBeside } from './order-beside.ts';
 import { Scheduler, urgency } from './scheduler.ts';
-import type { CoreWorker, WorkerCall } from './worker-client.ts';
+import type { CoreWorker, ShellsWorker, WorkerCall } from './worker-client.ts';
 
 export interface ShapeParts {
   keys: KeyData;
@@ -23,6 +24,9 @@ export interface ShapeParts {
   /** For exports. */
   filesWorker: ExportSource['filesWorker'];
   glbSize: ExportSource['glbSize'];
+  /** A shape of other keys, and the worker that finds them: for motions whose shapes are fitted. */
+  encode(keys: KeyData, encoding: EncodingOptions, call: CallOptions): Promise<ShapeClient>;
+  shellsWorker(): ShellsWorker;
   onDispose(shape: ShapeClient): void;
 }
 
@@ -31,6 +35,8 @@ export class ShapeClient implements Shape {
   private motions = 0;
   private hasLri = false;
   private over = false;
+  /** Motions that end with it. */
+  readonly led = new Set<FittedMotion>();
 
   private constructor(
     readonly parts: ShapeParts,
@@ -51,8 +57,14 @@ export class ShapeClient implements Shape {
     checkCall(call);
     const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
     const spec = this.spec(motion, keyTimes ?? this.parts.keys.info.times);
+    if (METHOD[motion.method].curve === 'fitted') return this.fitted(spec, call);
     const made = this.scheduler.run(urgency.shown, () => this.make(spec, call), call?.signal);
     return new MotionClient(this, spec, await untilAborted(call?.signal, made));
+  }
+
+  /** A motion whose shapes are fitted, which ends with this shape; `owner`: and this shape with it. */
+  async fitted(spec: MotionSpec, call?: CallOptions, owner = false): Promise<FittedMotion> {
+    return (await import('./fitted-motion.ts')).fitMotion(this, spec, call, owner);
   }
 
   /** A motion that no worker has yet. */
@@ -91,6 +103,7 @@ export class ShapeClient implements Shape {
   dispose(): void {
     if (this.over) return;
     this.over = true;
+    for (const motion of this.led) motion.dispose();
     this.client.terminate(disposed('shape'));
     this.parts.onDispose(this);
   }

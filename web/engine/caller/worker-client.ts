@@ -8,6 +8,7 @@ import type {
   Program,
   RequestOf,
   ResultOf,
+  ShellCallName,
   ToWorker,
 } from '../wire/protocol.ts';
 import type { Progress } from '../api/types.ts';
@@ -41,6 +42,7 @@ interface Open {
 
 export type CoreWorker = WorkerClient<CoreCallName>;
 export type FilesWorker = WorkerClient<FileCallName>;
+export type ShellsWorker = WorkerClient<ShellCallName>;
 
 export class WorkerClient<Name extends CallName> {
   private readonly open = new Map<number, Open>();

@@ -12,6 +12,7 @@ import { trustedAddress } from './trusted-address.ts';
 const beside = {
   wasm: () => whereItIs(new URL('./shapespline.wasm', import.meta.url)),
   files: () => whereItIs(new URL('./shapespline_files.wasm', import.meta.url)),
+  shells: () => whereItIs(new URL('./shapespline_shells.wasm', import.meta.url)),
   threads: () => whereItIs(new URL('./shapespline_threads.wasm', import.meta.url)),
   draco: () => whereItIs(new URL('./draco_decoder_gltf.wasm', import.meta.url)),
   worker: () => whereItIs(new URL('./worker.js', import.meta.url)),
@@ -35,6 +36,7 @@ function known(address: () => URL): string | undefined {
 export const files: BrowserFiles = {
   wasm: () => required(beside.wasm, 'wasmUrl'),
   filesWasm: () => required(beside.files, 'filesUrl'),
+  shellsWasm: () => required(beside.shells, 'shellsUrl'),
   threads: beside.threads,
   forWorker: ({ draco = known(beside.draco), worker }) => ({
     draco,

@@ -4,6 +4,7 @@
  */
 import createWasm from '../../../build/wasm/shapespline.mjs';
 import createFiles from '../../../build/wasm/shapespline_files.mjs';
+import { startShells } from '../worker/start-shells.ts';
 import createThreaded from '../../../build/wasm/shapespline_threads.mjs';
 import type { Locked, Ready, ToWorker, WorkerFiles } from '../wire/protocol.ts';
 import { holdLock } from '../wire/worker-lock.ts';
@@ -21,6 +22,7 @@ function serve(): void {
     create: createWasm,
     createThreaded: async () => createThreaded,
     createFiles: async () => createFiles,
+    startShells,
     startSecondThread: (start, onReady) => {
       const secondThread = new Worker(trustedAddress(self.location.href), { type: 'module' });
       secondThread.onmessage = ({ data }: MessageEvent<null | Ready>) => {

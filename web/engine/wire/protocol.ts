@@ -133,9 +133,39 @@ export interface FileCalls {
   };
 }
 
-export interface Calls extends CoreCalls, FileCalls {}
+/** Calls of a worker with the module for fitted motions. */
+export interface ShellCalls {
+  fitShells: {
+    request: {
+      method: 'lengths' | 'shell';
+      faces: Uint32Array;
+      keys: Float32Array[];
+      /** In the order of time; `key`: the key at this time, or -1, and then `start` is where the fit starts. */
+      samples: { time: number; weights: number[]; start: Float32Array | null; key: number }[];
+    };
+    /** `failed`: keys that end intervals whose fits did not converge. */
+    result: { shapes: Float32Array[]; failed: number[] };
+  };
+  /** Prepares the full shape that follows a coarse mesh. */
+  leadShape: {
+    request: {
+      faces: Uint32Array;
+      keys: Float32Array[];
+      leader: { faces: Uint32Array; vertexOf: Int32Array; faceOf: Int32Array };
+    };
+    result: null;
+  };
+  /** A full shape, whose coarse mesh moves `from` one pose `to` another. */
+  follow: {
+    request: { shape: Float32Array; from: Float32Array; to: Float32Array };
+    result: { positions: Float32Array };
+  };
+}
+
+export interface Calls extends CoreCalls, FileCalls, ShellCalls {}
 export type CoreCallName = keyof CoreCalls;
 export type FileCallName = keyof FileCalls;
+export type ShellCallName = keyof ShellCalls;
 export type CallName = keyof Calls;
 export type RequestOf<K extends CallName> = Calls[K]['request'];
 export type ResultOf<K extends CallName> = Calls[K]['result'];
@@ -157,7 +187,7 @@ export interface WorkerFiles {
 
 export interface Program {
   /** Which calls the worker answers. */
-  kind: 'core' | 'files';
+  kind: 'core' | 'files' | 'shells';
   module: WebAssembly.Module;
   /** The core for a shared memory, where a second thread may help; `module` runs if it cannot be had. */
   threaded: WebAssembly.Module | null;

@@ -18,6 +18,7 @@ const handler = new RequestHandler({
   create: createWasm,
   createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
   createFiles: async () => (await import('../../../build/wasm/shapespline_files.mjs')).default,
+  startShells: async (module) => (await import('./start-shells.ts')).startShells(module),
   startSecondThread: (start, onReady) => {
     const secondThread = new Worker(new URL('./second-thread.worker.ts', import.meta.url), { type: 'module' });
     secondThread.onmessage = onReady;

@@ -28,6 +28,8 @@ export interface HandlerHost {
   createThreaded(): Promise<CreateWasmModule<CoreModule>>;
   /** The glue of the module for files. */
   createFiles(): Promise<CreateWasmModule<FilesModule>>;
+  /** The glue and answers of the module for fitted motions. */
+  startShells(module: WebAssembly.Module): Promise<Partial<Answers<CallName>>>;
   /** Starts a second thread; one that never gets ready is never waited for. */
   startSecondThread(start: SecondThreadStart, onReady: () => void): void;
   /** Undoes mesh compression that the core does not know, before it sees the files. */
@@ -55,6 +57,7 @@ export class RequestHandler {
 
   private async start({ kind, module, threaded }: Program): Promise<Partial<Answers<CallName>>> {
     const { create, decode, codecs } = this.host;
+    if (kind === 'shells') return this.host.startShells(module);
     if (kind === 'files') return fileAnswers(await this.startFiles(module), decode, codecs);
     const core = threaded && (await this.startThreaded(threaded).catch(() => null));
     return core ?? new CoreAnswers(await WasmCore.start(create, module)).table();

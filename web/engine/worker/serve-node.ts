@@ -16,6 +16,7 @@ export function serveInNode(codecsOf: (files: () => WorkerFiles) => Codecs): voi
     create: createWasm,
     createThreaded: async () => (await import('../../../build/wasm/shapespline_threads.mjs')).default,
     createFiles: async () => (await import('../../../build/wasm/shapespline_files.mjs')).default,
+    startShells: async (module) => (await import('./start-shells.ts')).startShells(module),
     startSecondThread: (start, onReady) => {
       const secondThread = new Worker(new URL('./second-thread-node.mjs', import.meta.url), { workerData: start });
       secondThread.on('message', onReady);

@@ -13,7 +13,7 @@ export interface JsImports {
 /** The functions of the questions (wire/calls.ts), by their symbols. Each takes a handle and JSON. */
 export type QuestionFunctions = Readonly<Record<string, (handle: number, request: Address) => Address>>;
 
-/** What both have. */
+/** What all have. */
 export interface WasmModule extends JsImports {
   /** Replaced whenever the memory grows, so never keep it. */
   readonly HEAPU8: Uint8Array;
@@ -47,6 +47,12 @@ export interface FilesModule extends WasmModule {
   _shapespline_animation_size(request: Address): Address;
   _shapespline_write_pose(request: Address): Address;
   _shapespline_principal_offsets(request: Address): Address;
+}
+
+export interface ShellsModule extends WasmModule {
+  _shapespline_fit_shells(request: Address): Address;
+  _shapespline_lead_shape(request: Address): Address;
+  _shapespline_follow(handle: number, request: Address): Address;
 }
 
 export interface WasmSettings {

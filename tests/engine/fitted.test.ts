@@ -1,0 +1,162 @@
+/** Methods that fit shapes while a motion is made: what they keep, what they refuse, how they end. */
+import { describe, expect, it } from 'vitest';
+import type { Keys } from '../../web/engine/api/api.ts';
+import { folderOf, runCli } from './support/cli.ts';
+import { dataFile, hasData } from './support/data.ts';
+import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
+import { poseFiles } from './support/glb.ts';
+import { bar, bent, diagonal, largestDistance, rolledSheet } from './support/shapes.ts';
+
+const engine = testEngine();
+
+async function importSheet(n: number): Promise<{ keys: Keys; poses: Float32Array[] }> {
+  const { faces, poses } = rolledSheet(n, 3.5);
+  const keys = await engine.createKeys({
+    faces,
+    poses: poses.map((positions, i) => ({ name: `${i}`, time: i, positions })),
+  });
+  return { keys, poses };
+}
+
+describe('lengths', () => {
+  it('keeps the area of a sheet that LRI space stretches, passes through the keys, and is pure', async () => {
+    const { keys, poses } = await importSheet(14);
+    const changes: number[] = [];
+    for (const method of ['lri', 'lengths', 'shell'] as const) {
+      const sequence = await engine.createSequence(keys, { method, spaceSamples: 12 });
+      for (const [key, pose] of poses.entries()) {
+        const { positions } = await frameAt(sequence, key);
+        expect(largestDistance(positions, pose)).toBeLessThan(1e-5 * diagonal(pose));
+      }
+      const { area } = await sequence.measures([0, 0.3, 0.5]);
+      changes.push(Math.max(Math.abs(area[1]! / area[0]! - 1), Math.abs(area[2]! / area[0]! - 1)));
+      const first = (await frameAt(sequence, 0.37)).positions.slice();
+      await frameAt(sequence, 1.4);
+      expect((await frameAt(sequence, 0.37)).positions).toEqual(first);
+      expect(sequence.warnings).toEqual([]);
+      expect(sequence.keyTimes).toEqual([0, 1]);
+      expect(sequence.options.method).toBe(method);
+      sequence.dispose();
+    }
+    const [lri, lengths] = changes as [number, number, number];
+    expect(lri).toBeGreaterThan(0.003);
+    expect(lengths).toBeLessThan(0.001);
+  });
+
+  it('lets a coarse mesh lead a larger shape', async () => {
+    const { keys, poses } = await bendKeys(engine, bar(4, 40));
+    const options = { method: 'lengths', spaceFaces: 200, spaceSamples: 6 } as const;
+    const sequence = await engine.createSequence(keys, options);
+    for (const [key, t] of [0, 0.5, 1].entries()) {
+      const { positions } = await frameAt(sequence, t);
+      expect(largestDistance(positions, poses[key]!)).toBeLessThan(1e-5 * diagonal(poses[key]!));
+    }
+    const { volume } = await sequence.measures([0, 0.2, 0.7]);
+    for (const one of volume) expect(Math.abs(one / volume[0]! - 1)).toBeLessThan(0.002);
+    sequence.dispose();
+  });
+
+  it('bends about as much as LRI space does, in the same unit, where both move alike', async () => {
+    const { keys } = await bendKeys(engine);
+    const [plain, fitted] = [
+      await engine.createSequence(keys),
+      await engine.createSequence(keys, { method: 'lengths', spaceSamples: 8 }),
+    ];
+    const [ours] = await plain.bendingEnergy([0.5]);
+    const [theirs] = await fitted.bendingEnergy([0.5]);
+    expect(theirs! / ours!).toBeGreaterThan(0.5);
+    expect(theirs! / ours!).toBeLessThan(2);
+  });
+
+  it('is a motion of a shape beside others, and ends with it', async () => {
+    const { keys } = await importSheet(5);
+    const shape = await engine.encode(keys);
+    const plain = await shape.motion();
+    const fitted = await shape.motion({ method: 'lengths', spaceSamples: 4, keyTimes: [0, 3] });
+    expect(fitted.keyTimes).toEqual([0, 3]);
+    expect((await fitted.keySpacing()).distance).toHaveLength(1);
+    const at = (await frameAt(fitted, 1.5)).positions;
+    expect(largestDistance(at, (await frameAt(plain, 0.5)).positions)).toBeGreaterThan(1e-3);
+    shape.dispose();
+    expect((await failureOf(fitted.evaluate(0))).code).toBe('disposed');
+  });
+
+  it('refuses what it cannot do, an update, and mixtures of keys', async () => {
+    const { keys, poses } = await importSheet(4);
+    for (const [options, what] of [
+      [{ hold: 'on' }, 'hold resting parts'],
+      [{ pins: [{ vertex: 0, radius: 0.1 }] }, 'hold pins'],
+      [{ boundary: 'periodic' }, "have ends other than 'natural'"],
+      [{ boundary: 'hermite' }, "have ends other than 'natural'"],
+      [{ startTangent: poses[0]! }, 'take end tangents'],
+      [{ tension: [0.5, 0] }, 'take tension or bias'],
+      [{ turns: [{ key: 1, turns: 1 }] }, 'take whole turns'],
+      [{ ownPaths: 'root' }, 'take own paths of faces'],
+    ] as const) {
+      const failure = await failureOf(engine.createSequence(keys, { ...options, method: 'lengths' } as object));
+      expect(failure.code).toBe('invalid-option');
+      expect(failure.message).toBe(`The method 'lengths' cannot ${what}: choose the method 'lri' for that.`);
+    }
+    const sequence = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 2 });
+    expect((await failureOf(sequence.update({ method: 'lri' }))).message).toMatch(/make a new sequence/);
+    expect((await failureOf(sequence.evaluateBlend([0.5, 0.5]))).code).toBe('invalid-option');
+    const plain = await engine.createSequence(keys);
+    expect((await failureOf(plain.update({ method: 'lengths' }))).message).toMatch(/make a new sequence/);
+  });
+
+  it('can be cancelled, and reports how far it is', async () => {
+    const { keys } = await importSheet(12);
+    const abort = new AbortController();
+    const fractions: number[] = [];
+    const work = engine.createSequence(
+      keys,
+      { method: 'shell' },
+      {
+        signal: abort.signal,
+        onProgress: ({ stage, fraction }) => {
+          fractions.push(fraction);
+          if (stage === 'fitting lengths') abort.abort();
+        },
+      },
+    );
+    expect((await failureOf(work)).code).toBe('cancelled');
+    expect(fractions.every((one, i) => i === 0 || one >= fractions[i - 1]!)).toBe(true);
+    const again = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 3 });
+    expect(again.range).toEqual([0, 1]);
+  });
+
+  it('is a method of the command line', async () => {
+    const mesh = bar();
+    const files = poseFiles(mesh, [mesh.positions, bent(mesh, 60)]);
+    const folder = await folderOf(files);
+    const names = files.map(({ name }) => name);
+    const run = (...words: string[]): ReturnType<typeof runCli> => runCli(folder, ...words, ...names);
+    const fitted = ['--method', 'lengths', '--space-samples', '3', '--output', 'motion.glb'];
+    expect((await run('complete', ...fitted)).code).toBe(0);
+    expect((await run('complete', ...fitted, '--boundary', 'periodic')).code).toBe(2);
+    const { code, stdout } = await run('measure', '--methods', 'lri,shell', '--space-samples', '3', '--frames', '3');
+    expect(code).toBe(0);
+    expect(stdout).toMatch(/^time,.*lri volume.*shell volume/m);
+  });
+
+  it("writes a project of the user's own keys", async () => {
+    const { keys } = await importSheet(4);
+    const sequence = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 6, spaceFaces: 500 });
+    const files = await sequence.export();
+    const back = await engine.importKeyframes(files);
+    expect(back.info.times).toEqual([0, 1]);
+    expect(back.info.project).toMatchObject({ method: 'lengths', spaceSamples: 6, spaceFaces: 500 });
+  });
+
+  const saddle = ['turns/saddle/monkey_saddle_1.ply', 'turns/saddle/monkey_saddle_2.ply'];
+  it.skipIf(!hasData)('moves as LRI space does where no fit is found, and says so once', async () => {
+    const keys = await engine.importKeyframes(saddle.map(dataFile), { keyTimes: [0, 1] });
+    const sequence = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 4 });
+    const found = sequence.warnings.filter(({ code }) => code === 'lengths-not-fitted');
+    expect(found.map(({ key }) => key)).toEqual([1]);
+    expect(found[0]!.message).toMatch(/^Between keys 1 and 2/);
+    const plain = await engine.createSequence(keys);
+    const there = (await frameAt(plain, 0.5)).positions;
+    expect(largestDistance((await frameAt(sequence, 0.5)).positions, there)).toBeLessThan(1e-5 * diagonal(there));
+  });
+});

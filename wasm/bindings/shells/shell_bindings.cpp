@@ -1,0 +1,86 @@
+// Keys and the shapes of LRI space -> shapes that keep lengths and angles; a full shape led by them.
+#include "bindings/export.h"
+#include "bindings/handle_table.h"
+#include "bindings/js_imports.h"
+#include "bindings/marshal.h"
+#include "shells/lead_shape.h"
+#include "shells/shell_motion.h"
+
+namespace shapespline::bindings {
+namespace {
+
+constexpr std::pair<const char*, ShellMethod> methods[] = {{"lengths", ShellMethod::Lengths},
+                                                           {"shell", ShellMethod::Spline}};
+
+struct ShapesObject {
+  std::vector<std::vector<float>> shapes;
+};
+
+struct LedObject {
+  LedShape shape;
+  std::vector<float> positions;  // of the last answer
+};
+
+constexpr auto reportFitting = [](double fraction) { reportProgress("fitting lengths", fraction); };
+
+Positions poseFrom(const Json& json) { return positionsFrom(elements<float>(json)); }
+
+std::vector<Positions> posesFrom(const Json& json) {
+  std::vector<Positions> poses;
+  for (const Json& pose : json) poses.push_back(poseFrom(pose));
+  return poses;
+}
+
+std::vector<int> indicesFrom(const Json& json) {
+  const auto indices = elements<std::int32_t>(json);
+  return {indices.begin(), indices.end()};
+}
+
+ShellSample sampleFrom(const Json& json) {
+  return {json.at("time"), json.at("weights").get<std::vector<double>>(), poseFrom(json.at("start")), json.at("key")};
+}
+
+}  // namespace
+
+/// {method, faces, keys: [positions], samples: [{time, weights, start, key}]} -> {handle, shapes: [{positions}],
+/// failed}: shell_motion.h. start: null at a key. The ranges belong to the handle.
+EXPORT const char* shapespline_fit_shells(const char* request) {
+  return answer(request, [](const Json& json) -> Result<Json> {
+    std::vector<ShellSample> samples;
+    for (const Json& sample : json.at("samples")) samples.push_back(sampleFrom(sample));
+    auto found = shellShapes(trianglesFrom(elements<std::int32_t>(json.at("faces"))), posesFrom(json.at("keys")),
+                             samples, named(json.at("method"), methods), reportFitting);
+    if (!found) return found.error();
+    ShapesObject object;
+    for (const Positions& shape : found->shapes) object.shapes.push_back(floatsFrom(shape));
+    const int handle = handleTable().add(std::move(object));
+    Json shapes = Json::array();
+    for (const std::vector<float>& shape : handleTable().get<ShapesObject>(handle).shapes)
+      shapes.push_back({{"positions", range(shape.data(), shape.size())}});
+    return Json{{"handle", handle}, {"shapes", shapes}, {"failed", found->failed}};
+  });
+}
+
+/// {faces, keys: [positions], leader: {faces, vertexOf, faceOf}} -> {handle}: lead_shape.h.
+EXPORT const char* shapespline_lead_shape(const char* request) {
+  return answer(request, [](const Json& json) -> Result<Json> {
+    const Json& leader = json.at("leader");
+    auto led = LedShape::create(trianglesFrom(elements<std::int32_t>(json.at("faces"))), posesFrom(json.at("keys")),
+                                {trianglesFrom(elements<std::int32_t>(leader.at("faces"))),
+                                 indicesFrom(leader.at("faceOf")), indicesFrom(leader.at("vertexOf"))});
+    if (!led) return led.error();
+    return Json{{"handle", handleTable().add(LedObject{std::move(*led), {}})}};
+  });
+}
+
+/// {shape, from, to} -> {positions}, which belong to the handle until its next call.
+EXPORT const char* shapespline_follow(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    LedObject& led = handleTable().get<LedObject>(handle);
+    led.positions =
+        floatsFrom(led.shape.follow(poseFrom(json.at("shape")), poseFrom(json.at("from")), poseFrom(json.at("to"))));
+    return Json{{"positions", range(led.positions.data(), led.positions.size())}};
+  });
+}
+
+}  // namespace shapespline::bindings

@@ -1,0 +1,39 @@
+#include "shells/fit_shape.h"
+
+#include <cmath>
+
+namespace shapespline {
+
+namespace {
+
+constexpr int mostFitSteps = 60;
+constexpr double firstDamping = 1e-3, mostDamping = 1e6;
+constexpr double fitStop = 1e-6;  // length of a step, over the size of the shape
+
+}  // namespace
+
+std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& target, Positions shape, double size) {
+  const ShellMetric& metric = system.metric();
+  ShellMeasures error = metric.difference(metric.measuresOf(shape), target);
+  double energy = metric.squaredNorm(error);
+  double damping = firstDamping;
+  for (int step = 0; step < mostFitSteps && std::isfinite(energy); ++step) {
+    const Positions force = system.transposed(shape, error);
+    system.fill(shape);
+    for (bool better = false; !better; damping *= better ? 0.1 : 10) {
+      if (damping > mostDamping || !system.factor(damping)) return std::nullopt;
+      const Positions change = system.solve(force);
+      const double length = largestNorm(change);
+      if (length <= fitStop * size) return shape;
+      Positions trial = shape;
+      addScaled(trial, -1, change);
+      ShellMeasures trialError = metric.difference(metric.measuresOf(trial), target);
+      const double trialEnergy = metric.squaredNorm(trialError);
+      better = trialEnergy < energy;
+      if (better) shape = std::move(trial), error = std::move(trialError), energy = trialEnergy;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace shapespline

@@ -1,0 +1,136 @@
+#include "shells/shell_motion.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/centroid.h"
+#include "core/base/union_find.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/weld.h"
+#include "core/rotation/rigid_fit.h"
+#include "shells/fit_shape.h"
+#include "shells/shell_spline.h"
+
+namespace shapespline {
+
+namespace {
+
+std::vector<std::vector<int>> componentsOf(const std::vector<Triangle>& faces, int vertices) {
+  UnionFind sets(vertices);
+  for (const Triangle& f : faces) sets.join(f[0], f[1]), sets.join(f[0], f[2]);
+  std::vector<std::vector<int>> members(vertices);
+  for (int v = 0; v < vertices; ++v) members[sets.find(v)].push_back(v);
+  std::erase_if(members, [](const std::vector<int>& list) { return list.empty(); });
+  return members;
+}
+
+// Lengths and angles know no place: every component is moved rigidly onto where it is in `place`.
+void moveOnto(Positions& shape, const Positions& place, const std::vector<std::vector<int>>& components) {
+  for (const std::vector<int>& component : components) {
+    Positions from, to;
+    for (const int v : component) from.push_back(shape[v]), to.push_back(place[v]);
+    const Mat3 rotation = fitRigid(from, to).rotation;
+    const Vec3 a = centroidOf(from), b = centroidOf(to);
+    for (const int v : component) shape[v] = rotation * (shape[v] - a) + b;
+  }
+}
+
+ShellMeasures blendOf(const std::vector<ShellMeasures>& keys, const std::vector<double>& weights) {
+  ShellMeasures blend(keys.front().size(), 0);
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    for (std::size_t m = 0; m < blend.size(); ++m) blend[m] += weights[k] * keys[k][m];
+  return blend;
+}
+
+/// Keys and samples on the mesh without copies of vertices.
+struct Welded {
+  Welding welding;
+  std::vector<Triangle> faces;
+  std::vector<Positions> keys, starts;
+  double size = 0;
+};
+
+Welded weldedOf(const std::vector<Triangle>& faces, const std::vector<Positions>& keys,
+                const std::vector<ShellSample>& samples) {
+  std::vector<const Positions*> poses;
+  for (const Positions& key : keys) poses.push_back(&key);
+  Welded welded;
+  welded.welding = weld(poses, weldTolerances(poses));
+  welded.faces = weldFaces(faces, welded.welding);
+  welded.size = boundingDiagonal(poses);
+  for (const Positions& key : keys) welded.keys.push_back(weldPositions(key, welded.welding));
+  for (const ShellSample& s : samples)
+    welded.starts.push_back(s.key >= 0 ? welded.keys[s.key] : weldPositions(s.start, welded.welding));
+  return welded;
+}
+
+// Fits every sample. Of an interval all or nothing is fitted: between a fitted shape and one that is not, the motion
+// would jump.
+ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
+                       const FractionReport& onProgress) {
+  const std::vector<ShellMeasures> measures = system.metric().measuresOfKeys(mesh.keys);
+  ShellShapes found{mesh.starts, {}, 0};
+  const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
+  std::size_t intervalStart = 0;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    reportFraction(onProgress, static_cast<double>(s) / static_cast<double>(samples.size()));
+    if (samples[s].key >= 0) {
+      intervalStart = s + 1;
+      continue;
+    }
+    auto shape = fitShape(system, blendOf(measures, samples[s].weights), mesh.starts[s], mesh.size);
+    if (shape) {
+      moveOnto(*shape, mesh.starts[s], components);
+      found.shapes[s] = std::move(*shape);
+      continue;
+    }
+    std::copy(mesh.starts.begin() + intervalStart, mesh.starts.begin() + s, found.shapes.begin() + intervalStart);
+    while (samples[s + 1].key < 0) ++s;
+    found.failed.push_back(samples[s + 1].key);
+  }
+  return found;
+}
+
+void minimiseBending(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
+                     std::vector<Positions>& shapes, const FractionReport& onProgress) {
+  std::vector<double> times;
+  std::vector<char> fixed;
+  for (const ShellSample& s : samples) times.push_back(s.time), fixed.push_back(s.key >= 0);
+  if (times.size() == mesh.keys.size()) return;  // nothing is free
+  ShellSpline(system, times, mesh.size).minimise(shapes, fixed, onProgress);
+  const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
+  for (std::size_t s = 0; s < samples.size(); ++s)
+    if (!fixed[s]) moveOnto(shapes[s], mesh.starts[s], components);
+}
+
+}  // namespace
+
+Result<ShellShapes> shellShapes(const std::vector<Triangle>& faces, const std::vector<Positions>& keys,
+                                const std::vector<ShellSample>& samples, ShellMethod method,
+                                const FractionReport& onProgress) {
+  const Welded mesh = weldedOf(faces, keys, samples);
+  const ShellMetric metric(mesh.faces, mesh.keys);
+  if (metric.edgeCount() == 0)
+    return Error{ErrorCode::NoArea,
+                 "No triangle has area in the first key, so the shape has no lengths to keep. Choose another method."};
+  auto system = ShellSystem::create(metric);
+  if (!system) return system.error();
+  const double fitting = method == ShellMethod::Lengths ? 1 : 0.3;  // share of the progress
+  ShellShapes found = fitSamples(*system, mesh, samples, partOf(onProgress, 0, fitting));
+  if (method == ShellMethod::Spline)
+    minimiseBending(*system, mesh, samples, found.shapes, partOf(onProgress, fitting, 1));
+  found.factors = system->factorCount();
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    if (samples[s].key >= 0) {
+      found.shapes[s] = keys[samples[s].key];
+      continue;
+    }
+    Positions raw;
+    for (const int w : mesh.welding.weldedOfRaw) raw.push_back(found.shapes[s][w]);
+    found.shapes[s] = std::move(raw);
+  }
+  reportFraction(onProgress, 1);
+  return found;
+}
+
+}  // namespace shapespline

@@ -1,0 +1,350 @@
+/**
+ * Motions whose shapes are fitted while they are made (methods `lengths` and `shell`): motions in LRI space through
+ * further keys, of a shape of their own. Loaded with the first one.
+ */
+import type { CallOptions, Motion, Sequence } from '../api/api.ts';
+import { invalidOption, untilAborted } from '../api/errors.ts';
+import { notUpdated } from '../api/options.ts';
+import { partOf } from '../api/progress.ts';
+import {
+  NO_PLACE,
+  type EncodingOptions,
+  type ExportOptions,
+  type Frame,
+  type Ghost,
+  type KeySpacing,
+  type SequenceOptions,
+  type SequenceStats,
+  type Warning,
+} from '../api/types.ts';
+import type { KeyData, MotionSpec, RequestOf } from '../wire/protocol.ts';
+import type { ExportSource } from './export-source.ts';
+import { fitTimes, type FitTime } from './fit-times.ts';
+import { MotionClient } from './motion.ts';
+import type { ShapeClient } from './shape.ts';
+import type { ShellsWorker } from './worker-client.ts';
+
+/** More faces than this of a coarse mesh take too long to fit. */
+const MOST_COARSE = 4000;
+
+/** Shares of the progress. */
+const STARTED = 0.3;
+const FITTED = 0.7;
+
+type Sample = RequestOf<'fitShells'>['samples'][number];
+type Report = NonNullable<CallOptions['onProgress']>;
+type Call = CallOptions & { onProgress: Report };
+
+/** The mesh whose lengths are fitted, with its keys and the shapes that the fits start from. */
+interface Coarse {
+  faces: Uint32Array;
+  keys: Float32Array[];
+  samples: Sample[];
+}
+
+/** A motion of the shape with the spec's options and times, in a shape of its own. */
+export async function fitMotion(
+  shape: ShapeClient,
+  spec: MotionSpec,
+  call: CallOptions = {},
+  owner = false,
+): Promise<FittedMotion> {
+  shape.checkAlive();
+  checkSpec(spec, owner ? shape.parts.encoding : null);
+  const full = { signal: call.signal, onProgress: call.onProgress ?? (() => undefined) } as Call;
+  const worker = shape.parts.shellsWorker();
+  const end = (): void => worker.terminate(invalidOption('The fit has ended.'));
+  try {
+    const fit = new Fit(shape, spec, worker, full);
+    const motion = await untilAborted(call.signal, fit.run());
+    motion.owner = owner;
+    try {
+      shape.checkAlive();
+    } catch (error) {
+      motion.dispose();
+      throw error;
+    }
+    shape.led.add(motion);
+    return motion;
+  } finally {
+    end();
+  }
+}
+
+/** What these methods cannot do. `encoding`: of the shape, where no other motion uses it. */
+function checkSpec({ options }: MotionSpec, encoding: EncodingOptions | null): void {
+  const { method, hold, pins, boundary, tension, bias, turns, ownPaths } = options;
+  const wanted: [boolean, string][] = [
+    [hold === 'on', 'hold resting parts'],
+    [pins.length > 0, 'hold pins'],
+    [boundary !== 'natural', "have ends other than 'natural'"],
+    [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'take end tangents'],
+    [[...tension, ...bias].some((value) => value !== 0), 'take tension or bias'],
+    [turns.some((one) => one.turns !== 0), 'take whole turns'],
+    [ownPaths !== 'off', 'take own paths of faces'],
+  ];
+  const [, what] = wanted.find(([isWanted]) => isWanted) ?? [];
+  if (what) throw invalidOption(`The method '${method}' cannot ${what}: choose the method 'lri' for that.`);
+}
+
+class Fit {
+  private readonly times: FitTime[];
+  private readonly report: Report;
+
+  constructor(
+    private readonly shape: ShapeClient,
+    private readonly spec: MotionSpec,
+    private readonly worker: ShellsWorker,
+    private readonly call: Call,
+  ) {
+    this.times = fitTimes(spec.keyTimes, spec.options.spaceSamples);
+    this.report = call.onProgress;
+  }
+
+  async run(): Promise<FittedMotion> {
+    const faces = this.shape.parts.keys.info.faces.length / 3;
+    const led = faces > this.spec.options.spaceFaces ? await this.encodeLed() : null;
+    try {
+      const base = await (led ?? this.shape).motion(this.startOptions(), this.part(led ? 0.2 : 0, STARTED));
+      const ghost = led && (await led.ghost());
+      const { shapes, failed } = ghost ? await this.fitLed(base, ghost) : await this.fitWhole(base);
+      base.dispose();
+      return await this.motionThrough(shapes, failed);
+    } finally {
+      led?.dispose();
+    }
+  }
+
+  /** The shape with a ghost mesh, which is the coarse one. */
+  private encodeLed(): Promise<ShapeClient> {
+    const { keys, encoding, encode } = this.shape.parts;
+    const leading = { ghostFaces: this.spec.options.spaceFaces, transfer: 'exact', placement: 'vertices' } as const;
+    return encode(keys, { ...withoutTangents(encoding), ...leading }, this.part(0, 0.2));
+  }
+
+  /** The motion in LRI space that fits start from. */
+  private startOptions(): object {
+    return { method: 'lri', keyTimes: [...this.spec.keyTimes] };
+  }
+
+  private async fitWhole(base: Motion): Promise<Fitted> {
+    const { positions, info } = this.shape.parts.keys;
+    const starts = await this.starts(async (t) => this.frameAt(base, t));
+    return this.fit({ faces: info.faces, keys: [...positions], samples: await this.samples(base, starts) });
+  }
+
+  private async fitLed(base: Motion, ghost: Ghost): Promise<Fitted> {
+    if (ghost.faces.length / 3 > MOST_COARSE)
+      throw invalidOption(
+        `The shape cannot be simplified: its coarse mesh still has ${(ghost.faces.length / 3).toLocaleString('en')} ` +
+          `faces, and at most ${MOST_COARSE.toLocaleString('en')} can be fitted. Choose another method.`,
+      );
+    const { info, positions } = this.shape.parts.keys;
+    const keys: Float32Array[] = [];
+    for (const t of this.spec.keyTimes) keys.push(await base.ghostPositions(t));
+    const starts = await this.starts((t) => base.ghostPositions(t));
+    const coarse = { faces: ghost.faces, keys, samples: await this.samples(base, starts) };
+    const { shapes, failed } = await this.fit(coarse);
+    const leader = { faces: ghost.faces, vertexOf: ghost.ghostVertexOf, faceOf: ghost.ghostFaceOf };
+    await this.worker.call('leadShape', { faces: info.faces, keys: [...positions], leader });
+    const led: Float32Array[] = [];
+    for (const [i, { time, key }] of this.times.entries()) {
+      if (key >= 0) {
+        led.push(positions[key]!);
+        continue;
+      }
+      const shape = await this.frameAt(base, time);
+      led.push((await this.worker.call('follow', { shape, from: starts[i]!, to: shapes[i]! })).positions);
+    }
+    return { shapes: led, failed };
+  }
+
+  private async fit({ faces, keys, samples }: Coarse): Promise<Fitted> {
+    const method = this.spec.options.method as RequestOf<'fitShells'>['method'];
+    return this.worker.call('fitShells', { method, faces, keys, samples }, this.part(STARTED, FITTED));
+  }
+
+  /** Of each time without a key. */
+  private async starts(at: (t: number) => Promise<Float32Array>): Promise<(Float32Array | null)[]> {
+    const starts: (Float32Array | null)[] = [];
+    for (const { time, key } of this.times) {
+      if (this.call.signal?.aborted) break;
+      starts.push(key >= 0 ? null : await at(time));
+    }
+    return starts;
+  }
+
+  private async samples(base: Motion, starts: (Float32Array | null)[]): Promise<Sample[]> {
+    const keys = this.spec.keyTimes.length;
+    const { weights } = await base.shapePlane(this.times.map(({ time }) => time));
+    const columns = weights.length / this.times.length;
+    return this.times.map(({ time, key }, i) => ({
+      time,
+      key,
+      start: starts[i]!,
+      weights: weights.slice(i * columns, i * columns + keys),
+    }));
+  }
+
+  private async frameAt(motion: Motion, t: number): Promise<Float32Array> {
+    const [frame] = await motion.evaluateMany([t]);
+    const positions = frame!.positions.slice();
+    frame!.release();
+    return positions;
+  }
+
+  private async motionThrough(shapes: Float32Array[], failed: number[]): Promise<FittedMotion> {
+    const { keys, encoding, encode } = this.shape.parts;
+    const at = (key: number): number => this.times.findIndex((one) => one.key === key);
+    const through: KeyData = {
+      ...keys,
+      info: { ...keys.info, times: this.times.map(({ time }) => time), names: this.times.map(({ time }) => `${time}`) },
+      positions: shapes.map((shape, i) => keys.positions[this.times[i]!.key] ?? shape),
+    };
+    const options = { ...withoutTangents(encoding), reference: at(encoding.reference) };
+    const inner = await encode(through, options, this.part(FITTED, 0.8));
+    try {
+      const { inPlace } = this.spec.options;
+      const spec = inner.spec(
+        { ...this.spec.options, method: 'lri', tension: [], bias: [], inPlace },
+        through.info.times,
+      );
+      const state = await inner.make(spec, this.part(0.8, 1));
+      const warnings = [...state.warnings.map((one) => this.ofKeys(one)), ...failed.map(notFitted)];
+      return new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings });
+    } catch (error) {
+      inner.dispose();
+      throw error;
+    }
+  }
+
+  /** A warning that counts the user's keys. */
+  private ofKeys(warning: Warning): Warning {
+    if (warning.key < 0) return warning;
+    const next = this.times.slice(warning.key).find(({ key }) => key >= 0);
+    return { ...warning, key: next?.key ?? -1 };
+  }
+
+  private part(from: number, to: number): Call {
+    return { ...this.call, onProgress: partOf(this.report, from, to) };
+  }
+}
+
+interface Fitted {
+  shapes: Float32Array[];
+  /** Keys that end the intervals without a fit. */
+  failed: number[];
+}
+
+function notFitted(key: number): Warning {
+  return {
+    ...NO_PLACE,
+    code: 'lengths-not-fitted',
+    message:
+      `Between keys ${key} and ${key + 1}, no shapes were found that keep lengths and angles: ` +
+      'the shape spline (LRI) is shown there. Add a key between them.',
+    count: 1,
+    key,
+  };
+}
+
+function withoutTangents(encoding: EncodingOptions): EncodingOptions {
+  return { ...encoding, startTangent: null, endTangent: null };
+}
+
+export class FittedMotion extends MotionClient implements Sequence {
+  /** Whether no other motion uses the shape of the user's keys. */
+  owner = false;
+
+  /** `shape`, `spec`: of the user's keys; `inner`, `innerSpec`: of the fitted ones. */
+  constructor(
+    private readonly outer: ShapeClient,
+    private readonly own: MotionSpec,
+    inner: ShapeClient,
+    innerSpec: MotionSpec,
+    state: MotionClient['state'],
+  ) {
+    super(inner, innerSpec, state);
+  }
+
+  override get options(): Readonly<SequenceOptions> {
+    return { ...this.outer.options, ...this.own.options };
+  }
+
+  override get keyTimes(): readonly number[] {
+    return this.own.keyTimes;
+  }
+
+  override async evaluateBlend(): Promise<Frame | null> {
+    throw noBlend();
+  }
+
+  /** Of the user's keys, in LRI space. */
+  override async keySpacing(): Promise<KeySpacing> {
+    const plain = await this.outer.motion({ method: 'lri', keyTimes: [...this.own.keyTimes] });
+    try {
+      return await plain.keySpacing();
+    } finally {
+      plain.dispose();
+    }
+  }
+
+  /** Relative to the deformation between the user's keys, as for other methods. */
+  override async bendingEnergy(times: number[]): Promise<number[]> {
+    const [energies, fitted, keys] = [
+      await super.bendingEnergy(times),
+      await super.keySpacing(),
+      await this.keySpacing(),
+    ];
+    const scale = meanSquare(fitted.distance) / meanSquare(keys.distance);
+    return energies.map((energy) => (Number.isFinite(scale) ? scale * energy : energy));
+  }
+
+  async update(): Promise<void> {
+    throw notUpdated(this.own.options.method);
+  }
+
+  async stats(): Promise<SequenceStats> {
+    return this.shape.stats();
+  }
+
+  async patches(): Promise<Int32Array> {
+    return this.shape.patches();
+  }
+
+  async components(): Promise<Int32Array> {
+    return this.shape.components();
+  }
+
+  async ghost(): Promise<Ghost | null> {
+    return this.shape.ghost();
+  }
+
+  override dispose(): void {
+    super.dispose();
+    this.shape.dispose();
+    this.outer.led.delete(this);
+    if (this.owner) this.outer.dispose();
+  }
+
+  protected override async exportSource(options: ExportOptions): Promise<ExportSource> {
+    if (options.blend) throw noBlend();
+    const source = await super.exportSource(options);
+    return {
+      ...source,
+      keys: this.outer.parts.keys,
+      keyTimes: this.own.keyTimes,
+      options: { ...this.options, inPlace: source.options.inPlace },
+    };
+  }
+}
+
+function meanSquare(values: readonly number[]): number {
+  return values.reduce((sum, value) => sum + value * value, 0) / values.length;
+}
+
+function noBlend() {
+  return invalidOption(
+    'Mixtures of keys belong to methods in LRI space: choose the method lri or geodesic to evaluate one.',
+  );
+}
