@@ -26,12 +26,12 @@ double floatAt(std::span<const std::uint8_t> bytes, std::size_t at, bool bigEndi
   return std::bit_cast<float>(wordAt(bytes, at, bigEndian));
 }
 
-// `header`: bytes before the points.
+// `header`: number of bytes before the points.
 Status checkSize(const NamedBytes& file, std::uint64_t header, std::uint64_t frames, std::uint64_t points,
                  const std::string& where) {
   if (frames == 0 || points == 0)
     return Error{ErrorCode::MalformedFile, where + " holds no points. Export the cache again."};
-  // Both are below 2^32, so only the product with the size of a point could overflow.
+  // Both are below 2^32, so only multiplying by the point size could overflow.
   const std::uint64_t size = file.bytes.size();
   if (header <= size && frames * points <= (size - header) / pointBytes) return {};
   return Error{ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " +
@@ -46,7 +46,7 @@ bool increase(const std::vector<double>& times) {
   return true;
 }
 
-// Evenly spaced frames, `step` of them apart.
+// Times of evenly spaced frames, `step` frames apart.
 std::vector<double> frameTimes(std::uint64_t count, double start, double step) {
   std::vector<double> seconds(count);
   for (std::size_t i = 0; i < count; ++i) seconds[i] = (start + static_cast<double>(i) * step) / framesPerSecond;
