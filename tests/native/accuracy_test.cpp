@@ -32,8 +32,8 @@ const std::vector<Reached> table = {
 };
 // Allowed relative increase of these errors.
 constexpr double allowance = 0.01;
-// Allowed relative increase for rotation-strain. Measured: 1.65 % for the fox's Survey with every 10th frame, at most
-// 0.75 % elsewhere.
+// How far rotation-strain may be above that; 1.65 % for the fox's Survey with every 10th frame, at most 0.75 %
+// elsewhere.
 constexpr double rivalAllowance = 0.02;
 
 // Takes whole tens of frames over the animation, or over two seconds of it.

@@ -137,8 +137,8 @@ class Orderer {
     return result;
   }
 
-  // Negative if side a precedes side b, positive if it follows. Compares rigid-motion invariants of their faces, first
-  // those that do not depend on the order of the poses.
+  // Below zero where side a comes before side b by what a rigid motion keeps of their faces, above zero where after it.
+  // First by what does not depend on the order of the poses.
   int compare(int a, int b) const {
     const Triangle s = cornersFrom(a), t = cornersFrom(b);
     for (int i = 0; i < 3; ++i)
@@ -159,7 +159,7 @@ class Orderer {
     return byPose;
   }
 
-  // Compares the walks that begin at two sides.
+  // The same for the walks that begin at the sides.
   int compareWalks(int a, int b) {
     while (walks_.size() < 2) walks_.emplace_back(next_);
     walks_[0].forget(), walks_[1].forget();

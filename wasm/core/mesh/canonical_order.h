@@ -11,8 +11,8 @@ namespace shapespline {
 
 /// A new numbering of a mesh, as maps from new to old numbers.
 struct MeshOrder {
-  std::vector<int> vertex;  ///< old number of each vertex
-  std::vector<int> corner;  ///< for each face: 3 f + c, where corner c of old face f comes first
+  std::vector<int> vertex;  ///< of each vertex
+  std::vector<int> corner;  ///< of each face 3 f + c: face f, whose corner c comes first now
 
   std::vector<Triangle> apply(const std::vector<Triangle>& faces) const;
   Positions apply(const Positions& positions) const;
@@ -20,12 +20,12 @@ struct MeshOrder {
   std::vector<int> oldFaces() const;  ///< old number of each face
 };
 
-/// Walks breadth first over edges, from the side that is farthest from the centroid in all poses. Faces start with
-/// their entry edge. Vertices are numbered in walking order, unused vertices last, so neighbours have similar numbers.
-/// Lengths decide between sides, components, and neighbours at a non-manifold edge. They are invariant to rigid motions
-/// of a pose and coarse, so rounding never decides. The file order decides only if the shape is symmetric in every
-/// pose. faces: including faces without area; all poses share their vertices. Time: linear, or bounded for symmetric
-/// shapes.
+/// Breadth first from face to face over their edges, from the side of a face that lies farthest out in all poses. Faces
+/// that are entered over an edge start with it; vertices are numbered as they are met, those in no face last.
+/// Neighbours are therefore near each other. Which side comes first, which component, and which neighbour at a
+/// non-manifold edge, is decided by lengths that a rigid motion of a pose keeps, so coarsely that rounding decides
+/// nothing; by the file's order only where the shape is symmetric in every pose. faces: of vertices that every pose
+/// has; those without area count, too. Time: linear but for symmetric shapes, where it is bounded.
 MeshOrder canonicalOrder(const std::vector<Triangle>& faces, const std::vector<Positions>& poses,
                          const FractionReport& onProgress = {});
 

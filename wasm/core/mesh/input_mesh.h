@@ -10,8 +10,8 @@ namespace shapespline {
 
 struct InputMesh {
   std::vector<Triangle> faces;
-  Welding welding;               ///< maps between input and welded vertices
-  std::vector<int> inputFaceOf;  ///< input face of each welded face
+  Welding welding;               ///< of the vertices
+  std::vector<int> inputFaceOf;  ///< of each welded face
 
   int vertexCount() const { return static_cast<int>(welding.weldedOfRaw.size()); }
 

@@ -21,7 +21,7 @@ constexpr double noAxis = 1e-6;
 constexpr double atRest = 0.01;
 // A root with a smaller rotation does not take the other direction.
 constexpr double surelyShort = 0.5;
-// Shares of a step for comparing paths.
+// The shares of a step at which paths are compared.
 constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
 
 // The chosen direction as the only option.

@@ -31,7 +31,7 @@ Status checkSize(const NamedBytes& file, std::uint64_t header, std::uint64_t fra
                  const std::string& where) {
   if (frames == 0 || points == 0)
     return Error{ErrorCode::MalformedFile, where + " holds no points. Export the cache again."};
-  // Both are below 2^32, so only multiplying by the point size could overflow.
+  // Both are below 2^32, so only the product with the size of a point could overflow.
   const std::uint64_t size = file.bytes.size();
   if (header <= size && frames * points <= (size - header) / pointBytes) return {};
   return Error{ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " +
