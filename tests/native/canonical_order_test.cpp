@@ -139,7 +139,7 @@ TEST_CASE("every face and vertex is numbered once, neighbours near each other") 
   int farthest = 0;
   for (const Triangle& t : canonicalOrder(other.keyframes.faces, posesOf(other.keyframes)).apply(other.keyframes.faces))
     farthest = std::max(farthest, *std::max_element(t.begin(), t.end()) - *std::min_element(t.begin(), t.end()));
-  CHECK(farthest < 60);  // of 674; a ring around the bar has 16
+  CHECK(farthest < 60);  // there are 674 vertices; a ring around the bar has 16
 }
 
 TEST_CASE("a mesh of any kind has one order, whatever the file's") {

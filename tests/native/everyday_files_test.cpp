@@ -40,7 +40,7 @@ std::vector<Triangle> facesOf(const std::string& name, const Bytes& bytes) {
   return imported(Files().add(name, bytes).add("second-" + name, bytes)).keyframes.faces;
 }
 
-// Converts ASCII text.
+// Encodes ASCII text as UTF-16.
 Bytes utf16(const std::string& text, bool bigEndian, bool marked) {
   Bytes out;
   const auto add = [&](int high, int low) {

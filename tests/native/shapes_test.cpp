@@ -117,8 +117,8 @@ TEST_CASE("bench meshes of parts: the parts turn on their own, the same argument
   for (int j = 0; j < 4; ++j) CHECK(a.keys[j].positions == b.keys[j].positions);
   CHECK(a.faces != makeBenchParts(2400, 4, 10).faces);
 
-  // Rotation of the balls relative to the nearby body: up to 60 degrees of their own, plus about ten by which the body
-  // bends there.
+  // Rotation of the balls relative to the nearby body: up to 60 degrees, plus about ten degrees of the body's local
+  // bending.
   const std::vector<char> all(a.faces.size(), 1);
   const std::vector<int> componentOf = connectedComponents(dualGraph(a.vertexCount(), a.faces, all), all).ofFace;
   std::vector<std::set<int>> component(*std::max_element(componentOf.begin(), componentOf.end()) + 1);

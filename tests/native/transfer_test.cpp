@@ -270,7 +270,8 @@ TEST_CASE("ghost: a twisted bar follows the analytic twist within KG 1.5") {
   std::vector<Positions> exact, ours;
   for (int i = 0; i <= 20; ++i) {
     const double t = i / 20.0, u = t < 0.5 ? t / 0.5 : (1 - t) / 0.5, end = t < 0.5 ? 0 : 350;
-    const double second = 3 * (350 - 2 * 180.0) / (2 * 0.25);  // of the natural spline at the middle key
+    // second derivative of the natural spline at the middle key
+    const double second = 3 * (350 - 2 * 180.0) / (2 * 0.25);
     const double angle = end + (180 - end) * u + second * 0.25 / 6 * (u * u * u - u);
     exact.push_back(mapped(fineBar().positions, twist(radians(angle))));
     ours.push_back(aligned(shapeAt(s, t), exact.back()));

@@ -15,8 +15,8 @@ class ArapRotation {
   /// modes: response to the pulls. Patches that barely rotate are ignored.
   ArapRotation(const HoldInput& input, const AffineResponse& modes);
 
-  /// The extra rotation of each patch minus the identity, in the patch's current frame. frames: of the shape before the
-  /// pull. mode: of the pull.
+  /// The extra rotation of each patch minus the identity, in the patch's current frame. frames: local frames of the
+  /// shape before the pull. mode: modes of the pull.
   void find(const AffineResponse& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
             std::vector<Mat3>& turn) const;
 

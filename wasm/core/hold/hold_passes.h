@@ -7,8 +7,8 @@
 
 namespace shapespline {
 
-/// Weights for positions inside a span (resting_spline.h): of the step between its ends, of the slopes at both ends,
-/// and of the parts that rest removes at either end.
+/// Weights for positions inside a span (resting_spline.h): weights of the step between its ends, of the slopes at both
+/// ends, and of the parts that rest removes at either end.
 struct PathWeights {
   double step = 0, slope0 = 0, slope1 = 0, rest0[3] = {}, rest1[3] = {};
 };

@@ -38,7 +38,7 @@ std::vector<double> stiffnessDiagonal(const HoldMesh& mesh);
 /// Displacements x with (K + diag(weight)) x = b. Immutable.
 class HoldSystem {
  public:
-  /// weight: of each vertex, not negative. Error: the solver's.
+  /// weight: one per vertex, not negative. Error: the solver's.
   static Result<HoldSystem> create(const HoldMesh& mesh, std::span<const double> weight, Precision precision);
 
   struct Scratch {

@@ -29,7 +29,7 @@ class PinPath {
 
   double start_, period_;
   std::optional<RigidMotion> closing_;
-  WeldedShape keys_;  // of one vertex; in a loop, before the rotation by turned()
+  WeldedShape keys_;  // keys of one vertex; in a loop, before the rotation by turned()
   std::optional<Curve> curve_;
   std::optional<RestingSpline> path_;
 };

@@ -11,7 +11,7 @@
 
 namespace shapespline {
 
-/// Rotations between keys: of the whole or of some faces, and of the frames.
+/// Rotations between keys, for the whole (or some faces) and for the frames.
 struct KeyTurns {
   /// bodyOf: rigid group of each vertex; empty for the whole.
   KeyTurns(const HoldInput& input, const Curve& curve, const std::vector<int>& bodyOf = {}, int body = 0);

@@ -14,7 +14,7 @@ class Sliding {
 
   /// Root mean square distance of the vertices of `shape`, the motion at t, from their rest positions, relative to the
   /// largest diagonal of a key. Vertices are weighted by area and rest. NaN if no vertex rests, and beyond the keys.
-  /// shape: of the input. weldedOf: welded vertex of each input vertex.
+  /// shape: input vertices. weldedOf: welded vertex of each input vertex.
   double at(double t, const Positions& shape, const std::vector<int>& weldedOf) const;
 
  private:

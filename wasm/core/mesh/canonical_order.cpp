@@ -23,7 +23,8 @@ constexpr std::size_t comparedFaces = 4096;
 constexpr std::size_t comparedWalks = 64;
 
 int inSteps(double squaredLength) {
-  return squaredLength < 64 ? static_cast<int>(squaredLength * stepsPerUnit) : 1 << 30;  // valid poses stay below 4
+  // squared lengths in valid poses stay below 4
+  return squaredLength < 64 ? static_cast<int>(squaredLength * stepsPerUnit) : 1 << 30;
 }
 
 // Breadth-first walk over faces. Side 3 f + c runs from corner c of face f to the next corner.

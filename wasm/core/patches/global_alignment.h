@@ -17,8 +17,8 @@ class GlobalAlignment {
  public:
   GlobalAlignment() = default;
 
-  /// halfway[step][patch]: X_i halfway through each step, which determines the starting patch and the weights. area: of
-  /// each patch.
+  /// halfway[step][patch]: X_i halfway through each step, which determines the starting patch and the weights. area:
+  /// one per patch.
   GlobalAlignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area);
 
   /// The rotation Q that moves `rotation` to `path`: G_k <- Q G_k.

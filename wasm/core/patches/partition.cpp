@@ -104,7 +104,7 @@ class Partition {
     return distanceWeight * (centroid - centre.position).squaredNorm() * centre.inverseRadiusSquared;
   }
 
-  // rotation: of the face, one per key.
+  // rotation: the face's rotation in each key.
   static double cost(const Vec3& centroid, const Quaternion* rotation, const Centre& centre) {
     double rotationCost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
     for (std::size_t j = 0; j < centre.rotation.size(); ++j) {

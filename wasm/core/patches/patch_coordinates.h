@@ -31,7 +31,7 @@ Result<PatchCoordinates> encodePatches(const WeldedShape& shape, const ShapeTopo
                                        const FractionReport& onProgress = {});
 
 /// Computes the part that depends only on `rotation`: graph, connections and residuals. links: in any direction. area:
-/// of each patch.
+/// one per patch.
 Status encodeConnections(const WeldedShape& shape, std::vector<PatchLink> links, std::vector<double> area,
                          PatchCoordinates& patches);
 

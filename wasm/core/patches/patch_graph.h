@@ -25,7 +25,7 @@ struct PatchTree {
 class PatchGraph {
  public:
   PatchGraph() = default;
-  /// area: of each patch. Links may have any direction. Bridges must be bridges of the graph.
+  /// area: one per patch. Links may have any direction. Bridges must be bridges of the graph.
   PatchGraph(std::vector<PatchLink> links, std::vector<double> area);
 
   int patchCount() const { return static_cast<int>(area_.size()); }
@@ -37,7 +37,7 @@ class PatchGraph {
   void orient(const PatchTree& tree);
 
   /// Shortest paths from the central patch: among 64 candidates, the patch with the smallest area-weighted distance to
-  /// all others. cost: of each link, positive. Costs are compared on a grid, so rounding decides no tie.
+  /// all others. cost: one per link, positive. Costs are compared on a grid, so rounding decides no tie.
   PatchTree centreTree(const std::vector<double>& cost) const;
 
   /// Maximum spanning tree by weight (Prim), from the given root.
@@ -49,7 +49,7 @@ class PatchGraph {
   };
   /// Limit for growing trees. Trees beyond the limit are returned without an order.
   struct Bound {
-    double sum;       ///< of all patches' distances, weighted by area
+    double sum;       ///< sum of all patches' distances, weighted by area
     bool reachesAll;  ///< whether every patch is known to be reachable from any other
   };
   PatchTree grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance,

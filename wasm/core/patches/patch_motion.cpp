@@ -30,7 +30,7 @@ TurnOptions chosen(const TurnOptions& o, bool other) {
                : TurnOptions{o.turn, o.turn, o.cost, o.cost, false};
 }
 
-// Axis times angle, up to a full turn: of q, or of -q for the other direction.
+// Axis times angle, up to a full turn. Uses -q for the other direction.
 Vec3 rotationVector(const Quaternion& q, bool flipped) {
   const double sign = flipped ? -1 : 1, sine = q.vec().norm();
   return sine < noAxis / 2 ? Vec3(Vec3::Zero()) : Vec3(sign * 2 * std::atan2(sine, sign * q.w()) / sine * q.vec());

@@ -25,7 +25,7 @@ class PatchRotationSystem {
   /// The right-hand side for each patch, then its rotation.
   using Scratch = std::vector<Eigen::Vector4d, Eigen::aligned_allocator<Eigen::Vector4d>>;
 
-  /// weight: of each link of the graph, positive. Error: the solver's.
+  /// weight: one per link of the graph, positive. Error: the solver's.
   static Result<PatchRotationSystem> create(const PatchGraph& graph, PatchTree tree, std::vector<double> weight);
 
   /// connection: C of each link. caution: one per step; the weight of a link whose maps disagree by an angle r is

@@ -10,7 +10,7 @@ namespace shapespline {
 /// Two connected parts of a shape: faces with a common edge, or patches.
 struct TurnJoint {
   int first, second;
-  double length;  ///< of the joint, in any unit
+  double length;  ///< length of the joint, in any unit
 };
 
 /// A set of parts with an ambiguous direction of turning.
@@ -23,10 +23,10 @@ struct OpenTurn {
 /// Chooses the senses of the parts' turns, as signs of unit quaternions. A rotation has two quaternions, q and -q:
 /// turns by a and by a - 360 degrees about one axis. A joint turns by 2 acos(p . q), which is less than half a turn if
 /// the quaternions of its parts agree.
-/// turn: of each part; its sign is changed in place. Joints that turn by less than 60 degrees in either sense are
+/// turn: one per part; its sign is changed in place. Joints that turn by less than 60 degrees in either sense are
 /// trusted one by one, the smallest turn first. Then sets of parts are joined, in descending order of the evidence of
 /// their joints: the sum of length (pi - angle), reduced if joints contradict each other. So small turns decide, and
-/// longer boundaries count more. Signs of unconnected parts are independent. area: of each part. Returns the sets whose
+/// longer boundaries count more. Signs of unconnected parts are independent. area: one per part. Returns the sets whose
 /// joints turn by 144 degrees or more on average, or contradict each other as much.
 std::vector<OpenTurn> chooseTurnSenses(const std::vector<TurnJoint>& joints, const std::vector<double>& area,
                                        std::vector<Quaternion>& turn);

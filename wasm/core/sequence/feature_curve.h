@@ -70,7 +70,7 @@ class FeatureCurve {
   /// The motion's shape at a given time, one position per welded vertex (Evaluator::unmoved).
   using ShapeAt = std::function<void(double, Positions&)>;
 
-  /// encoded: LRI space and the motion's space must exist. gram: of LRI space. All arguments must outlive the curve.
+  /// encoded: LRI space and the motion's space must exist. gram: LRI space's. All arguments must outlive the curve.
   FeatureCurve(const EncodedShape& encoded, const Motion& motion, const Eigen::MatrixXd& gram, ShapeAt shapeAt)
       : encoded_(encoded),
         lri_(encoded.lri()),

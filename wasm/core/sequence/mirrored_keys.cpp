@@ -21,8 +21,8 @@ constexpr double mirroredAgreement = -0.5;
 
 // Properties of the surface around a vertex, from its faces.
 struct Surroundings {
-  double cosine = 1, sine = 0;                         // of the sum of the angles, ...
-  int turns = 0;                                       // ... plus this number of full turns
+  double cosine = 1, sine = 0;                         // direction of the sum of the angles ...
+  int turns = 0;                                       // ... and its number of full turns
   Vec3 towards = Vec3::Zero(), normal = Vec3::Zero();  // sums over neighbours and over faces
   int faces = 0;
   std::int64_t open = 0;  // next neighbours minus previous ones: 0 around a closed, consistently oriented fan

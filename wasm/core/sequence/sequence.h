@@ -23,7 +23,8 @@ class Sequence {
                               const MotionOptions& motion, const Sequence* before = nullptr,
                               const StageProgress& progress = {}, OrderSource order = nullptr);
 
-  /// Creates a motion with a new shape. progress: of both steps. Errors: as above, and those of SharedShape::encode.
+  /// Creates a motion with a new shape. progress: reports both steps. Errors: as above, and those of
+  /// SharedShape::encode.
   static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                  const StageProgress& progress = {}, OrderSource order = nullptr);
 

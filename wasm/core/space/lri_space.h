@@ -43,7 +43,7 @@ struct Ghost {
 struct LriStats {
   int encodings = 0;
   int factorisations = 0;
-  int patches = 0;  ///< of the ghost, if any
+  int patches = 0;  ///< patches of the ghost, if any
   /// Wall time of each stage. The ghost's systems count as encoding. Arranging sorts the faces' numbers by the
   /// elimination order of the system. Finishing: normals, and the patch and ghost face of each input face.
   double encodeMs = 0, orderMs = 0, factorMs = 0, arrangeMs = 0, finishMs = 0;
@@ -99,7 +99,7 @@ class LriSpace {
   /// Inner products of the columns in the metric of coordinates (gram_matrix.h).
   Eigen::MatrixXd gramMatrix() const;
   /// Inner products of another shape with the columns (encoded_positions.h). weights: one per column, sum 1; the shape
-  /// belongs to them. positions: of the welded vertices.
+  /// belongs to them. positions: welded vertices.
   ShapeProducts productsOf(const Positions& positions, const Eigen::VectorXd& weights) const;
   /// Inner products of the columns' vertices (of the ghost's, if any).
   Eigen::MatrixXd vertexGram() const { return vertexGramMatrix(ledBy()); }

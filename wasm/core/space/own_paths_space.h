@@ -24,7 +24,7 @@ class OwnPathsSpace {
   /// Both must outlive the space. Requires separate coordinates of the faces, so not with Transfer::Paper.
   OwnPathsSpace(const WeldedKeys& keys, const LriSpace& lri, OwnPaths base);
 
-  /// frames: of LRI space at `point`. Real: of LRI space's reconstructor. own: scratch memory.
+  /// frames: LRI space's at `point`. Real: the type of LRI space's reconstructor. own: scratch memory.
   template <class Real>
   void rotationsAt(const CurvePoint& point, const LocalFrames& frames, const Reconstructor<Real>& reconstructor,
                    typename Reconstructor<Real>::Scratch& scratch, RotationBlocks<Real>& own,

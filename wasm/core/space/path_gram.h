@@ -14,7 +14,7 @@ namespace shapespline {
 std::vector<double> areaShares(const WeldedKeys& keys, const LriSpace& lri);
 
 /// Inner products of the columns: weighted sums of the paths' increments, and stretches and mean positions as in LRI
-/// space (gram_matrix.h). weight: of each path, by slot; slots of weight 0 are ignored.
+/// space (gram_matrix.h). weight: one per path, by slot; slots of weight 0 are ignored.
 template <class Real>
 Eigen::MatrixXd pathGram(const WeldedKeys& keys, const LriSpace& lri, const RotationPaths<Real>& paths,
                          const std::vector<double>& weight);

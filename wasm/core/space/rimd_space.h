@@ -12,7 +12,7 @@
 namespace shapespline {
 
 /// A shape of this space is the shape v with face rotations R that minimises
-/// sum_f A_f |grad v - R_f S_f|^2 + sum_fg w_fg |R_g - R_f dR_fg|^2.
+///   sum_f A_f |grad v - R_f S_f|^2 + sum_fg w_fg |R_g - R_f dR_fg|^2.
 /// dR_fg = R_f^T R_g has a separate rotation path through the keys, and S_f is splined. w_fg is half the mean of both
 /// areas, reduced for large relative rotations. fg runs over every pair of neighbours in both directions. The
 /// minimisation starts at the shape of LRI space and takes three steps, each of which computes all R from v and their
@@ -29,7 +29,7 @@ class RimdSpace {
   /// Both must outlive the space. Requires stretches of the shape's faces, so not with Transfer::Paper.
   RimdSpace(const WeldedKeys& keys, const LriSpace& lri);
 
-  /// shape: LRI space's shape at `point`, replaced by this space's. Real: of LRI space's reconstructor.
+  /// shape: LRI space's shape at `point`, replaced by this space's. Real: the type of LRI space's reconstructor.
   template <class Real>
   Reconstruction improve(const CurvePoint& point, const Reconstructor<Real>& reconstructor, Scratch& scratch,
                          typename Reconstructor<Real>::Scratch& ofReconstructor, PaddedShape<Real>& shape,

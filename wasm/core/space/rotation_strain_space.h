@@ -18,7 +18,7 @@ class RotationStrainSpace {
   /// Both must outlive the space. Requires stretches of the shape's faces, so not with Transfer::Paper.
   RotationStrainSpace(const WeldedKeys& keys, const LriSpace& lri);
 
-  /// Real: of LRI space's reconstructor.
+  /// Real: the type of LRI space's reconstructor.
   template <class Real>
   void rotationsAt(const CurvePoint& point, RotationBlocks<Real>& rotations, ForkJoin* forkJoin = nullptr) const {
     std::get<RotationPaths<Real>>(paths_).at(point, wholeTurn(point), rotations, forkJoin);

@@ -45,7 +45,7 @@ struct Pivots {
 void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, int end, const double* reference,
                      double* inverse, PivotReport& report);
 
-/// Floating-point operations of that call. A multiply-add counts as two.
+/// Floating-point operations of eliminateStrips(). A multiply-add counts as two.
 double eliminationFlops(Pivots pivots, int begin, int end);
 
 }  // namespace shapespline

@@ -160,7 +160,7 @@ json MeshWriter::primitive(const DrawnPrimitive& drawn, json attributes) {
 }
 
 // glTF's default material is polished metal, which looks black without an environment, and white is invisible on a
-// white page. The clay of web/viewer/shape.ts looks the same when the file is opened again.
+// white page. This material is the clay of web/viewer/shape.ts, so the file looks the same when opened again.
 int MeshWriter::addPlainMaterial() {
   glb.doc["materials"].push_back({{"name", "plain"},
                                   {"pbrMetallicRoughness",
