@@ -54,7 +54,7 @@ void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle
   }
 }
 
-// Three numbers for sorted lists. Sharing the triangles' type lets one sort serve both.
+// Three numbers for sorted lists. They use the type of triangles, so one sort serves both.
 using Entry = std::array<int, 3>;
 
 // Both face lists, and the pose corner for each mesh corner as far as known.

@@ -23,7 +23,7 @@ struct ImportOptions {
   bool withHidden = false;          ///< for poses: include meshes hidden by KHR_node_visibility
   bool oneKeyWillDo = false;        ///< accept a still animation as one key: the file is one of several
   std::vector<double> frameTimes;   ///< frame times, in seconds, for formats that store none
-  std::vector<double> keyTimes;     ///< default: the animation's times, else even over [0, 1]
+  std::vector<double> keyTimes;     ///< default: the animation's times, or even times over [0, 1]
   bool zUp = false;                 ///< the file is Z up; OBJ, PLY and OFF only
   double unit = 1;                  ///< metres per unit; OBJ, PLY and OFF only
   /// Faces and optional pose of a reference mesh, for adding poses. Polygons are cut into its triangles. With a pose,

@@ -21,7 +21,7 @@ void writeLook(GlbBuilder& glb, const Scene& scene);
 /// Writes everything of the mesh except positions and normals.
 class MeshWriter {
  public:
-  /// `faces` index `vertices` drawn vertices. All arguments must outlive the writer.
+  /// `faces`: indices of drawn vertices. `vertices`: number of drawn vertices. All arguments must outlive the writer.
   MeshWriter(GlbBuilder& glb, const std::vector<Triangle>& faces, const Scene& scene, std::size_t vertices)
       : glb(glb), faces(faces), scene(scene), vertices(vertices) {}
 
