@@ -31,7 +31,8 @@ class RestingSpline {
   int spans() const { return static_cast<int>(spans_.size()); }
   bool loop() const { return loop_; }
   SpanPosition spanPositionAt(double t) const;
-  /// Whether both have the same keys at the same times. For the same shape, the resting vertices are then the same.
+  /// Whether both paths have the same keys at the same times. If they belong to one shape, the same vertices rest in
+  /// both.
   bool hasSpansOf(const RestingSpline& other) const;
 
   /// How little a vertex moves in a span relative to the neighbouring spans, in [0, 1]; 0 for a vertex that only

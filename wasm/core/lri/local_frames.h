@@ -16,7 +16,7 @@ struct LocalFramePoses {
   const std::vector<std::vector<Quaternion>>& rotation;  ///< rotation[column][frame]
 };
 
-/// The frames at one time.
+/// The local frames at one time.
 struct LocalFrames {
   std::vector<Quaternion> rotation;  ///< one per frame
   std::vector<Mat3> gradient;        ///< gradient per frame if faces follow more than the rotation; else empty

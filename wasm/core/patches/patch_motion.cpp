@@ -124,7 +124,7 @@ PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) cons
   return turns;
 }
 
-// As for pairs: the same direction as to the last key.
+// Own paths close in the direction of the step to the last key, like the paths of pairs.
 void PatchMotion::closeOwnPaths() {
   const auto [from, to] = posesOf_[steps_.turnedClosing()];
   for (std::size_t k = 0; k < own_.key[0].size(); ++k) {

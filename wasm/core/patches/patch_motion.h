@@ -28,7 +28,7 @@ class PatchMotion {
     PatchRotationSystem::Scratch turn;
   };
 
-  /// Factors the first system for an open curve and for a loop. Error: that of the solver.
+  /// Factors the first system for an open curve and for a loop. Error: the solver's.
   static Result<PatchMotion> create(const WeldedShape& shape, PatchCoordinates coordinates);
 
   /// A turn's component refers to a component of the given shape. An empty list gives no turns.
