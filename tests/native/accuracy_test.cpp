@@ -1,5 +1,5 @@
-// How near the motion comes to the truth: skinned animations of real characters sampled densely, every n-th sample a
-// key, the others what should be there.
+// Accuracy on skinned animations of real characters: densely sampled, every n-th sample is a key, the others are the
+// reference.
 #include <doctest/doctest.h>
 
 #include "dense.h"
@@ -17,10 +17,10 @@ namespace {
 constexpr double framesPerSecond = 60;
 constexpr int mostFrames = 121;
 
-// KG error (Karni & Gotsman, centroids) over all samples, in percent, as it was reached with default options.
+// KG error (Karni & Gotsman, centroids) over all samples, in percent, reached with default options.
 struct Reached {
   std::string file;
-  std::string animation;  // empty: the only one
+  std::string animation;  // empty: the only animation
   double every10th, every5th;
 };
 
@@ -30,13 +30,13 @@ const std::vector<Reached> table = {
     {"skin/Soldier.glb", "Idle", 0.0446155, 0.00632313}, {"skin/Soldier.glb", "Run", 8.47452, 1.81853},
     {"skin/Soldier.glb", "Walk", 2.55835, 0.559573},
 };
-// What is reached may be missed by this share.
+// Allowed relative increase of these errors.
 constexpr double allowance = 0.01;
 // How far rotation-strain may be above that; 2.03 % for the fox's Survey with every 10th frame, at most 0.75 %
 // elsewhere.
 constexpr double rivalAllowance = 0.025;
 
-// As many whole tens of frames as the animation lasts, or two seconds of it.
+// Takes whole tens of frames over the animation, or over two seconds of it.
 Keyframes densely(const Files& file, const std::string& animation) {
   ImportOptions options;
   if (!animation.empty()) options.animation = animation;

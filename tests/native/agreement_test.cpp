@@ -1,5 +1,5 @@
-// Native and wasm agree: both are held to the shapes in tests/native-shapes.json, wasm by
-// tests/engine/agreement.test.ts.
+// Checks that native and wasm agree. Both must match the shapes in tests/native-shapes.json;
+// tests/engine/agreement.test.ts checks wasm.
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -37,7 +37,7 @@ Keyframes keysOf(const Json& shared) {
   return keyframes;
 }
 
-// Every 12th vertex at each time, in one list a time.
+// Every 12th vertex, one list per time.
 std::vector<std::vector<double>> shapesOf(Keyframes keyframes, const Json& shared) {
   EncodingOptions encoding;
   encoding.precision = Precision::Double;
@@ -70,6 +70,6 @@ TEST_CASE("agreement: native shapes of keys in float are those that wasm is held
   const auto shapes = shapesOf(keysOf<float>(shared), shared);
   const auto expected = shared.at("shapes").get<std::vector<std::vector<double>>>();
   CHECK_MESSAGE(farthest(shapes, expected) < 1e-9 * diagonal, "native: ", Json(shapes).dump());
-  // The same keys before they are rounded: what the engine never has.
+  // The keys before rounding, which the engine never receives.
   CHECK(farthest(shapesOf(keysOf<double>(shared), shared), expected) > 1e-6 * diagonal);
 }

@@ -1,4 +1,4 @@
-// The order of vertices and faces in the file changes nothing, nor does the corner at which a face begins.
+// The order of vertices and faces in the file, and the first corner of a face, must not affect the result.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,10 +16,10 @@ using namespace shapespline::test;
 
 namespace {
 
-/// Keys whose vertices and faces are numbered otherwise.
+/// Keys with renumbered vertices and faces.
 struct Shuffled {
   Keyframes keyframes;
-  std::vector<int> vertex, face;  ///< the old one of each
+  std::vector<int> vertex, face;  ///< old index of each new one
 };
 
 Shuffled shuffled(const Keyframes& k, std::uint32_t seed) {
@@ -52,7 +52,7 @@ std::vector<Positions> posesOf(const Keyframes& k) {
   return poses;
 }
 
-/// Without any symmetry.
+/// Removes all symmetry.
 Positions bumpy(const Positions& positions, double size = 0.03) {
   return mapped(positions, [=](const Vec3& p) -> Vec3 {
     const Vec3 bump(std::sin(3 * p.y() + p.z()), std::cos(2 * p.x() - 1.3 * p.z()),
@@ -61,8 +61,7 @@ Positions bumpy(const Positions& positions, double size = 0.03) {
   });
 }
 
-/// A bent bar, open at a few places and cut along seams whose copies lie together, with two balls of other kinds beside
-/// it.
+/// A bent bar with a few openings and with cuts along seams whose copies coincide, next to two different balls.
 Keyframes severalParts() {
   Shape shape =
       joined(joined(box(1, 1, 10, 3, 4, 30), sphere({1.3, 0.1, 4}, 0.4, 8, 11)), sphere({0.2, 1.4, 8}, 0.3, 7, 9));
@@ -86,7 +85,7 @@ void checkSameMesh(const Keyframes& k, std::uint32_t seed) {
     CHECK(a.apply(k.keys[j].positions) == b.apply(other.keyframes.keys[j].positions));
 }
 
-/// Evaluates both and compares every vertex, and the patches.
+/// Evaluates both keyframes and compares every vertex and the patches.
 void checkSameMotion(const Keyframes& k, std::uint32_t seed, const EncodingOptions& encoding) {
   const Shuffled other = shuffled(k, seed);
   Sequence a = sequenceOf(k, encoding), b = sequenceOf(other.keyframes, encoding);
@@ -140,14 +139,14 @@ TEST_CASE("every face and vertex is numbered once, neighbours near each other") 
   int farthest = 0;
   for (const Triangle& t : canonicalOrder(other.keyframes.faces, posesOf(other.keyframes)).apply(other.keyframes.faces))
     farthest = std::max(farthest, *std::max_element(t.begin(), t.end()) - *std::min_element(t.begin(), t.end()));
-  CHECK(farthest < 60);  // of 674; a ring around the bar has 16
+  CHECK(farthest < 60);  // there are 674 vertices; a ring around the bar has 16
 }
 
 TEST_CASE("a mesh of any kind has one order, whatever the file's") {
   Keyframes parts = severalParts();
   for (std::uint32_t seed = 1; seed <= 5; ++seed) checkSameMesh(parts, seed);
 
-  // Fins that meet at one edge, faces without area, a part that winds the other way, vertices in no face.
+  // Fins at a common edge, faces without area, a part with opposite winding, unused vertices.
   Shape odd = box(1, 2, 3, 2, 3, 4);
   odd.positions = bumpy(odd.positions, 0.1);
   const Triangle side = odd.faces[7];
@@ -169,7 +168,7 @@ TEST_CASE("parts that differ only in faces far from the first are distinguished"
   Shape other = part;
   other.positions = mapped(part.positions, [](const Vec3& p) -> Vec3 { return {-p.x(), -p.y(), p.z()}; });
   const Triangle a = other.faces[20],
-                 b = other.faces[21];  // (0, 1, 2) and (0, 2, 3), or (0, 1, 3) and (1, 2, 3): cut the other way
+                 b = other.faces[21];  // (0, 1, 2) and (0, 2, 3), or (0, 1, 3) and (1, 2, 3): the other diagonal
   const bool fromFirst = a[0] == b[0];
   const int q[] = {a[0], a[1], fromFirst ? a[2] : b[1], fromFirst ? b[2] : a[2]};
   other.faces[20] = fromFirst ? Triangle{q[0], q[1], q[3]} : Triangle{q[0], q[1], q[2]};
@@ -179,7 +178,7 @@ TEST_CASE("parts that differ only in faces far from the first are distinguished"
 }
 
 TEST_CASE("a symmetric shape is ordered, too: by what its symmetry leaves") {
-  // Turned about its own axis by 15 degrees a ball is itself, but the second key distinguishes its poles.
+  // A rotation by 15 degrees about its axis maps a ball to itself, but the second key distinguishes its poles.
   const Shape ball = sphere({0, 0, 0}, 1, 16, 24);
   const Map stretched = [](const Vec3& p) -> Vec3 { return {p.x(), p.y(), p.z() * (p.z() > 0 ? 2 : 1)}; };
   const Keyframes k = keyframes(ball, {turn(Vec3::UnitZ(), 0), stretched});

@@ -1,4 +1,5 @@
-// The prefactored solver against Eigen, and its promises: same bits whatever the chunks, errors that name the unknown.
+// Compares the prefactored solver with Eigen. Also checks that chunks do not affect the bits and that errors name the
+// unknown.
 #include "core/sparse/cholesky.h"
 
 #include <doctest/doctest.h>
@@ -34,7 +35,7 @@ Eigen::MatrixX3d randomRightHandSide(int size, Random& random) {
   return b;
 }
 
-// Scatters into elimination order, solves, gathers. Scratch and the fourth lane start as garbage.
+// Scatters into elimination order, solves, gathers. Scratch and the fourth lane start with garbage.
 template <class Scalar>
 Eigen::MatrixX3d solve(const Cholesky& cholesky, const Eigen::MatrixX3d& b) {
   std::vector<Scalar> x(4 * static_cast<std::size_t>(cholesky.paddedSize()), Scalar(7));
@@ -54,7 +55,7 @@ Eigen::MatrixX3d eigenSolution(const SymmetricMatrix& matrix, const Eigen::Matri
   return reference.solve(b);
 }
 
-// Largest difference, relative to the extent of the expected solution.
+// Largest difference relative to the extent of the expected solution.
 double relativeError(const Eigen::MatrixX3d& actual, const Eigen::MatrixX3d& expected) {
   const double extent = (expected.colwise().maxCoeff() - expected.colwise().minCoeff()).norm();
   return (actual - expected).rowwise().norm().maxCoeff() / extent;
@@ -67,7 +68,7 @@ Cholesky factorised(const SymmetricMatrix& matrix, std::span<const Vec3> coordin
   return cholesky;
 }
 
-// Double and single solutions of a random right-hand side against Eigen's.
+// Compares double and single solutions of a random right-hand side with Eigen's.
 void checkAgainstEigen(const SymmetricMatrix& matrix, std::span<const Vec3> coordinates, double doubleTolerance,
                        double singleTolerance) {
   Random random(matrix.size);
@@ -95,7 +96,7 @@ SymmetricMatrix randomDefinite(int size, int entriesPerRow, Random& random) {
   return assembleSymmetric(size, triplets);
 }
 
-// The matrix is gone when the first chunk begins.
+// The matrix is destroyed before the first chunk.
 std::vector<double> fullSolveBits(SymmetricMatrix matrix, std::int64_t chunk) {
   const int size = matrix.size;
   Cholesky cholesky;
@@ -162,7 +163,7 @@ TEST_CASE("cholesky: dense blocks that share rows agree with Eigen, whatever the
       std::vector<Triplet> triplets;
       for (int r = 0; r < size; ++r)
         for (int c = 0; c <= r; ++c)
-          if (r < pivots || c >= pivots || r >= 2 * pivots)  // the blocks know each other through the shared rows alone
+          if (r < pivots || c >= pivots || r >= 2 * pivots)  // the blocks are coupled only by the shared rows
             triplets.push_back({r, c, r == c ? size + 1.0 : random.signedUnit()});
       checkAgainstEigen(assembleSymmetric(size, triplets), {}, 1e-13, 1e-5);
     }
@@ -174,7 +175,7 @@ TEST_CASE("cholesky: mesh Laplacians with shuffled vertices agree with Eigen") {
   for (PlainMesh* mesh : {&sheet, &sphere}) {
     shuffleVertices(*mesh, random);
     const SymmetricMatrix matrix = pinnedLaplacian(*mesh);
-    // The condition number is about 1e4: eps times that, and some.
+    // Limits allow for a condition number of about 1e4.
     checkAgainstEigen(matrix, mesh->positions, 1e-10, 1e-3);
     checkAgainstEigen(matrix, {}, 1e-10, 1e-3);
   }
@@ -211,7 +212,7 @@ TEST_CASE("cholesky: several components, isolated unknowns and a dense row") {
     ++size;
   }
   checkAgainstEigen(assembleSymmetric(size, triplets), coordinates, 1e-10, 1e-3);
-  for (int i = 0; i < size; ++i) {  // one unknown coupled with all
+  for (int i = 0; i < size; ++i) {  // couples one unknown with all others
     triplets.push_back({size, i, -0.5});
     triplets.push_back({i, i, 0.5});
     triplets.push_back({size, size, 0.5});
@@ -236,7 +237,7 @@ TEST_CASE("cholesky: empty and diagonal matrices") {
 TEST_CASE("cholesky: slivers") {
   Random random(7);
   PlainMesh mesh = irregularSheet(40, 40, random);
-  // Every other row of vertices moves to within 1e-7 of the one before it: angles of 1e-7 and cotangents of 1e7.
+  // Moves every other row of vertices to within 1e-7 of the previous row: angles of 1e-7 and cotangents of 1e7.
   for (int y = 1; y < 40; y += 2)
     for (int x = 0; x < 40; ++x) mesh.positions[40 * y + x] = mesh.positions[40 * (y - 1) + x] + Vec3(0.3, 1e-7, 0.0);
   shuffleVertices(mesh, random);
@@ -284,7 +285,7 @@ TEST_CASE("cholesky: a floating component is regularised and reported, and diffe
 
   const SymmetricMatrix zero = assembleSymmetric(3, {});
   CHECK(factorised(zero, {}, Precision::Single).stats().regularisedPivots == 3);
-  // One over the smallest numbers is no number.
+  // The reciprocal of the smallest numbers overflows.
   const SymmetricMatrix tiny =
       assembleSymmetric(3, std::vector<Triplet>{{0, 0, 1e-310}, {1, 1, 1e-310}, {2, 2, 1}, {1, 0, -1e-310}});
   const Cholesky pinned = factorised(tiny, {}, Precision::Double);
@@ -303,9 +304,9 @@ TEST_CASE("cholesky: an indefinite matrix is an error that names the unknown") {
     REQUIRE_FALSE(status.ok());
     CHECK(status.error().code == ErrorCode::NotPositiveDefinite);
     CHECK(status.error().row == culprit);
-    CHECK(status.error().vertex == -1);  // an unknown is no vertex of the input
+    CHECK(status.error().vertex == -1);  // an unknown is not an input vertex
   }
-  // Indefinite although every diagonal entry is positive.
+  // Indefinite, although every diagonal entry is positive.
   Random random(10);
   const PlainMesh mesh = irregularSheet(30, 30, random);
   std::vector<Triplet> triplets = cotangentTriplets(mesh);

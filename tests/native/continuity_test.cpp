@@ -1,4 +1,4 @@
-// The motion is continuous in its keys: what says the same of a shape, up to a little, gives the same motion.
+// The motion is continuous in its keys: nearly equal descriptions of a shape give nearly equal motions.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace shapespline::test;
 
 namespace {
 
-// Bends in one plane, twists, and turns as a whole about a third axis.
+// Bends in one plane, twists, and rotations of the whole about a third axis.
 Keyframes poses() {
   const auto pose = [](double bent, double twisted, double turned) -> Map {
     return [=](const Vec3& p) -> Vec3 {
@@ -26,8 +26,8 @@ Keyframes poses() {
                    {0, 1, 2.2, 3});
 }
 
-// A limb of five segments, each of whose joints turns by up to `most` degrees from its rest, and the whole by up to
-// `whole`. Skinned linearly, so joints that turn far collapse, and leave open which way they went.
+// A limb of five segments. Each joint rotates by up to `most` degrees from rest, the whole by up to `whole`. Linear
+// skinning collapses joints with large rotations, which makes their direction ambiguous.
 Keyframes limb(unsigned seed, int keys, double most, double whole) {
   Random random(seed);
   const auto vector = [&] { return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
@@ -65,7 +65,7 @@ Keyframes reversed(Keyframes k) {
   return k;
 }
 
-// Every vertex moved by up to `size` of the diagonal along each axis.
+// Moves every vertex by up to `size` of the diagonal along each axis.
 Keyframes noisy(Keyframes k, double size, unsigned seed) {
   Random random(seed);
   const double most = size * diagonalOf(k);
@@ -75,7 +75,7 @@ Keyframes noisy(Keyframes k, double size, unsigned seed) {
   return k;
 }
 
-// Distances in percent of the diagonal: the mean over the vertices at the time where it is largest, and the worst.
+// Distances in percent of the diagonal: the largest mean over the vertices at any time, and the worst single distance.
 struct Difference {
   double mean = 0, worst = 0, beyond = 0;  // beyond: the worst up to 0.8 mean intervals beyond the keys
 };
@@ -266,7 +266,7 @@ TEST_CASE("what turns evenly says how the whole is turned") {
 TEST_CASE("two senses that are about as good are warned of") {
   const Shape shape = bar();
   for (const double degrees : {163.0, 174.0}) {
-    // The mean turn is less: one end goes on, the other one stays behind.
+    // The mean turn is smaller: one end continues, the other stays behind.
     const Map turned = turn(Vec3::UnitX(), radians(degrees));
     const Keyframes k = keyframes(shape, {bend(0), [=](const Vec3& p) { return turned(twist(radians(100))(p)); }});
     CHECK(codesOf(k) == std::vector<std::string>{"ambiguous-turn"});

@@ -1,4 +1,4 @@
-// Replays the fuzzers' corpus and everything that they ever found.
+// Replays the fuzzers' corpus and all their findings.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ TEST_CASE("corpus and findings of the fuzzers") {
     std::ifstream stream(file, std::ios::binary);
     const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
     const auto start = std::chrono::steady_clock::now();
-    shapespline::fuzz::oneInput(file.filename().string(), bytes);  // aborts where something is wrong
+    shapespline::fuzz::oneInput(file.filename().string(), bytes);  // aborts on a defect
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    CHECK(took.count() < 60);  // it hangs: no measure of speed
+    CHECK(took.count() < 60);  // detects hangs, not slowness
   }
 }

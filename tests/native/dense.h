@@ -1,4 +1,4 @@
-// Cases that take long and rarely find anything: TEST_CASE("..." * dense) runs in `npm test -- all` alone.
+// Marks slow cases that rarely find defects: TEST_CASE("..." * dense) runs in `npm test -- all` only.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The minimisation of the bending energy by samples, against the spline that it tends to.
+// Compares the sampled minimisation of the bending energy with the spline, its limit.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -58,7 +58,7 @@ const std::vector<CurveOptions> boundaries = {
     {.boundary = BoundaryKind::Periodic, .closing = Closing::LastKey},
 };
 
-// Intervals between samples, of which a periodic path has as many as samples.
+// Number of samples for a number of intervals. A periodic path has equally many.
 int samplesFor(const CurveOptions& options, int intervals) {
   return options.boundary == BoundaryKind::Periodic ? intervals : intervals + 1;
 }
@@ -68,7 +68,7 @@ int samplesFor(const CurveOptions& options, int intervals) {
 TEST_CASE("discrete spline: with keys on the samples it tends to the spline, by the second order") {
   for (const CurveOptions& options : boundaries) {
     double before = 0;
-    for (const int n : {40, 80, 160, 320}) {  // four intervals, or five of a closed curve
+    for (const int n : {40, 80, 160, 320}) {  // four intervals, or five in a closed curve
       const double e = error(options, evenly, samplesFor(options, n));
       const double order = std::log2(before / e);
       MESSAGE(n << " intervals: " << e << (before > 0 ? ", order " + std::to_string(order) : ""));
@@ -81,7 +81,7 @@ TEST_CASE("discrete spline: with keys on the samples it tends to the spline, by 
 
 TEST_CASE("discrete spline: with keys between the samples too") {
   for (const CurveOptions& options : boundaries) {
-    // How a key lies between two samples makes the error go up and down: the worst of a few counts.
+    // The error depends on the positions of keys between samples, so the worst of a few sample counts is used.
     const auto worst = [&](int n) {
       double e = 0;
       for (const int more : {0, 1, 3, 7}) e = std::max(e, error(options, unevenly, n + more));
@@ -101,7 +101,7 @@ TEST_CASE("discrete spline: its energy is the least of all paths that hold the k
       const MatrixXd& path = spline.weights();
       const MatrixXd gram = MatrixXd::Identity(path.cols(), path.cols());
       const double least = spline.energy(path, gram);
-      // Changes that hold the keys: what is left of any change without its share in the span of the keys' rows.
+      // Changes that keep the keys: random changes projected off the span of the keys' rows.
       const MatrixXd c = spline.holds();
       const auto held = [&](const MatrixXd& change) -> MatrixXd {
         return change - c.transpose() * (c * c.transpose()).ldlt().solve(c * change);
@@ -115,7 +115,7 @@ TEST_CASE("discrete spline: its energy is the least of all paths that hold the k
         for (Eigen::Index i = 0; i < wave.size(); ++i) wave[i] = std::sin(2 * pi * 3 * double(i) / double(wave.size()));
         CHECK(spline.energy(path + size * held(wave) * noise(1, path.cols()), gram) > least);
       }
-      if (times != evenly) continue;  // elsewhere the spline does not hold the keys by linear interpolation
+      if (times != evenly) continue;  // for other times, the spline does not hold the keys by linear interpolation
       const double ofSpline = spline.energy(sampled(curveOf(options, times), spline.times()), gram);
       CHECK(ofSpline >= least);
       CHECK(ofSpline < 1.01 * least);
@@ -142,7 +142,8 @@ TEST_CASE("discrete spline: counts of samples that cannot work are refused") {
   for (const int samples : {-1, 0, 3, 10, 1001})
     CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, samples).error().code ==
           ErrorCode::InvalidOption);
-  CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, 11).ok());  // the shortest interval is 0.55 of 5
+  // the shortest interval is 0.55 of a total of 5
+  CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, 11).ok());
 }
 
 TEST_CASE("discrete spline: two keys are joined by a straight line, whose energy is none") {
@@ -161,13 +162,13 @@ TEST_CASE("discrete path: the feature vector of a sequence tends to the spline i
         Sequence::create(keyframes(box(1, 1, 6, 2, 2, 12), {bend(0), bend(1), twist(1)}), doublePrecision(), motion);
     REQUIRE(s.ok());
     CHECK(s->featureCurve()->plane({}).explained ==
-          doctest::Approx(1));  // three keys: the plane holds the whole metric
+          doctest::Approx(1));  // for three keys, the plane contains the whole metric
     const auto distance = [&](int intervals) {
       const int samples = boundary == BoundaryKind::Periodic ? intervals : intervals + 1;
       const auto path = s->featureCurve()->discretePath(samples);
       REQUIRE(path.ok());
       CHECK(path->energy > 0);
-      CHECK(path->curveEnergy >= path->energy);  // the keys are samples
+      CHECK(path->curveEnergy >= path->energy);  // every key is a sample here
       CHECK(path->curveEnergy < 1.1 * path->energy);
       REQUIRE(path->weights.size() == 3 * std::size_t(samples));
       const ShapePlane plane = s->featureCurve()->plane(path->times);
@@ -179,7 +180,7 @@ TEST_CASE("discrete path: the feature vector of a sequence tends to the spline i
     };
     const double coarse = distance(60), fine = distance(240);
     MESSAGE("in the metric: " << coarse << " at 60 samples, " << fine << " at 240");
-    CHECK(fine < coarse / 14);  // second order: 16
+    CHECK(fine < coarse / 14);  // second order would give 16
     CHECK(s->featureCurve()->discretePath(2).error().code == ErrorCode::InvalidOption);
   }
 }

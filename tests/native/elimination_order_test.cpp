@@ -1,4 +1,4 @@
-// The order of elimination found elsewhere, as a second worker does it.
+// Uses an elimination order from elsewhere, as a second worker provides it.
 #include <doctest/doctest.h>
 
 #include <numeric>
@@ -14,8 +14,8 @@ using namespace shapespline::test;
 
 namespace {
 
-std::vector<int> found;  // what is handed over
-int asked = 0;           // number of unknowns
+std::vector<int> found;  // the order passed on
+int asked = 0;           // number of unknowns requested
 
 std::vector<int> handOver(int unknowns) {
   asked = unknowns;
@@ -59,7 +59,7 @@ TEST_CASE("elimination order: it is the one that is used") {
   found = *eliminationOrder(keys, {});
   const auto best = entriesOf(handOver);
   CHECK(best == entriesOf(nullptr));
-  // Every other unknown first: another factor, which has more fill.
+  // Every other unknown first: a different factor with more fill.
   std::vector<int> poor;
   for (std::size_t begin : {0, 1})
     for (std::size_t i = begin; i < found.size(); i += 2) poor.push_back(found[i]);

@@ -1,4 +1,4 @@
-// Files as people have them: read where they are meant, refused with advice where they are something else.
+// Everyday files: read if supported, otherwise rejected with advice.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::vector<Triangle> facesOf(const std::string& name, const Bytes& bytes) {
   return imported(Files().add(name, bytes).add("second-" + name, bytes)).keyframes.faces;
 }
 
-// Of ASCII text.
+// Encodes ASCII text as UTF-16.
 Bytes utf16(const std::string& text, bool bigEndian, bool marked) {
   Bytes out;
   const auto add = [&](int high, int low) {
@@ -69,7 +69,7 @@ void append(Bytes& bytes, T value, bool bigEndian) {
 
 const std::string plyVertices =
     "element vertex 6\nproperty uchar x\nproperty uchar y\nproperty uchar z\nelement tristrips 2\n";
-// Two strips in the first row, one of them restarted, with a corner named twice to turn; one in the second.
+// The first row has two strips, one of them restarted, with a repeated corner for a turn. The second row has one strip.
 const std::vector<std::vector<int>> stripText{{0, 1, 2, 3, -1, 2, 3, 4, 4, 5}, {5, 4, 3}};
 const std::vector<Triangle> stripFaces{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {5, 4, 3}};
 const std::vector<std::vector<int>> stripPoints{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 1}};
@@ -100,7 +100,7 @@ TEST_CASE("OBJ: a line continues after its backslash, with any spaces and line e
     CHECK(facesOf("a.obj", bytesOf("v " + end + "0 0 0\nv 1 0" + end + " 0\nv 1 1 0\nv 0 1 0\n" + faceLine)).size() ==
           2);
   }
-  // A path in a comment ends it all the same.
+  // A backslash at the end of a comment does not continue the line.
   CHECK(facesOf("a.obj", bytesOf("# from C:\\shapes\\\n" + squareObj() + faceLine)).size() == 2);
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("a file of another kind among poses is left out with a word, unless a 
   const auto lone = Files().add("a.obj", bytesOf(squareObj() + faceLine)).add("b.fbx", bytesOf("Kaydara FBX")).import();
   REQUIRE(!lone.ok());
   CHECK(lone.error().message.starts_with("b.fbx is an FBX file"));
-  // A pose that is broken is not another kind.
+  // A broken pose must not be treated as another kind of file.
   CHECK(!twoSquares().add("c.obj", bytesOf("<html>")).import().ok());
   CHECK(!twoSquares().add("c.obj", {}).import().ok());
   Files many = twoSquares();
@@ -265,7 +265,7 @@ TEST_CASE("frames of formats without times are at those that their files state")
     return out;
   };
   CHECK(times() == options.frameTimes);
-  options.frameTimes = {0, 1};  // of others
+  options.frameTimes = {0, 1};  // times for a different number of frames
   CHECK(times()[1] == doctest::Approx(1.0 / 24));
   options.frameTimes = {0, 1, 1};
   CHECK(times()[1] == doctest::Approx(1.0 / 24));

@@ -1,4 +1,4 @@
-// Beyond the keys: stretch eases towards limits taken from the keys.
+// Beyond the keys, stretch eases towards limits taken from the keys.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -49,10 +49,10 @@ double lengthOf(const Positions& bar) {
   return high - low;
 }
 
-// What a change that reaches its limit at 1/u of itself is scaled by.
+// Scale of a change that would reach its limit at 1/u of itself.
 double eased(double u) { return std::pow(1 + std::pow(u, 4), -0.25); }
 
-// A box of six keys, each stretched along the three axes by random factors from 1/2 to 2, and bent.
+// A box with six keys. Each is stretched along the three axes by random factors from 1/2 to 2, and bent.
 Keyframes randomStretches(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -65,8 +65,8 @@ Keyframes randomStretches(unsigned seed) {
   return keyframes(box(1, 1, 4, 3, 3, 12), maps);
 }
 
-// What no shape is to pass: the first key, against which stretch is measured, times the limit of the face that
-// stretches most.
+// Upper bound for every shape: the first key, which is the reference of stretch, times the limit of the most stretched
+// face.
 double boundOf(const Keyframes& k) {
   double largest = 0;
   const Positions& first = k.keys[0].positions;
@@ -89,14 +89,14 @@ TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face i
       CAPTURE(t);
       const Frame frame = frameAt(s, t);
       CHECK(frame.indefiniteFaces == 0);
-      CHECK(enclosedVolume(toPositions(frame.positions), k.faces) > 2.6);  // the limit's: 8/3
+      CHECK(enclosedVolume(toPositions(frame.positions), k.faces) > 2.6);  // the limit is 8/3
       // 0.4 - 0.6 (t - 1) eases towards 0.4 / 1.5.
       const double change = 0.6 * (t - 1), room = 0.4 - 0.4 / 1.5;
       CHECK(lengthOf(shapeAt(s, t)) == doctest::Approx(10 * (0.4 - eased(change / room) * change))
                                            .epsilon(precision == Precision::Single ? 1e-4 : 1e-9));
     }
-    CHECK(lengthOf(shapeAt(s, -1)) == doctest::Approx(16).epsilon(1e-5));  // upwards it has none
-    // A blend is what was asked for, also outside the keys, and says what it loses.
+    CHECK(lengthOf(shapeAt(s, -1)) == doctest::Approx(16).epsilon(1e-5));  // no upper limit applies
+    // Weights outside the keys give the requested blend and report indefinite faces.
     CHECK(blendOf(s, {-1, 2}).indefiniteFaces > 100);
   }
 }
@@ -120,7 +120,7 @@ TEST_CASE("beyond the keys logarithmic stretch grows boundedly, with a ghost and
     for (const int ghostFaces : {0, 60}) {
       const Keyframes k = randomStretches(seed);
       Sequence s = make(k, Stretch::Log, ghostFaces);
-      for (const double t : {-0.4, -0.2, 1.2, 1.4}) {  // two intervals out
+      for (const double t : {-0.4, -0.2, 1.2, 1.4}) {  // up to two intervals beyond the keys
         const Frame frame = frameAt(s, t);
         CHECK(frame.indefiniteFaces == 0);
         largest = std::max(largest, diagonalOf(toPositions(frame.positions)) / boundOf(k));
@@ -137,7 +137,7 @@ TEST_CASE("the motion is C2 where it goes on beyond the keys") {
       CAPTURE(ghostFaces);
       Sequence s = make(k, stretch, ghostFaces);
       for (const double end : {0.0, 1.0}) {
-        // The difference of the two sides' second derivatives, by differences of second order: it falls as h^2.
+        // Difference of the second derivatives on both sides, by second-order differences, which fall as h^2.
         const auto jump = [&](double h) {
           const auto second = [&](double side) {
             const Positions a = shapeAt(s, end), b = shapeAt(s, end + side * h), c = shapeAt(s, end + 2 * side * h),

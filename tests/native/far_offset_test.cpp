@@ -1,4 +1,4 @@
-// Shapes far from the origin: read in double, computed near the origin, written back where they were.
+// Shapes far from the origin: read in double, computed near the origin, and written at their original position.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -88,7 +88,7 @@ Import imported(const Files& files, const ImportOptions& options = {}) {
   return std::move(*import);
 }
 
-// What the engine computes with: single precision.
+// Positions as seen by the engine, in single precision.
 Positions asComputed(const Import& import, int key) {
   Positions out = import.keyframes.keys[key].positions;
   for (Vec3& p : out) p = p.cast<float>().cast<double>() + import.offset;
@@ -199,7 +199,7 @@ TEST_CASE("a further pose takes the offset of the open shape") {
   CHECK(further.offset == open.offset);
   for (std::size_t v = 0; v < far.size(); ++v)
     CHECK((further.keyframes.keys[0].positions[v] + open.offset - far[v]).norm() < 1e-8);
-  options.offset = Vec3::Zero();  // as of a shape that was opened near the origin
+  options.offset = Vec3::Zero();  // offset of a shape opened near the origin
   CHECK(imported(Files().add("c.obj", objOf(far)).add("d.obj", objOf(far)), options).offset == Vec3::Zero());
 }
 

@@ -1,4 +1,4 @@
-// Where motions lie in shape space: blends of vertices among them, the bending of every method, one face over time.
+// Motions in shape space, including vertex blends: plane, bending of every method, coordinates of one face over time.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST_CASE("shape plane: a blend of vertices meets the keys and leaves their plan
       CHECK(atKeys.curve[i] == doctest::Approx(atKeys.keys[i]).epsilon(1e-9));
     CHECK(largest(atKeys.distance) < 1e-6);
     const std::vector<double> between = {0.25 * keys[1], 0.5 * keys[1], keys[1] + 0.5 * (keys[2] - keys[1])};
-    // three keys span a plane: what is made of their coordinates lies in it
+    // Three keys span a plane, which contains all blends of their coordinates.
     CHECK(largest(ours.featureCurve()->plane(between).distance) < 1e-6);
     for (const double distance : blend.featureCurve()->plane(between).distance) CHECK(distance > 0.05);
   }
@@ -48,11 +48,11 @@ TEST_CASE("shape plane: the weights are those of the motion") {
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double* w = &plane.weights[3 * i];
     CHECK(w[0] + w[1] + w[2] == doctest::Approx(1));
-    // the plane's coordinates are affine in the weights
+    // The plane's coordinates are affine in the weights.
     for (const int axis : {0, 1})
       CHECK(w[0] * plane.keys[axis] + w[1] * plane.keys[2 + axis] + w[2] * plane.keys[4 + axis] ==
             doctest::Approx(plane.curve[2 * i + axis]));
-    if (times[i] < 0 || times[i] > s.range().second) continue;  // beyond the keys stretch eases off
+    if (times[i] < 0 || times[i] > s.range().second) continue;  // stretch is eased beyond the keys
     Frame curve, blend;
     REQUIRE(s.evaluate(times[i], curve).ok());
     REQUIRE(s.evaluateBlend({w[0], w[1], w[2]}, blend).ok());
@@ -84,7 +84,7 @@ TEST_CASE("shape plane: the shapes that stand for end tangents are where the mot
   }
   CHECK(moved(Method::Lri).featureCurve()->plane({0}).tangents.empty());
 
-  // two keys lie on a line: a tangent shape beside it spans the plane
+  // Two keys lie on a line. A tangent shape off this line spans the plane.
   encoding.startTangent.reset();
   Sequence two = sequenceOf(keyframes(bar, {bend(0), twist(1)}), encoding, motion);
   const ShapePlane spanned =
@@ -105,7 +105,7 @@ TEST_CASE("bending: what is linear between keys turns at them alone, in shape sp
     const std::vector<double> energy = s.featureCurve()->bendingEnergy({keys[0] + 0.5 * a, keys[1], keys[1] + 0.5 * b});
     CHECK(energy[0] < 1e-12 * energy[1]);
     CHECK(energy[2] < 1e-12 * energy[1]);
-    // |(x2 - x1) / b - (x1 - x0) / a|^2 / h^2 is between what the two steps allow
+    // |(x2 - x1) / b - (x1 - x0) / a|^2 / h^2 is bounded by the two steps.
     CHECK(energy[1] < 2 * (1 / a + 1 / b) * (1 / a + 1 / b) / (h * h));
     CHECK(energy[1] > 0.01 / (h * h));
   }
@@ -122,13 +122,13 @@ TEST_CASE("a face over time passes through its coordinates at the keys") {
     REQUIRE(curve.ok());
     CHECK(curve->patch == s.encoded().lri().patchOfInputFace()[face]);
     REQUIRE(curve->numbers.size() == 18);
-    // every curve through the keys is there
+    // Every curve through the keys has these values.
     for (int i = 0; i < 18; ++i) CHECK(curve->numbers[i] == doctest::Approx(other->numbers[i]));
-    // in the reference nothing is stretched
+    // The reference is not stretched.
     CHECK(curve->numbers[3] == doctest::Approx(1));
     CHECK(curve->numbers[4] == doctest::Approx(0));
   }
-  // the natural motion is itself; another boundary leaves it, except at the keys
+  // A natural motion equals `natural`. Another boundary differs from it, except at the keys.
   const std::vector<double> times = {keys[0], keys[0] + 0.3 * (keys[1] - keys[0]), keys[1], keys[2]};
   const auto own = s.featureCurve()->face(50, times);
   CHECK(own->natural == own->numbers);
@@ -161,7 +161,7 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
   REQUIRE(!curve->neighbours.empty());
   CHECK(curve->numbers.size() == times.size() * (1 + 4 * curve->neighbours.size()));
   CHECK(curve->natural == curve->numbers);
-  // in the reference nothing turns or stretches
+  // The reference has no rotation and no stretch.
   CHECK(curve->numbers[0] == doctest::Approx(1));
   double turned = 0;
   for (std::size_t n = 0; n < curve->neighbours.size(); ++n) {
@@ -173,7 +173,7 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
       CHECK(turnOf(*curve, row, n).angularDistance(expected) < 1e-6);
       turned = std::max(turned, expected.angularDistance(Quaternion::Identity()));
     }
-    // seen from the other patch it is the other way round
+    // Relative to the other patch, the rotation is inverted.
     const auto back = s.featureCurve()->patch(curve->neighbours[n], times);
     const auto& around = back->neighbours;
     const auto at = std::find(around.begin(), around.end(), 0) - around.begin();
@@ -196,7 +196,7 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
 }
 
 TEST_CASE("the stretch of a patch is that of its area: slivers count as little as they cover") {
-  // The further along, the thinner the faces, and the more they are stretched.
+  // Faces further along are thinner and more stretched.
   Shape shape = box(1, 1, 6, 2, 2, 12);
   for (Vec3& p : shape.positions) p.z() = std::sqrt(p.z());
   const Positions rest = shape.positions;

@@ -1,4 +1,4 @@
-// Files in memory, as the importer takes them.
+// In-memory files for the importer.
 #pragma once
 
 #include <cstdint>

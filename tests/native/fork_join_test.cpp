@@ -1,4 +1,5 @@
-// No helper, a late one and a dead one: every part is done once, or what is wrong is said. Under ThreadSanitizer, too.
+// Without a helper, with a late one and with a dead one, every part is done once or an error is reported. Also runs
+// under ThreadSanitizer.
 #include "core/base/fork_join.h"
 
 #include <doctest/doctest.h>
@@ -37,7 +38,7 @@ TEST_CASE("forkJoin: every part is done once, by one or the other") {
   CHECK(done[0] == all);
   CHECK(done[1] == all);
   std::atomic<bool> began = false;
-  inTwo(&forkJoin, [&](int part) {  // the caller waits for the helper to begin
+  inTwo(&forkJoin, [&](int part) {  // waits until the helper has begun
     if (part == 1) began.store(true);
     else
       while (!began.load()) std::this_thread::yield();
@@ -74,7 +75,7 @@ TEST_CASE(
 
 TEST_CASE("forkJoin: a helper that never comes back is given up, and what it does later changes nothing") {
   std::atomic<bool> began = false, late = false;
-  const auto stuck = [&](int part) {  // outlives the helper
+  const auto stuck = [&](int part) {  // must outlive the helper
     if (part == 1) began.store(true);
     while (part == 0 ? !began.load() : !late.load()) std::this_thread::yield();
   };

@@ -1,4 +1,4 @@
-// Numbers in sentences.
+// Numbers in messages.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Samplers, skins and everything that moves at once, against poses computed by hand.
+// Compares samplers, skins and combined motions with poses computed by hand.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Positions moved(const Eigen::Affine3d& transform, Positions points) {
 
 Eigen::Affine3d shift(double x) { return Eigen::Affine3d(Eigen::Translation3d(x, 0, 0)); }
 
-// The box on two joints: its lower half follows joint 1, its upper half joint 2, whose rest place is z = 2.
+// The box on two joints: its lower half follows joint 1, its upper half joint 2, whose rest position is z = 2.
 GltfMaker skinnedFile() {
   GltfMaker maker;
   std::vector<std::uint8_t> joints;
@@ -47,7 +47,7 @@ GltfMaker skinnedFile() {
                      {"JOINTS_0", maker.accessor(joints, "VEC4", 4, glUInt8)},
                      {"WEIGHTS_0", maker.accessor(weights, "VEC4", 4, glFloat32)}};
   const int mesh = maker.mesh(attributes, maker.indices(boxFaces()));
-  maker.node({{"mesh", mesh}, {"skin", 0}, {"translation", {100, 0, 0}}});  // its own transform must not count
+  maker.node({{"mesh", mesh}, {"skin", 0}, {"translation", {100, 0, 0}}});  // the node's transform must be ignored
   const int tip = maker.add("nodes", {{"name", "tip"}, {"translation", {0, 0, 2}}});
   const int root = maker.node({{"name", "root"}, {"children", {tip}}});
   maker.add("skins",
@@ -70,7 +70,7 @@ TEST_CASE("linear, step and cubic samplers") {
   GltfMaker maker = boxFile();
   const int times = maker.scalars({1, 3});
   const int values = maker.vectors({{0, 0, 0}, {8, 0, 0}});
-  // in-tangent, value, out-tangent at each time
+  // In-tangent, value, out-tangent at each time.
   const int cubic = maker.vectors({{9, 9, 9}, {0, 0, 0}, {2, 0, 0}, {-1, 0, 0}, {8, 0, 0}, {9, 9, 9}});
   const auto at = [&](const char* interpolation, double t) {
     GltfMaker file = maker;
@@ -81,7 +81,7 @@ TEST_CASE("linear, step and cubic samplers") {
   CHECK(at("STEP", 1.5) == 0);
   CHECK(at("STEP", 2.999) == 0);
   CHECK(at("STEP", 3) == doctest::Approx(8));
-  CHECK(at("LINEAR", 0) == 0);  // held before the first key
+  CHECK(at("LINEAR", 0) == 0);  // constant before the first key
   CHECK(at("LINEAR", 50) == doctest::Approx(8));
   // s = 1/4, length 2: h00 * 0 + h10 * 2 * 2 + h01 * 8 + h11 * 2 * -1
   const double s = 0.25, h10 = s * s * s - 2 * s * s + s, h01 = 3 * s * s - 2 * s * s * s, h11 = s * s * s - s * s;
@@ -104,7 +104,7 @@ TEST_CASE("rotations are interpolated on the sphere, the short way, also from no
   const std::int16_t q = static_cast<std::int16_t>(std::lround(32767 * h));
   file.animation("turn", 0, "rotation", times,
                  file.accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, q, q}, "VEC4", 4, glInt16, true));
-  CHECK(distance(sampled(file, {1 / 3.0, 1}).keyframes.keys[0].positions, expected) < 1e-4);  // 15 bits
+  CHECK(distance(sampled(file, {1 / 3.0, 1}).keyframes.keys[0].positions, expected) < 1e-4);  // 15 bits of precision
 }
 
 TEST_CASE("a skin: joints count, the mesh node's own transform does not") {
@@ -122,7 +122,7 @@ TEST_CASE("skin, node transform and morph weights move together") {
   GltfMaker maker = skinnedFile();
   const json target = {{"POSITION", maker.vectors(Positions(8, Vec3(0, 1, 0)))}};
   maker.doc["meshes"][0]["primitives"][0]["targets"] =
-      json::array({target});  // {target} alone is a copy to some compilers
+      json::array({target});  // some compilers treat {target} alone as a copy
   const int times = maker.scalars({0, 1});
   const int animation = maker.animation("all", 0, "weights", times, maker.scalars({0, 1}));
   const auto channel = [&](int node, const char* path, int values) {
@@ -130,13 +130,13 @@ TEST_CASE("skin, node transform and morph weights move together") {
     a["samplers"].push_back({{"input", times}, {"output", values}});
     a["channels"].push_back({{"sampler", a["samplers"].size() - 1}, {"target", {{"node", node}, {"path", path}}}});
   };
-  channel(2, "translation", maker.vectors({{0, 0, 0}, {4, 0, 0}}));  // root
-  channel(1, "scale", maker.vectors({{1, 1, 1}, {3, 1, 1}}));        // tip
+  channel(2, "translation", maker.vectors({{0, 0, 0}, {4, 0, 0}}));  // the root
+  channel(1, "scale", maker.vectors({{1, 1, 1}, {3, 1, 1}}));        // the tip
   const Import import = sampled(maker, {0, 0.5});
   Eigen::Affine3d tip = Eigen::Affine3d(Eigen::Translation3d(0, 0, 2));
   tip.scale(Vec3(2, 1, 1));
   Positions expected = skinnedByHand(shift(2), tip);
-  for (Vec3& p : expected) p.y() += 0.5;  // both joints keep y
+  for (Vec3& p : expected) p.y() += 0.5;  // y is kept by both joints
   CHECK(distance(import.keyframes.keys[1].positions, expected) < floatError);
   SUBCASE("such an animation is sampled 8 times by default") {
     const auto result = Files().add("m.glb", maker.glb()).import();
@@ -148,7 +148,7 @@ TEST_CASE("skin, node transform and morph weights move together") {
 TEST_CASE("weights that do not sum to one are scaled, unused joints may hold anything") {
   GltfMaker maker = skinnedFile();
   auto* weights = reinterpret_cast<float*>(maker.bin.data() + maker.doc["bufferViews"][3]["byteOffset"].get<int>());
-  // views: positions, joints, weights follow in an order that only the maker knows; find the 32 floats.
+  // The views have positions, joints and weights in an unknown order, so find the 32 floats.
   for (const auto& view : maker.doc["bufferViews"])
     if (view["byteLength"] == 128) {
       auto* f = reinterpret_cast<float*>(maker.bin.data() + view["byteOffset"].get<int>());
@@ -169,7 +169,7 @@ TEST_CASE("more than four joints a vertex") {
   auto& attributes = maker.doc["meshes"][0]["primitives"][0]["attributes"];
   attributes["JOINTS_1"] = maker.accessor(std::vector<std::uint16_t>(32, 1), "VEC4", 4, glUInt16);
   std::vector<float> weights(32, 0);
-  for (int v = 0; v < 8; ++v) weights[4 * v] = 1;  // half of everything now follows the tip
+  for (int v = 0; v < 8; ++v) weights[4 * v] = 1;  // half of the total weight now follows the tip
   attributes["WEIGHTS_1"] = maker.accessor(weights, "VEC4", 4, glFloat32);
   maker.doc["nodes"][1]["translation"] = {0, 0, 4};
   const auto result = Files().add("a.glb", maker.glb()).add("b.glb", maker.glb()).import();

@@ -1,5 +1,5 @@
-// Every kind of broken glTF: refused alone and as the second of two keys, with its code and a sentence that names the
-// file; the mended twin imports.
+// Every kind of broken glTF is rejected, alone and as the second of two keys. The error has the right code and names
+// the file. The repaired file imports.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -14,7 +14,7 @@ using namespace shapespline::test;
 
 namespace {
 
-// Refused alone and as key 2, with the same code.
+// Checks rejection alone and as key 2, with the same code.
 void checkRefused(const Bytes& broken, ErrorCode code, const std::string& says = "", const Files& beside = {},
                   const char* name = "bad.glb") {
   Files alone = Files().add(name, broken);
@@ -35,7 +35,7 @@ void checkRefused(const Bytes& broken, ErrorCode code, const std::string& says =
   CAPTURE(both.error().message);
   CHECK(std::string(errorCodeName(both.error().code)) == errorCodeName(code));
   CHECK(both.error().key == 1);
-  // A name that promises no mesh is no key.
+  // A file whose name does not suggest a mesh is not a key.
   CHECK(both.error().message.find(name + std::string(isMeshName(name) ? " (key 2)" : "")) != std::string::npos);
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("broken GLB containers") {
   version1[4] = 1;
   checkRefused(version1, ErrorCode::Unsupported, "version 1");
   Bytes chunk = good;
-  chunk[15] = 0x7f;  // a JSON chunk of 2 GB
+  chunk[15] = 0x7f;  // declares a JSON chunk of 2 GB
   checkRefused(chunk, ErrorCode::MalformedFile, "chunk 0");
   Bytes kind = good;
   kind[16] = 'X';
@@ -186,11 +186,11 @@ TEST_CASE("accessors and buffers past their end") {
 
 TEST_CASE("declared gigabytes are refused at once") {
   GltfMaker maker = boxFile();
-  maker.doc["accessors"][0].erase("bufferView");  // zeros, as many as it says
+  maker.doc["accessors"][0].erase("bufferView");  // declared zeros without bytes
   maker.doc["accessors"][0]["count"] = 2000000000;
   checkRefused(maker, ErrorCode::TooLarge, "more than 16,000,000");
   maker = boxFile();
-  json children = json::array();  // one mesh shown four million times
+  json children = json::array();  // one mesh with four million instances
   for (int i = 0; i < 3000; ++i) children.push_back(maker.add("nodes", {{"mesh", 1}}));
   maker.doc["nodes"][0]["children"] = children;
   std::vector<std::uint16_t> many(60000, 1);
@@ -199,14 +199,14 @@ TEST_CASE("declared gigabytes are refused at once") {
   checkRefused(maker, ErrorCode::TooLarge, "faces");
 }
 
-// Parts of a file may be named many times: what they add up to is bounded too, and seen before it is done.
+// A file may use its parts many times. Their total is limited too, and checked before the work starts.
 TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   const auto checkTooLarge = [](const GltfMaker& file, const std::string& says, const ImportOptions& options = {}) {
     const Files files = Files().add("bomb.glb", file.glb());
     const std::clock_t start = std::clock();
     const auto result = files.import(options);
     CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC <
-          20);  // seconds; on WebAssembly of a busy machine
+          20);  // seconds; allows for WebAssembly on a busy machine
     REQUIRE(!result.ok());
     CAPTURE(result.error().message);
     CHECK(std::string(errorCodeName(result.error().code)) == errorCodeName(ErrorCode::TooLarge));
@@ -215,7 +215,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   };
   const json zero = {{"componentType", glFloat32}, {"count", 4}, {"type", "VEC3"}};
 
-  GltfMaker empty = boxFile();  // fifteen million vertices in no byte
+  GltfMaker empty = boxFile();  // fifteen million vertices without bytes
   json nothing = zero;
   nothing["count"] = 15'000'000;
   empty.doc["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = empty.add("accessors", nothing);
@@ -240,7 +240,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   many.sampleCount = 9'000;
   checkTooLarge(weighted, "too long", many);
 
-  GltfMaker curves = targets;  // many channels that say nothing, in every key
+  GltfMaker curves = targets;  // many channels without effect, in every key
   std::vector<float> none(40'000, 0);
   none.back() = 1e-3f;
   const int off = curves.scalars(none);
@@ -264,7 +264,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
     checkTooLarge(instances, "mesh primitives");
   }
 
-  GltfMaker strips = boxFile();  // strips of stitches alone add no face
+  GltfMaker strips = boxFile();  // strips of degenerate faces add no face
   const int stitches = strips.accessor(std::vector<std::uint16_t>(1'000'000, 0), "SCALAR", 1, glUInt16);
   json strip = primitive;
   strip["mode"] = 5, strip["indices"] = stitches;
@@ -301,7 +301,7 @@ TEST_CASE("what is named many times costs once") {
   CHECK(result->scene.images.size() == 1);
   CHECK(result->scene.materials.back().baseColorImage == 0);
 
-  // Each begins one byte later: other bytes, nearly as many.
+  // Each view begins one byte later, so the bytes differ but are nearly as many.
   json view = file.doc["bufferViews"][whole];
   for (int i = 0; i < 2'000; ++i) {
     view["byteLength"] = png.size() - 8 - i;
@@ -505,7 +505,7 @@ TEST_CASE("keys that are not poses of one mesh") {
     maker.node({{"mesh", maker.mesh({{"POSITION", positions}}, indices)}});
     return maker;
   };
-  // As many faces, but of other vertices, one of which is new.
+  // The same number of faces, but with other vertices, including a new one.
   Positions nine = boxPose();
   nine.push_back({0, 0, 0});
   std::vector<Triangle> faces = boxFaces();

@@ -1,4 +1,4 @@
-// Makes glTF files for the tests, good ones and, by editing `doc`, broken ones.
+// Makes glTF files for the tests. Editing `doc` makes broken ones.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ inline std::string base64(const Bytes& bytes) {
 
 inline std::string dataUri(const Bytes& bytes) { return "data:application/octet-stream;base64," + base64(bytes); }
 
-/// A GLB from its parts, with every header as it should be.
+/// A GLB from its parts, with correct headers.
 inline Bytes glbFrom(std::string text, const Bytes& bin) {
   text.resize((text.size() + 3) / 4 * 4, ' ');
   Bytes out = bytesOf("glTF");
@@ -98,7 +98,7 @@ struct GltfMaker {
     return accessor(values, "SCALAR", 1, glUInt16);
   }
 
-  /// A mesh of one primitive; attributes as given, indices where there are any.
+  /// A mesh of one primitive, with the given attributes and optional indices.
   int mesh(json attributes, int indexAccessor = -1, json targets = json::array()) {
     json primitive = {{"attributes", std::move(attributes)}};
     if (indexAccessor >= 0) primitive["indices"] = indexAccessor;
@@ -113,7 +113,7 @@ struct GltfMaker {
     return index;
   }
 
-  /// An animation of one channel.
+  /// An animation with one channel.
   int animation(const std::string& name, int target, const char* path, int times, int values,
                 const char* interpolation = "LINEAR") {
     return add("animations", {{"name", name},
@@ -129,14 +129,14 @@ struct GltfMaker {
 
   Bytes glb() const { return glbFrom(withBuffer().dump(), bin); }
 
-  /// .gltf with its buffer inside.
+  /// A .gltf file with an embedded buffer.
   Bytes gltf() const {
     json out = withBuffer();
     if (!bin.empty()) out["buffers"][0]["uri"] = dataUri(bin);
     return bytesOf(out.dump());
   }
 
-  /// .gltf that names its buffer.
+  /// A .gltf file with an external buffer.
   Bytes gltfBeside(const std::string& uri) const {
     json out = withBuffer();
     out["buffers"][0]["uri"] = uri;
@@ -144,7 +144,7 @@ struct GltfMaker {
   }
 };
 
-/// A box without welded corners anywhere: 8 vertices, 12 faces; bent sideways by `bend` at its top.
+/// A box of 8 vertices and 12 faces, without any corners to weld. `bend` moves its top sideways.
 inline Positions boxPose(double bend = 0) {
   Positions out;
   for (int i = 0; i < 8; ++i)
@@ -172,7 +172,7 @@ inline GltfMaker boxFile(double bend = 0) {
   return maker;
 }
 
-/// The box with one morph target for each bend behind the first.
+/// The box with one morph target for each bend except the first.
 inline GltfMaker morphFile(const std::vector<double>& bends) {
   GltfMaker maker;
   const Positions base = boxPose(bends[0]);

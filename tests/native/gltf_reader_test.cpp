@@ -1,4 +1,4 @@
-// Which vertices, faces and keys come out of glTF files of every kind.
+// Vertices, faces and keys from glTF files of every kind.
 #include <doctest/doctest.h>
 
 #include <numbers>
@@ -10,7 +10,7 @@ using namespace shapespline::test;
 
 namespace {
 
-// float32 in the file, numbers of size one.
+// Rounding of float32 for numbers of size one.
 constexpr double floatError = 1e-6;
 
 Import imported(const Files& files, const ImportOptions& options = {}) {
@@ -31,7 +31,7 @@ TEST_CASE("several GLB files are keys in the order given") {
   REQUIRE(import.keyframes.keyCount() == 3);
   CHECK(import.keyframes.faces == boxFaces());
   CHECK(import.keyframes.keys[1].name == "a");
-  CHECK(import.keyframes.keys[1].time == 1);  // a second from one pose to the next
+  CHECK(import.keyframes.keys[1].time == 1);  // poses are one second apart
   for (int j = 0; j < 3; ++j) CHECK(distance(import.keyframes.keys[j].positions, boxPose(0.5 * j)) < floatError);
   CHECK(import.keyframes.normals.empty());
   CHECK(import.animation == -1);
@@ -101,7 +101,7 @@ TEST_CASE("a pose file is posed by its own morph weights") {
   GltfMaker maker = morphFile({0, 2});
   maker.doc["meshes"][0]["weights"] = {0.25};
   CHECK(distance(imported(two(maker, boxFile())).keyframes.keys[0].positions, boxPose(0.5)) < floatError);
-  maker.doc["nodes"][0]["weights"] = {0.75};  // the node's come first
+  maker.doc["nodes"][0]["weights"] = {0.75};  // the node's weights take precedence
   CHECK(distance(imported(two(maker, boxFile())).keyframes.keys[0].positions, boxPose(1.5)) < floatError);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("morph targets with one weight animation: its key times are the keys")
     options.sampleTimes = {0, 1.125};
     const Import sampled = imported(Files().add("m.glb", maker.glb()), options);
     REQUIRE(sampled.keyframes.keyCount() == 2);
-    CHECK(distance(sampled.keyframes.keys[1].positions, boxPose(2)) < floatError);  // halfway from target 1 to 2
+    CHECK(distance(sampled.keyframes.keys[1].positions, boxPose(2)) < floatError);  // halfway between targets 1 and 2
   }
   SUBCASE("or a number of them") {
     ImportOptions options;
@@ -176,13 +176,13 @@ TEST_CASE("every primitive of every node, transforms applied, in depth-first ord
   const int parent = maker.node(
       {{"mesh", mesh}, {"translation", {10, 0, 0}}, {"rotation", {0, 0, half, half}}, {"children", {child}}});
   maker.node({{"mesh", mesh}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 5, 0, 1}}});
-  maker.add("nodes", {{"mesh", mesh}});  // not in the scene
+  maker.add("nodes", {{"mesh", mesh}});  // outside the scene
   CHECK(parent == 1);
   const Import import = imported(two(maker, maker));
   REQUIRE(import.keyframes.vertexCount() == 8 + 3 + 8);
   REQUIRE(import.keyframes.faceCount() == 12 + 1 + 12);
   const Positions& p = import.keyframes.keys[0].positions;
-  CHECK((p[1] - Vec3(10, 1, 0)).norm() < floatError);      // (1, 0, 0) turned to y, moved by 10
+  CHECK((p[1] - Vec3(10, 1, 0)).norm() < floatError);      // (1, 0, 0) rotated to y, moved by 10
   CHECK((p[8 + 1] - Vec3(10, 2, 0)).norm() < floatError);  // scaled first
   CHECK((p[11 + 1] - Vec3(1, 5, 0)).norm() < floatError);
   CHECK(import.keyframes.faces[12] == Triangle{8, 9, 10});
@@ -230,7 +230,7 @@ TEST_CASE("strips and fans") {
     primitive["mode"] = 5;
     primitive["indices"] = maker.accessor(std::vector<std::uint8_t>{0, 1, 2, 2, 3, 3, 4, 1}, "SCALAR", 1, glUInt8);
     import = imported(two(maker, maker));
-    CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {3, 1, 4}});  // every second one is turned
+    CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {3, 1, 4}});  // every second face is reversed
   }
 }
 
@@ -253,7 +253,7 @@ TEST_CASE("quantised and normalised positions") {
     for (int c = 0; c < 3; ++c)
       shorts.push_back(static_cast<std::uint16_t>(p[c] * 32767.5)),
           chars.push_back(static_cast<std::int8_t>(p[c] * 50));
-    shorts.push_back(0), chars.push_back(0);  // padding to a stride of 8 and 4
+    shorts.push_back(0), chars.push_back(0);  // padding to strides of 8 and 4
   }
   const auto build = [&](int view, int type, bool normalised, double scale) {
     GltfMaker out = maker;
@@ -313,7 +313,7 @@ TEST_CASE("interleaved attributes, and normals of the first key") {
               {"scale", {1, 1, 3}}});
   const Import import = imported(two(maker, maker));
   REQUIRE(import.keyframes.normals.size() == 8);
-  CHECK((import.keyframes.normals[5] - Vec3(0, -1, 0)).norm() < floatError);  // z turned about x
+  CHECK((import.keyframes.normals[5] - Vec3(0, -1, 0)).norm() < floatError);  // z rotated about x
 }
 
 TEST_CASE("materials, coordinates, colours and images are kept as they are") {
@@ -359,7 +359,7 @@ TEST_CASE("materials, coordinates, colours and images are kept as they are") {
   CHECK(m.emissive[1] == 0.5f);
   CHECK(m.normalScale == 0.5f);
   CHECK(m.wrapS == Material::Wrap::Clamp);
-  CHECK(m.magFilter == 0);  // there is no such one for magnification
+  CHECK(m.magFilter == 0);  // invalid as a magnification filter
   CHECK(m.minFilter == 9987);
   CHECK(m.wrapT == Material::Wrap::Mirror);
   REQUIRE(scene.images.size() == 2);

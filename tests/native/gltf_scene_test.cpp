@@ -1,5 +1,4 @@
-// What a glTF scene shows and moves beyond plain nodes: extensions, joined morph targets, animations that are poses,
-// and how much a file may become.
+// glTF scenes with extensions, joined morph targets, animations that are poses, and excessive sizes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -43,14 +42,14 @@ json pointerTo(const std::string& pointer) {
   return {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
 }
 
-// An animation of a channel whose target is a pointer.
+// An animation with one channel, whose target is a pointer.
 void addPointer(GltfMaker& maker, const std::string& pointer, int times, int values, const char* how = "LINEAR") {
   maker.add("animations", {{"name", "pointed"},
                            {"samplers", {{{"input", times}, {"output", values}, {"interpolation", how}}}},
                            {"channels", {{{"sampler", 0}, {"target", pointerTo(pointer)}}}}});
 }
 
-// A box that hangs somewhere else, with visibility.
+// A box at another position, with visibility.
 int addBox(GltfMaker& maker, double x, const char* name, bool visible = true) {
   Positions positions = boxPose();
   for (Vec3& p : positions) p.x() += x;
@@ -82,7 +81,7 @@ TEST_CASE("pointers to a node's translation, rotation and scale move it as its o
     animation["channels"].push_back({{"sampler", 2}, {"target", pointerTo("/nodes/0/scale")}});
     const Import import = imported(maker, at({0, 1}));
     CHECK(import.keyframes.keys[0].positions[7] == Vec3(1, 1, 2));
-    // Scaled by 3, turned by a quarter about z, moved by 2.
+    // Scaled by 3, rotated by a quarter turn about z, moved by 2.
     CHECK((import.keyframes.keys[1].positions[7] - Vec3(-3 + 2, 3, 6)).norm() < 1e-6);
     CHECK(!warningOf(import, "extension-ignored"));
   }
@@ -172,7 +171,7 @@ TEST_CASE("each instance of EXT_mesh_gpu_instancing is shown where it stands") {
   REQUIRE(import.keyframes.vertexCount() == 16);
   CHECK(import.keyframes.keys[0].positions[7] == Vec3(11, 1, 2));
   CHECK((import.keyframes.keys[0].positions[15] - Vec3(10 - 2, 5 + 2, -4)).norm() < 1e-6);
-  // The second copy is mirrored: its faces are turned around.
+  // The second copy is mirrored, so its faces are reversed.
   const Triangle& first = import.keyframes.faces[0];
   CHECK(import.keyframes.faces[12] == Triangle{first[0] + 8, first[2] + 8, first[1] + 8});
   CHECK(import.scene.objects.size() == 1);
@@ -213,7 +212,7 @@ TEST_CASE("a family of extensions hides none of its names that are listed themse
 
 namespace {
 
-// Two meshes of morph targets: each a list of names and bends.
+// Morph targets of two meshes: each a list of names and bends.
 using Targets = std::vector<std::pair<std::string, double>>;
 
 int addMorphMesh(GltfMaker& maker, double x, const Targets& targets, bool named) {
@@ -229,7 +228,7 @@ int addMorphMesh(GltfMaker& maker, double x, const Targets& targets, bool named)
   return maker.node({{"mesh", mesh}});
 }
 
-// How far the top of each box is bent in each key.
+// Bend of the top of each box in each key.
 std::vector<std::pair<double, double>> bends(const Import& import) {
   std::vector<std::pair<double, double>> out;
   for (const Key& key : import.keyframes.keys)
@@ -279,7 +278,7 @@ TEST_CASE("each node's weights drive its own targets") {
 
 namespace {
 
-// An animation of the box's place at these x.
+// Animates the box's position to these x.
 void addMove(GltfMaker& maker, const char* name, const std::vector<double>& xs) {
   std::vector<float> times;
   Positions values;
@@ -364,7 +363,7 @@ TEST_CASE("files with one still action each are keys: the actions, not the pose 
   const auto named = Files().add("a.glb", pose(0, "sit")).add("b.glb", pose(2, "stand")).import();
   REQUIRE(named.ok());
   CHECK(names(*named) == std::vector<std::string>{"sit", "stand"});
-  // Given alone, twice, as a further pose of the mesh.
+  // Given alone, twice, and as an additional pose of the mesh.
   ImportOptions like;
   like.like = three->keyframes.faces;
   like.likePose = three->keyframes.keys[0].positions;
@@ -471,7 +470,7 @@ TEST_CASE("what a few bytes repeat is counted before a vertex is read") {
   targets.node({{"mesh", 0}});
   CHECK(says(messageOf(tried(targets)), "shows 3,600 vertices in 2,001 keys, more than is supported for a file of"));
 
-  // As many keys as the file has frames, where each is asked for.
+  // Requesting each frame gives as many keys as the file has frames.
   GltfMaker frames = grid(60);
   for (int i = 0; i < 4; ++i) frames.node({{"mesh", 0}, {"translation", {70 * i, 0, 0}}});
   std::vector<double> moves;
@@ -493,7 +492,7 @@ TEST_CASE("what a few bytes repeat is counted before a vertex is read") {
   skins.add("skins", {{"joints", {node}}});
   refused(skins, "more than is supported for a file of");
 
-  // What scenes hold: a mesh shown a hundred times.
+  // A typical scene: one mesh shown a hundred times.
   GltfMaker fits = grid(30);
   for (int i = 0; i < 100; ++i) fits.node({{"mesh", 0}, {"translation", {40 * i, 0, 0}}});
   CHECK(Files().add("a.glb", fits.glb()).add("b.glb", fits.glb()).import().ok());

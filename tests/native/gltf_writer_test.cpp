@@ -1,4 +1,4 @@
-// Exported GLBs: structure, exact bounds, and that they import again as what they were.
+// Exported GLBs have the right structure and exact bounds, and import again unchanged.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ Exported exported(Result<std::vector<std::uint8_t>> written) {
   return out;
 }
 
-// Bends 0, 0.1, 0.2, ... at the given times; stills go on behind them.
+// Bends 0, 0.1, 0.2, ... at the given times, followed by the stills.
 AnimationSource bending(const std::vector<double>& seconds, const Scene& scene, int stills = 0) {
   AnimationSource source;
   source.faces = &boxFaces();
@@ -71,7 +71,7 @@ TEST_CASE("an animated GLB: base, differences, one weight animation, exact bound
   CHECK(doc["animations"][0]["samplers"][0]["interpolation"] == "LINEAR");
   CHECK(doc["buffers"].size() == 1);
   CHECK(doc["buffers"][0]["byteLength"] == file.bin.size());
-  // The bounds of every accessor that states some are those of the floats in the file, bit for bit.
+  // Every accessor with bounds must have those of the floats in the file, bit for bit.
   int bounded = 0;
   for (const json& accessor : doc["accessors"]) {
     if (!accessor.contains("min")) continue;
@@ -190,7 +190,7 @@ TEST_CASE("materials, coordinates, colours and images go round") {
   glass.alphaMode = Material::Alpha::Blend;
   glass.unlit = true;
   scene.materials = {glass, skin};
-  scene.groups = {{0, 4, 1}, {6, 6, 0}};  // faces 4 and 5 have none
+  scene.groups = {{0, 4, 1}, {6, 6, 0}};  // faces 4 and 5 have no material
   const auto bytes = writeAnimatedGlb(bending({0, 1}, scene));
   REQUIRE(bytes.ok());
   auto import = Files().add("m.glb", *bytes).import();
@@ -249,7 +249,7 @@ TEST_CASE("thousands of frames keep the weights small") {
   AnimationSource source = bending(seconds, scene);
   const auto bytes = writeAnimatedGlb(source);
   REQUIRE(bytes.ok());
-  CHECK(bytes->size() < 4'000'000);  // dense weights alone would be 36 MB
+  CHECK(bytes->size() < 4'000'000);  // dense weights alone would take 36 MB
   ImportOptions options;
   options.sampleTimes = {0, 14.995, 29.99};
   const auto import = Files().add("m.glb", *bytes).import(options);
@@ -263,7 +263,7 @@ TEST_CASE("the size is known beforehand to a few percent") {
   for (int frames : {2, 60, 600}) {
     std::vector<double> seconds(frames);
     for (int k = 0; k < frames; ++k) seconds[k] = 0.01 * k;
-    // A mesh large enough that the JSON does not decide.
+    // A mesh large enough that the JSON size is insignificant.
     const int side = 60;
     std::vector<Triangle> faces;
     for (int i = 0; i + 1 < side; ++i)
@@ -345,7 +345,7 @@ TEST_CASE("a shape without a normal somewhere still gets unit normals") {
   for (const Vec3& n : import->keyframes.normals) CHECK(n.norm() == doctest::Approx(1));
 }
 
-// The box with a texture that jumps: its first four faces lie elsewhere in it than the others.
+// The box with a texture seam: its first four faces have coordinates in another region.
 Scene seamScene() {
   Scene scene;
   std::vector<int> copy(8, -1);
@@ -441,7 +441,7 @@ TEST_CASE("every primitive has vertices of its own, and the mesh opens again wit
     const json& first = file.doc["accessors"][primitive["attributes"]["POSITION"].get<int>()];
     vertices += first["count"].get<std::uint64_t>();
     CHECK(first["count"] <= 8 + scene.seams.copyOf.size());
-    // Nothing of it lies in what another primitive names.
+    // The primitive's data must not overlap with another primitive's.
     const json& view = file.doc["bufferViews"][first["bufferView"].get<int>()];
     CHECK(view["byteLength"] == 3 * 24 * first["count"].get<int>());
     for (const json& target : primitive["targets"])
@@ -478,7 +478,7 @@ TEST_CASE("vertices that no face names are kept with several materials, too") {
 TEST_CASE("weights of one's own: every target at every time") {
   const Scene scene;
   AnimationSource source = bending({0, 1, 2, 3}, scene);
-  source.weights = {0, 0, 0.5f, 0, 1, 0.25f, 0, 1};  // of frames 1 and 2, bent by 0.1 and 0.2
+  source.weights = {0, 0, 0.5f, 0, 1, 0.25f, 0, 1};  // for frames 1 and 2, bent by 0.1 and 0.2
   const auto bytes = writeAnimatedGlb(source);
   REQUIRE(bytes.ok());
   ImportOptions options;

@@ -1,5 +1,5 @@
-// A second thread for a ForkJoin. Where there are none (wasm is tested without threads here; the engine's tests have
-// them) SHAPESPLINE_THREADS is not defined.
+// A second thread for a ForkJoin. SHAPESPLINE_THREADS is undefined on platforms without threads. (The wasm build of
+// these tests has none; the engine's tests do.)
 #pragma once
 
 #if !defined(__wasm__)
@@ -12,7 +12,7 @@
 
 namespace shapespline::test {
 
-/// A helper for as long as it lives.
+/// Runs a helper during its lifetime.
 class HelperThread {
  public:
   explicit HelperThread(ForkJoin& forkJoin)

@@ -1,5 +1,4 @@
-// Motions that hold what rests: as exact, smooth and indifferent to rigid motions as the plain method, and against
-// captured motion.
+// Held motions are as exact, smooth and rigid-invariant as plain motions. Also compares them with captured motions.
 #include <doctest/doctest.h>
 
 #include <iomanip>
@@ -33,7 +32,7 @@ Sequence make(const Keyframes& k, const MotionOptions& motion, EncodingOptions e
   return sequenceOf(k, encoding, motion);
 }
 
-// A bar on its foot: the lower half rests while the upper bends, then all of it walks on.
+// A standing bar: the lower half rests while the upper half bends, then the whole bar walks on.
 Keyframes standing(const Shape& shape = bar()) {
   const auto upper = [](double angle, const Vec3& move = Vec3::Zero()) -> Map {
     const Map b = bend(angle, 5);
@@ -44,7 +43,7 @@ Keyframes standing(const Shape& shape = bar()) {
   return keyframes(shape, {upper(0), upper(0.6), upper(-0.3), upper(0.4), upper(0.2, {0, 2, 0})}, {0, 1, 2.5, 3, 4});
 }
 
-// How far the vertices that rest in the first two spans of standing() go meanwhile, as a share of the diagonal.
+// Displacement of the resting vertices during the first two spans of standing(), as a share of the diagonal.
 double slide(Sequence& s, const Keyframes& k) {
   double most = 0;
   for (int i = 0; i <= 40; ++i) {
@@ -62,7 +61,7 @@ double accelerationAt(Sequence& s, double t, double step) {
   return most;
 }
 
-// The jump of the second derivative at t, as a share of what it is about there.
+// Jump of the second derivative at t, relative to its typical size there.
 double kink(Sequence& s, double t, double step) {
   const auto at = [&](double time) {
     const Positions a = shapeAt(s, time - step), b = shapeAt(s, time), c = shapeAt(s, time + step);
@@ -143,7 +142,7 @@ TEST_CASE("a held motion meets its keys, and slides less where they rest") {
   const double after = slide(s, k);
   CHECK(*s.sliding(1.6, shapeAt(s, 1.6)) < 0.6 * *plain.sliding(1.6, shapeAt(plain, 1.6)));
   CHECK(*s.sliding(1, k.keys[1].positions) < 1e-12);
-  CHECK(std::isnan(*s.sliding(3.5, shapeAt(s, 3.5))));  // all of it walks
+  CHECK(std::isnan(*s.sliding(3.5, shapeAt(s, 3.5))));  // the whole bar walks
   CHECK(std::isnan(*s.sliding(4.5, shapeAt(s, 4.5))));
   MESSAGE("slides " << 100 * before << " % of the diagonal, held " << 100 * after << " %");
   CHECK(after < 0.6 * before);
@@ -154,13 +153,13 @@ TEST_CASE("a held motion has a continuous second derivative at the keys and wher
   Sequence s = make(k, holding());
   for (const double t : {-1.0, 0.0, 0.5, 1.0, 2.5, 3.0, 3.5, 4.0, 5.0}) {
     CAPTURE(t);
-    // A kink stays while the step shrinks; a smooth change shrinks with it.
+    // A kink stays as the step shrinks; a smooth change shrinks with the step.
     CHECK(std::min(kink(s, t, 2e-3), accelerationAt(s, t, 2e-3)) < 0.1);
   }
 }
 
-// A key ten times as large as the others: between them the target of the placement, a blend of vertices, swells, folds
-// and turns over.
+// One key is ten times as large as the others. Next to it, the target of the rigid fit, a blend of vertices, swells,
+// folds and flips.
 TEST_CASE("where nothing says how the shape is turned to its target, the placement gives way smoothly") {
   std::vector<Map> maps;
   for (const double angle : {0.0, 0.9, -0.9, 0.8, -0.7}) maps.push_back(bend(angle));
@@ -208,13 +207,13 @@ TEST_CASE("a common rigid motion, another unit of length or of time change a hel
   for (const double time : {-0.4, 0.3, 1.7, 2.8, 3.3, 4.4}) {
     Positions expected = shapeAt(s, time);
     for (Vec3& p : expected) p = 1000 * moved(p);
-    // Slopes of vertices are kept in single precision.
+    // Slopes of vertices are stored in single precision.
     CHECK(largestDistance(expected, shapeAt(t, 60 * time)) < 1e-5 * diagonalOf(other));
   }
 }
 
 TEST_CASE("neither rounding nor a common rigid motion decides what rests") {
-  // The lower half creeps by some 1e-5 of the size, stands to rounding, or exactly, for four spans; then it walks.
+  // The lower half creeps by about 1e-5 of the size, or rests up to rounding or exactly, for four spans. Then it walks.
   const Shape shape = bar();
   const auto keysWith = [&](double creep, double rounding) {
     Keyframes k = keyframes(shape, std::vector<Map>(6, [](const Vec3& p) -> Vec3 { return p; }), {0, 1, 2, 3, 4, 5});
@@ -259,7 +258,7 @@ TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
   REQUIRE(updated.update(holding(), times).ok());
   CHECK(shapeAt(updated, 1.4) == shapeAt(s, 1.4));
   CHECK(shapeAt(updated, 1.4) == shapeAt(updated, 1.4));
-  // Handles are taken over where the keys' times stay, and made again where they change.
+  // Handles are reused if the keys' times are unchanged, and rebuilt otherwise.
   MotionOptions tense = holding();
   tense.tension = {0, 0.5, 0, 0.3, 0};
   std::vector<double> later = times;
@@ -303,7 +302,7 @@ TEST_CASE("holding factors once when it is switched on, whatever else changes") 
 }
 
 TEST_CASE("parts of one body move as one where they are held") {
-  // A wheel that turns beside the half that rests: it has nothing that rests, and must go where the rest goes.
+  // A wheel turns next to the resting half. None of its vertices rest, and it must move with the resting half.
   const Vec3 hub(0.85, 0, 3);
   const Shape body = bar();
   Keyframes k = standing(joined(body, sphere(hub, 0.3)));
@@ -335,7 +334,7 @@ TEST_CASE("parts of one body move as one where they are held") {
 }
 
 TEST_CASE("separate objects are placed each by itself, and what stays joined as one") {
-  // One walks away and turns while it bends, the other stays and nods.
+  // One bar walks away, rotating and bending; the other stays and nods.
   const Shape first = bar();
   const Shape both = joined(first, bar());
   const auto poseAt = [&](double t) {
@@ -369,7 +368,7 @@ TEST_CASE("separate objects are placed each by itself, and what stays joined as 
   MESSAGE("two objects: KG error " << before << " %, held " << error(s) << " %");
   CHECK(error(s) < 0.93 * before);
   for (const double t : {1.0, 3.0, 5.0, 6.0}) {
-    // A kink stays while the step shrinks; a smooth change shrinks with it.
+    // A kink stays as the step shrinks; a smooth change shrinks with the step.
     const double coarse = kink(s, t, 4e-3), fine = std::min(kink(s, t, 1e-3), accelerationAt(s, t, 1e-3));
     CHECK(fine < std::max(0.1, 0.5 * coarse));
   }
@@ -381,7 +380,7 @@ TEST_CASE("separate objects are placed each by itself, and what stays joined as 
   Positions expected = shapeAt(s, 1.4);
   for (Vec3& p : expected) p = moved(p);
   CHECK(largestDistance(expected, shapeAt(t, 1.4)) < 1e-5 * diagonalOf(k));
-  // The same two side by side on one turning ground.
+  // Both side by side on a common rotating ground.
   for (Key& key : k.keys)
     for (std::size_t v = 0; v < both.positions.size(); ++v)
       key.positions[v] =
@@ -402,7 +401,7 @@ TEST_CASE("objects and parts of real shapes") {
     for (const int body : rigidGroupsOf(s.encoded().lri().holdInput().mesh)) CHECK(body == 0);
   }
   if (!hasData({"skin/CesiumMan.glb"})) return;
-  // Two men who walk about each other.
+  // Two men who walk around each other.
   walk.sampleCount = 49;
   const Keyframes man = realKeyframes({"skin/CesiumMan.glb"}, walk);
   Keyframes truth = man;
@@ -461,7 +460,7 @@ TEST_CASE("a loop that walks on is held over its seam") {
 
 namespace {
 
-// Frames of an animation, 24 a second, as many as make whole steps of `every`.
+// Frames of an animation at 24 per second, a multiple of `every`.
 Keyframes captured(const std::string& file, int animation, int every) {
   ImportOptions options;
   options.animation = animation;
@@ -484,7 +483,7 @@ Keyframes everyNth(const Keyframes& frames, int every) {
   return keys;
 }
 
-// Of vertices whose true path stays near where it begins between two keys: how far off they are, in % of the diagonal.
+// Distance in % of the diagonal, for vertices whose true path stays near its start between two keys.
 double slid(const std::vector<Positions>& truth, const std::vector<Positions>& shapes, int every, double diagonal) {
   double square = 0;
   std::size_t count = 0;
@@ -543,8 +542,8 @@ TEST_CASE("held motions against captured ones" * dense) {
   MESSAGE("KG / aligned / sliding: vertex cubic, plain, held" << table.str());
 }
 
-// Numbers of another implementation, in numpy and with a partition of its own: of the welded vertices in the frames
-// between the keys, sliding in % of the first frame's diagonal.
+// Reference numbers from a numpy implementation with a different partition. They use welded vertices in the frames
+// between the keys, with sliding in % of the first frame's diagonal.
 TEST_CASE("a walking man is held as another implementation holds him") {
   if (!hasData({"skin/CesiumMan.glb"})) return;
   constexpr int every = 8;

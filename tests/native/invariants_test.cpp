@@ -1,4 +1,4 @@
-// What must hold for every sequence (the method's exactness): each test states one promise.
+// Properties of every sequence (the method's exactness), one per test.
 #include <doctest/doctest.h>
 
 #include "core/mesh/measures.h"
@@ -98,7 +98,7 @@ TEST_CASE("rigid turns stay rigid") {
       shape, {turn(axis, 0), turn(axis, radians(100), Vec3(1, 0, 0)), turn(axis, radians(200), Vec3(0, 3, 0))});
   Sequence s = make(k);
   for (double t : slider) CHECK(fitRigid(shape.positions, shapeAt(s, t)).largestDistance < 1e-9 * diagonalOf(k));
-  // and turn evenly about the axis: 50 degrees after a quarter
+  // The sections turn evenly about the axis: 50 degrees after a quarter.
   CHECK(largestDistance(aligned(mapped(shape.positions, turn(axis, radians(50))), shapeAt(s, 0.25)), shapeAt(s, 0.25)) <
         1e-9 * 10);
   const Positions quarter = shapeAt(s, 0.25);
@@ -121,7 +121,7 @@ TEST_CASE("a twisted bar follows the analytic twist within KG 1.5") {
   std::vector<Positions> exact, ours;
   for (int i = 0; i <= 40; ++i) {
     const double t = i / 40.0;
-    // the twist angle is the natural spline through 0, 180, 350 degrees: m'' = 0 at the ends
+    // The twist angle is the natural spline through 0, 180, 350 degrees: m'' = 0 at the ends.
     const double a = 0, b = 180, c = 350;
     const double second = 3 * (c - 2 * b + a) / (2 * 0.25);  // m''(0.5) with h = 0.5
     const double u = t < 0.5 ? t / 0.5 : (1 - t) / 0.5, end = t < 0.5 ? a : c;
@@ -213,7 +213,7 @@ TEST_CASE("a sphere beside a bending bar keeps its distance") {
   const Shape both = joined(body, ball);
   const auto map = [&](double degrees) -> Map {
     const Map bending = bend(radians(degrees));
-    // the ball moves rigidly with the bar's surface at z = 5
+    // The ball moves rigidly with the bar's surface at z = 5.
     const double a = radians(degrees) / 2;
     const Vec3 foot(0.5, 0, 5);
     const Map ballTurn = turn(Vec3::UnitY(), a);
@@ -261,7 +261,7 @@ TEST_CASE("nothing is encoded or factored again while scrubbing, toggling and mo
     REQUIRE(s.update(motion, {0, 0.2, 0.7, 1.5}).ok());
     for (double t : slider) REQUIRE(s.evaluate(t, frame).ok());
   }
-  // A new computation would have taken a different time.
+  // Recomputing would have taken a different time.
   CHECK(s.stats().encodeMs == before.encodeMs);
   CHECK(s.stats().factorMs == before.factorMs);
   CHECK(s.stats().solves == before.solves + 3 * static_cast<long long>(slider.size()));

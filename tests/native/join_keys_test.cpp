@@ -1,4 +1,4 @@
-// Poses of one mesh that files split, cut and order in ways of their own, and what is said of those that are none.
+// Poses of one mesh with different splits, cuts and orders in each file, and errors for other meshes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ using namespace shapespline::test;
 
 namespace {
 
-// A strip of quads, bent upwards by `bend` per quad; quads are 4 vertices each, or share theirs.
+// A strip of quads, bent upwards by `bend` per quad. Quads have 4 vertices each, or share them.
 constexpr int quadText = 6;
 
 Vec3 point(int column, int row, double bend) {
@@ -32,14 +32,14 @@ Strip shared(double bend, bool otherDiagonal = false) {
   for (int c = 0; c <= quadText; ++c)
     out.positions.push_back(point(c, 0, bend)), out.positions.push_back(point(c, 1, bend));
   for (int c = 0; c < quadText; ++c) {
-    const int a = 2 * c, b = a + 2, d = a + 1, e = a + 3;  // around: a b e d
+    const int a = 2 * c, b = a + 2, d = a + 1, e = a + 3;  // in cyclic order a b e d
     if (otherDiagonal && c % 2 == 0) out.faces.insert(out.faces.end(), {{a, b, d}, {b, e, d}});
     else out.faces.insert(out.faces.end(), {{a, b, e}, {a, e, d}});
   }
   return out;
 }
 
-// Every quad has its own vertices, as flat shading splits them; sorted by vertex, or in the order of the faces.
+// Every quad has its own vertices, as flat shading splits them, sorted by vertex or in face order.
 Strip flat(double bend, bool sorted, bool otherDiagonal = false) {
   const Strip whole = shared(bend, otherDiagonal);
   std::vector<std::pair<int, int>> copies;  // vertex, quad
@@ -74,7 +74,7 @@ Result<Import> joined(const std::vector<Strip>& strips) {
   return files.import();
 }
 
-// Every corner of every key stands where its own file has it.
+// Every corner of every key must have the position in its file.
 void checkCorners(const Import& import, const std::vector<double>& bends) {
   const Strip mesh = shared(0);
   const Keyframes& k = import.keyframes;
@@ -88,7 +88,7 @@ void checkCorners(const Import& import, const std::vector<double>& bends) {
   }
 }
 
-// A bent sheet of quads that are cut in one of several ways, with shared vertices, or with three for each triangle.
+// A bent sheet of quads with several kinds of cuts, and with shared vertices or three per triangle.
 constexpr int columns = 7, rows = 5;
 
 enum class Split { None, Quads, Triangles };
@@ -98,17 +98,17 @@ Vec3 sheetPoint(int v, double bend) {
   return Vec3(p.x(), v / (columns + 1), p.z() + 0.1 * (v / (columns + 1)));
 }
 
-// How two triangles name the corners of a quad.
+// The order in which two triangles refer to the corners of a quad.
 using Cut = std::array<int, 6>;
 constexpr Cut firstPose{0, 1, 2, 0, 2, 3}, secondPose{0, 1, 3, 1, 2, 3}, turnedPose{1, 2, 3, 1, 3, 0},
     ended{3, 0, 1, 2, 3, 1};
 
 Strip sheet(double bend, const std::vector<Cut>& cuts, Split split, bool sorted) {
-  std::vector<std::array<int, 2>> corners;  // vertex, the copy
+  std::vector<std::array<int, 2>> corners;  // vertex and copy
   for (int quad = 0; quad < columns * rows; ++quad) {
     const int a = quad / columns * (columns + 1) + quad % columns;
     const int around[] = {a, a + 1, a + columns + 2, a + columns + 1};
-    // Not a repeating pattern: neighbours in both directions are cut alike and otherwise.
+    // Avoids a repeating pattern: neighbours in both directions have equal and different cuts.
     const Cut& cut = cuts[(quad * quad + quad / 3) % cuts.size()];
     for (int i = 0; i < 6; ++i)
       corners.push_back({around[cut[i]], split == Split::None ? 0 : split == Split::Quads ? quad : 2 * quad + i / 3});
@@ -126,7 +126,7 @@ Strip sheet(double bend, const std::vector<Cut>& cuts, Split split, bool sorted)
   return out;
 }
 
-// Every vertex of the second key is where the first key's vertex goes.
+// Every vertex of the second key must be where the first key's vertex moves.
 void checkSheet(const Import& import, double from, double to) {
   const Keyframes& k = import.keyframes;
   for (int v = 0; v < k.vertexCount(); ++v) {
@@ -217,7 +217,7 @@ TEST_CASE("faces in another order are found") {
 }
 
 TEST_CASE("what touches in the first key and parts in another is split, and said") {
-  // The strip as a ring that is closed by one vertex pair in the first key, and open in the second.
+  // The strip as a ring, closed by one vertex pair in the first key and open in the second.
   Strip closed = shared(0), open = shared(0.4);
   for (Triangle& f : closed.faces)
     for (int& v : f) v = v >= 2 * quadText ? v - 2 * quadText : v;
@@ -265,7 +265,7 @@ TEST_CASE("one face of other vertices is another mesh, however many there are") 
 TEST_CASE("faces that name wrong vertices are refused, a mesh that is numbered otherwise is not") {
   const int n = 2 * quadText + 2;
   const Strip mesh = shared(0);
-  // Counted from 0 where they should be from 1, and the other way; to their last vertex, which wraps around.
+  // Indices from 0 instead of 1, the reverse, and shifts that wrap around at the last vertex.
   for (const int by : {1, n - 1, 2, 5}) {
     CAPTURE(by);
     Strip wrong = shared(0.4), renumbered = shared(0.4);
@@ -288,7 +288,7 @@ TEST_CASE("faces that name wrong vertices are refused, a mesh that is numbered o
 TEST_CASE("an OBJ whose faces count its vertices from 0 is refused") {
   const auto obj = [](double bend, int first) {
     const Strip strip = shared(bend);
-    std::string text = "v 9 9 9\n";  // of no face
+    std::string text = "v 9 9 9\n";  // an unused vertex
     for (const Vec3& p : strip.positions)
       text += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z()) + "\n";
     for (const Triangle& f : strip.faces)
@@ -316,7 +316,7 @@ TEST_CASE("keys that are one pose are named, with the reason and what to do") {
   REQUIRE(some.ok());
   REQUIRE(some->warnings.size() == 1);
   CHECK(some->warnings[0].message.starts_with("Keys 2 and 3 are the same pose, so nothing moves between them."));
-  // A loop ends where it began.
+  // A loop may end as it began.
   CHECK(joined({shared(0), shared(0.2), shared(0)})->warnings.empty());
 }
 
@@ -410,7 +410,7 @@ TEST_CASE("objects that not every file has are left out, and said") {
     CHECK(import->warnings[0].code == "left-out-objects");
     CHECK(import->warnings[0].message.find("\"Strip\"") != std::string::npos);
   }
-  // One of another name in its place, as many and alike, has been renamed.
+  // An equal object with a new name has been renamed.
   const auto renamed = poses({floor, lamp, floor});
   REQUIRE(renamed.ok());
   CHECK(renamed->objects == floor);
@@ -418,7 +418,7 @@ TEST_CASE("objects that not every file has are left out, and said") {
   const auto none = poses({{"Floor", "Lamp"}, {"Strip", "Roof"}});
   REQUIRE(!none.ok());
   CHECK(none.error().message.find("Its objects are \"Strip\", \"Roof\"") != std::string::npos);
-  // All of them are there, in another order.
+  // All objects are present in another order.
   const auto turned = poses({{"Strip", "Floor"}, {"Floor", "Strip"}});
   CHECK(turned.ok());
 }

@@ -1,4 +1,4 @@
-// What runs in two threads gives the bits of one: solve, right-hand side, normals. Under ThreadSanitizer, too.
+// Two threads must give the same bits as one: solve, right-hand side, normals. Also runs under ThreadSanitizer.
 #include "helper_thread.h"
 
 #if SHAPESPLINE_THREADS
@@ -29,7 +29,8 @@ std::vector<int> ascending(std::size_t count) {
   return list;
 }
 
-// run(forkJoin) with a helper as without. A busy machine may leave the helper waiting: then it is run until it helped.
+// Checks run(forkJoin) with and without a helper. On a busy machine the helper may be late, so the check repeats until
+// it has helped.
 template <class Run>
 void checkSameBits(const Run& run) {
   const auto alone = run(nullptr);

@@ -1,4 +1,4 @@
-// The kernels over faces and vertices against the formulas that they compute, written plainly.
+// Compares the kernels over faces and vertices with plain implementations of their formulas.
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
@@ -20,7 +20,7 @@ namespace {
 using testing::PlainMesh;
 using testing::Random;
 
-// A bumpy sheet with a few faces more than a whole number of blocks.
+// A bumpy sheet whose number of faces is not a multiple of the block size.
 PlainMesh sheet() {
   PlainMesh mesh;
   Random random(1);
@@ -38,7 +38,7 @@ PlainMesh sheet() {
   return mesh;
 }
 
-// Weights of three columns, all of them keys, and the end key that they go on from or -1.
+// Weights of three columns, all keys, and the end key from which the curve continues, or -1.
 struct Blend {
   std::vector<double> weights = {0.4, 0.9, -0.3};
   int beyond = -1;
@@ -46,8 +46,7 @@ struct Blend {
 
 constexpr int columns = 3;
 
-// Random coordinates on the sheet, one frame for every three faces; some faces have none. In the first column all faces
-// rest.
+// Random coordinates on the sheet, one frame per three faces; some faces have none. In the first column all faces rest.
 template <class Real>
 struct Coordinates {
   PlainMesh mesh = sheet();
@@ -56,7 +55,7 @@ struct Coordinates {
   std::vector<Mat3> frames;
   FaceCoordinates<Real> numbers;
 
-  // largestTurn: radians.
+  // largestTurn: in radians.
   Coordinates(double largestTurn, Stretch how)
       : stretch(how), numbers(static_cast<int>(mesh.faces.size()), columns, static_cast<Real>(atRest())) {
     const int faceCount = static_cast<int>(mesh.faces.size());
@@ -89,7 +88,7 @@ struct Coordinates {
 };
 
 struct RightHandSide {
-  Positions at;  // of each vertex
+  Positions at;  // per vertex
   IndefiniteFaces indefinite;
 };
 
@@ -122,13 +121,13 @@ RightHandSide byKernel(Coordinates<Real> coordinates, const Blend& blend) {
   return result;
 }
 
-// The largest u >= 0 at which u A + D is singular, 0 where there is none.
+// The largest u >= 0 for which u A + D is singular, or 0 if none exists.
 double nearness(const Mat2& a, const Mat2& d) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Mat2> solver(-d, a);
   return std::max(solver.eigenvalues().maxCoeff(), 0.0);
 }
 
-// The stretch beyond the keys: the change from the end key on is eased off short of 1.5 times what the keys span.
+// The stretch beyond the keys: the change from the end key eases before 1.5 times the range of the keys.
 template <class Real>
 Mat2 beyondKeys(const Coordinates<Real>& coordinates, int face, const Mat2& end, const Mat2& change) {
   const bool isLog = coordinates.stretch == Stretch::Log;
@@ -143,7 +142,7 @@ Mat2 beyondKeys(const Coordinates<Real>& coordinates, int face, const Mat2& end,
   return end + std::pow(1 + std::pow(u, 4), -0.25) * change;
 }
 
-// Of every face: area times frame exp(r) [t1 t2] S times the gradient of each corner's hat function.
+// Per face: area times frame exp(r) [t1 t2] S times the gradient of each corner's hat function.
 template <class Real>
 RightHandSide byFormula(const Coordinates<Real>& coordinates, const Blend& blend) {
   RightHandSide result;
@@ -166,7 +165,7 @@ RightHandSide byFormula(const Coordinates<Real>& coordinates, const Blend& blend
     if (coordinates.localFrameOf[f] < 0) continue;
     const Triangle& t = coordinates.mesh.faces[f];
     const FaceFrame frame = faceFrame(p[t[0]], p[t[1]], p[t[2]]);
-    const Mat2 gradients = frame.edges.inverse().transpose();  // columns: of corners 1 and 2
+    const Mat2 gradients = frame.edges.inverse().transpose();  // columns: corners 1 and 2
     const Eigen::Matrix<double, 3, 2> moved =
         frame.area * coordinates.frames[coordinates.localFrameOf[f]] * expRotation(r) * frame.basis.leftCols<2>() * s;
     result.at[t[1]] += moved * gradients.col(0);
@@ -194,7 +193,7 @@ Positions normalsOf(const PlainMesh& mesh) {
   std::vector<int> group(n), slotOf(n);
   std::vector<float> places(4 * static_cast<std::size_t>(n)), positions, normals;
   for (int v = 0; v < n; ++v) {
-    group[v] = v / 2, slotOf[v] = (n - 1) / 2 - v / 2;  // copies of one vertex
+    group[v] = v / 2, slotOf[v] = (n - 1) / 2 - v / 2;  // pairs of vertices are copies of one vertex
     for (int k = 0; k < 3; ++k)
       places[4 * static_cast<std::size_t>(slotOf[v]) + k] = static_cast<float>(mesh.positions[v][k]);
   }
@@ -206,7 +205,7 @@ Positions normalsOf(const PlainMesh& mesh) {
   return result;
 }
 
-// The same by sums in double: copies stand where the last of them does.
+// Normals by sums in double. Copies use the position of the last one.
 Positions plainNormals(const PlainMesh& mesh) {
   const int n = static_cast<int>(mesh.positions.size());
   Positions sums((n + 1) / 2, Vec3::Zero()), result;
@@ -223,7 +222,8 @@ Positions plainNormals(const PlainMesh& mesh) {
 
 TEST_CASE_TEMPLATE("kernels: right-hand sides are the divergence of R_f S_f", Real, float, double) {
   for (const Stretch stretch : {Stretch::Linear, Stretch::Log})
-    for (const double largestTurn : {0.1, 0.28, 1.0, 3.0, 12.0}) {  // few terms, all, at the end of the series, beyond
+    // few terms, all terms, the end of the series, beyond the series
+    for (const double largestTurn : {0.1, 0.28, 1.0, 3.0, 12.0}) {
       CAPTURE(largestTurn);
       const Coordinates<Real> coordinates(largestTurn, stretch);
       const RightHandSide kernel = byKernel(coordinates, {}), formula = byFormula(coordinates, {});
@@ -232,7 +232,7 @@ TEST_CASE_TEMPLATE("kernels: right-hand sides are the divergence of R_f S_f", Re
     }
 }
 
-// From the key at rest on and from a stored one, a little way and far.
+// Continues from the key at rest and from a stored key, by a short and a long distance.
 TEST_CASE_TEMPLATE("kernels: right-hand sides beyond the keys are limited, and no face is indefinite", Real, float,
                    double) {
   for (const Stretch stretch : {Stretch::Linear, Stretch::Log})
@@ -263,7 +263,7 @@ TEST_CASE("kernels: normals are the area-weighted ones, unit vectors at every sc
     CHECK(normals[v].norm() == doctest::Approx(1).epsilon(1e-6));
   }
   PlainMesh tiny = mesh;
-  for (Vec3& p : tiny.positions) p *= 1e-15;  // squares of areas leave the range of float
+  for (Vec3& p : tiny.positions) p *= 1e-15;  // squared areas exceed the range of float
   const Positions same = normalsOf(tiny);
   for (std::size_t v = 0; v < normals.size(); ++v) CHECK((same[v] - normals[v]).norm() < 1e-4);
   for (Vec3& p : mesh.positions) p = Vec3::Ones();
@@ -306,7 +306,7 @@ TEST_CASE("kernels: columns whose weight the precision cannot see are left out, 
 }
 
 TEST_CASE("kernels: a blend of many columns with the weights of a spline is that of all of them, to a rounding step") {
-  // Away from t the weights fall by 0.27 a key.
+  // Weights fall by 0.27 per key away from t.
   std::vector<double> weights(100);
   double sum = 0;
   for (int c = 0; c < 100; ++c) sum += weights[c] = std::pow(-0.27, std::abs(c - 40));
@@ -319,5 +319,5 @@ TEST_CASE("kernels: a blend of many columns with the weights of a spline is that
   double left = 0;
   for (const double w : weights) left += std::abs(w);
   for (const auto& column : list.stored) left -= std::abs(weights[column.column]);
-  CHECK(10 * left < 6e-8);  // numbers of ten: half a step of a sum of one
+  CHECK(10 * left < 6e-8);  // for numbers of size ten, half a rounding step of a sum of size one
 }

@@ -1,4 +1,4 @@
-// What is wrong with keys is said with the key, the place and what to do.
+// Errors in keys name the key, the location and the remedy.
 #include <doctest/doctest.h>
 
 #include <limits>

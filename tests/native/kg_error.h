@@ -1,4 +1,4 @@
-// The error that the paper reports. The page's own is web/study/kg-error.
+// The paper's error measure. The page uses web/study/kg-error.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,10 @@
 
 namespace shapespline {
 
-/// What E(A) in the KG error is.
+/// The meaning of E(A) in the KG error.
 enum class KgCentre {
-  FrameCentroid,    ///< each frame's own centroid (Karni & Gotsman 2004)
-  SequenceAverage,  ///< the average shape over all frames
+  FrameCentroid,    ///< centroid of each frame (Karni & Gotsman 2004)
+  SequenceAverage,  ///< average shape of all frames
 };
 
 inline Positions averageShape(const std::vector<Positions>& sequence) {
@@ -23,7 +23,8 @@ inline Positions averageShape(const std::vector<Positions>& sequence) {
   return average;
 }
 
-/// Karni-Gotsman error of `other` against `sequence` (paper Eq. 7): 100 |A - A~|_F / |A - E(A)|_F. Same frame counts.
+/// Karni-Gotsman error of `other` relative to `sequence` (paper Eq. 7): 100 |A - A~|_F / |A - E(A)|_F. Both need the
+/// same number of frames.
 inline double kgError(const std::vector<Positions>& sequence, const std::vector<Positions>& other,
                       KgCentre centre = KgCentre::FrameCentroid) {
   const Positions average = centre == KgCentre::SequenceAverage ? averageShape(sequence) : Positions();

@@ -1,4 +1,4 @@
-// Generated triangle meshes and their cotangent Laplacians, for the tests of the solver.
+// Generated triangle meshes and their cotangent Laplacians, for the solver tests.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ inline void shuffleVertices(PlainMesh& mesh, Random& random) {
     for (int& v : face) v = to[v];
 }
 
-/// A wavy sheet of columns x rows vertices, its diagonals and points irregular.
+/// A wavy sheet of columns x rows vertices with irregular diagonals and points.
 inline PlainMesh irregularSheet(int columns, int rows, Random& random) {
   PlainMesh mesh;
   for (int y = 0; y < rows; ++y)
@@ -69,7 +69,7 @@ inline PlainMesh irregularSheet(int columns, int rows, Random& random) {
   return mesh;
 }
 
-/// A bumpy sphere of 10 f^2 + 2 vertices: every face of an icosahedron cut into f^2 triangles, the points irregular.
+/// A bumpy sphere of 10 f^2 + 2 irregular points: every face of an icosahedron is cut into f^2 triangles.
 inline PlainMesh bumpySphere(int f, Random& random) {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
   const std::array<Vec3, 12> corner = {{{-1, g, 0},
@@ -90,14 +90,14 @@ inline PlainMesh bumpySphere(int f, Random& random) {
                                            {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   PlainMesh mesh;
   mesh.positions.assign(corner.begin(), corner.end());
-  std::map<std::pair<int, int>, int> edgeStart;  // first of the f - 1 points inside an edge, from its smaller corner
+  std::map<std::pair<int, int>, int> edgeStart;  // first of the f - 1 points on an edge, from its lower corner
   for (const auto& face : icosahedronFaces)
     for (int k = 0; k < 3; ++k) {
       const int a = std::min(face[k], face[(k + 1) % 3]), b = std::max(face[k], face[(k + 1) % 3]);
       if (!edgeStart.try_emplace({a, b}, static_cast<int>(mesh.positions.size())).second) continue;
       for (int i = 1; i < f; ++i) mesh.positions.push_back(corner[a] + (corner[b] - corner[a]) * i / f);
     }
-  const auto onEdge = [&](int a, int b, int i) {  // i steps of f from a to b
+  const auto onEdge = [&](int a, int b, int i) {  // i of f steps from a to b
     if (i == 0) return a;
     if (i == f) return b;
     return a < b ? edgeStart.at({a, b}) + i - 1 : edgeStart.at({b, a}) + f - i - 1;
@@ -131,7 +131,7 @@ inline PlainMesh bumpySphere(int f, Random& random) {
   return mesh;
 }
 
-/// Triplets of the cotangent Laplacian (positive semi-definite). A cotangent is clamped to [-limit, limit].
+/// Triplets of the cotangent Laplacian (positive semi-definite). Cotangents are clamped to [-limit, limit].
 inline std::vector<Triplet> cotangentTriplets(const PlainMesh& mesh, double limit = 1e12) {
   std::vector<Triplet> triplets;
   for (const Triangle& face : mesh.faces) {
@@ -147,7 +147,7 @@ inline std::vector<Triplet> cotangentTriplets(const PlainMesh& mesh, double limi
   return triplets;
 }
 
-/// The Laplacian with vertex 0 pinned to its place by a weight of one.
+/// The Laplacian with vertex 0 pinned by a weight of one.
 inline SymmetricMatrix pinnedLaplacian(const PlainMesh& mesh) {
   std::vector<Triplet> triplets = cotangentTriplets(mesh);
   triplets.push_back({0, 0, 1.0});

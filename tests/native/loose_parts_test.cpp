@@ -1,4 +1,4 @@
-// Parts that are one point in some key, and keys far from the others.
+// Parts that are one point in some key, and keys far apart.
 #include <doctest/doctest.h>
 
 #include "core/mesh/weld.h"
@@ -27,7 +27,7 @@ Keyframes inFloat32(Keyframes k) {
   return k;
 }
 
-/// Cut along every edge: each face has its own three vertices, a rounding away from those of its neighbours.
+/// Cuts along every edge: each face has three vertices of its own, within rounding of its neighbours'.
 Shape cutApart(const Shape& shape) {
   Shape apart;
   for (const Triangle& t : shape.faces) {
@@ -42,7 +42,7 @@ Shape cutApart(const Shape& shape) {
 
 TEST_CASE("a key that lies far away welds the same vertices as at the origin") {
   Shape fine = box(1, 1, 2, 20, 20, 40);
-  fine = joined(fine, sphere({0.6, 0, 1}, 1e-4));  // small, but larger than what welds
+  fine = joined(fine, sphere({0.6, 0, 1}, 1e-4));  // small, but larger than the weld tolerance
   const auto n = static_cast<int>(fine.positions.size());
   for (const Shape& shape : {fine, cutApart(fine)}) {
     Keyframes k = keyframes(shape, {bend(0), bend(1), bend(-1)});

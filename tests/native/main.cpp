@@ -1,6 +1,6 @@
-// The test runner; every other file of this folder registers its cases with it. Takes doctest's options, and
-// --report=FILE for the counts and the names of what failed, as JSON. A case that cannot run here (say, without its
-// data) says MESSAGE("SKIPPED: <why>") and returns: it is counted as skipped.
+// The test runner for all cases in this folder. Takes doctest's options, and --report=FILE for counts and names of
+// failed cases as JSON. A case that cannot run (for example, without its data) prints MESSAGE("SKIPPED: <why>") and
+// returns. It counts as skipped.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
@@ -41,7 +41,7 @@ struct Counter : doctest::IReporter {
   void subcase_start(const doctest::SubcaseSignature&) override {}
   void subcase_end() override {}
   void log_assert(const doctest::AssertData&) override {}
-  // Called for cases that a filter leaves out, too: those are not counted.
+  // doctest also calls this for filtered cases, which do not count.
   void test_case_skipped(const doctest::TestCaseData&) override {}
 
   bool saidSkipped = false;

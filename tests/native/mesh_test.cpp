@@ -1,4 +1,4 @@
-// Topology, welding and components on a zoo of small nasty meshes.
+// Topology, welding and components of small difficult meshes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Shape moebius() {
   return s;
 }
 
-// Each shape under three poses; whatever it is made of, keys must come back and nothing may be NaN.
+// Moves each shape through three poses. The motion must pass the keys and contain no NaN.
 void checkMotion(const Shape& shape, const char* name) {
   CAPTURE(name);
   const Keyframes k = keyframes(
@@ -74,7 +74,7 @@ TEST_CASE("counts of a closed, an open and a non-manifold mesh") {
   c = countMesh(4, open.faces);
   CHECK(c.boundaryEdges == 3);
 
-  Shape fin = closed;  // a third face on an edge, one repeated face, one flipped, one vertex in no face
+  Shape fin = closed;  // a third face at an edge, one repeated face, one flipped, one unused vertex
   fin.positions.insert(fin.positions.end(), {{2, 2, 2}, {9, 9, 9}});
   fin.faces.push_back({0, 1, 4});
   fin.faces.push_back({1, 0, 2});
@@ -87,7 +87,7 @@ TEST_CASE("counts of a closed, an open and a non-manifold mesh") {
 
 TEST_CASE("vertices weld where they coincide in every key, and only there") {
   Positions a = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1e-9}, {1, 0, 0}};
-  Positions b = {{5, 0, 0}, {6, 0, 0}, {5, 0, 0}, {7, 0, 0}};  // the last two part in the second key
+  Positions b = {{5, 0, 0}, {6, 0, 0}, {5, 0, 0}, {7, 0, 0}};  // the last two vertices separate in the second key
   const Positions* poses[] = {&a, &b};
   const Welding w = weld(poses, std::vector<double>(std::size(poses), 1e-6));
   CHECK(w.count == 3);
@@ -124,7 +124,7 @@ TEST_CASE("repeated faces are counted in any order of their vertices, those with
 
 TEST_CASE("components are counted as they are numbered: faces that share a vertex belong together") {
   Shape shape = joined(joined(sphere({0, 3, 0}, 0.2), tetrahedron()), bar());
-  shape.faces.push_back({0, static_cast<int>(shape.positions.size()) - 1, 1});  // joins the first part to the last
+  shape.faces.push_back({0, static_cast<int>(shape.positions.size()) - 1, 1});  // connects the first part to the last
   std::vector<char> use(shape.faces.size(), 1);
   const auto n = static_cast<int>(shape.positions.size());
   const auto bothCounts = [&] {
@@ -189,7 +189,7 @@ TEST_CASE("contacts are those that comparing all vertices finds") {
     return largest;
   };
   std::vector<int> lastFound;
-  for (int u = 0; u < parts * size; u += 9) {  // all of one part
+  for (int u = 0; u < parts * size; u += 9) {  // these vertices form one part
     if (partOf[u] < 0) continue;
     const int own = label[partOf[u]];
     const auto isOther = [&](int v) { return partOf[v] >= 0 && label[partOf[v]] != own; };
@@ -264,8 +264,8 @@ TEST_CASE("the zoo moves: every kind of mesh gives its keys back and stays finit
   checkMotion(repeated, "repeated and flipped faces");
   Shape flat = bar();
   const int extra = static_cast<int>(flat.positions.size());
-  flat.positions.push_back((flat.positions[0] + flat.positions[1]) / 2);  // on an edge: a face without area
-  flat.positions.emplace_back(3, 3, 3);                                   // held by faces without area only
+  flat.positions.push_back((flat.positions[0] + flat.positions[1]) / 2);  // on an edge, so its face has no area
+  flat.positions.emplace_back(3, 3, 3);                                   // belongs only to faces without area
   flat.faces.push_back({0, 1, extra});
   flat.faces.push_back({extra, extra + 1, extra});
   checkMotion(flat, "degenerate faces");

@@ -1,4 +1,4 @@
-// A key that is a mirror image of the others is named; no sheet, and no pose of a real shape, is taken for one.
+// Detects a key that is a mirror image of the others, without false positives for sheets and poses of real shapes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ Shape bumpyBar() {
   return shape;
 }
 
-/// A square sheet of side 4, k x k cells whose corners lie off the grid by up to `jitter` cells.
+/// A square sheet of side 4 with k x k cells. Corners are off the grid by up to `jitter` cells.
 Shape sheet(int k = 30, double jitter = 0) {
   Shape shape;
   std::mt19937 random(1);
@@ -65,7 +65,7 @@ Shape sheet(int k = 30, double jitter = 0) {
   return shape;
 }
 
-/// Rolls the x axis up to an arc that turns by `angle`.
+/// Rolls the x axis up to an arc of `angle`.
 Map roll(double angle) {
   return [=](const Vec3& p) -> Vec3 {
     const double radius = 4 / angle;
@@ -83,7 +83,7 @@ TEST_CASE("a mirrored key of a ball or a bumpy bar is named, whichever it is and
   CHECK(mirroredOf(keyframes(shape, {bend(0), bend(2), twist(3), bend(-3)})).empty());
   CHECK(mirroredOf(keyframes(shape, {bend(0), bend(2), then(bend(-2), mirrorX), twist(3)})) == std::vector{2});
   CHECK(mirroredOf(keyframes(shape, {then(bend(1), mirrorX), bend(2), twist(3)})) == std::vector{0});
-  // Rotated and enlarged, it is still a mirror image.
+  // A rotated and scaled mirror image is still detected.
   const Map away = [](const Vec3& p) -> Vec3 { return 100 * turn(Vec3(1, 2, 3), 2.2, Vec3(70, 0, 0))(p); };
   CHECK(mirroredOf(keyframes(shape, {bend(0), then(then(twist(2), mirrorX), away)})) == std::vector{1});
 }
@@ -110,13 +110,13 @@ TEST_CASE("a sheet may roll up either way") {
   const Shape flat = sheet();
   CHECK(mirroredOf(keyframes(flat, {turn(Vec3::UnitX(), 0), roll(3), roll(-5)})).empty());
   CHECK(mirroredOf(keyframes(flat, {roll(3), roll(-5)})).empty());
-  // Triangles of odd shapes on a cylinder have curvature of their own.
+  // Irregular triangles on a cylinder have some curvature.
   CHECK(mirroredOf(keyframes(sheet(200, 0.35), {roll(3), roll(-5)})).empty());
 }
 
 TEST_CASE("curvature that is noise tells nothing") {
   std::mt19937 random(1);
-  Shape tube = box(1, 1, 10, 16, 16, 160);  // open at its ends, but no sheet
+  Shape tube = box(1, 1, 10, 16, 16, 160);  // open at its ends, but not a sheet
   std::erase_if(tube.faces, [&](const Triangle& t) {
     return std::any_of(t.begin(), t.end(),
                        [&](int v) { return tube.positions[v].z() == 0 || tube.positions[v].z() == 10; });
@@ -136,7 +136,7 @@ TEST_CASE("poses of real shapes: none is mirrored, and each is when it is mirror
   using Paths = std::vector<std::string>;
   struct Set {
     Paths files;
-    bool isBody = true;  // no sheet
+    bool isBody = true;  // not a sheet
   };
   const Set sets[] = {
       {{"cactus/cactus-1.glb", "cactus/cactus-2.glb", "cactus/cactus-3.glb"}},

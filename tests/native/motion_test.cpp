@@ -1,4 +1,4 @@
-// What the options do to a motion: boundaries, turns, tangents, periods, measures.
+// Effects of the options on a motion: boundaries, turns, tangents, periods, measures.
 #include <doctest/doctest.h>
 
 #include "core/mesh/measures.h"
@@ -29,7 +29,7 @@ MotionOptions with(BoundaryKind boundary) {
   return m;
 }
 
-// A walk: the bar bends and straightens while it moves on; the last key is the first one, moved.
+// A walk: the bar bends and straightens while it moves on. The last key is the first key, moved.
 Keyframes walk() {
   const auto step = [](double bendAngle, double x) -> Map {
     const Map b = bend(bendAngle);
@@ -56,7 +56,7 @@ TEST_CASE("a periodic motion repeats, and runs on where its last key is the firs
   const Positions first = shapeAt(s, 0.7), next = shapeAt(s, 3.7), before = shapeAt(s, -2.3);
   CHECK(largestDistance(mapped(first, [](const Vec3& p) -> Vec3 { return p + Vec3(0, 3, 0); }), next) < 1e-7);
   CHECK(largestDistance(mapped(first, [](const Vec3& p) -> Vec3 { return p - Vec3(0, 3, 0); }), before) < 1e-7);
-  // one smooth motion where it closes
+  // The loop is smooth at its closing point.
   const double h = 1e-3;
   const Positions a = shapeAt(s, 3 - h), b = shapeAt(s, 3 + h), c = shapeAt(s, 3);
   double largest = 0;
@@ -169,10 +169,10 @@ TEST_CASE("the pace of the motion: its speed and where it swings past a key") {
   const auto middle = [&](int j) { return (times[j] + times[j + 1]) / 2; };
   const MotionSpeed motion = s.featureCurve()->speedAt({middle(1), middle(2), -1, times[1]});
   CHECK(motion.overshoot[0] == 0);
-  CHECK(motion.overshoot[1] > 0.01);  // equal keys, and the motion leaves them
+  CHECK(motion.overshoot[1] > 0.01);  // the keys are equal, and the motion leaves them
   CHECK(motion.overshoot[2] == 0);    // extrapolated
   CHECK(motion.overshoot[3] < 1e-9);
-  CHECK(s.featureCurve()->speedAt({middle(0)}).overshoot[0] > 0.01);  // swings back before the long way
+  CHECK(s.featureCurve()->speedAt({middle(0)}).overshoot[0] > 0.01);  // swings back before the long interval
   MotionOptions straight;
   straight.method = Method::Geodesic;
   REQUIRE(s.update(straight, times).ok());

@@ -1,4 +1,4 @@
-// Objects of several poses: which is which, whatever their order in the files.
+// Matches objects of several poses, in any file order.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ using namespace shapespline::test;
 
 namespace {
 
-// A box or a pyramid somewhere, and what it is called.
+// A box or a pyramid with a position and names.
 struct Object {
   std::string node, mesh;
   Vec3 at;
@@ -29,7 +29,7 @@ const std::vector<Triangle>& facesOf(const Object& object) {
   return object.pyramid ? pyramid : boxFaces();
 }
 
-// `moved` turns and shifts all of them.
+// `moved` transforms all objects.
 GltfMaker glbOf(const std::vector<Object>& objects, const Eigen::Affine3d& moved = Eigen::Affine3d::Identity()) {
   GltfMaker maker;
   for (const Object& object : objects) {
@@ -72,7 +72,7 @@ Import imported(const Files& files) {
   return std::move(*result);
 }
 
-// The second key is the first one moved: no object has changed places.
+// The second key is the first key, moved, so every object is matched correctly.
 void checkMoved(const Import& import, const Eigen::Affine3d& moved) {
   Positions wanted = import.keyframes.keys[0].positions;
   for (Vec3& p : wanted) p = moved * p;
@@ -155,10 +155,10 @@ TEST_CASE("objects without names are matched by shape, and alike ones by place")
   CHECK(rules(shapes) == "ss");
   checkMoved(joined({plain(-3), plain(3)}, {plain(3), plain(-3)}), shiftBy);
   checkMoved(joined({plain(-3), plain(0, true), plain(3)}, {plain(3), plain(-3), plain(0, true)}), shiftBy);
-  // One name for both.
+  // Both have one name.
   const Object left{"Eye", "", {-3, 0, 0}}, right{"Eye", "", {3, 0, 0}};
   checkMoved(joined({left, right}, {right, left}), shiftBy);
-  // Each with a name of its own in every file.
+  // Every file uses different names.
   const Object other{"A", "", {-3, 0, 0}}, another{"B", "", {3, 0, 0}};
   checkMoved(joined({leftBox, rightBox}, {another, other}), shiftBy);
 }
@@ -188,7 +188,7 @@ TEST_CASE("names of the nodes above tell objects of one name apart") {
     }
     return maker.glb();
   };
-  // Their places alone would say otherwise: each goes to the other side.
+  // Positions alone would give the opposite match, because the objects change sides.
   const Import import = imported(Files()
                                      .add("a.glb", nested({{"left", -3}, {"right", 3}}, Vec3::Zero()))
                                      .add("b.glb", nested({{"right", -3}, {"left", 3}}, Vec3::Zero())));
@@ -208,7 +208,7 @@ TEST_CASE("objects that not every file has are left out, with a warning") {
   checkMoved(fewer, shiftBy);
   CHECK(leftOut(fewer));
   CHECK(fewer.keyframes.vertexCount() == 16);
-  // The files' numbers of unnamed meshes name others.
+  // Default numbers of unnamed meshes refer to other objects.
   const auto plain = [](double x, bool pyramid = false) { return Object{"", "", {x, 0, 0}, pyramid}; };
   checkMoved(joined({plain(-3)}, {plain(0, true), plain(-3)}), shiftBy);
 }
@@ -253,7 +253,7 @@ TEST_CASE("groups stand for objects, and may share vertices") {
 }
 
 TEST_CASE("many objects without names take no quadratic time") {
-  // Each pair of alike objects is compared where there are few of them; the order of the files counts for the others.
+  // Few similar objects are compared in pairs. For many, the file order decides.
   const auto file = [](int count) {
     GltfMaker maker;
     const Object small{"", "", {0, 0, 0}, true};

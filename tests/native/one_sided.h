@@ -1,4 +1,4 @@
-// Derivatives of a motion from one side of a moment, by differences: what jumps there differs between the two sides.
+// One-sided derivatives of a motion by differences. They differ between the two sides at a jump.
 #pragma once
 
 #include <array>
@@ -7,13 +7,13 @@
 
 namespace shapespline::test {
 
-/// First and second derivatives of all vertices, and of the turns of all patches (radians): the angular velocity and
+/// First and second derivatives of all vertices and of the rotations of all patches (radians): angular velocity and
 /// acceleration.
 struct OneSided {
   Positions velocity, acceleration, angularVelocity, angularAcceleration;
 };
 
-/// From the moments t, t + h, t + 2h and t + 3h; h < 0: from before. Errors: of third order in h for the velocity, of
+/// Uses the times t, t + h, t + 2h and t + 3h; h < 0 for the side before t. Errors: third order in h for the velocity,
 /// second order for the acceleration.
 inline OneSided oneSided(Sequence& sequence, const PatchTurning& patches, double t, double h) {
   std::array<Positions, 4> x, turn;
@@ -41,8 +41,8 @@ inline double largestNorm(const Positions& list) {
   return largest;
 }
 
-/// Largest differences of the two sides, over the largest of them. An acceleration smaller than what would stop the
-/// motion in `duration` counts as that: a motion without acceleration has no relative jump.
+/// Largest differences between the two sides, relative to the largest value. Accelerations smaller than needed to stop
+/// the motion within `duration` count as that value, so a motion without acceleration has no relative jump.
 struct Jumps {
   double velocity, acceleration, angularVelocity, angularAcceleration;
 };
@@ -57,7 +57,7 @@ inline Jumps jumpsBetween(const OneSided& before, const OneSided& after, double 
           jump(before.angularAcceleration, after.angularAcceleration, largestNorm(before.angularVelocity) / duration)};
 }
 
-/// How the motion jumps at t, by differences over h.
+/// Jumps of the motion at t, by differences over h.
 inline Jumps jumpsAt(Sequence& sequence, const PatchTurning& patches, double t, double h = 2e-4) {
   const auto [start, end] = sequence.range();
   return jumpsBetween(oneSided(sequence, patches, t, -h), oneSided(sequence, patches, t, h), end - start);

@@ -1,4 +1,4 @@
-// Orderings and the symbolic analysis against brute force on small graphs, and their quality on a mesh.
+// Compares orderings and the symbolic analysis with brute force on small graphs, and checks their quality on a mesh.
 #include "core/sparse/ordering.h"
 #include "core/sparse/minimum_degree.h"
 
@@ -46,7 +46,7 @@ bool isPermutation(std::vector<int> order, int size) {
   return static_cast<int>(order.size()) == size;
 }
 
-// Rows below the diagonal of each column of the factor, by elimination.
+// Rows below the diagonal in each column of the factor, by elimination.
 std::vector<std::set<int>> eliminate(const Graph& graph) {
   std::vector<std::set<int>> below(graph.size());
   for (int v = 0; v < graph.size(); ++v)
@@ -133,14 +133,14 @@ TEST_CASE("ordering: the symbolic factor covers all fill") {
 TEST_CASE("ordering: vertex cuts are smallest, by trying all") {
   Random random(3);
   for (int round = 0; round < 400; ++round) {
-    const int band = 1 + random.below(10), size = band + 4;  // then two nodes Left, two Right
+    const int band = 1 + random.below(10), size = band + 4;  // followed by two nodes Left and two Right
     std::vector<std::pair<int, int>> edges;
     for (int i = random.below(5 * band); i > 0; --i) edges.emplace_back(random.below(band), random.below(size));
     const Graph graph = graphFromEdges(size, edges);
     std::vector<Side> side(size, Side::Separator);
     for (int v = band; v < size; ++v) side[v] = v < band + 2 ? Side::Left : Side::Right;
 
-    // What remains of the band after taking a set away must not join Left and Right.
+    // Whether the band without a set of nodes separates Left and Right.
     const auto separatesWithout = [&](unsigned removed) {
       std::vector<char> reached(size, 0);
       std::vector<int> stack = {band, band + 1};
@@ -219,7 +219,7 @@ TEST_CASE("ordering: clusters hold neighbours, and border on each other as their
 
 TEST_CASE("ordering: nested dissection copes with large graphs that are no meshes") {
   Random random(8);
-  const int size = 7000;  // divided among clusters first
+  const int size = 7000;  // large enough for division by clusters
   const std::vector<Vec3> same(size, Vec3(1, 2, 3)), scattered = randomPoints(size, random);
   std::vector<std::pair<int, int>> none, path, star;
   for (int i = 1; i < size; ++i) path.emplace_back(i - 1, i), star.emplace_back(0, i);
@@ -244,7 +244,7 @@ TEST_CASE("ordering: nested dissection copes with graphs that are no meshes") {
     }
   CHECK(isPermutation(nestedDissectionOrder(randomGraph(size, 2000, random), scattered), size));
   CHECK(nestedDissectionOrder(Graph{}, {}).empty());
-  // Many leaves around one dense node: the leaf's neighbours do not fit its bit sets.
+  // Many leaves around one dense node. The leaf's neighbours exceed its bit sets.
   std::vector<std::pair<int, int>> hubs;
   for (int hub = 0; hub < 300; ++hub)
     for (int i = 300; i < size; ++i) hubs.emplace_back(hub, i);

@@ -1,4 +1,5 @@
-// Own paths of faces: exact at the keys, faded where they disagree with LRI space, and against a frame or not.
+// Own paths of faces are exact at the keys and fade where they disagree with LRI space. Tested with and without a base
+// frame.
 #include <doctest/doctest.h>
 
 #include "core/mesh/measures.h"
@@ -36,7 +37,7 @@ Map then(const Map& first, const Map& second) {
 
 TEST_CASE("own paths: keys are exact, with components, a ghost, what is held, and end tangents") {
   Shape shape = joined(box(1, 1, 10, 2, 2, 20), sphere({0, 0, 10.8}, 0.6, 6, 12));
-  shape.positions.emplace_back(0.2, 0.1, 5);  // in no face
+  shape.positions.emplace_back(0.2, 0.1, 5);  // an unused vertex
   const Keyframes k = keyframes(shape, {bend(0), bend(1.2), bend(-1), twist(2)});
   EncodingOptions encoding;
   encoding.precision = Precision::Exact;

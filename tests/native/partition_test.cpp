@@ -1,4 +1,4 @@
-// The partition of large meshes, which is found among clusters of faces first.
+// The partition of large meshes, which starts with clusters of faces.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Partitioned partitioned(Keyframes keys) {
   return result;
 }
 
-// How many pieces the faces of one label each form.
+// Number of connected pieces formed by the faces of each label.
 int piecesOf(const FaceGraph& graph, const std::vector<int>& label) {
   std::vector<char> met(label.size(), 0);
   int pieces = 0;

@@ -1,4 +1,4 @@
-// Pins: what is held by hand keeps the keys, the smoothness and the indifference to rigid motions of what it corrects.
+// Pins preserve the keys, the smoothness and the rigid invariance of the corrected motion.
 #include <doctest/doctest.h>
 
 #include "core/hold/pin_region.h"
@@ -14,7 +14,7 @@ using namespace shapespline::test;
 
 namespace {
 
-// A bar that bends to either side; its end at z = 10 is pinned.
+// A bar that bends to either side, with a pin at its end z = 10.
 Keyframes swaying() { return keyframes(bar(), {bend(0), bend(0.9), bend(-0.5), bend(0.4)}, {0, 1, 2.5, 3.5}); }
 
 int tip(const Keyframes& k) {
@@ -144,7 +144,7 @@ TEST_CASE("pins beside what is held, at every boundary: keys, smoothness, rigid 
 }
 
 TEST_CASE("a pin takes the parts of its body along, and leaves another object where it is") {
-  // A hat on the end that is pinned, and a bar far away that nods by itself.
+  // A hat on the pinned end, and a distant bar that nods independently.
   const Shape body = bar();
   const std::size_t hat = body.positions.size();
   const Shape dressed = joined(body, sphere({0, 0, 10.2}, 0.3));

@@ -1,4 +1,4 @@
-// Pins on the limbs of any shape: one of each kind.
+// Pins of each kind on the limbs of any shape.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline std::vector<int> limbs(const Keyframes& k, int count) {
   return found;
 }
 
-/// A ball on its own splines, a patch that stays where the second key has it, and a ball that is moved by 3 % of the
+/// A ball on its own splines, a patch that keeps its position from the second key, and a ball that moves by 3 % of the
 /// diagonal to either side.
 inline std::vector<Pin> everyPin(const Keyframes& k) {
   const std::vector<int> at = limbs(k, 3);

@@ -1,4 +1,4 @@
-// PC2 and MDD with their OBJ, and numbered files, as animations that keys are taken from.
+// PC2 and MDD with their OBJ, and numbered files, as animations with sampled keys.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::string objOf(const Positions& positions) {
   return text + "f 1 2 3 4\n";
 }
 
-// The square lifts by a quarter per frame.
+// The square rises by a quarter per frame.
 Positions frameAt(double frame) {
   Positions out = squareText;
   out[2].z() += frame / 4;
@@ -74,7 +74,7 @@ void checkKey(const Import& import, int key, double frame) {
 
 TEST_CASE("PC2 and MDD with their OBJ are sampled at times of their own, between frames too") {
   ImportOptions options;
-  options.sampleTimes = {1, 1.025, 1.5};  // PC2: frame 10 + 2 f at 24 a second
+  options.sampleTimes = {1, 1.025, 1.5};  // PC2: frame 10 + 2 f at 24 per second
   const auto a = moved("cache.pc2", pc2(), options);
   REQUIRE_MESSAGE(a.ok(), (a.ok() ? "" : a.error().message));
   for (int key = 0; key < 3; ++key) checkKey(*a, key, (24 * options.sampleTimes[key] - 10) / 2);
@@ -167,7 +167,7 @@ TEST_CASE("files that do not say which axis is up are hinted at where they stand
   const std::string header =
       "element vertex 8\nproperty float x\nproperty float y\nproperty float z\nelement face 5\n"
       "property list uchar int vertex_indices\nend_header\n";
-  // A pyramid's frustum, wide below.
+  // A frustum with its wide end down.
   const std::string stump =
       "-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n-1 -1 3\n1 -1 3.5\n1 1 3\n-1 1 3.5\n4 3 2 1 0\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n"
       "4 3 0 4 7\n";
@@ -195,7 +195,7 @@ TEST_CASE("files that do not say which axis is up are hinted at where they stand
   CHECK(!has(codes("a.off", upright)));
   CHECK(!has(codes("a.off", "# Blender v4.5\n" + upright)));
   CHECK(has(codes("a.off", "# Blender v4.5\n" + upright), "z-up-unclear"));
-  // Four pointed feet under a leaning body: no flat base, but along y it would tip over.
+  // Four pointed feet under a leaning body: no flat base, but it would tip over along y.
   const auto onFeet = [](bool zUp) {
     const std::vector<Vec3> points = {{-1, -2, 0}, {1, -2, 0}, {1, 2, 0}, {-1, 2, 0}, {0, -3, 2}, {0, 3, 3.5}};
     std::string text = "OFF\n6 8 0\n";

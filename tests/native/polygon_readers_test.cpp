@@ -1,4 +1,4 @@
-// OBJ, PLY and OFF: what they hold, how polygons are split, and what is refused.
+// OBJ, PLY and OFF: contents, polygon cuts, and rejected files.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ using namespace shapespline::test;
 
 namespace {
 
-// Of the warnings, those of the files alone: the keys here are one pose.
+// Keeps only warnings from the files, because all keys here are one pose.
 Import imported(const Files& files, const ImportOptions& options = {}) {
   auto result = files.import(options);
   REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
@@ -77,7 +77,7 @@ TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued line
   CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
   REQUIRE(import.keyframes.normals.size() == 4);
   CHECK((import.keyframes.normals[3] - Vec3::UnitZ()).norm() == 0);
-  CHECK(import.scene.uvs == std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0});  // vertex 3 has none
+  CHECK(import.scene.uvs == std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0});  // vertex 3 has no coordinates
   CHECK(import.scene.seams.copyOf.empty());
   CHECK(import.warnings.at(0).code == "skipped-primitives");
   CHECK(import.warnings.at(0).count == 3);
@@ -109,7 +109,8 @@ TEST_CASE("OBJ: texture coordinates, with the origin above, and copies of vertic
 }
 
 TEST_CASE("OBJ: one copy for all corners of a vertex that lie at the same place of the texture") {
-  // A fan about vertex 1, whose sectors lie in the texture by turns at two places; those are written several times.
+  // A fan around vertex 1. Its sectors alternate between two regions of the texture, and vertices in several regions
+  // are duplicated.
   std::string text = "v 0 0 0\n", faces;
   for (int i = 0; i <= 6; ++i) text += "v " + std::to_string(i) + " 1 0\nvt " + std::to_string(i % 2) + " 0.5\n";
   for (int i = 0; i < 6; ++i)
@@ -121,8 +122,8 @@ TEST_CASE("OBJ: one copy for all corners of a vertex that lie at the same place 
 
 TEST_CASE("further poses of a mesh are cut into its triangles, however they would be cut by themselves") {
   const std::string faces = "f 1 2 3 4\nf 5 6 7 8 9\nf 1 2 6\n";
-  const auto pose = [&](double x) {  // the diagonal of the first polygon that is shorter changes, and so does the
-                                     // corner that points inwards
+  // x determines the shorter diagonal of the first polygon and the reflex corner of the second
+  const auto pose = [&](double x) {
     return bytesOf("v 0 0 0\nv 1 0 0\nv " + std::to_string(1 + x) + " 1 0\nv " + std::to_string(x) +
                    " 1 0\nv 0 5 0\nv 2 5 0\nv " + std::to_string(2 - x) + " 6 0\nv 1 7 0\nv 0 7 0\n" + faces);
   };
@@ -133,7 +134,7 @@ TEST_CASE("further poses of a mesh are cut into its triangles, however they woul
   ImportOptions options;
   options.like = mine;
   CHECK(imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(-0.5)), options).keyframes.faces == mine);
-  options.like[1][1] = 8;  // of another mesh: cut by themselves
+  options.like[1][1] = 8;  // a different mesh, so the poses get their own cuts
   CHECK(imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(-0.5)), options).keyframes.faces == others);
   options.like = {{0, 1, 2}};
   CHECK(imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(-0.5)), options).keyframes.faces == others);
@@ -155,7 +156,7 @@ TEST_CASE("OBJ: polygons with seams are cut as their faces are; later keys may h
     for (int c = 0; c < 3; ++c) {
       const int drawn = seams.faces[f][c];
       CHECK(import.keyframes.faces[f][c] == (drawn < 7 ? drawn : seams.copyOf[drawn - 7]));
-      if (f >= 3) CHECK((drawn >= 5));  // nothing of the second polygon is drawn with the first one's coordinates
+      if (f >= 3) CHECK((drawn >= 5));  // no vertex of the second polygon has the first polygon's coordinates
     }
 }
 
@@ -310,8 +311,8 @@ TEST_CASE("OFF: comments, counts on the first line, normals, colours, lines that
 }
 
 TEST_CASE("polygons are split as in the first key, whatever their shape in the others") {
-  // A dart whose inner corner is vertex 4 in the first key and vertex 1 in the second: each alone would be cut
-  // differently.
+  // A dart with its inner corner at vertex 4 in the first key and at vertex 1 in the second. Each key alone would be
+  // cut differently.
   const std::string face = "f 1 2 3 4\n";
   const std::string first = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\n" + face,
                     second = "v 0 0 0\nv 1 1 0\nv 4 0 0\nv 0 -4 0\n" + face;
@@ -324,7 +325,7 @@ TEST_CASE("polygons are split as in the first key, whatever their shape in the o
 }
 
 TEST_CASE("concave polygons are covered without overlap") {
-  // A comb: 16 corners. Its area is 7 (the back, 7 x 1) plus 4 (four teeth of 1 each).
+  // A comb with 16 corners. Its area is 7 (the back, 7 x 1) plus 4 (four teeth of 1 each).
   std::string text;
   int n = 0;
   const auto corner = [&](double x, double y) {
@@ -380,7 +381,7 @@ TEST_CASE("up axis and unit") {
   CHECK((import.keyframes.keys[1].positions[0] - Vec3(0.01, 0.03, -0.02)).norm() < 1e-15);
   CHECK((import.keyframes.normals[0] - Vec3::UnitY()).norm() < 1e-15);
   const Files glb = Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb());
-  CHECK(distance(imported(glb, options).keyframes.keys[0].positions, boxPose()) < 1e-6);  // glTF says itself
+  CHECK(distance(imported(glb, options).keyframes.keys[0].positions, boxPose()) < 1e-6);  // glTF defines axes and unit
   options.unit = 0;
   CHECK(glb.import(options).error().code == ErrorCode::InvalidOption);
 }
@@ -438,7 +439,7 @@ TEST_CASE("broken PLY files") {
   checkRefused("bad.ply", with("element face 1\nproperty list uchar int vertex_indices\n", ""), ErrorCode::NoTriangles,
                "no faces");
   checkRefused("bad.ply", "element", ErrorCode::NotRecognised, "named .ply");
-  // Of the second vertices none has a normal.
+  // Only the vertices of the second element lack normals.
   checkRefused("bad.ply",
                "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
                "z\nproperty float nx\n"
@@ -446,7 +447,7 @@ TEST_CASE("broken PLY files") {
                "float z\nelement face 1\n"
                "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0\n3 0 1 2\n",
                ErrorCode::MalformedFile, "twice");
-  // Elements without properties take no bytes, however many there are.
+  // Elements without properties take no bytes, whatever their count.
   CHECK(twice("a.ply", with("element face 1", "element nothing 60000000\nelement face 1")).keyframes.faceCount() == 2);
   std::string faces;
   for (int i = 0; i < 10'000; ++i) faces += "element face 60000000\n";
@@ -481,7 +482,7 @@ TEST_CASE("broken OFF files") {
 TEST_CASE("every cut of a file is refused") {
   for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.ply", squarePly}, {"a.off", squareOff}})
     for (std::size_t size = 0; size + 2 < text.size(); ++size) {
-      // Cut within its last number a text file may still be whole: every number but the last must be there.
+      // A text file cut inside its last number may still be complete. All earlier numbers must be present.
       CAPTURE(size);
       CHECK(!Files().add(name, bytesOf(text)).add("b" + name, bytesOf(text.substr(0, size))).import().ok());
     }

@@ -1,4 +1,4 @@
-// Few offsets for many: exact where the rows span few dimensions, within the tolerance elsewhere.
+// A few offset fields approximate many: exactly for rows in few dimensions, otherwise within the tolerance.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using Rows = std::vector<std::vector<float>>;
 
-// Two fields of offsets over 40 vertices, mixed by a slow and a fast wave.
+// Two offset fields over 40 vertices, mixed by a slow and a fast wave.
 Rows waves(int rows, double third = 0) {
   Rows out(rows, std::vector<float>(120));
   for (int i = 0; i < rows; ++i) {

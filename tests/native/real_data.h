@@ -1,5 +1,4 @@
-// Files from other sources, if available: in the folder that SHAPESPLINE_DATA names, or in shared/data
-// beside the repository.
+// Files from other sources, if available: in the folder SHAPESPLINE_DATA, or in shared/data beside the repository.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,8 +19,8 @@ inline std::filesystem::path dataFolder() {
   return std::filesystem::path(SHAPESPLINE_SOURCE_DIR).parent_path() / "shared" / "data";
 }
 
-/// Whether the folder and the named files in it are there. If not, the case should return: it counts as skipped
-/// (main.cpp), or fails where SHAPESPLINE_DATA_REQUIRED is set.
+/// Whether the folder and the given files in it exist. If not, the case should return: it counts as skipped (main.cpp),
+/// or fails if SHAPESPLINE_DATA_REQUIRED is set.
 inline bool hasData(const std::vector<std::string>& paths = {}) {
   const auto skip = [](const std::filesystem::path& missing) {
     REQUIRE_MESSAGE(!std::getenv("SHAPESPLINE_DATA_REQUIRED"), missing.string());
@@ -43,12 +42,12 @@ inline Bytes contentOf(const std::filesystem::path& file) {
 inline const std::vector<std::string> wolfPoses = {"obj/wolf/wolf-1.obj",  "obj/wolf/wolf-4.obj",
                                                    "obj/wolf/wolf-8.obj",  "obj/wolf/wolf-12.obj",
                                                    "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"};
-/// Unordered, with turns of 175 degrees.
+/// Not in order, with turns of 175 degrees.
 inline const std::vector<std::string> lionPoses = {"turns/lion/1.obj", "turns/lion/2.obj", "turns/lion/3.obj",
                                                    "turns/lion/4.obj", "turns/lion/5.obj", "turns/lion/6.obj",
                                                    "turns/lion/7.obj", "turns/lion/8.obj", "turns/lion/9.obj"};
 
-/// Files of the folder, named without their folders.
+/// Reads files of the folder. The results have names without folders.
 inline Files realFiles(const std::vector<std::string>& paths) {
   Files files;
   for (const std::string& path : paths)

@@ -1,4 +1,4 @@
-// Files from other sources, if available: counts, and that every malformed one is refused or imported.
+// Files from other sources, if available: checks counts, and that every malformed file is rejected or imported.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -111,7 +111,7 @@ TEST_CASE("malformed real files") {
     const auto start = std::chrono::steady_clock::now();
     const auto import = alone.import();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    CHECK(took.count() < 60);  // it hangs: no measure of speed
+    CHECK(took.count() < 60);  // detects hangs, not slowness
     if (import.ok()) {
       shapespline::fuzz::checkImport(*import);
     } else {

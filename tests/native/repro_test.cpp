@@ -1,4 +1,4 @@
-// Defects that inputs of tests/repro showed.
+// Defects revealed by the inputs in tests/repro.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,11 +14,11 @@ using namespace shapespline::repro;
 
 namespace {
 
-// How a wheel turns against its car.
+// Rotation of a wheel relative to its car.
 struct Turning {
   double total = 0;                 // degrees from the first key to the last, forwards positive
-  double slowest = 0, fastest = 0;  // degrees a second; of unlike signs where the sense changes
-  double offAxis = 0;               // largest tilt of the turn's axis, degrees
+  double slowest = 0, fastest = 0;  // degrees per second; opposite signs if the direction changes
+  double offAxis = 0;               // largest tilt of the rotation axis, degrees
 };
 
 Turning turningOf(Sequence& sequence, const Car& car, int wheel) {
@@ -60,7 +60,7 @@ const Warning* warningOf(const Sequence& sequence, const std::string& code) {
   return nullptr;
 }
 
-// The largest distance of the hat from the bar.
+// Largest distance between hat and bar.
 double largestGap(const Keyframes& hat) {
   Sequence sequence = sequenceOf(hat, doublePrecision());
   const int under = vertexUnderHat(hat);
@@ -135,10 +135,10 @@ TEST_CASE("repro: turns that are added to one part silence its warning, and no o
       turns = {{1, 0, component[f]}};
       break;
     }
-  CHECK(wheelsWarnedOf(turns) == 4);  // 0 turns change nothing
+  CHECK(wheelsWarnedOf(turns) == 4);  // 0 turns have no effect
   turns[0].turns = -1;
   CHECK(wheelsWarnedOf(turns) == 3);
-  CHECK(wheelsWarnedOf({{1, 1}}) == 4);  // the whole's
+  CHECK(wheelsWarnedOf({{1, 1}}) == 4);  // turns of the whole
 }
 
 TEST_CASE("repro: whole turns can be added to a part") {
@@ -151,9 +151,9 @@ TEST_CASE("repro: whole turns can be added to a part") {
   checkRolls(sequence, car, 0, 450);
   const Positions rest = shapeAt(sequence, 0);
   const Mat3 body = fitRigid(car.body(rest), car.body(shapeAt(sequence, 0.5))).rotation;
-  CHECK(logRotation(body).norm() == doctest::Approx(radians(5.5)).epsilon(1e-3));  // the body turns as before
+  CHECK(logRotation(body).norm() == doctest::Approx(radians(5.5)).epsilon(1e-3));  // the body's rotation is unchanged
 
-  // By 240 degrees forwards is what the keys show as 120 backwards: one turn less about that axis.
+  // 240 degrees forwards look like 120 backwards in the keys: one turn less about that axis.
   Sequence far = sequenceOf(car.keys(drive(240, 2)), doublePrecision());
   motion.turns = {{1, -1, 1}};
   REQUIRE(far.update(motion, times).ok());
@@ -212,7 +212,7 @@ TEST_CASE("repro: added turns and key times that cannot be are refused") {
 TEST_CASE("repro: a hat that vanishes in one key stays where it sits") {
   for (const int small : {0, 1, 2}) {
     CAPTURE(small);
-    // As one that nearly vanishes: 0.02 in the keys, 0.07 between them.
+    // The limit is the gap of a nearly vanishing hat: 0.02 in the keys, 0.07 between them.
     CHECK(largestGap(shrinkingHat(small, 0)) < largestGap(shrinkingHat(small, 0.01)) + 0.01);
   }
 }

@@ -1,4 +1,5 @@
-// Rotation-invariant mesh differences of faces: exact at the keys, where all keys are moved the shape is, near LRI.
+// Rotation-invariant mesh differences of faces are exact at the keys, follow common rigid motions of all keys, and stay
+// near LRI.
 #include <doctest/doctest.h>
 
 #include "core/mesh/measures.h"
@@ -30,7 +31,7 @@ double volumeError(Sequence& sequence, double t) {
 
 TEST_CASE("rimd: keys are exact, with components, a ghost beside them and end tangents") {
   Shape shape = joined(box(1, 1, 10, 2, 2, 20), sphere({0, 0, 10.8}, 0.6, 6, 12));
-  shape.positions.emplace_back(0.2, 0.1, 5);  // in no face
+  shape.positions.emplace_back(0.2, 0.1, 5);  // an unused vertex
   const Keyframes k = keyframes(shape, {bend(0), bend(1.2), bend(-1), twist(2)});
   EncodingOptions encoding;
   encoding.precision = Precision::Exact;

@@ -1,4 +1,4 @@
-// Rotation-strain coordinates by increments: exact at the keys, near the truth, and what they cannot do is said.
+// Rotation-strain coordinates by increments are exact at the keys and near the truth, and report their failures.
 #include <doctest/doctest.h>
 
 #include "core/mesh/measures.h"
@@ -31,7 +31,7 @@ bool isTorn(const Sequence& sequence) {
                      [](const Warning& w) { return w.code == "torn-faces" && w.key == 1 && w.face >= 0; });
 }
 
-// Two bodies, one of which carries the other, and a vertex in no face.
+// Two bodies, one attached to the other, and an unused vertex.
 Shape parts() {
   Shape shape = joined(bar(), sphere({0, 0, 10.8}, 0.6));
   shape.positions.emplace_back(0.2, 0.1, 5);
@@ -78,7 +78,7 @@ TEST_CASE("rotation-strain: end tangents give the direction at the ends") {
   Sequence sequence = sequenceOf(k, encoding, rotationStrain(BoundaryKind::Hermite));
   const double h = 1e-4;
   const Positions from = shapeAt(sequence, 0), to = shapeAt(sequence, h);
-  // It twists by 0.4 a second at first.
+  // The initial twist rate is 0.4 per second.
   Vec3 turned = Vec3::Zero();
   for (const Vec3& turn : sectionTurns(from, to, 4)) turned += turn / h;
   CHECK(turned.z() == doctest::Approx(0.4).epsilon(0.01));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// In any direction alike. The library's distributions differ between compilers, and so would the cases.
+// Uniform direction. The standard library's distributions differ between compilers, and the cases would differ too.
 Vec3 randomVector(std::mt19937& random, double length) {
   const auto coordinate = [&] { return std::ldexp(static_cast<double>(random()), -31) - 1; };
   for (;;) {
@@ -81,7 +81,7 @@ TEST_CASE("the mean of rotations is the projection of their mean matrix") {
 
 namespace {
 
-// One rotation alone, moving through the keys.
+// A single rotation spline through the keys.
 RotationSplines pathThrough(const std::vector<Quaternion>& keys) {
   RotationSplines paths;
   for (const Quaternion& q : keys) paths.key.push_back({q});
@@ -97,7 +97,7 @@ Quaternion at(const RotationSplines& paths, const CurvePoint& point) {
   return rotation[0];
 }
 
-// A closed ring of patches, given by their rotations in three keys.
+// A closed ring of patches, defined by their rotations in three keys.
 struct Ring {
   WeldedShape shape;
   std::optional<PatchMotion> motion;
@@ -182,7 +182,7 @@ TEST_CASE("a rotation path through reversed keys is the reversed path") {
 
 namespace {
 
-// The turns that are chosen about z, degrees.
+// The chosen turns about z, in degrees.
 std::vector<double> chosenDegrees(const std::vector<double>& degrees) {
   std::vector<TurnOptions> options;
   for (const double d : degrees) options.push_back(turnOptions(Vec3(0, 0, d * pi / 180)));
@@ -210,7 +210,7 @@ TEST_CASE("the shorter way is taken unless it is hardly shorter") {
 
 TEST_CASE("patch rotations: connections that agree are met, others change nothing by much") {
   std::mt19937 random(5);
-  const int count = 60;  // a closed band, with many cycles
+  const int count = 60;  // a closed band with many cycles
   std::vector<PatchLink> links;
   for (int i = 0; i < count; ++i)
     for (const int j : {(i + 1) % count, (i + 2) % count}) links.push_back({i, j, 1});
@@ -239,8 +239,8 @@ TEST_CASE("patch rotations: connections that agree are met, others change nothin
   }
 }
 
-// Where the maps disagree around the ring between the keys, a minimum followed to convergence is lost and a different
-// one taken.
+// The maps disagree around the ring between the keys. An iteration to convergence would lose its minimum and jump to
+// another.
 TEST_CASE("a ring of patches that turn by 170 degrees against each other turns without a jump" * dense) {
   double worst = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {

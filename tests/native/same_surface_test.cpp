@@ -1,4 +1,4 @@
-// The same triangles in another order, and polygons that are cut otherwise.
+// Equal triangles in another order, and polygons with other cuts.
 #include <doctest/doctest.h>
 
 #include "core/mesh/same_surface.h"
@@ -7,7 +7,7 @@ using namespace shapespline;
 
 namespace {
 
-// Two quads side by side, 0 1 2 3 and 1 4 5 2, and a pentagon 2 5 6 7 8 on top.
+// Two adjacent quads, 0 1 2 3 and 1 4 5 2, and a pentagon 2 5 6 7 8 on top.
 const std::vector<Triangle> meshText = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}};
 
 }  // namespace
@@ -31,8 +31,7 @@ TEST_CASE("other surfaces are distinguished") {
   twice[1] = twice[0];
   CHECK(!sameSurface(meshText, twice));
   CHECK(!sameSurface(meshText, {meshText.begin(), meshText.end() - 1}));
-  // A closed surface over the same vertices, all of whose edges are others: it has no boundary that could distinguish
-  // it.
+  // A closed surface with other edges over the same vertices. It has no boundary to distinguish it.
   const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   CHECK(!sameSurface(tetrahedron, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}));
 }

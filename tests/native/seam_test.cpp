@@ -1,5 +1,5 @@
-// Periodic motions are one motion without a beginning: smooth where they close, the same whichever key is first, and
-// one more period is one more of the rigid motion that takes the first key to the last.
+// Periodic motions have no beginning. They are smooth at the closing point and do not depend on which key is first.
+// Each further period adds the rigid motion from the first key to the last.
 #include <doctest/doctest.h>
 
 #include "one_sided.h"
@@ -16,8 +16,8 @@ MotionOptions periodic(std::optional<double> period = {}) {
   return motion;
 }
 
-// A box in four places, turned about three axes on the way. With a period of 4 it turns back over the closing interval;
-// by itself, as rigid as it is, it goes on from the last place as it did from the first.
+// A box in four positions, rotated about three axes in between. With a period of 4, it returns during the closing
+// interval. Without a period, the rigid box continues from the last position as from the first.
 Keyframes turnedBox(const std::vector<double>& times = {0, 1, 2, 3}) {
   return keyframes(box(1, 2, 3, 3, 5, 8),
                    {turn(Vec3::UnitX(), 0), turn(Vec3::UnitX(), radians(80), {2, 0, 0}),
@@ -27,7 +27,7 @@ Keyframes turnedBox(const std::vector<double>& times = {0, 1, 2, 3}) {
 
 Map boxGoesOn() { return turn(Vec3::UnitZ(), radians(75), {0, 1, 0}); }
 
-// The same with a bar that bends meanwhile, and must turn back.
+// A bar with similar rotations that also bends and must return.
 Keyframes turnedBar(const std::vector<double>& times = {0, 1, 2, 3}) {
   const auto pose = [](double bending, const Map& place) -> Map {
     const Map bent = bend(radians(bending));
@@ -39,8 +39,7 @@ Keyframes turnedBar(const std::vector<double>& times = {0, 1, 2, 3}) {
                    times);
 }
 
-// Once around the z axis by `degrees` in a period, at a distance of 10 from it, bending on the way as long as `bending`
-// says.
+// Moves once around the z axis by `degrees` per period, at a distance of 10, while bending as defined by `bending`.
 Map alongCircle(double degrees) { return turn(Vec3::UnitZ(), radians(degrees)); }
 
 Keyframes circleWalk(double degrees, const std::vector<double>& bending) {
@@ -57,7 +56,7 @@ Keyframes circleWalk(double degrees, const std::vector<double>& bending) {
   }());
 }
 
-// Four boxes that do not touch, each hinged on the one before, about axes of its own.
+// Four separate boxes, each hinged to the previous one about axes of its own.
 Keyframes chain(const std::vector<std::array<double, 3>>& degrees, const std::vector<double>& times) {
   constexpr double length = 3, gap = 0.05;
   const Shape link = box(1, 0.8, length - gap, 3, 3, 6);
@@ -88,7 +87,7 @@ Keyframes swingingChain() {
 
 struct Walk {
   std::string name;
-  double degrees;  // a period
+  double degrees;  // per period
   Keyframes keyframes;
 };
 
@@ -112,8 +111,8 @@ void checkSeam(const std::string& what, const Keyframes& k, const MotionOptions&
   }
 }
 
-// The loop with key `first` made the first: the keys before it come again after the last, `again` later and in the pose
-// that `next` gives them. Where the last key is the first one again it goes, and the new first one comes again.
+// Starts the loop with key `first`. The earlier keys follow the last one, `again` later and transformed by `next`. If
+// the last key repeats the first, it is replaced by a copy of the new first key.
 Keyframes startedAt(const Keyframes& k, int first, double period, const Map& next, bool lastIsFirst) {
   Keyframes out;
   out.faces = k.faces;
@@ -135,7 +134,7 @@ void checkSameLoop(const std::string& what, const Keyframes& k, const MotionOpti
   for (int first = 1; first < distinct; ++first) {
     CAPTURE(first);
     EncodingOptions encoding = doublePrecision();
-    encoding.reference = distinct - first;  // the first key of before
+    encoding.reference = distinct - first;  // the original first key
     MotionOptions same = motion;
     if (!lastIsFirst) same.period = end - start;
     Sequence other = sequenceOf(startedAt(k, first, end - start, next, lastIsFirst), encoding, same);

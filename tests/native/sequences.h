@@ -1,4 +1,4 @@
-// Sequences and their shapes, in tests that go on only where there is one.
+// Sequences and their shapes. Each function fails the test if there is no result.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,5 +1,4 @@
-// Shapes with known motions, for the invariants: boxes that are twisted and bent exactly, spheres, a zoo of small
-// meshes.
+// Shapes with known motions for the invariants: exactly twisted and bent boxes, spheres, small difficult meshes.
 #pragma once
 
 #include <cmath>
@@ -25,7 +24,7 @@ struct Shape {
   std::vector<Triangle> faces;
 };
 
-/// A closed box, nx x ny x nz cells, welded; z runs along the bar from 0 to depth, x and y are centred.
+/// A closed, welded box of nx x ny x nz cells. z runs along the bar from 0 to depth; x and y are centred.
 inline Shape box(double width, double height, double depth, int nx, int ny, int nz) {
   Shape shape;
   std::map<std::array<int, 3>, int> index;
@@ -57,7 +56,7 @@ inline Shape box(double width, double height, double depth, int nx, int ny, int 
   return shape;
 }
 
-/// The closed bar 1 x 1 x 10 of the proofs.
+/// The closed bar 1 x 1 x 10.
 inline Shape bar() { return box(1, 1, 10, 4, 4, 40); }
 
 inline Shape sphere(const Vec3& centre, double radius, int rings = 12, int segments = 24) {
@@ -99,7 +98,7 @@ inline Positions mapped(const Positions& positions, const Map& map) {
   return result;
 }
 
-/// Twists about z, from nothing at z = 0 to `angle` at z = depth.
+/// Twists about z, from 0 at z = 0 to `angle` at z = depth.
 inline Map twist(double angle, double depth = 10) {
   return [=](const Vec3& p) -> Vec3 {
     const double a = angle * p.z() / depth, c = std::cos(a), s = std::sin(a);
@@ -107,7 +106,7 @@ inline Map twist(double angle, double depth = 10) {
   };
 }
 
-/// Bends the z axis to an arc of the same length that turns by `angle` in the xz plane.
+/// Bends the z axis to an arc of equal length and the given angle, in the xz plane.
 inline Map bend(double angle, double depth = 10) {
   return [=](const Vec3& p) -> Vec3 {
     if (std::abs(angle) < 1e-12) return p;
@@ -165,7 +164,7 @@ inline Positions toPositions(const std::vector<float>& xyz) {
   return p;
 }
 
-/// `from` moved rigidly onto `to`.
+/// `from`, moved rigidly onto `to`.
 inline Positions aligned(const Positions& from, const Positions& to) {
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
   for (std::size_t v = 0; v < from.size(); ++v) a += from[v] / double(from.size()), b += to[v] / double(to.size());
@@ -173,8 +172,8 @@ inline Positions aligned(const Positions& from, const Positions& to) {
   return mapped(from, [&](const Vec3& p) -> Vec3 { return r * (p - a) + b; });
 }
 
-/// Turn of each cross-section of a bar along z against the next, from the best rigid fit of its vertices; `perUnit`
-/// sections a unit of length.
+/// Rotation of each cross-section of a bar along z relative to the next, from rigid fits of its vertices; `perUnit`
+/// sections per unit of length.
 inline std::vector<Vec3> sectionTurns(const Positions& rest, const Positions& pose, int perUnit) {
   std::map<int, std::pair<Positions, Positions>> sections;
   for (std::size_t v = 0; v < rest.size(); ++v) {

@@ -1,4 +1,4 @@
-// The generated meshes of tests and benchmarks, and what checks them.
+// The generated meshes for tests and benchmarks, and their checks.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ TEST_CASE("bench meshes: the wanted number of faces, closed, irregular, shuffled
     CHECK(mesh.faceCount() == faces + faces % 2);
     CHECK(mesh.vertexCount() == mesh.faceCount() / 2 + 2);
     CHECK(isClosedManifold(mesh.faces, mesh.vertexCount()));
-    if (faces < 1000) continue;  // too coarse for the rest
+    if (faces < 1000) continue;  // too coarse for further checks
 
     const double volume = enclosedVolume(mesh.keys[0].positions, mesh.faces);
     for (const Key& key : mesh.keys) {
@@ -117,7 +117,8 @@ TEST_CASE("bench meshes of parts: the parts turn on their own, the same argument
   for (int j = 0; j < 4; ++j) CHECK(a.keys[j].positions == b.keys[j].positions);
   CHECK(a.faces != makeBenchParts(2400, 4, 10).faces);
 
-  // The balls against the body beside them: up to 60 degrees of their own, and some ten by which the body bends there.
+  // Rotation of the balls relative to the nearby body: up to 60 degrees, plus about ten degrees of the body's local
+  // bending.
   const std::vector<char> all(a.faces.size(), 1);
   const std::vector<int> componentOf = connectedComponents(dualGraph(a.vertexCount(), a.faces, all), all).ofFace;
   std::vector<std::set<int>> component(*std::max_element(componentOf.begin(), componentOf.end()) + 1);

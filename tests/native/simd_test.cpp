@@ -1,4 +1,4 @@
-// Every operation on lanes against plain C++ on each of them, bit for bit: that is what makes all builds compute alike.
+// Compares every lane operation with plain C++, bit for bit. This guarantees equal results in all builds.
 #include "core/base/simd.h"
 
 #include <doctest/doctest.h>
@@ -29,14 +29,14 @@ Numbers<Vector> numbers(const Vector& v) {
   return result;
 }
 
-// Not a number is one value, whatever its bits.
+// All NaNs count as equal.
 template <class Real>
 bool sameBits(Real a, Real b) {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
   return (std::isnan(a) && std::isnan(b)) || std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-// Numbers of every size and sign, and those that have rules of their own.
+// Numbers of every size and sign, and special values.
 template <class Real>
 std::vector<Real> samples() {
   using Limits = std::numeric_limits<Real>;
@@ -56,7 +56,7 @@ std::vector<Real> samples() {
   return list;
 }
 
-// Calls with all pairs of samples, side by side in different lanes.
+// Calls `check` with all pairs of samples, in different lanes.
 template <class Vector, class Check>
 void forPairs(Check check) {
   const auto list = samples<RealOf<Vector>>();

@@ -1,4 +1,4 @@
-// The ghost mesh: what a collapse sequence may and may not do.
+// The ghost mesh: allowed and forbidden effects of collapses.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Topology {
   int euler, boundaryEdges, loops, components;
 };
 
-// Of a mesh that must be a consistently wound manifold without repeated faces.
+// Topology of a mesh that must be a consistently wound manifold without repeated faces.
 Topology topologyOf(const GhostMesh& ghost) {
   const int n = static_cast<int>(ghost.poses.front().size()), m = static_cast<int>(ghost.faces.size());
   const MeshCounts counts = countMesh(n, ghost.faces);
@@ -42,7 +42,7 @@ Topology topologyOf(const GhostMesh& ghost) {
   CHECK(counts.duplicateFaces == 0);
   CHECK(countUnreferenced(n, ghost.faces) == 0);
   const FaceGraph graph = dualGraph(n, ghost.faces, std::vector<char>(m, 1));
-  // Every vertex is in one fan: its faces are connected across the edges at it.
+  // Every vertex must be in one fan: its faces are connected across the edges at the vertex.
   const VertexFaces at = facesOfVertices(n, ghost.faces);
   for (int v = 0; v < n; ++v) {
     std::set<int> left(at.of(v).begin(), at.of(v).end());
@@ -90,7 +90,7 @@ Shape torus(int around, int across) {
   return shape;
 }
 
-// A square sheet in the xy plane; with a square hole in its middle if asked for.
+// A square sheet in the xy plane, with an optional square hole in its middle.
 Shape sheet(int cells, bool hole = false) {
   Shape shape;
   std::map<std::pair<int, int>, int> index;
@@ -176,7 +176,7 @@ TEST_CASE("simplify: a torus stays a torus, even when it is asked to become a te
     CHECK(topology.euler == 0);
     CHECK(topology.boundaryEdges == 0);
     CHECK(ghost.faces.size() <= 400);
-    CHECK(ghost.faces.size() >= 14);  // the fewest that any torus has
+    CHECK(ghost.faces.size() >= 14);  // the minimum for any torus
   }
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("simplify: no face is turned over or too thin in any pose") {
     const GhostMesh ghost = simplified(shape, 1200, optimal);
     checkMaps(shape, ghost);
     CHECK(topologyOf(ghost).euler == 2);
-    // The normals of all faces of the shape around a ghost vertex against those of the ghost's.
+    // Compares normals of all faces of the shape around a ghost vertex with the ghost's normals.
     const int ghosts = static_cast<int>(ghost.vertexOf.size());
     const auto normal = [](const Positions& p, const Triangle& t) -> Vec3 {
       return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
@@ -272,9 +272,9 @@ TEST_CASE("simplify: parts too small for a tetrahedron of their own join the res
   CHECK(ghost.joinedComponents > 0);
   CHECK(topologyOf(ghost).components == 10 - ghost.joinedComponents);
   const int n = static_cast<int>(shape.poses.front().size());
-  CHECK(ghost.ghostOf[0] >= 0);                                               // of the bar
-  CHECK(ghost.ghostOf[int(box(1, 1, 10, 4, 4, 40).positions.size())] == -1);  // of the smallest sphere
-  CHECK(ghost.ghostOf[n - 1] >= 0);                                           // of the largest
+  CHECK(ghost.ghostOf[0] >= 0);                                               // a vertex of the bar
+  CHECK(ghost.ghostOf[int(box(1, 1, 10, 4, 4, 40).positions.size())] == -1);  // a vertex of the smallest sphere
+  CHECK(ghost.ghostOf[n - 1] >= 0);                                           // a vertex of the largest sphere
 }
 
 TEST_CASE("simplify: the same input gives the same ghost, and so does a pose that is moved rigidly") {
@@ -321,7 +321,7 @@ TEST_CASE("simplify: non-manifold meshes keep their components") {
     const MeshCounts after = countMesh(int(ghost.vertexOf.size()), ghost.faces);
     CHECK(ghost.faces.size() <= 200);
     CHECK(after.nonManifoldEdges > 0);
-    CHECK(int(ghost.vertexOf.size()) - after.edges + int(ghost.faces.size()) == 1);  // contractible, as before
+    CHECK(int(ghost.vertexOf.size()) - after.edges + int(ghost.faces.size()) == 1);  // still contractible
   }
   SUBCASE("two spheres that touch in a vertex keep touching") {
     Shape both = sphere({0, 0, 0}, 1);
@@ -356,7 +356,7 @@ TEST_CASE("simplify: survives any list of triangles") {
     shape.poses.resize(2);
     for (int v = 0; v < n; ++v)
       for (Positions& pose : shape.poses) {
-        // a coarse lattice: coincident and collinear points are common
+        // A coarse lattice, where coincident and collinear points are common.
         const double step = round % 3 == 0 ? 1 : round % 3 == 1 ? 0.25 : 1e-9;
         const auto coordinate = [&] { return std::round(random.signedUnit() / step) * step; };
         pose.emplace_back(coordinate(), coordinate(), coordinate());

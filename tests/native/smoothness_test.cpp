@@ -1,5 +1,5 @@
-// No jump in time, at any setting, on shapes that are known and on real ones: dense sweeps with a zoom into the largest
-// steps.
+// Motions have no jumps in time, at any setting, on synthetic and real shapes: dense sweeps with a zoom into the
+// largest steps.
 #include <doctest/doctest.h>
 
 #include "dense.h"
@@ -13,12 +13,12 @@ using namespace shapespline::test;
 
 namespace {
 
-// Percent of the diagonal that a vertex may still step by at some 1e-10 of the range.
+// Allowed step of a vertex at about 1e-10 of the range, in percent of the diagonal.
 constexpr double leastStep = 1e-4;
-// A patch never turns faster than this multiple of its median speed; times what the end speeds asked
-// for do to an even turn by themselves.
+// A patch never rotates faster than this multiple of its median speed, times the unevenness that the end speeds cause
+// in an even rotation.
 constexpr double largestUnevenness = 4;
-// Largest ratio of accelerations when the spacing is halved: 32 is a corner.
+// Maximum growth of the acceleration when the spacing is halved. A corner has 32.
 constexpr double largestGrowth = 4;
 
 struct Boundary {
@@ -42,8 +42,8 @@ const std::vector<Boundary>& boundaries() {
   return all;
 }
 
-// Largest over median speed of a box that turns evenly, by as many keys and with the same end speeds: 1 unless they are
-// other than 1.
+// Largest over median speed of an evenly rotating box with the same number of keys and the same end speeds. 1 if both
+// speeds are 1.
 std::pair<double, double> unevennessAskedFor(const Sequence& sequence) {
   const MotionOptions& motion = sequence.motion().options();
   if (motion.boundary != BoundaryKind::Hermite || (motion.startSpeed == 1 && motion.endSpeed == 1)) return {1, 1};
@@ -70,10 +70,10 @@ void checkSweep(const std::string& what, Sequence& sequence) {
   CHECK(s.zoomedStep <= std::max(leastStep, 3 * s.step * s.zoomedSpacing / s.spacing));
   CHECK(s.inside <= largestUnevenness * inside);
   CHECK(s.margin <= largestUnevenness * margin);
-  CHECK(s.growth <= largestGrowth * inside);  // what end speeds of 4 ask for is seen coarsely; a corner has 32
+  CHECK(s.growth <= largestGrowth * inside);  // coarse samples exaggerate end speeds of 4; a corner has 32
 }
 
-// The first `count` of the boundaries above.
+// Checks the first `count` of the boundaries above.
 void checkBoundaries(const std::string& what, const Keyframes& k, const EncodingOptions& encoding, std::size_t count) {
   Sequence sequence = sequenceOf(k, encoding);
   const std::vector<double> times = [&] {
@@ -87,8 +87,8 @@ void checkBoundaries(const std::string& what, const Keyframes& k, const Encoding
   }
 }
 
-// What holds corrects shapes and not patches: it must not jump by itself either, nor together with pins. The first
-// `count` of the boundaries above.
+// Holding corrects shapes but not patches. It must not cause jumps, alone or with pins. Checks the first `count` of the
+// boundaries above.
 void checkHeld(const std::string& name, const Keyframes& k, std::size_t count) {
   Sequence sequence = sequenceOf(k, doublePrecision());
   std::vector<double> times;
@@ -121,7 +121,7 @@ EncodingOptions withLogStretch() {
   return options;
 }
 
-// Everything on small shapes, and by hand; elsewhere what it costs decides what is swept every time.
+// Checks all options on small shapes and in manual runs. For other shapes, the cost determines which sweeps always run.
 void checkKeyframes(const std::string& name, const Keyframes& k) {
   const bool full = sweepsAreFull(), small = k.faceCount() < 1500, large = k.faceCount() > 6000;
   checkBoundaries(name, k, doublePrecision(), full || small ? 5 : large ? 1 : 2);
@@ -137,7 +137,7 @@ void checkRealSet(const std::vector<std::string>& files, const ImportOptions& im
   if (hasData(files)) checkKeyframes(files.front(), realKeyframes(files, import));
 }
 
-// Of files that are poses of one mesh to a person, and may be to the importer.
+// For files that a person recognises as poses of one mesh, but the importer may not.
 void checkRealSetIfRead(const std::vector<std::string>& files) {
   if (!hasData(files)) return;
   const auto import = realFiles(files).import();

@@ -1,4 +1,4 @@
-// One sort for all orders of indices.
+// The shared sort for all orders of indices.
 #include <doctest/doctest.h>
 
 #include <algorithm>

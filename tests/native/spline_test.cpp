@@ -1,4 +1,4 @@
-// Weights against formulas of their own: moments (second derivatives) by a dense solve, instead of slopes by
+// Compares weights with independent formulas: moments (second derivatives) by a dense solve, instead of slopes by
 // elimination.
 #include <doctest/doctest.h>
 
@@ -173,7 +173,7 @@ TEST_CASE("bias takes the slope from the C2 spline's own to the difference befor
   CHECK(value(biased, y, 2.3, 1) == doctest::Approx(0.75 * value(plain, y, 2.3, 1) + 0.25 * secant(3)));
   CHECK(value(biased, y, 4, 1) == doctest::Approx(secant(4)));  // an end has one difference only
   CHECK(value(biased, y, -0.7) == doctest::Approx(value(plain, y, -0.7)));
-  // Where a closed curve begins, the key before is the last one, a closing interval earlier.
+  // At the start of a closed curve, the previous key is the last one, a closing interval earlier.
   const Curve closed = fit({.boundary = BoundaryKind::Periodic, .bias = {1, 0, 0, 0, 0, 0}});
   CHECK(value(closed, y, -1, 1) == doctest::Approx((y[0] - y[5]) / (closed.end() - 4)));
 }

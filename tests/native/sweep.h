@@ -1,5 +1,4 @@
-// A sequence looked at through all of its time: how far it steps, whether a step shrinks when time does, how evenly its
-// patches turn.
+// Sweeps a sequence over its whole time range: step sizes, whether steps shrink with time, evenness of patch rotations.
 #pragma once
 
 #include <algorithm>
@@ -15,20 +14,20 @@
 
 namespace shapespline::test {
 
-/// How closely a sweep looks. Both ways of zooming end at about 1e-10 of the range.
+/// Resolution of a sweep. Both kinds of zoom end at about 1e-10 of the range.
 struct Density {
-  int samples = 10;  ///< between two keys; a multiple of five, so the ends of the range are samples
-  int fold = 4;      ///< parts that each zoom cuts a step into
+  int samples = 10;  ///< between two keys; a multiple of five, to sample the ends of the range
+  int fold = 4;      ///< number of parts per step in each zoom
   int zooms = 14;
 };
 
-/// SHAPESPLINE_SWEEP=full asks for the density of the measurements that the limits come from, at all settings; it takes
-/// many minutes. Any other value only prints what is found.
+/// SHAPESPLINE_SWEEP=full selects the density used to determine the limits, at all settings, and takes many minutes.
+/// Any other value only prints the results.
 inline bool sweepsArePrinted() { return std::getenv("SHAPESPLINE_SWEEP") != nullptr; }
 inline bool sweepsAreFull() { return sweepsArePrinted() && std::getenv("SHAPESPLINE_SWEEP") == std::string("full"); }
 inline Density sweepDensity() { return sweepsAreFull() ? Density{60, 40, 5} : Density{}; }
 
-/// The vertices of each patch, and how far patches turn between two shapes.
+/// The vertices of each patch, and rotations of patches between two shapes.
 class PatchTurning {
  public:
   explicit PatchTurning(const Sequence& sequence) {
@@ -48,8 +47,8 @@ class PatchTurning {
 
   int count() const { return static_cast<int>(vertices_.size()); }
 
-  /// The rotation, as axis times angle in degrees, of the rigid fit of one patch's vertices in `from` to those in `to`;
-  /// none where the patch has shrunk to a line, about which nothing says how it turned.
+  /// Rotation, as axis times angle in degrees, of the rigid fit of a patch's vertices in `from` to those in `to`. None
+  /// if the patch has shrunk to a line, because the rotation about the line is undetermined.
   Vec3 of(int patch, const Positions& from, const Positions& to) const {
     Positions a, b;
     for (int v : vertices_[patch]) a.push_back(from[v]), b.push_back(to[v]);
@@ -57,7 +56,7 @@ class PatchTurning {
     return logRotation(fitRigid(a, b).rotation) * (180 / pi);
   }
 
-  /// Degrees by which the patch that turns most does.
+  /// Largest rotation of any patch, in degrees.
   double largest(const Positions& from, const Positions& to) const {
     double most = 0;
     for (int patch = 0; patch < count(); ++patch) most = std::max(most, of(patch, from, to).norm());
@@ -65,8 +64,8 @@ class PatchTurning {
   }
 
  private:
-  // Narrower than a fiftieth of its length: the second moment's invariants tell (trace^2 is length^4, the other
-  // length^2 width^2).
+  // Whether the width is below a fiftieth of the length, from invariants of the second moment (trace^2 is length^4, the
+  // other length^2 width^2).
   static bool isLine(const Positions& p) {
     Vec3 centre = Vec3::Zero();
     for (const Vec3& x : p) centre += x / static_cast<double>(p.size());
@@ -79,14 +78,14 @@ class PatchTurning {
   std::vector<std::vector<int>> vertices_;
 };
 
-/// A step of a motion: two times and what there is at them, shapes or rotations of patches.
+/// A step of a motion: two times and their states, shapes or rotations of patches.
 template <class State>
 struct Step {
   double from, to;
   State before, after;
 };
 
-/// Cuts a step into `fold` parts and goes on with the one of largest measure, `zooms` times.
+/// Cuts a step into `fold` parts and continues with the part of largest measure, `zooms` times.
 template <class State, class At, class Measure>
 Step<State> zoomed(Step<State> step, const Density& density, const At& at, const Measure& measure) {
   for (int zoom = 0; zoom < density.zooms; ++zoom) {
@@ -103,17 +102,17 @@ Step<State> zoomed(Step<State> step, const Density& density, const At& at, const
   return step;
 }
 
-/// Largest change of velocity of a vertex over two neighbouring steps, as a length.
+/// Largest velocity change of a vertex over two neighbouring steps, as a length.
 inline double secondDifference(const Positions& a, const Positions& b, const Positions& c) {
   double largest = 0;
   for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - 2 * b[v] + c[v]).norm());
   return largest;
 }
 
-/// How the largest acceleration of a vertex grows when the spacing around `middle` is halved five times, each time
-/// going on at the largest of the three places at hand: 1 where the motion is C2 and well sampled (a halving never
-/// loses any, by the identity D(h) = D_left(h/2) + 2 D(h/2) + D_right(h/2)), 32 at a corner, 1024 at a jump. 0 where
-/// nothing accelerates.
+/// Growth of a vertex's largest acceleration when the spacing around `middle` is halved five times, each time
+/// continuing at the largest of three points. 1 if the motion is C2 and well sampled (a halving never loses
+/// acceleration, by the identity D(h) = D_left(h/2) + 2 D(h/2) + D_right(h/2)), 32 at a corner, 1024 at a jump, 0
+/// without acceleration.
 inline double accelerationGrowth(Sequence& sequence, double middle, double spacing, double rounding) {
   std::vector<Positions> p = {shapeAt(sequence, middle - spacing), shapeAt(sequence, middle),
                               shapeAt(sequence, middle + spacing)};
@@ -135,7 +134,7 @@ inline double accelerationGrowth(Sequence& sequence, double middle, double spaci
   return last / first * 32 * 32;
 }
 
-/// Largest over median of the values; 0 where they are nothing beside `scale`.
+/// Ratio of largest to median value; 0 if all values are negligible relative to `scale`.
 inline double unevenness(std::vector<double> values, double scale) {
   if (values.empty()) return 0;
   const double largest = *std::max_element(values.begin(), values.end());
@@ -144,16 +143,17 @@ inline double unevenness(std::vector<double> values, double scale) {
   return largest <= 1e-6 * scale ? 0 : largest / std::max(median, 1e-6 * scale);
 }
 
-/// What a sweep from 0.4 of the range before it to 0.4 beyond found. Lengths in percent of the first key's diagonal,
-/// turns in degrees.
+/// Results of a sweep from 0.4 of the range before the first key to 0.4 after the last. Lengths in percent of the first
+/// key's diagonal, rotations in degrees.
 struct Sweep {
-  double step = 0, stepAt = 0;  ///< largest way of a vertex between two samples; where, as a share of the range
-  double spacing = 0;           ///< of the samples, as a share of the range
-  double zoomedStep = 0;        ///< what is left of the largest steps (of a vertex, of a patch's turn) after zooming in
+  /// largest displacement of a vertex between two samples; its time as a share of the range
+  double step = 0, stepAt = 0;
+  double spacing = 0;     ///< sample spacing as a share of the range
+  double zoomedStep = 0;  ///< largest remaining steps (of a vertex, of a patch's rotation) after zooming in
   double zoomedSpacing = 0;
-  double turn = 0, turnAt = 0;    ///< largest turn of a patch between two samples
-  double inside = 0, margin = 0;  ///< largest over median of the largest turn at each moment; the worse of the margins
-  double growth = 0;              ///< of the acceleration, where it is largest (accelerationGrowth)
+  double turn = 0, turnAt = 0;    ///< largest rotation of a patch between two samples
+  double inside = 0, margin = 0;  ///< largest over median of the largest rotation per step; margin: the worse side
+  double growth = 0;              ///< at the largest acceleration (accelerationGrowth)
 };
 
 inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) {

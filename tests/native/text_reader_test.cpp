@@ -1,4 +1,4 @@
-// Lines and numbers of text files, against the C library.
+// Compares lines and numbers of text files with the C library.
 #include <doctest/doctest.h>
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// The shape that follows a ghost mesh: what holds without a ghost holds with one, and the two agree.
+// Shapes that follow a ghost mesh keep the properties of shapes without a ghost, and both agree.
 #include <doctest/doctest.h>
 
 #include "core/ghost/correspondence.h"
@@ -31,7 +31,7 @@ Positions ghostAt(Sequence& sequence, double t) {
   return toPositions(xyz);
 }
 
-/// The bar 1 x 1 x 10, fine enough that a ghost of 1000 faces is coarse.
+/// The bar 1 x 1 x 10, much finer than a ghost of 1000 faces.
 Shape fineBar() { return box(1, 1, 10, 8, 8, 80); }
 
 Keyframes bentFineBar(const std::vector<double>& degrees) { return bentBar(degrees, fineBar()); }
@@ -39,7 +39,7 @@ Keyframes twistedFineBar(const std::vector<double>& degrees) { return twistedBar
 
 const std::vector<double> slider = {-0.4, -0.05, 0.13, 0.5, 0.77, 1.1, 1.4};
 
-/// KG error (centroids) of the sequence with a ghost against the one without, over the keys' range.
+/// KG error (centroids) of the sequence with a ghost relative to the one without, over the keys' range.
 double errorOfGhost(const Keyframes& k, const EncodingOptions& encoding) {
   EncodingOptions without = encoding;
   without.ghostFaces = 0;
@@ -92,10 +92,10 @@ TEST_CASE("ghost: a sequence describes its ghost") {
       REQUIRE(p.size() == ghost.vertexOf.size());
       for (std::size_t g = 0; g < p.size(); ++g) {
         const double distance = (p[g] - key.positions[ghost.vertexOf[g]]).norm();
-        CHECK(distance < (optimal ? 0.3 : 1e-5));  // a cell is 0.125
+        CHECK(distance < (optimal ? 0.3 : 1e-5));  // the cell size is 0.125
         CHECK(ghost.ghostVertexOf[ghost.vertexOf[g]] == int(g));
       }
-      // A face follows a ghost face that is near it.
+      // Every face must follow a nearby ghost face.
       for (std::size_t f = 0; f < k.faces.size(); ++f) {
         const Triangle& t = ghost.faces[ghost.ghostFaceOf[f]];
         const Triangle& u = k.faces[f];
@@ -103,7 +103,7 @@ TEST_CASE("ghost: a sequence describes its ghost") {
         CHECK(squaredDistance(centroid, p[t[0]], p[t[1]], p[t[2]]) < 0.3 * 0.3);
       }
     }
-    // Patches are those of the ghost, seen on the shape.
+    // Patches of the shape are those of the ghost.
     for (int patch : s.encoded().lri().patchOfInputFace()) CHECK((patch >= 0 && patch < stats.patches));
   }
 }
@@ -193,7 +193,7 @@ TEST_CASE("ghost: the paper's transfer passes through the reference, and near th
   CHECK(largestDistance(shapeAt(s, 0.5), k.keys[1].positions) < 1e-9 * diagonalOf(k));
   const double other = largestDistance(shapeAt(s, 0), k.keys[0].positions) / diagonalOf(k);
   CHECK(other < 0.02);
-  CHECK(other > 1e-6);  // or this would be no test of the mode
+  CHECK(other > 1e-6);  // otherwise this would not test the mode
 }
 
 TEST_CASE("ghost: a common rigid motion of all keys moves the whole sequence by it") {
@@ -270,7 +270,8 @@ TEST_CASE("ghost: a twisted bar follows the analytic twist within KG 1.5") {
   std::vector<Positions> exact, ours;
   for (int i = 0; i <= 20; ++i) {
     const double t = i / 20.0, u = t < 0.5 ? t / 0.5 : (1 - t) / 0.5, end = t < 0.5 ? 0 : 350;
-    const double second = 3 * (350 - 2 * 180.0) / (2 * 0.25);  // of the natural spline at the middle key
+    // second derivative of the natural spline at the middle key
+    const double second = 3 * (350 - 2 * 180.0) / (2 * 0.25);
     const double angle = end + (180 - end) * u + second * 0.25 / 6 * (u * u * u - u);
     exact.push_back(mapped(fineBar().positions, twist(radians(angle))));
     ours.push_back(aligned(shapeAt(s, t), exact.back()));
@@ -332,7 +333,7 @@ TEST_CASE("ghost: the second derivative is continuous across keys") {
 
 namespace {
 
-// A bar with a ball beside its side at z = 5 that moves rigidly with the bar's surface there.
+// A bar with a ball at its side at z = 5. The ball moves rigidly with the bar's surface there.
 Keyframes barAndBall(double radius, const std::vector<double>& degrees) {
   const Vec3 foot(0.5, 0, 5), centre(0.5 + 0.1 + radius, 0, 5);
   const Shape both = joined(fineBar(), sphere(centre, radius));
@@ -368,7 +369,7 @@ TEST_CASE("ghost: a sphere beside a bending bar keeps its distance, with a ghost
     const double rest = leastDistance(k.keys[0].positions, body);
     if (faces > 7)
       for (double t : slider) CHECK(std::abs(leastDistance(shapeAt(s, t), body) - rest) < 0.02 * 2 * radius);
-    // The ball stays a ball in any case.
+    // The ball keeps its shape in all cases.
     for (double t : slider) {
       const Positions p = shapeAt(s, t);
       CHECK(fitRigid({k.keys[0].positions.begin() + body, k.keys[0].positions.end()}, {p.begin() + body, p.end()})
@@ -380,7 +381,7 @@ TEST_CASE("ghost: a sphere beside a bending bar keeps its distance, with a ghost
 TEST_CASE("ghost: faces without area, loose vertices and repeated faces") {
   Shape shape = fineBar();
   const int n = static_cast<int>(shape.positions.size());
-  shape.positions.emplace_back(0.5, 0.9, 5);  // in no face
+  shape.positions.emplace_back(0.5, 0.9, 5);  // an unused vertex
   shape.positions.emplace_back(0.5, 0.7, 5);  // in a face without area
   shape.faces.push_back({n + 1, n + 1, 0});
   shape.faces.push_back(shape.faces[7]);
@@ -399,7 +400,7 @@ TEST_CASE("ghost: faces without area, loose vertices and repeated faces") {
 
 TEST_CASE("ghost: seams are welded, and written back") {
   Shape shape = fineBar();
-  // Every face gets vertices of its own.
+  // Gives every face separate vertices.
   Shape split;
   for (const Triangle& t : shape.faces) {
     const int first = static_cast<int>(split.positions.size());
@@ -439,7 +440,7 @@ TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its w
     REQUIRE(s.evaluate(0.37, again).ok());
     CHECK(first.positions == again.positions);
     CHECK(first.normals == again.normals);
-    // A new computation would have taken a different time.
+    // Recomputing would have taken a different time.
     CHECK(s.stats().encodeMs == before.encodeMs);
     CHECK(s.stats().factorMs == before.factorMs);
     CHECK(s.stats().solves == before.solves + 3 + static_cast<long long>(slider.size()));

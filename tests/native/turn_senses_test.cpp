@@ -1,4 +1,4 @@
-// Which way parts turned, by their neighbours: senses as signs of quaternions.
+// Senses of turns, as signs of quaternions, from neighbouring parts.
 #include <doctest/doctest.h>
 
 #include "core/patches/turn_senses.h"
@@ -12,7 +12,7 @@ namespace {
 
 Quaternion about(const Vec3& axis, double degrees) { return expQuaternion(axis * radians(degrees)); }
 
-// A strip of parts, each joined to the next, with signs as rounding leaves them.
+// A strip of parts in which each is joined to the next, with arbitrary signs.
 struct Strip {
   std::vector<TurnJoint> joints;
   std::vector<double> area;
@@ -24,7 +24,7 @@ struct Strip {
     area.push_back(1);
   }
 
-  // Of the last part against the first, degrees; up to a whole turn.
+  // Rotation of the last part relative to the first in degrees, up to a full turn.
   double lastTurn() const { return 2 * std::acos(turn.front().dot(turn.back())) * 180 / pi; }
 };
 
@@ -40,8 +40,8 @@ TEST_CASE("turns that add up from part to part keep their sense beyond half a tu
 }
 
 TEST_CASE("where joints contradict each other the longer side says the sense, and the turn is open") {
-  // Two bodies of three parts. One joint between them goes the short way, of 160 degrees, by way of a part halfway; the
-  // other one goes the long way.
+  // Two bodies of three parts. One joint between them takes the short way of 160 degrees, through a part halfway. The
+  // other joint takes the long way.
   for (const double longSide : {0.5, 2.0}) {
     std::vector<Quaternion> turn;
     for (int i = 0; i < 3; ++i) turn.push_back(Quaternion::Identity());

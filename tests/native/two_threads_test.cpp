@@ -1,4 +1,4 @@
-// How work is cut in two, and that whole frames have the bits of one thread.
+// Splitting work in two, and bitwise equality of whole frames with those of one thread.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -100,7 +100,7 @@ Shape parts() {
   Shape shape = joined(joined(box(1, 1, 4, 5, 6, 20), sphere({0, 3, 5}, 1)), sphere({2, 0, 1}, 0.5));
   shape.faces.push_back({0, 0, 1});  // degenerate
   shape.faces.push_back(
-      {3, 4, static_cast<int>(shape.positions.size())});  // of no area: its third corner lies on the second
+      {3, 4, static_cast<int>(shape.positions.size())});  // no area: its third corner coincides with the second
   shape.positions.push_back(shape.positions[4]);
   shape.positions.push_back({9, 9, 9});  // unreferenced
   return shape;
@@ -113,7 +113,7 @@ void checkSameBits(const Keyframes& keyframes, const EncodingOptions& encoding, 
   const HelperThread helper(forkJoin);
   Frame alone, together;
   bool same = true;
-  // A busy machine may leave the helper waiting: then frames are made until it had its share.
+  // On a busy machine the helper may be late, so frames are repeated until it has done its share.
   for (int i = 0; i < 2000 && (i < 6 || forkJoin.helped() < wantedHelp); ++i) {
     const double t = -0.2 + 0.25 * (i % 6);
     sequence->setForkJoin(nullptr);

@@ -1,4 +1,4 @@
-// Key times that carry the motion far away from its keys are a warning; others are not.
+// Key times that carry the motion far from its keys give a warning; other times do not.
 #include <doctest/doctest.h>
 
 #include <algorithm>

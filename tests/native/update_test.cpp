@@ -1,4 +1,4 @@
-// A sequence that was brought to its options by updates is the one that is created with them, bit for bit.
+// A sequence after updates equals a sequence created with the final options, bit for bit.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Change change(const std::string& name, const Edit& edit) {
   return c;
 }
 
-// One for every option that `update` takes, and some together.
+// One change for each option of `update`, and some combinations.
 std::vector<Change> changes() {
   return {change("defaults", [](Change&) {}),
           change("geodesic", [](Change& c) { c.motion.method = Method::Geodesic; }),
@@ -89,7 +89,8 @@ Sequence created(const Keyframes& k, const EncodingOptions& encoding, const Chan
   return sequenceOf(std::move(timed), encoding, c.motion);
 }
 
-// From one sequence through all changes, forwards, backwards and with strides, against each created alone.
+// Updates one sequence through all changes, forwards, backwards and with strides, and compares each result with a new
+// sequence.
 void checkUpdates(const Keyframes& k, const EncodingOptions& encoding) {
   std::vector<Change> all = changes();
   if (created(k, encoding, all.front()).stats().components == 1)
@@ -114,7 +115,7 @@ void checkUpdates(const Keyframes& k, const EncodingOptions& encoding) {
   }
 }
 
-// A bar that bends and turns, with a ball beside it that turns on its own.
+// A bar that bends and rotates, next to an independently rotating ball.
 Keyframes barAndBall() {
   const Shape both = joined(box(1, 1, 10, 2, 2, 20), sphere({1.2, 0, 5}, 0.4, 6, 10));
   const auto pose = [](double bending, double turning, double rolling) -> Map {

@@ -1,4 +1,4 @@
-// URIs in files: tests/uri-cases.json, which the reader of compressed files on the other side passes, too.
+// URIs in files: tests/uri-cases.json. The TypeScript reader of compressed files passes the same cases.
 #include <doctest/doctest.h>
 
 #include <fstream>

@@ -14,21 +14,21 @@
 namespace shapespline {
 namespace {
 
-constexpr double bodyShare = 0.55, partsShare = 0.42;  // share of the faces; cut edges add the rest
+constexpr double bodyShare = 0.55, partsShare = 0.42;  // shares of the faces; cut edges add the rest
 constexpr int parts = 20, openings = 5;
-constexpr double reach = 1.3;  // clear of the body's bumps
+constexpr double reach = 1.3;  // distance outside the body's bumps
 
-// A part that turns about its own centre; its vertices are first to last - 1.
+// A part that rotates about its own centre. Its vertices are first to last - 1.
 struct Part {
   Vec3 centre;
   int first, last;
 };
 
-// From (u, v) in the unit square, u along the columns.
+// Maps (u, v) in the unit square to a position; u runs along the columns.
 using Placing = std::function<Vec3(double u, double v)>;
 
-// columns x rows cells, each cut along a random diagonal, their inner corners moved by up to a quarter of a cell. With
-// `wraps` the last column meets the first.
+// A sheet of columns x rows cells. Each cell is cut along a random diagonal, and inner corners move by up to a quarter
+// of a cell. With `wraps`, the last column is joined to the first.
 Surface sheet(int columns, int rows, bool wraps, const Placing& place, Random& random) {
   Surface surface;
   const int across = columns + (wraps ? 0 : 1);
@@ -49,7 +49,7 @@ Surface sheet(int columns, int rows, bool wraps, const Placing& place, Random& r
   return surface;
 }
 
-// On a cylinder about the body's axis, cells about as long as wide.
+// A sheet on a cylinder about the body's axis, with roughly square cells.
 Surface cylinderSheet(int faces, double angle, double width, double height, double length, Random& random) {
   const bool wraps = width >= 2 * M_PI;
   const double ratio = reach * width / length;
@@ -70,7 +70,7 @@ Surface ball(int faces, const Vec3& centre, double radius, Random& random) {
   return surface;
 }
 
-// Two columns of cells, which are the thinner the more faces there are.
+// A ribbon with two columns of cells. More faces make the cells thinner.
 Surface ribbon(int faces, const Vec3& centre, double width, double length, Random& random) {
   const Vec3 side = width * Vec3::UnitZ().cross(centre).normalized();
   return sheet(
@@ -79,7 +79,7 @@ Surface ribbon(int faces, const Vec3& centre, double width, double length, Rando
       random);
 }
 
-// The kinds take turns.
+// The kind depends on the index, cyclically.
 Surface makePart(int index, int faces, Vec3& centre, Random& random) {
   const double angle = random.uniform(0, 2 * M_PI), height = random.uniform(-capsuleTube / 2, capsuleTube / 2);
   centre = Vec3(reach * std::cos(angle), reach * std::sin(angle), height);
@@ -99,7 +99,7 @@ void append(Surface& whole, const Surface& part) {
   for (const Triangle& face : part.faces) whole.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
 }
 
-// Removes the vertices that no face uses.
+// Removes unused vertices.
 void dropUnused(Surface& surface) {
   std::vector<int> place(surface.positions.size(), -1);
   Positions used;
@@ -114,7 +114,7 @@ void dropUnused(Surface& surface) {
   surface.positions = std::move(used);
 }
 
-// Takes the faces within a distance of random places of the tube away; their edges stay as they are.
+// Removes faces within a distance of random points on the tube. The resulting edges stay ragged.
 void cutOpenings(Surface& surface, Random& random) {
   for (int i = 0; i < openings; ++i) {
     const double angle = random.uniform(0, 2 * M_PI), size = random.uniform(0.15, 0.35);
@@ -128,7 +128,7 @@ void cutOpenings(Surface& surface, Random& random) {
   dropUnused(surface);
 }
 
-// Cuts edges up to this number of faces, one in four near its end.
+// Splits edges up to this number of faces, one in four near an end.
 void cutEdges(Surface& surface, int faces, Random& random) {
   splitEdges(surface, faces, random, [&] { return random.below(4) ? 0.5 : 0.02; });
 }
@@ -146,7 +146,7 @@ std::vector<Part> addParts(Surface& surface, int faces, Random& random) {
   return result;
 }
 
-// Faces left after the parts.
+// Adds the body with the faces left after the parts.
 void addBody(Surface& surface, int faces, Random& random) {
   Surface body = bumpyCapsule(2 * static_cast<int>(bodyShare * faces / 2), random);
   cutOpenings(body, random);

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double radius = capsuleRadius, tube = capsuleTube;
 
-// A box grid of across x across x (across + along) cells. The ends become half spheres, as a cube is inflated to a
-// sphere, and the cells between them a tube.
+// A box grid of across x across x (across + along) cells. Its ends become half spheres, like a cube inflated to a
+// sphere. The cells between them become a tube.
 struct Grid {
-  int across = 2;  // even: the half spheres meet the tube at a grid line
+  int across = 2;  // even, so the half spheres meet the tube at a grid line
   int along = 0;
 
   int faces() const { return 12 * across * across + 8 * across * along; }
@@ -26,7 +26,7 @@ struct Grid {
 
 // The finest grid with at most this number of faces and roughly square cells.
 Grid chooseGrid(int faces) {
-  const double ratio = tube / (radius * M_PI / 2);  // ratio of along to across
+  const double ratio = tube / (radius * M_PI / 2);  // along over across
   Grid grid;
   grid.across = std::max(2, 2 * static_cast<int>(std::sqrt(faces / (12 + 8 * ratio)) / 2));
   grid.along = std::max(0, (faces - 12 * grid.across * grid.across) / (8 * grid.across));
@@ -78,7 +78,7 @@ class GridSurface {
     return place->second;
   }
 
-  // Moved by up to a quarter of a cell within its side (and not off an edge of the box), then blown up.
+  // Moved by up to a quarter of a cell within its side (but not off an edge of the box), then inflated.
   Vec3 onCapsule(const Node& n) {
     Vec3 p;
     const int half = grid_.across / 2;
@@ -111,7 +111,7 @@ void shuffle(std::vector<T>& values, Random& random) {
   for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
 }
 
-// Waves of several lengths that push the surface out and in, by at most a sixth of the radius.
+// Waves of several lengths that move the surface out and in, by at most a sixth of the radius.
 void addBumps(Positions& positions, Random& random) {
   constexpr int waves = 6;
   std::array<Vec3, waves> direction;

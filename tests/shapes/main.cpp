@@ -49,7 +49,7 @@ Result<std::vector<std::uint8_t>> glbOf(const Keyframes& keyframes) {
   return writeAnimatedGlb(source);
 }
 
-// Which generated mesh a word asks for.
+// The kind of mesh for a command line option.
 struct BenchKind {
   const char* word;
   const char* suffix;

@@ -51,7 +51,7 @@ bool touch(const Triangle& f, const Triangle& g) {
   return std::any_of(f.begin(), f.end(), [&](int v) { return std::find(g.begin(), g.end(), v) != g.end(); });
 }
 
-// Faces by the cells of a grid that their bounding boxes meet.
+// Faces by the grid cells that their bounding boxes overlap.
 std::unordered_map<std::int64_t, std::vector<int>> faceGrid(const std::vector<Triangle>& faces, const Positions& p) {
   double cell = 0;
   for (const Triangle& f : faces) cell = std::max(cell, (p[f[1]] - p[f[0]]).norm());

@@ -5,16 +5,16 @@
 
 namespace shapespline {
 
-/// Every edge belongs to two faces that run along it in opposite directions, and every vertex to one fan of faces.
+/// Whether every edge belongs to two faces with opposite directions, and every vertex to one fan of faces.
 bool isClosedManifold(const std::vector<Triangle>& faces, int vertices);
 
 /// The smallest angle of any face, in degrees.
 double smallestAngle(const std::vector<Triangle>& faces, const Positions& positions);
 
-/// The largest angle between the normals of two faces that share an edge, in degrees; 180 is a fold.
+/// The largest angle between the normals of two faces at an edge, in degrees. A fold has 180.
 double sharpestEdge(const std::vector<Triangle>& faces, const Positions& positions);
 
-/// Pairs of faces without a common vertex that cut each other.
+/// Number of intersecting pairs of faces without a common vertex.
 int selfIntersections(const std::vector<Triangle>& faces, const Positions& positions);
 
 }  // namespace shapespline

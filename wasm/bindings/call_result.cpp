@@ -7,7 +7,7 @@ namespace {
 
 std::string text;
 
-// File names and names inside files may be broken UTF-8: those bytes are replaced rather than refused.
+// File names and names inside files may be invalid UTF-8. Invalid bytes are replaced.
 const char* keep(const Json& json) {
   text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.c_str();

@@ -1,5 +1,5 @@
-// One result per call: JSON text, {"ok": true, ...} or {"code", "message", "key", "vertex", "face"}. Nothing is thrown
-// across the boundary.
+// One result per call: JSON text, {"ok": true, ...} or {"code", "message", "key", "vertex", "face"}. No exception
+// crosses the boundary.
 #pragma once
 
 #include <exception>
@@ -14,7 +14,7 @@ namespace shapespline::bindings {
 
 using Json = nlohmann::json;
 
-/// Keeps a text until the next result.
+/// Stores a text until the next result.
 const char* keepResult(Result<Json> result);
 const char* keepOutOfMemory();
 const char* keepInternal(const char* what);
@@ -26,7 +26,7 @@ const char* callResult(Work&& work) {
     return keepResult(work());
   } catch (const std::bad_alloc&) {
     return keepOutOfMemory();
-  } catch (const std::length_error&) {  // a container asked for more than it could ever hold
+  } catch (const std::length_error&) {  // a container requested an impossible size
     return keepOutOfMemory();
   } catch (const std::exception& error) {
     return keepInternal(error.what());
@@ -35,7 +35,7 @@ const char* callResult(Work&& work) {
   }
 }
 
-/// The same with a request, which is JSON text.
+/// Runs `work` with a request, parsed from JSON text.
 template <class Work>
 const char* answer(const char* request, Work&& work) {
   return callResult([&] { return work(Json::parse(request)); });

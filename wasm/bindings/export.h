@@ -1,4 +1,5 @@
-// Marks a function that JavaScript calls. Requests are JSON text ended by a NUL; results are valid until the next call.
+// Marks a function for calls from JavaScript. Requests are NUL-terminated JSON text. Results are valid until the next
+// call.
 #pragma once
 
 #include <emscripten.h>

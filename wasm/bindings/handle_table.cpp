@@ -12,7 +12,7 @@ HandleTable& handleTable() {
 
 EXPORT void shapespline_release(int handle) { handleTable().release(handle); }
 
-/// {count}: objects that are alive, for tests of leaks.
+/// {count}: the number of live objects, for leak tests.
 EXPORT const char* shapespline_objects() {
   return callResult([]() -> Result<Json> { return Json{{"count", handleTable().count()}}; });
 }

@@ -1,4 +1,4 @@
-// Objects that JavaScript refers to by handles, whole numbers that are never reused. The creator releases.
+// Objects that JavaScript refers to by handles: whole numbers, never reused. The creator releases an object.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace shapespline::bindings {
 
-/// Objects of any kind; each module has its own kinds.
+/// Objects of any type. Each module has its own types.
 class HandleTable {
  public:
   template <class T>
@@ -17,7 +17,7 @@ class HandleTable {
     return last_;
   }
 
-  /// Throws where the handle is stale or of another kind: a defect of the engine, never of an input.
+  /// Throws if the handle is stale or has another type, which is always a defect of the engine.
   template <class T>
   T& get(int handle) {
     const auto found = objects_.find(handle);
@@ -29,7 +29,7 @@ class HandleTable {
   int count() const { return static_cast<int>(objects_.size()); }
 
  private:
-  /// Its address identifies the type: the wasm module has no run-time type information.
+  /// The address of this variable identifies the type, because the wasm module has no run-time type information.
   template <class T>
   static constexpr char kindOf = 0;
 

@@ -1,6 +1,5 @@
-// The part of snprintf that is needed here: the JSON library uses it to write hexadecimal numbers in messages and
-// escaped text. The C library's version brings 128-bit decimals and the texts of all error numbers, which nothing here
-// uses.
+// A minimal snprintf: the JSON library uses it to write hexadecimal numbers in messages and escaped text. The C
+// library's version would add 128-bit decimals and the texts of all error numbers.
 #include <cstdarg>
 #include <cstddef>
 

@@ -1,5 +1,5 @@
-// JSON and heap ranges <-> the core's plain data, shared by both modules. Bulk numbers travel as {"address", "length"}:
-// a range of the heap that its owner keeps until the call or its handle ends.
+// Converts between JSON and heap ranges and the core's plain data, in both modules. Large arrays are passed as
+// {"address", "length"}: a heap range that its owner keeps until the call ends or its handle is released.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace shapespline::bindings {
 
-/// A range of the heap as JSON; length counts elements.
+/// A heap range as JSON. length counts elements.
 template <class T>
 Json range(const T* data, std::size_t length) {
   return {{"address", reinterpret_cast<std::uintptr_t>(data)}, {"length", length}};
@@ -28,7 +28,7 @@ Json rangeOrNull(const std::vector<T>& numbers) {
   return numbers.empty() ? Json() : range(numbers.data(), numbers.size());
 }
 
-/// The range that the JSON refers to, as elements of type T; empty for null.
+/// The heap range in the JSON, as elements of type T; empty for null.
 template <class T>
 std::span<const T> elements(const Json& json) {
   if (json.is_null()) return {};
@@ -36,7 +36,8 @@ std::span<const T> elements(const Json& json) {
   return {reinterpret_cast<const T*>(address), json.at("length").get<std::size_t>()};
 }
 
-/// The value of a name. The engine has checked every name before; a stranger is a defect and becomes an internal error.
+/// The value of a name. The engine checks every name before the call, so an unknown name is a defect and gives an
+/// internal error.
 template <class T, std::size_t count>
 T named(const Json& json, const std::pair<const char*, T> (&names)[count]) {
   const auto text = json.get<std::string>();
@@ -47,7 +48,7 @@ T named(const Json& json, const std::pair<const char*, T> (&names)[count]) {
 }
 
 Positions positionsFrom(std::span<const float> numbers);
-Vec3 vec3From(const Json& json);  ///< of three numbers
+Vec3 vec3From(const Json& json);  ///< three numbers
 std::vector<float> floatsFrom(const Positions& positions);
 std::vector<Triangle> trianglesFrom(std::span<const std::int32_t> indices);
 

@@ -1,4 +1,4 @@
-// Shapes -> bytes of files that other tools read. The only entrance for files that are written.
+// Writes shapes as files for other tools. The only public header for writing.
 #pragma once
 
 #include "io/gltf/gltf_writer.h"     // IWYU pragma: export

@@ -10,11 +10,11 @@ namespace shapespline {
 
 namespace {
 
-// Up to here single precision rounds to a millionth of the diagonal.
+// Up to this distance in diagonals, single precision rounds by a millionth of the diagonal.
 constexpr double near = 16;
 // Squares and products of larger numbers overflow single precision.
 constexpr double mostCoordinate = 1e18;
-// Share of a key's diagonal; smaller roundings are invisible.
+// Share of a key's diagonal. Smaller roundings are invisible.
 constexpr double visibleRounding = 1e-4;
 
 struct Box {
@@ -40,7 +40,7 @@ bool havePositions(std::span<const Key> keys) {
   return !keys.empty() && std::none_of(keys.begin(), keys.end(), [](const Key& k) { return k.positions.empty(); });
 }
 
-// Whether the keys are near a point.
+// Whether all keys are close to the point.
 bool areNear(const Box& box, const Vec3& point) {
   return (box.middle() - point).cwiseAbs().maxCoeff() <= near * box.diagonal();
 }

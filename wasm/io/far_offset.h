@@ -1,4 +1,5 @@
-// Shapes far from the origin: one offset is subtracted from all keys in double precision, so they fit single precision.
+// Moves shapes that are far from the origin: subtracts one offset from all keys in double precision, so they fit single
+// precision.
 #pragma once
 
 #include <span>
@@ -9,16 +10,15 @@
 
 namespace shapespline {
 
-/// Zero unless the box around all poses lies more than 16 diagonals from the origin. Otherwise the centre of the box,
-/// rounded to a power of two near the diagonal, so the subtraction is exact.
+/// Zero unless the box around all poses is more than 16 diagonals from the origin. Otherwise the box centre, rounded to
+/// a power of two near the diagonal. The subtraction is then exact.
 Vec3 chooseOffset(std::span<const Key> keys);
 
-/// Subtracts the offset that was asked for, that of a saved project where its keys still lie there, or else the chosen
-/// one, from all keys and keeps it as the import's. Error: TooLarge for coordinates that single precision cannot
-/// compute with.
+/// Subtracts one offset from all keys and stores it in the import. Uses the requested offset, else the saved project's
+/// offset if its keys are still close, else the computed one. Error: TooLarge for coordinates beyond single precision.
 Status subtractOffset(Import& import, const ImportOptions& options);
 
-/// Warns where single precision rounds a key visibly: as its file stores it, or because the keys lie far apart.
+/// Warns if single precision rounds a key visibly, in its file or because the keys are far apart.
 void warnOfRounding(Import& import);
 
 }  // namespace shapespline

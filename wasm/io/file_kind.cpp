@@ -75,7 +75,7 @@ constexpr OtherFormat otherFormats[] = {
     {"tar", "a tar archive", unpack},
 };
 
-// Other endings of the same kinds.
+// Maps alternative extensions of a format to its main extension.
 std::string_view mainExtension(std::string_view extension) {
   static constexpr std::pair<std::string_view, std::string_view> same[] = {
       {"usda", "usd"},  {"usdc", "usd"},  {"usdz", "usd"},     {"mb", "ma"},   {"stp", "step"}, {"igs", "iges"},

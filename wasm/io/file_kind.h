@@ -1,4 +1,4 @@
-// The kind of a file, from its first bytes, or from its name if these do not decide.
+// Detects the kind of a file from its first bytes, or from its name if the bytes are ambiguous.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace shapespline {
 
 enum class FileKind { Gltf, Obj, Ply, Off, Pc2, Mdd };
 
-/// Whether files of this kind hold a motion for the mesh of another file.
+/// Whether files of this kind store a motion for another file's mesh.
 constexpr bool isCache(FileKind kind) { return kind == FileKind::Pc2 || kind == FileKind::Mdd; }
 
-/// Whether a file of this name only accompanies mesh files: buffers, images, OBJ materials, read-me files.
+/// Whether a file with this name only accompanies mesh files: buffers, images, OBJ materials, read-me files.
 bool isCompanion(std::string_view name);
 
-/// Whether the name promises a mesh or its motion.
+/// Whether the name suggests a mesh or its motion.
 bool isMeshName(std::string_view name);
 
 /// Errors: EmptyFile; NotRecognised with a guess (a web page, an archive, another 3D format).

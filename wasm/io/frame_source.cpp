@@ -21,7 +21,7 @@ Status checkAnimation(const FrameSource& source, const ImportOptions& options, c
                                                 inQuotes(source.name) + "."};
 }
 
-// Keeps the frame that was read last: samples in order need most of them twice.
+// Caches the last frame read. Consecutive samples usually share a frame.
 struct FrameReader {
   const FrameSource& source;
   std::size_t last = 0;

@@ -1,4 +1,4 @@
-// Shapes over time, one mesh in all of them -> keys at chosen times.
+// Samples keys at chosen times from shapes of one mesh over time.
 #pragma once
 
 #include <functional>
@@ -10,20 +10,20 @@
 
 namespace shapespline {
 
-/// Frames in the import's vertices, read when they are asked for.
+/// Frames in the import's vertex order, each read on demand.
 struct FrameSource {
   std::string name;
-  std::vector<double> seconds;  ///< of each frame, increasing
+  std::vector<double> seconds;  ///< time of each frame, increasing
   std::function<Result<Positions>(std::size_t)> frame;
 };
 
-/// The times that the files state for these frames, or those that their format or number gives (`own`).
+/// Frame times stated in the files, or `own`: times given by the format or the frame numbers.
 std::vector<double> statedTimes(const ImportOptions& options, const std::vector<double>& own);
 
 AnimationInfo infoOf(const FrameSource& source);
 
-/// Puts keys in the place of those that the import holds: at the sample times, on straight lines between frames. Where
-/// nothing is asked for, each of few frames is a key. `where` is how messages call the source. Errors: those of the
+/// Replaces the import's keys with keys at the sample times, interpolated linearly between frames. Without requested
+/// times, every frame of a short source becomes a key. `where`: display name of the source. Errors: those of the
 /// frames, UnknownAnimation, TimesNotIncreasing, TooFewKeys, TooLarge.
 Status sampleFrames(const FrameSource& source, const ImportOptions& options, const std::string& where, Import& import,
                     const StageProgress& progress);

@@ -26,7 +26,7 @@ namespace {
 
 struct FoundFiles {
   std::vector<MeshFile> meshes;
-  std::vector<Error> others;  // files of other kinds that lie among them
+  std::vector<Error> others;  // errors for files of other kinds in the selection
 };
 
 Result<FoundFiles> findMeshes(std::span<const NamedBytes> files) {
@@ -48,7 +48,7 @@ Result<FoundFiles> findMeshes(std::span<const NamedBytes> files) {
   return found;
 }
 
-// Every error is reported, up to a limit.
+// Adds a warning for each error, up to a limit.
 void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnings) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < others.size() && i < most; ++i)
@@ -59,7 +59,7 @@ void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnin
                         static_cast<int>(others.size() - most)});
 }
 
-// A single OBJ, PLY or OFF is not enough, but errors in it take precedence.
+// The error for a single OBJ, PLY or OFF file. Errors in the file itself take precedence.
 Error onePoseOnly(const MeshFile& mesh, const GivenFiles& files, const ImportOptions& options) {
   const std::string where = placeName(*mesh.file, 0, 1);
   const auto pose = PoseReader{files, options}.read(mesh, where);
@@ -79,14 +79,14 @@ Result<Import> readCaches(const std::vector<MeshFile>& meshes, const GivenFiles&
   return Error{ErrorCode::InvalidOption, "A PC2 or MDD file moves one mesh. Give it with one OBJ and no other file."};
 }
 
-// All files show the same pose, and hold animations that are one pose each.
+// Whether all files show the same pose, and have animations of one pose each.
 bool showsActions(const Import& import) {
   return !import.animations.empty() &&
          std::none_of(import.animations.begin(), import.animations.end(), [](const auto& a) { return a.moves; }) &&
          allSame(import.keyframes);
 }
 
-// Uses the poses of the animations, one key each, if they differ. Added poses of a mesh come one at a time.
+// Uses the animations' poses, one key each, if they differ. Poses added to a mesh come one at a time.
 Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes, const GivenFiles& files,
                            const ImportOptions& options, const StageProgress& progress) {
   auto actions = importAnimations(meshes, files, options, progress);
@@ -121,7 +121,7 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
                    "samples."};
 }
 
-// Expresses added poses in the vertices of the mesh.
+// Maps added poses to the vertices of the mesh.
 Result<Import> likeTheMesh(Import&& import, const ImportOptions& options) {
   if (options.likePose.empty()) return std::move(import);
   Import mesh;
@@ -170,7 +170,7 @@ Status setTimes(Keyframes& keyframes, const std::vector<double>& times) {
   return {};
 }
 
-// glTF is Y up and in metres, so other axes and units do not apply.
+// Warns that axis and unit options do not apply: glTF is Y up and in metres.
 void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& options,
                       std::vector<Warning>& warnings) {
   const auto isGltf = [](const MeshFile& mesh) { return mesh.kind == FileKind::Gltf; };
@@ -182,7 +182,7 @@ void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& 
                       static_cast<int>(count)});
 }
 
-// Errors of keys name the keys; this adds their file.
+// Adds the file name to an error that names a key.
 Error withFile(Error error, const std::vector<MeshFile>& meshes, const Keyframes& keyframes) {
   if (meshes.size() == 1) {
     error.message = placeName(*meshes[0].file, 0, 1) + ": " + error.message;
@@ -202,7 +202,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   if (Status like = checkLike(options); !like) return like.error();
   const std::vector<MeshFile>& meshes = found->meshes;
   auto read = readKeys(meshes, GivenFiles(files), options, progress);
-  // The missing keys may be in the files left out.
+  // The missing keys may be in skipped files.
   if (!read && read.error().code == ErrorCode::TooFewKeys && !found->others.empty()) return found->others[0];
   if (!read) return read;
   if (Status local = subtractOffset(*read, options); !local) return withFile(local.error(), meshes, read->keyframes);
@@ -220,7 +220,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
 
 Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options,
                                const StageProgress& progress) {
-  // The libraries below throw on unexpected input; no exception leaves this folder.
+  // Libraries may throw on unexpected input. No exception leaves this folder.
   try {
     return importChecked(files, options, progress);
   } catch (const std::bad_alloc&) {

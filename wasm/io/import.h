@@ -1,4 +1,4 @@
-// Bytes of one or several files -> keyframes and the scene around them. The only entrance for files.
+// Reads keyframes and their scene from the bytes of one or several files. The only public header for reading.
 #pragma once
 
 #include <span>
@@ -10,11 +10,11 @@
 
 namespace shapespline {
 
-/// Reads keys from files: several files with one pose each (keys in the order given), or one file with morph targets or
-/// an animation. Buffers and images of a file are looked up among the files. A saved project (export.h) becomes its
-/// keys again, unless an animation or samples are requested. `progress` receives stages, with a fraction of the whole
-/// in [0, 1] that never decreases. Errors: every ErrorCode of reading, and of keys that do not match; the message names
-/// file, key and place.
+/// Reads keys from several files with one pose each (keys in the given order), or from one file with morph targets or
+/// an animation. Buffers and images are searched among the files. A saved project (export.h) restores its keys, unless
+/// an animation or samples are requested. `progress` receives stages, with a fraction of the total in [0, 1] that never
+/// decreases. Errors: every ErrorCode of reading, and of keys that do not match. The message names file, key and
+/// position.
 Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOptions& options,
                                const StageProgress& progress = {});
 

@@ -14,7 +14,7 @@ namespace shapespline {
 
 namespace {
 
-constexpr double sameShare = 1e-6;  // of the diagonal
+constexpr double sameShare = 1e-6;  // share of the diagonal
 
 bool isSamePose(const Positions& a, const Positions& b) {
   const Positions* one = &a;
@@ -23,7 +23,7 @@ bool isSamePose(const Positions& a, const Positions& b) {
                     [&](const Vec3& p, const Vec3& q) { return (p - q).squaredNorm() <= distance * distance; });
 }
 
-// 1, 2 and 3.
+// Formats the list: 1, 2 and 3.
 std::string keyList(int first, int last) {
   std::string list = std::to_string(first + 1);
   if (last - first > 8) return list + " to " + std::to_string(last + 1);
@@ -44,7 +44,7 @@ std::string whatToDo(const FileFacts& facts) {
   return text;
 }
 
-// Area of the faces that lie flat within a hundredth of the extent at either end of an axis.
+// Area of the faces that are flat within a hundredth of the extent, at either end of an axis.
 std::array<double, 2> flatAreas(const Positions& positions, const std::vector<Triangle>& faces, int axis) {
   double low = positions[0][axis], high = low;
   for (const Vec3& p : positions) low = std::min(low, p[axis]), high = std::max(high, p[axis]);
@@ -65,7 +65,7 @@ bool hasFlatBaseOnZ(const Positions& positions, const std::vector<Triangle>& fac
   for (const Triangle& f : faces)
     all += (positions[f[1]] - positions[f[0]]).cross(positions[f[2]] - positions[f[0]]).norm() / 2;
   const auto alongZ = flatAreas(positions, faces, 2), alongY = flatAreas(positions, faces, 1);
-  // A flat base below, none above, and nothing like it along y.
+  // A flat base at the bottom, none at the top, and none along y.
   return alongZ[0] > 0.002 * all && alongZ[0] > 4 * alongZ[1] && alongZ[0] > 4 * std::max(alongY[0], alongY[1]);
 }
 
@@ -80,11 +80,11 @@ Vec3 centreOfArea(const Positions& positions, const std::vector<Triangle>& faces
   return all > 0 ? Vec3(sum / all) : positions[0];
 }
 
-// With `axis` up: how far the centre lies inside the outline that touches the floor, in widths. Below 0 the shape tips
-// over.
+// With `axis` up: distance of the centre inside the outline of the floor contact, in widths. Negative if the shape
+// would tip over.
 double footing(const Positions& positions, const Vec3& centre, int axis) {
   constexpr int directions = 32;
-  constexpr double feet = 0.05;  // of the height
+  constexpr double feet = 0.05;  // share of the height
   Vec3 least = positions[0], most = positions[0];
   for (const Vec3& p : positions) least = least.cwiseMin(p), most = most.cwiseMax(p);
   const Vec3 extent = most - least;
@@ -102,15 +102,15 @@ double footing(const Positions& positions, const Vec3& centre, int axis) {
   return width > 0 ? *std::min_element(reach.begin(), reach.end()) / width : 0;
 }
 
-// 1: stands along Z and would tip over along Y; -1: the opposite; 0: undecided.
+// 1: stands along Z and would tip over along Y; -1: the reverse; 0: undecided.
 int standsRather(const Positions& positions, const std::vector<Triangle>& faces) {
-  constexpr double stable = 0.04;  // of the width
+  constexpr double stable = 0.04;  // share of the width
   const Vec3 centre = centreOfArea(positions, faces);
   const double y = footing(positions, centre, 1), z = footing(positions, centre, 2);
   return z > stable && y < 0 ? 1 : y > stable && z < 0 ? -1 : 0;
 }
 
-// Stands on the floor of its world, where this axis is 0, and the other one's is not.
+// Whether the pose stands on the floor where `axis` is 0, but not where `other` is 0.
 bool isOnFloorOf(const Positions& positions, int axis, int other) {
   const Positions* one = &positions;
   const double near = 0.03 * boundingDiagonal({&one, 1});

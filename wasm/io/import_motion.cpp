@@ -25,7 +25,7 @@ bool sameKeys(const Keyframes& a, const Keyframes& b) {
                                           [](const Key& x, const Key& y) { return x.positions == y.positions; });
 }
 
-// One key per file: if actions have the same name, the file names distinguish them.
+// With one key per file, file names replace action names that are equal.
 void nameApart(std::vector<Key>& keys, const std::vector<MeshFile>& meshes) {
   std::set<std::string> names;
   for (const Key& key : keys) names.insert(key.name);
@@ -40,7 +40,7 @@ Positions movedBy(const Vec3& way, Positions positions) {
   return positions;
 }
 
-// Axes of the cache: programs write the mesh's axes, or exchange Y and Z.
+// Finds the cache's axes: some programs write the mesh's axes, others exchange Y and Z.
 Axes axesOf(const PointCache& cache, const Positions& mesh) {
   const Positions frames[] = {cache.frame(0), cache.frame(cache.seconds.size() - 1)};
   const Positions* one = &mesh;
@@ -78,7 +78,7 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const Given
       continue;
     }
     out->noteRounding(import->rounding, where);
-    // Files of one pose each may show it twice.
+    // Files of one pose each may repeat the pose.
     if (import->keyframes.keyCount() > 1 && sameKeys(first, import->keyframes)) {
       ++repeated;
       continue;
@@ -161,13 +161,13 @@ Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, const Gi
   const Vec3 offset = pose->offset;
   if (Status added = addPose(std::move(*pose), "mesh", out, where); !added) return added.error();
   hintAtUpAxis(mesh.kind, writtenZUp, options, where, out);
-  out.rounding = 0;  // the mesh file, of which only the faces are used
+  out.rounding = 0;  // only the faces of the mesh file are used
   const Axes axes = axesOf(*cache, movedBy(-offset, out.keyframes.keys[0].positions));
   const bool own = axes == Axes::Identity();
   const auto frame = [&](std::size_t index) -> Result<Positions> {
     Positions positions = cache->frame(index);
     out.noteRounding(options.unit * storedRounding(positions), place);
-    // A cache with its own axes is oriented as the mesh was; otherwise it follows the mesh.
+    // A cache in the axes of the mesh file is oriented like the mesh. Otherwise `axes` converts it.
     if (own) orient(positions, options.zUp, options.unit);
     else
       for (Vec3& p : positions) p = axes * p;

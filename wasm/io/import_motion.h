@@ -1,4 +1,4 @@
-// Files that hold a motion: keys are sampled from it.
+// Samples keys from files that store a motion.
 #pragma once
 
 #include <vector>
@@ -12,17 +12,18 @@
 
 namespace shapespline {
 
-/// Several glTF files with an animation each: the keys of one after those of the other. Exporters write a rig's whole
-/// animation into every file, which counts once, with a warning. Errors: of the readers, and of files that are not of
-/// one mesh.
+/// Reads several glTF files with an animation each and appends their keys in file order. Some exporters write a rig's
+/// whole animation into every file: duplicates are dropped with a warning. Errors: those of the readers, and of files
+/// with different meshes.
 Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const GivenFiles& files, ImportOptions options,
                                 const StageProgress& progress);
 
-/// The frames of a numbered series of files, each read when it is asked for. Errors: as above.
+/// Reads the frames of a numbered series of files, each file on demand. Errors: as above.
 Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedFiles& series, const GivenFiles& files,
                             const ImportOptions& options, const StageProgress& progress);
 
-/// A mesh, and its vertices over time in a PC2 or MDD file. Errors: of the readers, and VertexCountMismatch.
+/// Reads a mesh, and its vertices over time from a PC2 or MDD file. Errors: those of the readers, and
+/// VertexCountMismatch.
 Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, const GivenFiles& files,
                            const ImportOptions& options, const StageProgress& progress);
 

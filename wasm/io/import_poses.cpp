@@ -13,7 +13,7 @@ namespace shapespline {
 
 namespace {
 
-// A pose that is of another mesh may only hold other objects, or in another order.
+// Adds a hint to an error: a mismatched pose may just have other objects or another order.
 Status hintAtObjects(Status added, const std::vector<std::string>& objects, const std::vector<std::string>& first) {
   if (added || objects == first || objects.size() + first.size() < 3) return added;
   Error error = added.error();
@@ -22,7 +22,7 @@ Status hintAtObjects(Status added, const std::vector<std::string>& objects, cons
   return error;
 }
 
-// The objects of the first file that all others have, where some lack one; else nothing.
+// The first file's objects that all files share, if some file lacks one; otherwise nothing.
 std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std::size_t from, PoseReader reader,
                                        const Import& import) {
   const ObjectMesh first{import.scene.objects, import.keyframes.faces, import.keyframes.keys[0].positions};
@@ -34,7 +34,7 @@ std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std:
     const ObjectMesh other{pose->scene.objects, pose->faces, pose->positions};
     if (!other.isWhole()) return {};
     const ObjectMatch same = matchObjects(first, other);
-    // Objects with different names could be matched by shape only.
+    // Without equal names, objects could be matched by shape only.
     const auto has = [&](std::size_t i) {
       const bool unnamed = first.objects[i].nodeName.empty() && first.objects[i].meshName.empty();
       return same.otherOf[i] >= 0 && (same.rule[i] == MatchRule::Name || unnamed);
@@ -47,7 +47,7 @@ std::vector<std::string> commonObjects(const std::vector<MeshFile>& meshes, std:
   return common.size() < import.objects.size() ? common : std::vector<std::string>();
 }
 
-// Keys are named after the actions that pose their files, if these names differ.
+// Names keys after the actions that pose their files, if these names differ.
 void nameByActions(const std::vector<std::string>& actions, std::vector<Key>& keys) {
   const std::set<std::string> names(actions.begin(), actions.end());
   if (names.size() < keys.size() || names.contains("")) return;
@@ -75,7 +75,7 @@ int samePoses(const Import& import) {
   return count;
 }
 
-// `common`: filled where files that are not of one mesh do not hold the same objects.
+// `common`: receives the shared objects if files with different meshes have different objects.
 Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
                          const StageProgress& progress, std::vector<std::string>& common, FileFacts& facts) {
   Import out;
@@ -95,7 +95,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& 
     };
     onPose(0);
     auto pose = reader.read(meshes[j], where, onPose);
-    // Its objects may have other names than those of the first file, and are found by their shapes.
+    // The objects may have other names in this file. They are then matched by shape.
     if (!pose && j > 0 && pose.error().code == ErrorCode::UnknownObject) {
       everything.cuts = reader.cuts;
       pose = everything.read(meshes[j], where, onPose);
@@ -126,7 +126,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& 
   setTimesInSeconds(out.keyframes);
   nameByActions(actions, out.keyframes.keys);
   warnOfSamePoses(facts, out);
-  // If nothing moves, the keys can be taken from animations in the files.
+  // If no key differs, the files' animations may provide the keys.
   if (samePoses(out) > 0 && (facts.animated == facts.files || facts.posed == facts.files))
     out.animations = std::move(animations);
   return out;
@@ -153,7 +153,7 @@ Error atKey(Error error, int key) {
   return error;
 }
 
-// Only one pose after the first is held at a time.
+// Takes over the pose, so memory holds at most one pose after the first.
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where) {
   out.noteRounding(pose.rounding, where);
   if (out.keyframes.keyCount() > 0)
@@ -186,7 +186,7 @@ Result<Import> importPoses(const std::vector<MeshFile>& meshes, const GivenFiles
   std::vector<std::string> common;
   FileFacts facts;
   auto import = readPoses(meshes, files, options, progress, common, facts);
-  // A character in its bind pose with a constant action is meant to be posed by it.
+  // A constant action is meant to pose a character stored in its bind pose.
   if (import && facts.isPosed && samePoses(*import) > 0 && !options.posedByActions) {
     ImportOptions posed = options;
     posed.posedByActions = true;

@@ -21,11 +21,11 @@ std::vector<const Positions*> posesOf(const std::vector<Key>& keys) {
   return poses;
 }
 
-// Vertices of a mesh that a pose has at several positions: n + i becomes a copy of vertex copyOf[i].
+// Splits of mesh vertices that a pose has at several positions: n + i becomes a copy of vertex copyOf[i].
 struct Split {
   std::vector<int> copyOf;
   std::vector<Triangle> faces;
-  std::vector<int> vertexOf;  // pose vertex of the n and their copies; -1 if no face decides
+  std::vector<int> vertexOf;  // pose vertex of each of the n vertices and copies; -1 if no face decides
 };
 
 Split splitBy(const std::vector<int>& cornerOf, const Welding& points, const std::vector<Triangle>& faces, int n) {
@@ -51,14 +51,14 @@ void appendCopies(const std::vector<int>& copyOf, std::size_t width, std::size_t
   values.insert(values.begin() + static_cast<std::ptrdiff_t>(width * at), copies.begin(), copies.end());
 }
 
-// Drawn vertices are the mesh's own, followed by the copies (Seams::copyOf). Splitting adds mesh vertices, so copies
-// move back. If a copied vertex is split, each new vertex gets its own copy.
+// Drawn vertices are the mesh vertices, followed by the copies (Seams::copyOf). Splitting adds mesh vertices, so the
+// copies' indices shift. If a copied vertex is split, each new vertex gets its own copy.
 void splitSeams(const Split& split, int n, const std::vector<Triangle>& before, Scene& scene) {
   Seams& seams = scene.seams;
   const int more = static_cast<int>(split.copyOf.size());
   appendCopies(split.copyOf, 2, n, scene.uvs);
   if (seams.copyOf.empty()) return;
-  std::map<std::pair<int, int>, int> copyAt;  // copy of a drawn vertex for a vertex
+  std::map<std::pair<int, int>, int> copyAt;  // drawn copy for a pair (drawn vertex, mesh vertex)
   for (std::size_t f = 0; f < seams.faces.size(); ++f)
     for (int c = 0; c < 3; ++c) {
       int& drawn = seams.faces[f][c];
@@ -96,10 +96,10 @@ Warning splitWarning(const std::string& where, int count, int key) {
           count, key};
 }
 
-// A mesh with its vertices in the order of its objects, to compare with another file.
+// A mesh with vertices ordered by object, for comparison with another file.
 struct Arranged {
   std::vector<Triangle> faces;
-  std::vector<int> vertexAt;  // file vertex of each vertex
+  std::vector<int> vertexAt;  // file index of each vertex
   std::vector<Positions> poses;
 
   std::vector<const Positions*> posePointers() const {
@@ -109,7 +109,7 @@ struct Arranged {
   }
 };
 
-// `order`: of the objects; vertices of others are left out, those of no face come last.
+// `order`: indices of the objects. Vertices of other objects are omitted, vertices without faces come last.
 Arranged arranged(const std::vector<Triangle>& faces, const std::vector<ObjectFaces>& objects,
                   const std::vector<int>& order, std::span<const Positions* const> poses) {
   Arranged out;
@@ -143,7 +143,7 @@ Arranged arranged(const std::vector<Triangle>& faces, const std::vector<ObjectFa
   return out;
 }
 
-// The match of poses whose objects come in different orders, in the files' own numbers.
+// Matches poses whose objects come in different orders. The result uses the files' own vertex numbers.
 std::optional<PoseMatch> findArranged(const ObjectMesh& firstMesh, const ObjectMesh& otherMesh, const ObjectMatch& same,
                                       std::span<const Positions* const> poses) {
   std::vector<int> own(firstMesh.objects.size());
@@ -161,7 +161,7 @@ std::optional<PoseMatch> findArranged(const ObjectMesh& firstMesh, const ObjectM
   return out;
 }
 
-// The vertices and faces match in number, but not where the object names suggest.
+// Error for equal vertex and face counts whose objects do not match by name.
 Error otherObjects(const std::string& where, int key) {
   return {ErrorCode::FaceMismatch,
           where + ": objects with these names have different faces from those of key 1. Use poses of one mesh.", key};

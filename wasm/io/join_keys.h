@@ -1,4 +1,4 @@
-// Poses of several files -> keys of one mesh, in the first one's vertices.
+// Joins poses of several files as keys of one mesh, in the first file's vertices.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 
 namespace shapespline {
 
-/// Warning for objects that not every file has.
+/// Warning about objects that some files lack.
 Warning leftOutWarning(const std::vector<std::string>& taken, int count);
 
-/// Adds poses to an import, one after the other. The import has at least one key.
+/// Adds poses to an import one by one. The import must have at least one key.
 class KeyJoiner {
  public:
   explicit KeyJoiner(Import& import) : import_(import) {}
 
-  /// Adds keys that share these faces. Objects may come in another order than those of the first key (`objects`:
-  /// theirs, or none): see matchObjects; those that it lacks are left out, with a warning. Where one vertex of the mesh
-  /// stands at several places in them it is split, and a warning says so: normals, colours and coordinates go with it.
-  /// `where` is how messages call the file. Errors: VertexCountMismatch, FaceCountMismatch, FaceMismatch of keys that
-  /// are not of the mesh.
+  /// Adds keys that share these faces.
+  /// Objects may come in another order than in the first key (`objects`: those of these keys, or empty; see
+  /// matchObjects). Objects unknown to the first key are omitted with a warning.
+  /// A mesh vertex with several positions in these keys is split with a warning, together with its normals, colours and
+  /// coordinates. `where`: display name of the file. Errors: VertexCountMismatch, FaceCountMismatch, FaceMismatch for
+  /// keys of a different mesh.
   Status add(const std::vector<Triangle>& faces, std::vector<Key> keys, const std::string& where,
              const std::vector<ObjectFaces>& objects);
 

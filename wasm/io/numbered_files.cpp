@@ -17,7 +17,7 @@ namespace {
 using Sequence = std::pair<std::string_view, std::string>;
 
 struct Numbered {
-  std::string_view path;  // before the number and its sign
+  std::string_view path;  // the text before the number and its sign
   std::string extension;
   std::optional<double> number;
 
@@ -42,8 +42,8 @@ Numbered numberedFrom(std::string_view path, std::string_view start) {
   return out;
 }
 
-// A hyphen or plus before the number is its sign after a dot, after an underscore or at the start. Elsewhere it
-// separates the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
+// A hyphen or plus before the number is its sign after a dot, after an underscore or at the start. Elsewhere the
+// character separates name and number, unless another file has the same name and an unsigned number: walk-1, walk0.
 void readSign(Numbered& file, const std::set<Sequence>& unsignedOnes) {
   if (!file.number || !(file.path.ends_with('-') || file.path.ends_with('+'))) return;
   const std::string_view before = file.path.substr(0, file.path.size() - 1);

@@ -1,4 +1,4 @@
-// Detects by name whether files are the frames of one animation.
+// Detects by name whether files are frames of one animation.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 namespace shapespline {
 
 struct NumberedFiles {
-  std::string name;             ///< common start of their names
-  std::vector<double> seconds;  ///< of each file, from 0, at framesPerSecond
+  std::string name;             ///< common start of the file names
+  std::vector<double> seconds;  ///< time of each file, starting at 0, at framesPerSecond
 };
 
-/// At least two OBJ or PLY files of one kind, whose names differ only in the number before the extension, in increasing
-/// order: walk0001.obj, walk0002.obj. Nothing otherwise. Numbers may be negative: all names together decide whether a
+/// Recognises two or more OBJ or PLY files of one kind, in increasing order, whose names differ only in the number
+/// before the extension: walk0001.obj, walk0002.obj. Numbers may be negative: all names together decide whether a
 /// hyphen is a sign. web/engine/api/numbered-names.ts orders files by the same rule; both pass
 /// tests/numbered-names.json.
 std::optional<NumberedFiles> numberedFiles(const std::vector<MeshFile>& meshes);
 
-/// Names and counts of several numbered sequences among the files; empty for fewer than two.
+/// Lists names and counts if the files contain several numbered sequences, else empty.
 std::string sequencesAmong(const std::vector<MeshFile>& meshes);
 
 }  // namespace shapespline

@@ -16,22 +16,22 @@ namespace shapespline {
 
 namespace {
 
-// Limit of face comparisons in the search for similar objects, as a multiple of all faces: bounds the cost of files
+// Limit of face comparisons when searching for similar objects, as a multiple of all faces. Bounds the cost of files
 // with many unnamed objects.
 constexpr std::int64_t mostComparisons = 40;
-// Up to this many similar objects are matched by position, in quadratic time.
+// Maximum number of similar objects to match by position, which takes quadratic time.
 constexpr std::size_t mostAlike = 400;
-// Places of each object that a rigid motion is fitted to.
+// Maximum number of points per object for fitting a rigid motion.
 constexpr std::size_t mostPoints = 64;
 
-// "Cube" of Blender's "Cube.001".
+// Returns "Cube" for Blender's "Cube.001".
 std::string_view withoutNumber(std::string_view name) {
   std::size_t end = name.size();
   while (end > 0 && name[end - 1] >= '0' && name[end - 1] <= '9') --end;
   return end > 1 && end < name.size() && name[end - 1] == '.' ? name.substr(0, end - 1) : name;
 }
 
-// Possible names of an object, the most specific first; empty if it has no such name.
+// Candidate names of an object, most specific first; empty strings for missing names.
 constexpr int propertyNames = 5;
 std::string nameOf(const ObjectFaces& object, int kind) {
   const std::string &node = object.nodeName, &mesh = object.meshName;
@@ -47,7 +47,7 @@ std::string nameOf(const ObjectFaces& object, int kind) {
 
 bool isNamed(const ObjectFaces& object) { return !object.nodeName.empty() || !object.meshName.empty(); }
 
-// An object's own mesh: its vertices by their number.
+// An object as a mesh with its own vertex numbers.
 struct LocalMesh {
   std::vector<int> vertices;
   std::vector<Triangle> faces;
@@ -69,7 +69,7 @@ struct LocalMesh {
 
 struct Placement {
   Mat3 rotation = Mat3::Identity();
-  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // where the centre moves
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // centre before and after the motion
 
   Vec3 operator()(const Vec3& p) const { return rotation * (p - from) + to; }
 };
@@ -80,10 +80,10 @@ struct Matcher {
   const ObjectMesh& first;
   const ObjectMesh& other;
   ObjectMatch out{};
-  std::vector<char> unsure{}, otherUnsure{};        // objects whose names stand for others in the other pose
-  std::vector<char> taken{};                        // of the other pose's objects
-  std::vector<LocalMesh> firstMesh{}, otherMesh{};  // filled when they are needed
-  std::int64_t room = 0;                            // faces that may still be compared
+  std::vector<char> unsure{}, otherUnsure{};        // objects with names that may mean another object in the other pose
+  std::vector<char> taken{};                        // whether each object of the other pose is matched
+  std::vector<LocalMesh> firstMesh{}, otherMesh{};  // filled on demand
+  std::int64_t room = 0;                            // remaining number of face comparisons
 
   bool isOpen(int i) const { return out.otherOf[i] < 0; }
 
@@ -107,7 +107,7 @@ struct Matcher {
     return open;
   }
 
-  // By names.
+  // Matching by name.
 
   void mistrust(int i, int j) { unsure[i] = otherUnsure[j] = 1; }
 
@@ -131,14 +131,14 @@ struct Matcher {
     }
   }
 
-  // Objects with one name are distinguished by their shapes only.
+  // Objects with equal names are distinguished by shape only.
   void matchWithinNames(int kind) {
     const ByName ours = byName(first.objects, openFirst(), kind), theirs = byName(other.objects, openOther(), kind);
     for (const auto& [name, mine] : ours)
       if (const auto found = theirs.find(name); found != theirs.end()) matchShapes(mine, found->second);
   }
 
-  // By shapes.
+  // Matching by shape.
 
   const LocalMesh& meshOf(std::vector<LocalMesh>& meshes, const ObjectMesh& whole, int index) {
     meshes.resize(whole.objects.size());
@@ -157,7 +157,7 @@ struct Matcher {
     return PoseMatcher(a.faces, a.positions).find(b.faces, {&pose, 1}).has_value();
   }
 
-  // Alike objects of both poses.
+  // Similar objects of both poses.
   struct Class {
     std::vector<int> mine, others;
   };
@@ -189,9 +189,9 @@ struct Matcher {
       if (c.mine.size() > 1 || c.others.size() > 1) matchByPlace(c);
   }
 
-  // Alike objects by place.
+  // Matching similar objects by position.
 
-  // Corresponding points of both objects; only their centres if the files number their vertices differently.
+  // Adds corresponding points of both objects. Uses the centres alone if the files number their vertices differently.
   void addPoints(int i, int j, Positions& from, Positions& to) {
     const LocalMesh &a = ours(i), &b = theirs(j);
     if (a.faces != b.faces) {
@@ -212,7 +212,7 @@ struct Matcher {
     return out;
   }
 
-  // How far the pairs are from one rigid motion of all of them: the mean square of the distances.
+  // Mean squared distance of the pairs from a common rigid motion.
   double strainOf(const Pairs& pairs) {
     Positions from, to;
     for (const auto& [i, j] : pairs) addPoints(i, j, from, to);
@@ -222,7 +222,7 @@ struct Matcher {
     return sum / static_cast<double>(from.size());
   }
 
-  // Nearest ones first.
+  // Pairs each object with the nearest one after the motion.
   Pairs nearest(const Class& c, const Placement& place) {
     std::vector<std::tuple<double, int, int>> distances;
     for (int i : c.mine) {
@@ -248,7 +248,7 @@ struct Matcher {
     return pairs;
   }
 
-  // Candidate motions of the class: that of matched objects, of its centre, of its first object.
+  // Candidate motions for the class: the motion of matched objects, of the class centre, of its first object.
   std::vector<Placement> placementsOf(const Class& c) {
     constexpr std::size_t mostTried = 8;
     std::vector<Placement> places;
@@ -270,7 +270,7 @@ struct Matcher {
     MatchRule rule = MatchRule::Order;
     Pairs best = order;
     if (c.mine.size() <= mostAlike && c.others.size() <= mostAlike) {
-      // The order of the files may be random; a different order must explain the poses clearly better.
+      // File order may be random, so a different order must fit the poses clearly better.
       const bool sameCount = c.mine.size() == c.others.size();
       double least = sameCount ? strainOf(order) : std::numeric_limits<double>::infinity();
       double limit = 0.5 * least;
@@ -287,8 +287,7 @@ struct Matcher {
     for (const auto& [i, j] : best) match(i, j, rule);
   }
 
-  // Names that programs make up, such as Cube.001, may stand for another object in every file. In files that agree on
-  // the order they do not.
+  // Generated names such as Cube.001 may denote a different object in each file, unless the files agree on the order.
   void checkNames() {
     if (out.isInOrder()) return;
     for (std::size_t i = 0; i < out.otherOf.size(); ++i) {
@@ -301,8 +300,8 @@ struct Matcher {
     }
   }
 
-  // If both poses have equally many objects left, these have been renamed. Otherwise, where some names match, objects
-  // with different names are different, however alike.
+  // If both poses have the same number of unmatched objects, these were renamed. Otherwise, if some names match,
+  // objects with different names are different, however similar.
   void matchRest() {
     const bool namesTell = std::find(out.rule.begin(), out.rule.end(), MatchRule::Name) != out.rule.end();
     std::vector<int> mine = openFirst(), others = openOther();

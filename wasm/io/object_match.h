@@ -1,4 +1,4 @@
-// Matches objects of two poses: by name, then by shape and position, then by the order in the files.
+// Matches objects of two poses: by name, then by shape and position, then by file order.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace shapespline {
 
-/// A pose's faces with the objects that they belong to.
+/// The faces of a pose and their objects.
 struct ObjectMesh {
-  const std::vector<ObjectFaces>& objects;  ///< in the order of the faces
+  const std::vector<ObjectFaces>& objects;  ///< in face order
   const std::vector<Triangle>& faces;
   const Positions& positions;
 
@@ -19,21 +19,21 @@ struct ObjectMesh {
 };
 
 struct ObjectMatch {
-  std::vector<int> otherOf;     ///< of each object of the first pose: one of the other, or -1
-  std::vector<MatchRule> rule;  ///< how it was found
-  int extra = 0;                ///< objects that only the other pose has
+  std::vector<int> otherOf;     ///< other pose's object for each object of the first pose, or -1
+  std::vector<MatchRule> rule;  ///< rule that found each match
+  int extra = 0;                ///< number of objects that only the other pose has
 
   bool isComplete() const;
-  /// By their names, some objects stand in another order than in the first pose.
+  /// Whether matching by name changes the order of some objects.
   bool namesMoveObjects() const;
-  /// Whether every object has its index of the first pose.
+  /// Whether every object keeps its index.
   bool isInOrder() const;
 };
 
-/// Names are tried from the most specific to the least: with the names of ancestors, of the node, of the mesh, and each
-/// of them without a trailing number such as Blender's .001. A name counts if it is unique in both poses and has the
-/// same number of faces. Remaining objects are matched by connectivity. Similar objects (two eyes) are matched by
-/// position under one rigid motion of all of them, and if that is ambiguous, by order.
+/// Tries names from the most specific to the least: with the names of ancestors, of the node, of the mesh, then each
+/// without a trailing number such as Blender's .001. A name counts if it is unique in both poses and the face counts
+/// agree. Remaining objects are matched by connectivity. Similar objects (two eyes) are matched by position under a
+/// common rigid motion. If that is ambiguous, file order decides.
 ObjectMatch matchObjects(const ObjectMesh& first, const ObjectMesh& other);
 
 }  // namespace shapespline

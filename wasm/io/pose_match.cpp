@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-// The run of each vertex: consecutive vertices at the same position in all poses.
+// Run index of each vertex. A run consists of consecutive vertices that coincide in all poses.
 std::vector<int> runsOf(std::span<const Positions* const> poses) {
   std::vector<int> run(poses[0]->size(), 0);
   for (std::size_t v = 1; v < run.size(); ++v) {
@@ -42,8 +42,8 @@ bool allFinite(const Positions& pose) {
   return std::all_of(pose.begin(), pose.end(), [](const Vec3& p) { return p.allFinite(); });
 }
 
-// Whether the corners of two lists match as vertices of one surface. A point of one list may match several of the
-// other, where the shape touches itself, but not if these in turn match several points of the first: that is a
+// Whether the corners of two lists match as vertices of one surface. A point of one list may match several points of
+// the other if the shape touches itself. If these in turn match several points of the first list, the match is a
 // coincidence.
 bool belongTogether(const std::vector<int>& a, int countA, const std::vector<int>& b, int countB) {
   std::vector<std::pair<int, int>> pairs(a.size());
@@ -56,7 +56,7 @@ bool belongTogether(const std::vector<int>& a, int countA, const std::vector<int
                      [&](const auto& pair) { return ofA[pair.first] == 1 || ofB[pair.second] == 1; });
 }
 
-// Sum of squared differences between the side lengths of the faces and those of the mesh.
+// Sum of squared differences between corresponding side lengths in the mesh and the pose.
 double strainOf(const Positions& mesh, const std::vector<int>& corners, const Positions& pose,
                 const std::vector<int>& posed) {
   double sum = 0;
@@ -68,8 +68,8 @@ double strainOf(const Positions& mesh, const std::vector<int>& corners, const Po
   return sum;
 }
 
-// Faces with wrong indices can look like those of a reordered mesh. But then the pose matches the mesh with the mesh's
-// own faces, and is torn apart with these.
+// Faces with wrong indices can look like reordered faces. In that case the pose fits the mesh's own faces but is torn
+// by these.
 bool nameWrongVertices(const Positions& mesh, const std::vector<int>& corners, const Positions& pose,
                        const std::vector<int>& posed) {
   return mesh.size() == pose.size() &&
@@ -84,7 +84,7 @@ std::optional<PoseMatch> PoseMatcher::find(const std::vector<Triangle>& faces,
                                            std::span<const Positions* const> poses) const {
   if (faces.size() != faces_.size()) return {};
   const bool same = poses[0]->size() == positions_.size() && sameSurface(faces_, faces);
-  // Triangles without common vertices, numbered as they come, look alike however their quads are cut.
+  // Triangles without shared vertices, numbered in file order, look alike however their quads are cut.
   const bool cutsShow = positions_.size() <= faces_.size() + 2;
   if (!same || !cutsShow) {
     if (auto match = same ? std::nullopt : byCopies(faces, poses)) return match;
@@ -111,7 +111,7 @@ std::optional<PoseMatch> PoseMatcher::byCopies(const std::vector<Triangle>& face
 std::optional<PoseMatch> PoseMatcher::byCorners(const std::vector<Triangle>& faces,
                                                 std::span<const Positions* const> poses) const {
   if (!allFinite(positions_) || !std::all_of(poses.begin(), poses.end(), [](auto* p) { return allFinite(*p); }))
-    return {};  // reported when keys are checked
+    return {};  // checking the keys reports the error
   const Positions* own[] = {&positions_};
   const Welding points = weldPoses(own), theirs = weldPoses(poses);
   const std::vector<int> vertexOf = cornersOf(faces);

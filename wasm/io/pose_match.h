@@ -1,4 +1,4 @@
-// Finds a mesh's vertices in another file's pose: exporters split and cut the same mesh differently in every pose.
+// Finds a mesh's vertices in another file's pose. Exporters may split and cut the same mesh differently in every pose.
 #pragma once
 
 #include <optional>
@@ -10,28 +10,27 @@
 
 namespace shapespline {
 
-/// Vertices or faces of a pose for the mesh's vertices; one of the two is filled.
+/// Pose vertices for the mesh's vertices or corners. Exactly one of the two lists is filled.
 struct PoseMatch {
-  std::vector<int> vertexOf;  ///< of each vertex of the mesh: one of the pose
-  std::vector<int> cornerOf;  ///< of each corner 3 f + c of the mesh: a vertex of the pose
+  std::vector<int> vertexOf;  ///< pose vertex for each mesh vertex
+  std::vector<int> cornerOf;  ///< pose vertex for each corner 3 f + c of the mesh
 };
 
-/// The first key's mesh. It must outlive this.
+/// Matches poses with the first key's mesh, which must outlive the matcher.
 class PoseMatcher {
  public:
   PoseMatcher(const std::vector<Triangle>& faces, const Positions& positions) : faces_(faces), positions_(positions) {}
 
-  /// The ways in which a pose can match the mesh, in the order in which they are tried:
-  ///   1. the same vertices, with faces in any order and polygons cut along other diagonals (sameSurface);
-  ///   2. the same, after consecutive vertices at one position are merged: exporters that sort the copies made for
-  ///      normals and coordinates by vertex leave these (Blender);
-  ///   3. faces in the same order, whose corners determine the vertices: two corners are one vertex if they coincide in
-  ///      this mesh and in the pose. Pairs of triangles may be cut along the other diagonal, as Blender cuts quads.
-  /// The third can be tried on any two lists of the same length. It holds only if corners that coincide in one of the
-  /// two also do in the other, except where the shape touches itself in one of them, and if the pose does not match
-  /// much better with the mesh's own faces, which indicates wrong indices. It is tried before the first if vertices are
-  /// not shared, because then faces look alike however quads are cut. Returns nothing if none of the three holds.
-  /// `poses` are of one file.
+  /// Ways to match a pose with the mesh, in the order tried:
+  /// 1. the same vertices, with faces in any order and polygons cut along other diagonals (sameSurface);
+  /// 2. as 1, after merging consecutive vertices at one position, which exporters such as Blender leave when they sort
+  ///    copies for normals and coordinates by vertex;
+  /// 3. faces in the same order, whose corners determine the vertices: two corners are one vertex if they coincide in
+  ///    the mesh and in the pose. Pairs of triangles may be cut along the other diagonal, as Blender cuts quads.
+  /// Way 3 applies to any two lists of equal length. It succeeds if corners that coincide in one list coincide in the
+  /// other, except where the shape touches itself in one of them. The pose must also not fit the mesh's own faces much
+  /// better, which would indicate wrong indices. Way 3 comes first if faces share no vertices, because faces then look
+  /// alike however quads are cut. Returns nothing if all three fail. `poses`: all from one file.
   std::optional<PoseMatch> find(const std::vector<Triangle>& faces, std::span<const Positions* const> poses) const;
 
  private:

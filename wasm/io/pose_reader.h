@@ -1,4 +1,4 @@
-// One mesh file -> one pose.
+// Reads one pose from one mesh file.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ struct MeshFile {
   FileKind kind;
 };
 
-/// Y up, in metres, whatever the file's axes and unit.
+/// Converts positions to Y up and metres.
 void orient(Positions& positions, bool zUp, double scale);
 
-/// Reads one pose after the other; polygons are cut as in the first one that has any.
+/// Reads poses one by one. Polygons are cut as in the first pose with polygons.
 struct PoseReader {
   const GivenFiles& files;
   const ImportOptions& options;

@@ -10,25 +10,25 @@ namespace shapespline {
 
 namespace {
 
-using Quad = std::array<int, 4>;  // corners 3 f + c, around; the diagonal joins the first and the third
+using Quad = std::array<int, 4>;  // corners 3 f + c in cyclic order; the diagonal joins the first and third
 
 int pointOf(const std::vector<Triangle>& faces, int corner) { return faces[corner / 3][corner % 3]; }
 
 int nextCorner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-// The quad of two triangles that have an edge in common, from a corner of f on that edge.
+// The quad of two triangles with a common edge, given a corner of f on that edge.
 std::optional<Quad> quadOf(const std::vector<Triangle>& faces, int f, int g) {
   for (int a = 3 * f; a < 3 * f + 3; ++a)
     for (int b = 3 * g; b < 3 * g + 3; ++b) {
       const int c = nextCorner(a), d = nextCorner(b);
       if (pointOf(faces, a) == pointOf(faces, d) && pointOf(faces, c) == pointOf(faces, b))
-        // f is a c e, g is b d h, with c = b and a = d: around c e a h.
+        // f is a c e, g is b d h, with c = b and a = d: the quad is c e a h.
         return Quad{c, nextCorner(c), a, nextCorner(d)};
     }
   return {};
 }
 
-// Start of a quad's triangles: 0-1-2 and 0-2-3, 0-1-3 and 1-2-3, or neither.
+// How a pair of triangles cuts a quad: First is 0-1-2 and 0-2-3, Second is 0-1-3 and 1-2-3.
 enum class Cut { None, First, Second };
 
 Cut cutOf(const Triangle& f, const Triangle& g) {
@@ -37,7 +37,7 @@ Cut cutOf(const Triangle& f, const Triangle& g) {
   return Cut::None;
 }
 
-// If the pose cuts a quad the other way, its corners take the mesh's order.
+// Where the pose cuts a quad the other way, reorders its corners as in the mesh.
 void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose, std::vector<int>& corners) {
   for (std::size_t f = 0; f + 1 < mesh.size(); ++f) {
     const Cut wanted = cutOf(mesh[f], mesh[f + 1]), given = cutOf(pose[f], pose[f + 1]);
@@ -54,10 +54,10 @@ void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle
   }
 }
 
-// Three numbers, in sorted lists. Triangles have the same type, so one sort serves both.
+// Three numbers for sorted lists. They use the type of triangles, so one sort serves both.
 using Entry = std::array<int, 3>;
 
-// The two lists, and which corner of the pose stands for each of the mesh's as far as that is known.
+// Both face lists, and the pose corner for each mesh corner as far as known.
 struct Match {
   const std::vector<Triangle>&mesh, &pose;
   std::vector<int> corners;
@@ -75,7 +75,7 @@ std::vector<Entry> sortedEntries(int count, EntryOf entryOf) {
   return entries;
 }
 
-// Votes of other faces for matching a point of the mesh with one of the pose.
+// Votes of neighbouring faces for pairing a mesh point with a pose point.
 class Votes {
  public:
   explicit Votes(const Match& match) : match_(match) {
@@ -86,7 +86,7 @@ class Votes {
     }
   }
 
-  // Without the votes of faces f and g themselves.
+  // Excludes the votes of faces f and g.
   int of(int corner, int stands, int f, int g) const {
     const int p = match_.meshPoint(corner), q = pointOf(match_.pose, stands);
     const auto it = std::lower_bound(counts_.begin(), counts_.end(), Entry{p, q, 0});
@@ -102,10 +102,10 @@ class Votes {
   }
 
   const Match& match_;
-  std::vector<Entry> counts_;  // of each pair of points, in sorted order
+  std::vector<Entry> counts_;  // count for each pair of points, sorted
 };
 
-// Marks the faces of all corners whose first number comes with several second ones.
+// Marks the faces of all corners whose first number is paired with several second numbers.
 void markSeveral(const std::vector<Entry>& entries, std::vector<bool>& disputed) {
   for (std::size_t from = 0, to = 0; from < entries.size(); from = to) {
     bool several = false;
@@ -115,7 +115,7 @@ void markSeveral(const std::vector<Entry>& entries, std::vector<bool>& disputed)
   }
 }
 
-// Faces with a corner whose point matches several points of the pose, or the reverse.
+// Faces with a corner whose point matches several points in the other list.
 std::vector<bool> disputedFaces(const Match& match) {
   std::vector<bool> disputed(match.mesh.size(), false);
   const int n = match.cornerCount();
@@ -129,7 +129,7 @@ struct QuadPair {
   Quad mesh, pose;
 };
 
-// Two disputed faces that are a quad in both lists.
+// Pairs of disputed faces that form a quad in both lists.
 std::vector<QuadPair> quadPairs(const Match& match, const std::vector<bool>& disputed) {
   const std::vector<Entry> sides = sortedEntries(match.cornerCount(), [&](int c) {
     const int a = match.meshPoint(c), b = match.meshPoint(nextCorner(c));
@@ -146,14 +146,14 @@ std::vector<QuadPair> quadPairs(const Match& match, const std::vector<bool>& dis
   return out;
 }
 
-// Corners that would stand for others than now, and how many more faces would agree.
+// A new assignment of corners, and the number of faces gained in agreement.
 struct Change {
   int gain;
   int f, g;
   std::array<std::pair<int, int>, 6> corners;
 };
 
-// The quad's points in cyclic order, from a different start.
+// The quad's points from another start, in the same cyclic order.
 Change turnedQuad(const Match& match, const Votes& votes, const QuadPair& pair) {
   const auto& [f, g, mesh, pose] = pair;
   int now = 0, best = 0, turn = 0;
@@ -173,7 +173,7 @@ Change turnedQuad(const Match& match, const Votes& votes, const QuadPair& pair) 
   return change;
 }
 
-// One triangle that starts at another corner.
+// One triangle, started at another corner.
 Change turnedTriangle(const Match& match, const Votes& votes, int f) {
   int now = 0, best = 0, turn = 0;
   for (int c = 3 * f; c < 3 * f + 3; ++c) now += votes.of(c, match.corners[c], f, f);
@@ -187,7 +187,7 @@ Change turnedTriangle(const Match& match, const Votes& votes, int f) {
   return change;
 }
 
-// Makes those that gain, the most first, each face in one of them.
+// Applies changes with a gain, largest first, at most one per face.
 bool make(const std::vector<Change>& changes, Match& match) {
   const std::vector<Entry> order =
       sortedEntries(static_cast<int>(changes.size()), [&](int i) { return Entry{-changes[i].gain, i, 0}; });
@@ -203,7 +203,7 @@ bool make(const std::vector<Change>& changes, Match& match) {
   return any;
 }
 
-// One round; false where no face would agree better with those around it.
+// Runs one round. Returns false if no change gains agreement.
 bool settle(Match& match) {
   const std::vector<bool> disputed = disputedFaces(match);
   const Votes votes(match);
@@ -226,7 +226,7 @@ std::vector<int> matchCorners(const std::vector<Triangle>& mesh, const std::vect
   turnUsualCuts(mesh, pose, match.corners);
   const std::vector<int> usual = match.corners;
   for (int round = 0; round < rounds && settle(match);) ++round;
-  // A change that does not make all faces agree was not a different cut but a different mesh.
+  // If changes leave faces in disagreement, the mesh itself differs, not just its cuts.
   const std::vector<bool> disputed = disputedFaces(match);
   for (std::size_t c = 0; c < usual.size(); ++c)
     if (disputed[c / 3] && match.corners[c] != usual[c]) return usual;

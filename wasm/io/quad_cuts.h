@@ -1,4 +1,4 @@
-// Matches corners of a pose's faces to the mesh's if both cut their quads differently.
+// Matches corners of a pose's faces with the mesh's if both cut their quads differently.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace shapespline {
 
-/// For each corner 3 f + c of the mesh: the matching corner of the pose. Both lists have the same number of faces, in
-/// the same order except for the two triangles of a quad, and refer to points: vertices at one position are one point.
-/// Two triangles with a common edge may be cut along the other diagonal and start at any corner; the points of
-/// neighbouring faces decide. Undecided corners keep their order. O(m log m).
+/// Returns the matching pose corner for each corner 3 f + c of the mesh. Both lists have the same number of faces, in
+/// the same order except within a quad, and refer to points: vertices at one position are one point. Two triangles with
+/// a common edge may be cut along the other diagonal and start at any corner. Points of neighbouring faces decide.
+/// Undecided corners keep their order. O(m log m).
 std::vector<int> matchCorners(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose);
 
 }  // namespace shapespline

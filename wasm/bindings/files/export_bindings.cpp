@@ -1,4 +1,4 @@
-// Shapes -> bytes of files. JavaScript copies the bytes and releases their handle.
+// Writes shapes as bytes of files. JavaScript copies the bytes and releases their handle.
 #include "bindings/export.h"
 #include "bindings/files/file_marshal.h"
 #include "bindings/handle_table.h"
@@ -27,8 +27,8 @@ Result<Bytes> writePose(const std::string& format, std::span<const float> positi
 
 }  // namespace
 
-/// {faces, scene, vertices, seconds, stills, weights, project, offset, name, targetNames} -> {handle, bytes}; asks
-/// JavaScript for one frame after the other.
+/// {faces, scene, vertices, seconds, stills, weights, project, offset, name, targetNames} -> {handle, bytes}. Requests
+/// the frames from JavaScript one by one.
 EXPORT const char* shapespline_write_animation(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
@@ -58,8 +58,8 @@ EXPORT const char* shapespline_write_animation(const char* request) {
   });
 }
 
-/// {faces, vertices, frames, scene} -> {bytes, vertices}: the size of the file that shapespline_write_animation would
-/// write, and the vertices of its primitives.
+/// {faces, vertices, frames, scene} -> {bytes, vertices}: the file size for shapespline_write_animation, and the number
+/// of vertices in its primitives.
 EXPORT const char* shapespline_animation_size(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
@@ -70,8 +70,10 @@ EXPORT const char* shapespline_animation_size(const char* request) {
   });
 }
 
-/// {format: 'glb' | 'obj' | 'ply', positions, normals, faces, scene, library: {file, names}, offset, local} ->
-/// {handle, bytes}. `local`: an OBJ names the offset instead of adding it.
+/// {format: 'glb'
+/// 'obj'
+/// 'ply', positions, normals, faces, scene, library: {file, names}, offset, local} ->
+/// {handle, bytes}. `local`: an OBJ states the offset instead of adding it.
 EXPORT const char* shapespline_write_pose(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);

@@ -1,4 +1,4 @@
-// JSON and heap ranges <-> the content of files.
+// Converts between JSON and heap ranges and the contents of files.
 #pragma once
 
 #include <vector>
@@ -14,6 +14,6 @@ Scene sceneFrom(const Json& json);
 
 Json toJson(const std::vector<AnimationInfo>& animations);
 Json toJson(const std::vector<MatchedObject>& matches);
-Json toJson(const Scene& scene);  ///< ranges into the scene itself
+Json toJson(const Scene& scene);  ///< with ranges into the scene
 
 }  // namespace shapespline::bindings

@@ -1,4 +1,4 @@
-// Files -> an import object, and its parts -> JSON and heap ranges.
+// Imports files, and converts the parts of an import to JSON and heap ranges.
 #include "bindings/export.h"
 #include "bindings/files/file_marshal.h"
 #include "bindings/handle_table.h"
@@ -9,14 +9,14 @@
 namespace shapespline::bindings {
 namespace {
 
-/// An import with the key that was last asked for, in single precision, and its normals.
+/// An import, with its last requested key in single precision and that key's normals.
 struct ImportObject {
   Import import;
   std::vector<float> positions;
   std::vector<float> normals;
 };
 
-constexpr double importing = 0.5;  // share of the progress; the rest is the report on the mesh
+constexpr double importing = 0.5;  // share of the progress for the import; the rest is for the mesh report
 
 constexpr auto reportChecking = [](double fraction) {
   reportProgress("checking the mesh", importing + (1 - importing) * fraction);

@@ -1,4 +1,4 @@
-// The module's second thread: another instance over the same memory may help in it.
+// The module's second thread: another instance on the same memory may help.
 #pragma once
 
 #include "core/base/fork_join.h"

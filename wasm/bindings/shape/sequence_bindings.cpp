@@ -1,5 +1,5 @@
-// Keyframes -> a shape; options and times -> its motions; times -> shapes and measures. Calls take a handle and JSON
-// and return JSON: web/engine/wire/calls.ts lists them.
+// Creates shapes from keyframes, motions from options and times, and frames and measures from times. Calls take a
+// handle and JSON and return JSON. web/engine/wire/calls.ts lists them.
 #include <malloc.h>
 
 #include "bindings/export.h"
@@ -39,7 +39,7 @@ Json described(const CoordinateCurve& curve) {
       {"patch", curve.patch}, {"neighbours", curve.neighbours}, {"numbers", curve.numbers}, {"natural", curve.natural}};
 }
 
-/// A question about the motion with this handle in LRI space. ask: FeatureCurve, Json -> Result<Json>.
+/// Answers a query about the motion with this handle in LRI space. ask: FeatureCurve, Json -> Result<Json>.
 template <class Ask>
 const char* askCurve(int handle, const char* request, const Ask& ask) {
   return answer(request, [&](const Json& json) -> Result<Json> {
@@ -49,7 +49,7 @@ const char* askCurve(int handle, const char* request, const Ask& ask) {
   });
 }
 
-/// A question about LRI space itself, which is created if needed.
+/// Answers a query about LRI space itself, which is created if needed.
 template <class Ask>
 const char* askLri(int handle, const Ask& ask) {
   return callResult([&]() -> Result<Json> {
@@ -71,7 +71,7 @@ EXPORT const char* shapespline_encode(const char* request) {
   });
 }
 
-/// The same request -> {order}: int32 numbers, valid until the next call.
+/// Same request as shapespline_encode -> {order}: int32 numbers, valid until the next call.
 EXPORT const char* shapespline_order(const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     static std::vector<int> order;
@@ -82,7 +82,7 @@ EXPORT const char* shapespline_order(const char* request) {
   });
 }
 
-/// {faces, normals, keys} -> {report} on the mesh, where its keys were in no file.
+/// {faces, normals, keys} -> {report} on the mesh, for keys that do not come from a file.
 EXPORT const char* shapespline_report(const char* request) {
   return answer(request, [](const Json& json) -> Result<Json> {
     const Keyframes keyframes = keyframesFrom(json);
@@ -91,8 +91,8 @@ EXPORT const char* shapespline_report(const char* request) {
   });
 }
 
-/// {motion, keyTimes, before} -> {handle, range, warnings} of a motion of the shape, whose space is created if needed.
-/// `before`: another motion of the shape, whose costly parts are reused, or null.
+/// {motion, keyTimes, before} -> {handle, range, warnings} of a motion of the shape. Creates the motion's space if
+/// needed. `before`: another motion of the shape whose costly parts are reused, or null.
 EXPORT const char* shapespline_motion(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     const Json& before = json.at("before");
@@ -106,8 +106,8 @@ EXPORT const char* shapespline_motion(int handle, const char* request) {
   });
 }
 
-/// {positions, normals, indefiniteFaces, indefiniteFace} of a motion's shape at t: 3n floats each, valid until the next
-/// frame of the same shape.
+/// {positions, normals, indefiniteFaces, indefiniteFace} of a motion's shape at t: 3n floats each, valid until the
+/// shape's next frame.
 EXPORT const char* shapespline_evaluate(int handle, double t) {
   return callResult([&]() -> Result<Json> {
     Frame& frame = shapeOfMotion(handle).frame;
@@ -117,7 +117,7 @@ EXPORT const char* shapespline_evaluate(int handle, double t) {
   });
 }
 
-/// {weights: one per key, sum 1} -> the same of the shape that they blend.
+/// {weights: one per key, sum 1} -> the blended shape, in the format of shapespline_evaluate.
 EXPORT const char* shapespline_blend(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     Frame& frame = shapeOfMotion(handle).frame;
@@ -127,8 +127,8 @@ EXPORT const char* shapespline_blend(int handle, const char* request) {
   });
 }
 
-/// {times, mostMs} -> {volume, area, sliding} of the shapes at the first of these times: one, and more as long as that
-/// takes no longer. In double precision, on the input's own faces.
+/// {times, mostMs} -> {volume, area, sliding} of the shapes at the first of these times: at least one, and more until
+/// mostMs is used up. Computed in double precision, on the input's faces.
 EXPORT const char* shapespline_measure(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     Sequence& motion = motionOf(handle);
@@ -160,7 +160,7 @@ EXPORT const char* shapespline_plane(int handle, const char* request) {
   });
 }
 
-/// {samples} -> {times, weights, plane, energy, curveEnergy} for this number of samples: feature_curve.h.
+/// {samples} -> {times, weights, plane, energy, curveEnergy}: feature_curve.h.
 EXPORT const char* shapespline_discrete_path(int handle, const char* request) {
   return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
     const auto path = curve.discretePath(json.at("samples"));
@@ -182,7 +182,7 @@ EXPORT const char* shapespline_face_curve(int handle, const char* request) {
   });
 }
 
-/// {patch, times} -> the same.
+/// {patch, times} -> the format of shapespline_face_curve.
 EXPORT const char* shapespline_patch_curve(int handle, const char* request) {
   return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
     const auto patch = curve.patch(json.at("patch"), numbersOf(json, "times"));
@@ -214,7 +214,7 @@ EXPORT const char* shapespline_bending(int handle, const char* request) {
   });
 }
 
-/// {t} -> {positions}: xyz of the ghost's vertices, valid until the next call for the same shape.
+/// {t} -> {positions}: xyz of the ghost's vertices, valid until the next call for this shape.
 EXPORT const char* shapespline_ghost_positions(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     std::vector<float>& ghost = shapeOfMotion(handle).ghost;
@@ -223,20 +223,20 @@ EXPORT const char* shapespline_ghost_positions(int handle, const char* request) 
   });
 }
 
-/// {} -> {componentOf}: the component of each face of the shape, int32, belonging to the handle; -1 without area.
+/// {} -> {componentOf}: component of each face of the shape, int32, -1 without area. The range belongs to the handle.
 EXPORT const char* shapespline_components(int handle, const char*) {
   return callResult([&]() -> Result<Json> {
     return Json{{"componentOf", described(shapeOf(handle).shape->encoded().componentOfInputFace())}};
   });
 }
 
-/// {} -> {patchOf}: the patch of each face of the shape, int32, belonging to the handle; -1 without area.
+/// {} -> {patchOf}: patch of each face of the shape, int32, -1 without area. The range belongs to the handle.
 EXPORT const char* shapespline_patches(int handle, const char*) {
   return askLri(handle, [](const LriSpace& lri) { return Json{{"patchOf", described(lri.patchOfInputFace())}}; });
 }
 
-/// {} -> {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the shape's ghost mesh, int32, belonging to the handle; all
-/// empty without one.
+/// {} -> {faces, vertexOf, ghostVertexOf, ghostFaceOf} of the shape's ghost mesh, int32; all empty without a ghost. The
+/// ranges belong to the handle.
 EXPORT const char* shapespline_ghost(int handle, const char*) {
   return askLri(handle, [](const LriSpace& lri) {
     const Ghost& ghost = lri.ghost();

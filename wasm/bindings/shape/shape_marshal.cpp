@@ -2,7 +2,7 @@
 
 #include <optional>
 
-// Structs whose fields travel under their own names, at home in their namespace.
+// Structs whose fields keep their names in JSON. The definitions must be in the structs' namespace.
 namespace shapespline {
 namespace {
 

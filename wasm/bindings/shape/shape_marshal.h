@@ -1,4 +1,4 @@
-// JSON and heap ranges <-> data of shapes and motions.
+// Converts between JSON and heap ranges and data of shapes and motions.
 #pragma once
 
 #include "bindings/marshal.h"

@@ -1,4 +1,4 @@
-// Objects that the module for shapes keeps by handle.
+// Objects behind the handles of the shape module.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace shapespline::bindings {
 
-/// A shape with the buffers of its last frame and ghost, so no frame allocates.
+/// A shape with the buffers of its last frame and ghost, so frames allocate nothing.
 struct ShapeObject {
   std::shared_ptr<SharedShape> shape;
   Frame frame;
@@ -18,7 +18,7 @@ struct ShapeObject {
 /// A motion of a shape.
 struct MotionObject {
   Sequence sequence;
-  int shape;  ///< handle
+  int shape;  ///< handle of the shape
 };
 
 }  // namespace shapespline::bindings

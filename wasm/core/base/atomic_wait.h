@@ -1,4 +1,4 @@
-// Waiting for another thread to change a number, without spinning.
+// Waits for another thread to change a number, without spinning.
 #pragma once
 
 #include <atomic>
@@ -6,10 +6,10 @@
 
 namespace shapespline {
 
-/// Returns when the number is no longer `value`, or after a tenth of a second, or earlier.
+/// Returns when the number differs from `value`, after a tenth of a second, or earlier.
 void waitWhile(std::atomic<std::uint32_t>& number, std::uint32_t value);
 
-/// Wakes the one that waits.
+/// Wakes one waiting thread.
 void wakeOne(std::atomic<std::uint32_t>& number);
 
 }  // namespace shapespline

@@ -1,4 +1,4 @@
-// Numbers that rank alternatives, made so coarse that rounding decides nothing.
+// Coarse numbers for ranking, so rounding never decides.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace shapespline {
 
-/// A number of at least zero to about 0.4 %, as an integer of the same order: eight bits of the mantissa are kept. The
-/// factor moves the steps away from round numbers, of which regular meshes are full.
+/// Rounds a non-negative number to about 0.4 % and returns an order-preserving integer with eight bits of the mantissa.
+/// The factor moves the steps away from round numbers, which are frequent in regular meshes.
 inline std::uint32_t coarse(double value) {
   const double scaled = std::max(value, 0.0) * 0.7390851332151607;
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(scaled) >> 44);

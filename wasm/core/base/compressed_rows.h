@@ -1,4 +1,4 @@
-// Items by row in one array (CSR), as a counting sort leaves them.
+// Items by row in one array (CSR), built by a counting sort.
 #pragma once
 
 #include <cassert>
@@ -23,8 +23,8 @@ struct CompressedRows {
   std::span<const Item> of(int row) const { return {item.data() + start[row], item.data() + start[row + 1]}; }
 };
 
-/// Makes rows of items that come in any order: all are counted, then all are placed. Items of a row keep the order in
-/// which they are placed.
+/// Builds rows from items in any order: counts all of them, then places all of them. Items in a row keep their
+/// placement order.
 template <class Item>
 class RowSorter {
  public:
@@ -32,7 +32,7 @@ class RowSorter {
 
   void count(int row) { ++rows_.start[row + 1]; }
 
-  /// Makes room, after everything has been counted.
+  /// Allocates the rows after counting.
   void allocate() {
     std::partial_sum(rows_.start.begin(), rows_.start.end(), rows_.start.begin());
     rows_.item.resize(rows_.start.back());
@@ -44,15 +44,15 @@ class RowSorter {
     rows_.item[next_[row]++] = item;
   }
 
-  /// The rows, after everything that was counted has been placed.
+  /// Returns the rows after placement.
   CompressedRows<Item> take() { return std::move(rows_); }
 
  private:
   CompressedRows<Item> rows_;
-  std::vector<int> next_;  // of each row, where its next item is placed
+  std::vector<int> next_;  // position of the next item in each row
 };
 
-/// each(add) calls add(row, item) for every item. It is called twice and must do the same both times.
+/// each(add) calls add(row, item) for every item. It is called twice and must make the same calls both times.
 template <class Item, class Each>
 CompressedRows<Item> compressedRows(int rowCount, Each each) {
   RowSorter<Item> sorter(rowCount);
@@ -62,8 +62,8 @@ CompressedRows<Item> compressedRows(int rowCount, Each each) {
   return sorter.take();
 }
 
-/// each(i, add) calls add(row, item) for the items that number i gives, of n numbers; in blocks (progress.h). It is
-/// called twice for each number and must do the same both times.
+/// each(i, add) calls add(row, item) for the items of number i, for n numbers in blocks (progress.h). It is called
+/// twice per number and must make the same calls both times.
 template <class Item, class Each>
 CompressedRows<Item> compressedRows(int rowCount, std::size_t n, Each each, const FractionReport& onProgress) {
   RowSorter<Item> sorter(rowCount);

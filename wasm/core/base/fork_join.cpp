@@ -34,7 +34,7 @@ void ForkJoin::run(Part part, const void* work) {
 
 bool ForkJoin::lost() const { return state_.load(std::memory_order_relaxed) == broken; }
 
-// Waits are counted, not time: a machine may sleep in one of them.
+// Counts waits instead of time, because the machine may sleep during a wait.
 bool ForkJoin::isDone() {
   for (int left = patience_; left > 0 && state_.load(std::memory_order_acquire) == taken; --left)
     waitWhile(state_, taken);

@@ -1,4 +1,4 @@
-// A second thread for work that comes in two parts, where there is one.
+// Runs two-part work on two threads if a second thread exists.
 #pragma once
 
 #include <atomic>
@@ -6,33 +6,32 @@
 
 namespace shapespline {
 
-/// Work in two parts: the caller does the first, a helper may do the second. No thread is started here: a thread that
-/// can help calls serve(). Both wait on a futex and never spin. If the helper has not begun when the first part is
-/// done, the caller does both, so a late or missing helper delays nothing.
+/// Runs work in two parts: the caller does the first, a helper may do the second. This class starts no thread; a helper
+/// thread calls serve(). Both wait on a futex and never spin. If the helper has not begun when the first part is done,
+/// the caller does both, so a late or missing helper delays nothing.
 class ForkJoin {
  public:
   using Part = void (*)(const void* work, int part);
 
-  /// patience: how many tenths of a second a part may take the helper, once it has begun.
+  /// patience: maximum duration of the helper's part, in tenths of a second.
   explicit constexpr ForkJoin(int patience = 100) : patience_(patience) {}
 
-  /// Calls part(work, 0) here and part(work, 1) here or there, and returns when both are done. They must write to
-  /// different places, allocate nothing and throw nothing. Throws std::runtime_error if the helper broke down in the
-  /// middle of its part or never came back from it: what the work writes to cannot be relied on then. Later calls do
-  /// all of theirs here.
+  /// Calls part(work, 0) on this thread and part(work, 1) on either thread, and returns when both are done. The parts
+  /// must write to different memory, allocate nothing and throw nothing. Throws std::runtime_error if the helper broke
+  /// down or did not return: the results are then invalid. Later calls run both parts on this thread.
   void run(Part part, const void* work);
 
-  /// Does second parts until it is dismissed, between two pieces of work, or given up.
+  /// Runs second parts until the helper is dismissed (between two parts) or given up.
   void serve();
   void dismiss();
 
-  /// Says for a helper that it will never finish the part it had begun.
+  /// Reports that the helper will never finish its current part.
   void breakDown();
 
-  /// The helper broke down or was given up.
+  /// Whether the helper broke down or was given up.
   bool lost() const;
 
-  /// Parts that the helper has done.
+  /// Number of parts done by the helper.
   long long helped() const { return helped_; }
 
  private:
@@ -47,8 +46,8 @@ class ForkJoin {
 
 void inTwo(ForkJoin* forkJoin, ForkJoin::Part part, const void* work);
 
-/// work(0) and work(1), one after the other where there is no second thread. Work is cut in the same way with and
-/// without one, so every sum is taken in the same order.
+/// Runs work(0) and work(1), one after the other without a second thread. The split never depends on the threads, so
+/// every sum has the same order.
 template <class Work>
 void inTwo(ForkJoin* forkJoin, const Work& work) {
   inTwo(forkJoin, [](const void* w, int part) { (*static_cast<const Work*>(w))(part); }, &work);

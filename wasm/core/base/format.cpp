@@ -7,15 +7,15 @@ namespace shapespline {
 
 namespace {
 
-// The leading digits of a finite number without its sign; the first stands for 10^exponent.
+// Leading digits of a finite number without its sign. The first digit has the value of 10^exponent.
 std::string leadingDigits(double number, int digits, int& exponent) {
   constexpr double log10of2 = 0.30102999566398120;
   int power = 1;
   std::frexp(number, &power);
-  exponent = static_cast<int>(std::floor((power - 1) * log10of2));  // that, or one less
+  exponent = static_cast<int>(std::floor((power - 1) * log10of2));  // exact, or one too small
   if (number == 0) exponent = 0;
   const auto scaled = [&] {
-    // In two steps: 10^exponent alone can be too small for a number.
+    // Two steps, because 10^exponent alone may underflow.
     const int shift = digits - 1 - exponent;
     return std::nearbyint(number * std::pow(10.0, shift / 2) * std::pow(10.0, shift - shift / 2));
   };
@@ -40,7 +40,7 @@ std::string shortNumber(double number) {
   int exponent = 0;
   std::string digits = leadingDigits(std::abs(number), most, exponent);
   const bool scientific = exponent < -4 || exponent >= most;
-  const int before = scientific ? 1 : exponent + 1;  // the point
+  const int before = scientific ? 1 : exponent + 1;  // position of the decimal point
   if (before <= 0) digits.insert(0, 1 - before, '0');
   const std::size_t whole = std::max(before, 1);
   digits.resize(std::max(whole, digits.find_last_not_of('0') + 1));

@@ -1,4 +1,4 @@
-// Numbers as people read them, for error sentences.
+// Formats numbers for error messages.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,10 @@
-// Calls that stay calls.
+// Prevents inlining.
 #pragma once
 
 namespace shapespline {
 
-/// The function, where no optimiser sees through. A browser compiles a function well once it has been called often, but
-/// never in the middle of a call: a kernel that the compiler or the linker puts into the long loop around it would stay
-/// in the baseline compiler, at a third of its speed.
+/// Hides the function from the optimiser. A browser optimises a function after many calls, but never during a call. A
+/// kernel inlined into the long loop around it would stay in the baseline compiler, at a third of the speed.
 template <class Function>
 Function* outOfLine(Function* function) {
   Function* volatile pointer = function;

@@ -1,4 +1,4 @@
-// Whether a list names every index once: a precondition of many.
+// Checks that a list contains every index once, a frequent precondition.
 #pragma once
 
 #include <span>

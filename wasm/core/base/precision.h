@@ -1,13 +1,13 @@
-// How a factor, and what a frame streams through, is stored.
+// Storage precision of a factor and of the data read for every frame.
 #pragma once
 
 namespace shapespline {
 
-/// How the numbers that a frame streams through are stored. They are always computed in double.
+/// Storage precision of the data read for every frame. The data is always computed in double.
 enum class Precision {
-  Single,  ///< what is drawn: 1e-5 of the bounding box
+  Single,  ///< for drawing: accurate to 1e-5 of the bounding box
   Double,
-  Exact,  ///< coordinates in double, the factor in single: the solution is refined until it is the double one's equal
+  Exact,  ///< coordinates in double, the factor in single; refinement gives the accuracy of double
 };
 
 }  // namespace shapespline

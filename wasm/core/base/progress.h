@@ -1,4 +1,4 @@
-// How far long work has come.
+// Progress of long work.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,8 @@
 
 namespace shapespline {
 
-/// Tells a listener which fraction of some work is done, in [0, 1]; may be empty. Refers to the listener, any callable
-/// of one number, which must outlive it: reports are made everywhere and passed down, and an owning one would be code
-/// in every place.
+/// Reports a fraction of some work in [0, 1] to a listener; may be empty. The listener, any callable with one number,
+/// must outlive the report: owning it would add code everywhere.
 class FractionReport {
  public:
   FractionReport() = default;
@@ -23,7 +22,7 @@ class FractionReport {
   explicit operator bool() const { return tell_ != nullptr; }
   void operator()(double fraction) const { tell_(listener_, from_ + (to_ - from_) * fraction); }
 
-  /// The part of the report that runs from one fraction of it to another.
+  /// Maps a sub-task to the range from one fraction to another.
   FractionReport part(double from, double to) const {
     FractionReport out = *this;
     out.from_ = from_ + (to_ - from_) * from;
@@ -37,10 +36,10 @@ class FractionReport {
   double from_ = 0, to_ = 1;
 };
 
-/// Called with a stage's name and the fraction of that stage that is done; may be empty.
+/// Receives the name of a stage and its completed fraction; may be empty.
 using StageProgress = std::function<void(const char* stage, double fraction)>;
 
-/// A listener to one stage of work that is reported with its name.
+/// Reports one stage of work under its name.
 struct Stage {
   const StageProgress& progress;
   const char* name;
@@ -50,7 +49,7 @@ struct Stage {
   }
 };
 
-/// Reports item i of n, now and then: often enough for a progress bar, seldom enough to cost nothing.
+/// Reports item i of n at intervals short enough for a progress bar, with negligible cost.
 inline void reportItem(const FractionReport& report, std::size_t i, std::size_t n) {
   if (report && i % 16384 == 0) report(static_cast<double>(i) / static_cast<double>(n));
 }
@@ -59,13 +58,13 @@ inline void reportFraction(const FractionReport& report, double fraction) {
   if (report) report(fraction);
 }
 
-/// A function of a block [begin, end) of items, and what it works on.
+/// A function for a block [begin, end) of items, called with its work data.
 using BlockWork = void (*)(void* work, std::size_t begin, std::size_t end);
 
 void inBlocks(const FractionReport& report, std::size_t n, BlockWork call, void* work);
 
-/// Calls work(begin, end) for one block of n items after the other, with a report before each. Every block is a call of
-/// its own (no_inline_call.h), so long work does not stay in the browser's baseline compiler.
+/// Calls work(begin, end) for consecutive blocks of n items, with a report before each. Every block is a separate call
+/// (no_inline_call.h), so long work does not stay in the browser's baseline compiler.
 template <class Work>
 void inBlocks(const FractionReport& report, std::size_t n, Work work) {
   inBlocks(report, n, [](void* w, std::size_t begin, std::size_t end) { (*static_cast<Work*>(w))(begin, end); }, &work);

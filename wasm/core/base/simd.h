@@ -1,5 +1,6 @@
-// Four floats or two doubles in one register: the compilers' vector types, and intrinsics where these have no operator.
-// Each operation rounds once per lane, nothing is fused: WebAssembly SIMD, SSE2 and everything else give the same bits.
+// Four floats or two doubles in one register: the compilers' vector types, and intrinsics for operations without an
+// operator. Each operation rounds once per lane and nothing is fused, so WebAssembly SIMD, SSE2 and all other targets
+// give the same bits.
 #pragma once
 
 #include <cmath>
@@ -19,13 +20,13 @@ namespace registers {
 
 using Floats = float __attribute__((vector_size(16)));
 using Doubles = double __attribute__((vector_size(16)));
-// The same wherever they lie in memory. (Copying bytes instead makes WebAssembly's kernels twice as large.)
-// The attributes stand before the equals sign, or clang takes them for nothing.
+// Vectors without alignment requirements. (Copying bytes instead makes WebAssembly's kernels twice as large.)
+// The attributes must precede the equals sign, or clang ignores them.
 using FloatsAnywhere [[gnu::aligned(4), gnu::may_alias]] = Floats;
 using DoublesAnywhere [[gnu::aligned(8), gnu::may_alias]] = Doubles;
 static_assert(alignof(FloatsAnywhere) == alignof(float) && alignof(DoublesAnywhere) == alignof(double));
 
-// What vector types have no operator for. Masks are comparisons' results: all bits of a lane, or none.
+// Operations without an operator on vector types. A mask is a comparison's result: all bits of a lane, or none.
 #if SHAPESPLINE_SIMD_WASM
 inline Floats squareRoot(Floats v) { return (Floats)wasm_f32x4_sqrt((v128_t)v); }
 inline Doubles squareRoot(Doubles v) { return (Doubles)wasm_f64x2_sqrt((v128_t)v); }
@@ -80,21 +81,21 @@ struct Float4 {
   static Float4 loadSplat(const float* p) { return splat(*p); }
   static Float4 zero() { return splat(0); }
   void store(float* p) const { *reinterpret_cast<registers::FloatsAnywhere*>(p) = v; }
-  /// Three lanes.
+  /// Stores three lanes.
   void storeXyz(float* p) const { registers::storeThree(p, v); }
   friend Float4 operator+(Float4 a, Float4 b) { return {a.v + b.v}; }
   friend Float4 operator-(Float4 a, Float4 b) { return {a.v - b.v}; }
   friend Float4 operator*(Float4 a, Float4 b) { return {a.v * b.v}; }
   friend Float4 operator/(Float4 a, Float4 b) { return {a.v / b.v}; }
   friend Float4 squareRoot(Float4 a) { return {registers::squareRoot(a.v)}; }
-  /// a where neither is the smaller, or a number.
+  /// The smaller value per lane. Returns a if the values are equal or one is not a number.
   friend Float4 smaller(Float4 a, Float4 b) { return {b.v < a.v ? b.v : a.v}; }
   friend Float4 larger(Float4 a, Float4 b) { return {a.v < b.v ? b.v : a.v}; }
   friend Float4 magnitude(Float4 a) {
     using Bits = std::int32_t __attribute__((vector_size(16)));
     return {(registers::Floats)((Bits)a.v & 0x7fffffff)};
   }
-  /// A bit for each lane that is zero, negative or not a number.
+  /// One bit for each lane that is zero, negative or not a number.
   friend int notPositive(Float4 a) { return 15 ^ registers::bitOfEachFloat(a.v > zero().v); }
   /// (y, z, x, w).
   friend Float4 rotatedXyz(Float4 a) { return {__builtin_shufflevector(a.v, a.v, 1, 2, 0, 3)}; }
@@ -157,12 +158,12 @@ struct LanesOf<double> {
   using Type = Double4;
 };
 
-/// Float4 or Double4, for kernels that are written once.
+/// Float4 or Double4, for kernels written once for both.
 template <class Real>
 using Lanes = typename LanesOf<Real>::Type;
 
-/// p - n, computed where it stands. WebAssembly addresses have no negative offsets, and compilers that fold this step
-/// into the loads that follow spend an instruction on each.
+/// Computes p - n in place. WebAssembly addresses have no negative offsets, and compilers that fold this step into the
+/// following loads spend an instruction on each.
 template <class T>
 inline T* stepBack(T* p, int n) {
   p -= n;
@@ -172,7 +173,7 @@ inline T* stepBack(T* p, int n) {
   return p;
 }
 
-/// i, in a register of its own: four indices loaded and scaled as one vector cost more to take apart than that saves.
+/// Keeps i in a register of its own. Loading and scaling four indices as one vector costs more to unpack than it saves.
 inline int alone(int i) {
 #if SHAPESPLINE_SIMD_WASM
   __asm__("" : "+r"(i));
@@ -180,7 +181,7 @@ inline int alone(int i) {
   return i;
 }
 
-/// Rows become columns.
+/// Transposes a 4 x 4 block.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   const Float4 ab = interleaveLow(a, b), cd = interleaveLow(c, d), AB = interleaveHigh(a, b), CD = interleaveHigh(c, d);
   a = lowHalves(ab, cd), b = highHalves(ab, cd), c = lowHalves(AB, CD), d = highHalves(AB, CD);

@@ -1,17 +1,17 @@
-// Sorting of indices by what they stand for.
+// Sorts indices by a custom order.
 #pragma once
 
 #include <span>
 
 namespace shapespline {
 
-/// Whether index a comes before index b, given what the order looks at.
+/// Whether index a comes before index b, given the context of the order.
 using IndexOrder = bool (*)(const void* context, int a, int b);
 
 void sortIndices(std::span<int> indices, IndexOrder before, const void* context);
 
-/// As std::sort, in code that exists once for all orders: a sort of its own for each is three kilobytes of the wasm
-/// module. `before(a, b)` should tell all indices apart, so the result does not depend on the library's algorithm.
+/// Works like std::sort, with shared code for all orders: a separate sort for each adds three kilobytes to the wasm
+/// module. `before(a, b)` should distinguish all indices, so the result does not depend on the library's algorithm.
 template <class Order>
 void sortIndices(std::span<int> indices, const Order& before) {
   const IndexOrder call = [](const void* order, int a, int b) { return (*static_cast<const Order*>(order))(a, b); };

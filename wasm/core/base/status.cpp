@@ -3,7 +3,7 @@
 namespace shapespline {
 
 const char* errorCodeName(ErrorCode code) {
-  switch (code) {  // no default: the compiler names a code that is missing here
+  switch (code) {  // no default, so the compiler reports a missing code
     case ErrorCode::EmptyFile: return "empty-file";
     case ErrorCode::TruncatedFile: return "truncated-file";
     case ErrorCode::NotRecognised: return "not-recognised";

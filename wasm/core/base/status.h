@@ -1,4 +1,4 @@
-// Errors as values: nothing in the core throws for bad input.
+// Errors as values: the core never throws for bad input.
 #pragma once
 
 #include <optional>
@@ -8,21 +8,21 @@
 
 namespace shapespline {
 
-/// What went wrong. The names are the stable codes that JavaScript sees (see errorCodeName).
+/// Error codes. Their names are the stable codes in JavaScript (see errorCodeName).
 enum class ErrorCode {
   // reading a file
   EmptyFile,
   TruncatedFile,
-  NotRecognised,     ///< the bytes are no format that is read here
-  MalformedFile,     ///< the right format, but broken: a bad index, size or offset
-  Unsupported,       ///< valid, but needs something that is not supported
-  MissingResource,   ///< a file that a given file refers to was not given
-  ExternalResource,  ///< a URI that leaves the given files; never fetched
-  TooLarge,          ///< a declared size beyond what can be held
+  NotRecognised,     ///< unknown file format
+  MalformedFile,     ///< known format but damaged: a bad index, size or offset
+  Unsupported,       ///< valid, but requires an unsupported feature
+  MissingResource,   ///< a referenced file was not given
+  ExternalResource,  ///< a URI outside the given files; never fetched
+  TooLarge,          ///< a declared size exceeds memory limits
   NoTriangles,
   UnknownAnimation,
   UnknownObject,
-  // keys that do not fit together
+  // mismatched keys
   TooFewKeys,
   VertexCountMismatch,
   FaceCountMismatch,
@@ -34,7 +34,7 @@ enum class ErrorCode {
   TimeCountMismatch,
   // options
   InvalidOption,
-  // numerics and machine
+  // numerics and environment
   NotPositiveDefinite,
   OutOfMemory,
   Internal,
@@ -43,9 +43,9 @@ enum class ErrorCode {
 /// The stable name of a code, such as "vertex-count-mismatch".
 const char* errorCodeName(ErrorCode code);
 
-/// One failure: a sentence that says what, where and what to do, and the place in numbers where there is one.
-/// key, vertex and face are 0-based indices of the input, row is one of the system that could not be solved, or -1;
-/// message counts keys from 1, as people do.
+/// A failure: a message with the problem, its location and a remedy, and the location as numbers if known.
+/// key, vertex and face are 0-based indices in the input, row is a row of the unsolvable system, or -1. Messages count
+/// keys from 1.
 struct Error {
   ErrorCode code = ErrorCode::Internal;
   std::string message;

@@ -1,4 +1,4 @@
-// Wall time of the stages of work.
+// Measures the wall time of stages.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The small fixed-size types that every file of the core shares.
+// Small fixed-size types for the whole core.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>  // cross products
+#include <Eigen/Geometry>  // for cross products
 
 namespace shapespline {
 
@@ -15,7 +15,7 @@ using Vec3 = Eigen::Vector3d;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 
-/// Vertex indices of one triangle, counter-clockwise seen from outside.
+/// Vertex indices of a triangle, counter-clockwise seen from outside.
 using Triangle = std::array<int, 3>;
 
 /// n positions, one per vertex, in the unit of the input file.

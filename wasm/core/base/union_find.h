@@ -7,12 +7,12 @@
 
 namespace shapespline {
 
-/// Sets of the numbers below n, joined one by one (Tarjan 1975, paths halved). A set's least member stands for it, in
-/// whichever order sets are joined.
+/// Disjoint sets of the numbers below n (Tarjan 1975, with path halving). A set's representative is its smallest
+/// member, whatever the order of joins.
 class UnionFind {
  public:
   UnionFind() = default;
-  /// Every number is a set of its own.
+  /// Initially, every number is its own set.
   explicit UnionFind(int n) { reset(n); }
 
   /// Resets it, reusing its memory.
@@ -21,13 +21,13 @@ class UnionFind {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
-  /// The least member of the set that x is in.
+  /// Smallest member of the set that contains x.
   int find(int x) {
     while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
     return x;
   }
 
-  /// Returns false where a and b are in one set already.
+  /// Returns false if a and b are already in one set.
   bool join(int a, int b) {
     a = find(a), b = find(b);
     if (a == b) return false;

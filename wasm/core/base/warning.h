@@ -1,4 +1,4 @@
-// What the user should know that is no error.
+// Warnings.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 namespace shapespline {
 
 struct Warning {
-  std::string code;     ///< stable, such as "non-manifold-edges"
-  std::string message;  ///< one or two sentences: what, where, what to do
-  int count = 0;        ///< how many places, 0 where that has no meaning
-  int key = -1;         ///< 0-based key that it is about, or that ends the interval; -1 where it is about none
-  int face = -1;        ///< a face of the input at the (worst) place, or -1
-  std::vector<int> patches = {};  ///< that hold the places, as in Sequence::patchOfFace(); for the page to colour
+  std::string code;               ///< stable, such as "non-manifold-edges"
+  std::string message;            ///< one or two sentences: the problem, its location and a remedy
+  int count = 0;                  ///< number of occurrences, or 0 if not applicable
+  int key = -1;                   ///< 0-based key of the warning, or the key at the end of its interval; -1 for none
+  int face = -1;                  ///< an input face at the (worst) location, or -1
+  std::vector<int> patches = {};  ///< patches at these locations, as in Sequence::patchOfFace(), for highlighting
 };
 
 }  // namespace shapespline

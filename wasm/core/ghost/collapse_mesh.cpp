@@ -9,7 +9,7 @@ namespace {
 
 bool contains(const Triangle& face, int v) { return face[0] == v || face[1] == v || face[2] == v; }
 
-// Whether all have three different corners, and no two the same.
+// Whether all faces have three different corners, and no two faces are equal.
 [[maybe_unused]] bool areTrianglesOnce(std::vector<Triangle> faces) {
   for (Triangle& face : faces) {
     std::sort(face.begin(), face.end());
@@ -66,7 +66,7 @@ CollapseMesh::Kind CollapseMesh::findKind(int vertex) {
   }
   if (lines != 0 && (lines != 2 || !alike)) return Kind::Fixed;
 
-  // One fan, or several that share only this vertex?
+  // Detects whether the vertex has one fan, or several that share only this vertex.
   const int size = static_cast<int>(ring_.size());
   fans_.reset(size);
   for (int i = 0; i < size; ++i) slot_[ring_[i].vertex] = i;
@@ -110,10 +110,10 @@ bool CollapseMesh::canCollapse(int from, int to) {
   });
   const auto isOpposite = [&](int v) { return std::find(opposite_.begin(), opposite_.end(), v) != opposite_.end(); };
 
-  // Vertices that both links hold must lie in the edge's own link ...
+  // Link condition: vertices in both links must belong to the link of the edge.
   for (const Neighbour& n : ring_)
     if (n.vertex != to && !isOpposite(n.vertex) && facesAlong(n.vertex, to) > 0) return false;
-  // ... and no edge may be in both links: neither a face's third side ...
+  // No edge may belong to both links. First, check third sides of faces.
   bool twice = false;
   eachFace(from, [&](int f) {
     if (contains(faces_[f], to)) return;
@@ -123,7 +123,7 @@ bool CollapseMesh::canCollapse(int from, int to) {
     twice |= count == 2 && hasFace(ends[0], ends[1], to);
   });
   if (twice) return false;
-  // ... nor, the boundary being closed by a cone, the cone over a vertex.
+  // A cone closes the boundary. Its edges must not belong to both links either.
   if (along == 1)
     for (int x : opposite_)
       if (facesAlong(from, x) == 1 && facesAlong(to, x) == 1) return false;

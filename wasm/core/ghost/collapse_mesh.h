@@ -1,5 +1,4 @@
-// A triangle mesh whose vertices collapse onto neighbours without a change of topology (Dey et al. 1999, link
-// condition).
+// A triangle mesh with edge collapses that preserve the topology (Dey et al. 1999, link condition).
 #pragma once
 
 #include <vector>
@@ -9,11 +8,11 @@
 
 namespace shapespline {
 
-/// Boundaries and non-manifold lines collapse only along themselves; vertices where such lines end or meet, and where
-/// two fans touch, stay. Vertices and faces keep their numbers.
+/// Boundaries and non-manifold lines collapse only along themselves. Vertices at ends or junctions of such lines, and
+/// between two fans, stay. Vertices and faces keep their numbers.
 class CollapseMesh {
  public:
-  /// faces: three different vertices each, none twice.
+  /// faces: three different vertices each, no duplicates.
   CollapseMesh(int vertexCount, std::vector<Triangle> faces);
 
   int faceCount() const { return alive_; }
@@ -34,7 +33,7 @@ class CollapseMesh {
     }
   }
 
-  /// A vertex that shares an edge with another, and how many faces lie along that edge.
+  /// A neighbouring vertex, and the number of faces along the common edge.
   struct Neighbour {
     int vertex;
     int faces;
@@ -42,18 +41,18 @@ class CollapseMesh {
   };
   void ring(int vertex, std::vector<Neighbour>& ring);
 
-  /// What may become of a vertex. It stays what it is while its neighbours collapse.
+  /// Allowed collapses of a vertex. The kind does not change while neighbours collapse.
   enum class Kind : char {
-    Inner,  ///< in a disc: may collapse onto any neighbour
+    Inner,  ///< inside a disc: may collapse onto any neighbour
     Line,   ///< inside a boundary or a non-manifold line: may collapse along it
     Fixed,
   };
   Kind kind(int vertex) const { return kind_[vertex]; }
 
-  /// Whether the neighbour `to` can take the place of `from`.
+  /// Whether the edge can be collapsed from `from` onto `to`.
   bool canCollapse(int from, int to);
 
-  /// Returns how many faces are gone.
+  /// Returns the number of removed faces.
   int collapse(int from, int to);
 
  private:
@@ -62,15 +61,15 @@ class CollapseMesh {
   bool hasFace(int a, int b, int c);
 
   std::vector<Triangle> faces_;
-  std::vector<int> first_, next_;  // corners 3 f + c in a list for each vertex
-  std::vector<int> valence_;       // number of faces
+  std::vector<int> first_, next_;  // linked list of corners 3 f + c for each vertex
+  std::vector<int> valence_;       // number of faces at each vertex
   std::vector<Kind> kind_;
   int alive_ = 0;
 
-  // scratch
-  std::vector<int> slot_;  // of each vertex in the ring that is looked at; -1 outside it
+  // Scratch memory.
+  std::vector<int> slot_;  // slot of each vertex in the current ring; -1 outside
   std::vector<Neighbour> ring_;
-  UnionFind fans_;  // of that ring
+  UnionFind fans_;  // fans of the current ring
   std::vector<int> opposite_;
 };
 

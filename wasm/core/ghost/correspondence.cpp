@@ -7,7 +7,7 @@ namespace shapespline {
 
 namespace {
 
-// Distances closer than this, over the face's own size, are equal.
+// Distances that differ by less than this share of the face's size count as equal.
 constexpr double tie = 1e-4;
 
 constexpr int facesPerReport = 32768;
@@ -62,7 +62,7 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopolog
     if (f % facesPerReport == 0) onProgress(static_cast<double>(f) / shape.faceCount());
   }
 
-  std::vector<int> follows(topology.components.count, 0);  // ghost face of components without their own
+  std::vector<int> follows(topology.components.count, 0);  // ghost face for components without a ghost
   for (int component : topology.tree.order)
     if (const ComponentLink& link = topology.tree.link[component]; link.parent >= 0)
       follows[component] = result[link.anchorFace] >= 0 ? result[link.anchorFace] : follows[link.parent];

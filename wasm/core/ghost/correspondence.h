@@ -1,4 +1,4 @@
-// Which ghost face each face follows (paper section 4.3, Fig. 6).
+// Assigns a ghost face to each face (paper section 4.3, Fig. 6).
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace shapespline {
 
-/// c(f): of the ghost faces around the ghost vertices that f's corners collapsed to, the one nearest to f's centroid in
-/// the reference pose. Components without a ghost of their own follow the face that they are attached to. -1 where a
-/// face has no area. Distances that differ by rounding are equal: ties fall to the lower ghost face. onProgress:
-/// fraction in [0, 1], called some ten thousand faces apart.
+/// c(f): among the ghost faces around the ghost vertices of f's corners, the one nearest to f's centroid in the
+/// reference pose. Components without a ghost follow the face that carries them. -1 for a face without area. Distances
+/// that differ by rounding count as equal, and ties go to the lower ghost face. onProgress: fraction in [0, 1], called
+/// about every ten thousand faces.
 std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopology& topology, const GhostMesh& ghost,
                                     const FractionReport& onProgress);
 

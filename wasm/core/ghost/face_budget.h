@@ -1,4 +1,4 @@
-// How many of a ghost mesh's faces each component keeps.
+// Divides a ghost mesh's faces among the components.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 namespace shapespline {
 
 struct FaceBudget {
-  std::vector<int> least;  ///< faces that a component keeps at least; 0 for one that joins its neighbour
-  int joined = 0;          ///< number of those
+  std::vector<int> least;  ///< minimum number of faces of each component; 0 for one that joins its neighbour
+  int joined = 0;          ///< number of joining components
 };
 
-/// Half of each component's share of the target by its number of faces, at least a tetrahedron's four, at most what it
-/// has; the other half goes where the error is. Where that is more than the target, the components of least area join
-/// their neighbours, never the root.
+/// The minimum of a component is half of its share of the target (by number of faces), at least four faces (a
+/// tetrahedron), at most all its faces. The other half of the target goes to parts with the largest error. If the
+/// minima exceed the target, components with the smallest area join their neighbours. The root never joins.
 FaceBudget budgetFaces(const WeldedShape& shape, const ShapeTopology& topology, int target);
 
 }  // namespace shapespline

@@ -8,11 +8,11 @@ namespace shapespline {
 
 namespace {
 
-// A patch of fewer faces of the ghost says little about how it turns.
+// In patches with fewer ghost faces, the rotation is poorly determined.
 constexpr int facesPerPatch = 16;
 
-// As many patches as the shape would have, where the ghost has the faces for them: coarser ones turn further against
-// each other.
+// The number of patches for the shape, if the ghost has enough faces. Coarser patches rotate further relative to each
+// other.
 int ghostPatchCount(int shapeFaces, int ghostFaces) {
   return std::max(defaultPatchCount(ghostFaces), std::min(defaultPatchCount(shapeFaces), ghostFaces / facesPerPatch));
 }
@@ -69,8 +69,7 @@ void GhostMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& 
     frames.gradient.push_back(gradient(f, frames.rotation[f].toRotationMatrix(), scratch.positions));
 }
 
-// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost as it lies in `positions`. A face that has collapsed takes its normal from
-// R_f.
+// [e1 e2 n] [e1~ e2~ n~]^-1 of the ghost at `positions`. A collapsed face takes its normal from R_f.
 Mat3 GhostMotion::gradient(int face, const Mat3& rotation, const Positions& positions) const {
   const FaceFrame frame = referenceFrame(*shape_, face);
   const Triangle& t = shape_->faces[face];

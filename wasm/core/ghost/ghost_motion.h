@@ -1,5 +1,5 @@
-// Deformation transfer from a ghost mesh (paper section 4.3; Sumner and Popovic 2004): the splines run on the ghost,
-// and its faces give the frames in which the full-resolution faces stand.
+// Deformation transfer from a ghost mesh (paper section 4.3; Sumner and Popovic 2004). The splines run on the ghost,
+// and its faces provide the local frames of the full-resolution faces.
 #pragma once
 
 #include <memory>
@@ -12,54 +12,54 @@
 
 namespace shapespline {
 
-/// A ghost mesh in motion, as a source of frames: face f stands in the frame of ghost face c = c(f).
+/// A moving ghost mesh as a source of local frames: the frame of face f is ghost face c = c(f).
 ///
-/// Exact: D_f(t) = R_c(t) exp(r_f(t)) S_f(t), where R_c is the rotation of the ghost face's deformation gradient as the
-/// ghost's coordinates give it, and r_f and S_f are splined with the same weights: what each key shows beyond the
-/// ghost's rotation, log(R_c^T R_f), and the face's own stretch. Leaving the ghost's stretch out keeps S_f symmetric in
-/// the face's tangent frame (three numbers) and what it is without a ghost; no thin ghost face is ever inverted. Taking
-/// the splined R_c, not that of the ghost's solved vertices, costs nothing (KG 0.029 and 0.033 on a cactus with 2,000
-/// ghost faces) and is defined where the ghost folds.
-/// Paper: D_f(t) = Q_c(t), the whole gradient against the reference, stretch included.
+/// Exact: D_f(t) = R_c(t) exp(r_f(t)) S_f(t). R_c is the rotation of the ghost face's deformation gradient in the
+/// ghost's coordinates. r_f and S_f are splined with the same weights: each key's rotation relative to the ghost,
+/// log(R_c^T R_f), and the face's stretch. Omitting the ghost's stretch keeps S_f symmetric in the face's tangent frame
+/// (three numbers) and equal to its value without a ghost, and no thin ghost face is ever inverted. The splined R_c is
+/// as accurate as the rotation of the ghost's solved vertices (KG 0.029 and 0.033 on a cactus with 2,000 ghost faces),
+/// and it is defined where the ghost folds.
+/// Paper: D_f(t) = Q_c(t), the whole gradient relative to the reference, including stretch.
 ///
-/// The ghost is small: it is always computed in double. Immutable.
+/// The ghost is small, so it is always computed in double. Immutable.
 class GhostMotion {
  public:
-  /// How the ghost is made and followed.
+  /// Options for making and following the ghost.
   struct Options {
-    int faces = 0;                  ///< wanted
-    bool optimalPlacement = false;  ///< simplify.h
-    int patches = 0;                ///< wanted, of the ghost; 0 = default
+    int faces = 0;                  ///< requested number
+    bool optimalPlacement = false;  ///< see simplify.h
+    int patches = 0;                ///< requested number for the ghost; 0 = default
     Stretch stretch = Stretch::Linear;
     Transfer transfer = Transfer::Exact;
   };
   struct Scratch {
     PatchMotion::Scratch patches;
-    LocalFrames frames;  // of the ghost's patches
+    LocalFrames frames;  // frames of the ghost's patches
     Reconstructor<double>::Scratch shape;
     Positions positions;
   };
-  /// Wall times, ms: collapses; the ghost's own coordinates and systems; which face follows which.
+  /// Wall times, ms: collapses; the ghost's coordinates and systems; correspondence.
   struct Times {
     double simplify = 0, encode = 0, match = 0;
   };
 
-  /// Simplifies the shape, encodes the ghost and factors its systems. Error: that of a solver.
+  /// Simplifies the shape, encodes the ghost and factors its systems. Error: a solver's.
   static Result<GhostMotion> create(const WeldedShape& shape, const ShapeTopology& topology, const Options& options,
                                     const StageProgress& progress);
 
-  /// The rotations of the ghost's faces at `point`, and their gradients where the paper's transfer asks for them.
+  /// The rotations of the ghost's faces at `point`, and their gradients for the paper's transfer.
   void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
   /// The ghost's vertices at `point`.
   void positions(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, Positions& positions) const;
 
-  /// The ghost's frames in the poses that were encoded.
+  /// The ghost's frames in the encoded poses.
   LocalFramePoses poses() const { return {faceOf_, rotation_}; }
 
   const GhostMesh& mesh() const { return mesh_; }
   const WeldedShape& shape() const { return *shape_; }
-  const std::vector<int>& correspondence() const { return faceOf_; }  ///< c(f); -1 where a face has no area
+  const std::vector<int>& correspondence() const { return faceOf_; }  ///< c(f); -1 for a face without area
   const PatchMotion& patches() const { return patches_; }
   const LriCoordinates<double>& coordinates() const { return reconstructor_.coordinates(); }
   const Times& times() const { return times_; }
@@ -71,7 +71,7 @@ class GhostMotion {
 
   Transfer transfer_;
   GhostMesh mesh_;
-  std::unique_ptr<const WeldedShape> shape_;  // the ghost's own faces and poses
+  std::unique_ptr<const WeldedShape> shape_;  // faces and poses of the ghost
   PatchMotion patches_;
   Reconstructor<double> reconstructor_;
   std::vector<int> faceOf_;

@@ -17,23 +17,24 @@ namespace shapespline {
 
 namespace {
 
-// Weight of the squared distance from the original vertices, relative to that from the planes of their faces. It
-// spreads the ghost's vertices over flat regions, and keeps each at the same place on the body in every pose.
+// Weight of the squared distance from the original vertices, relative to the distance from the planes of their faces.
+// It spreads the ghost's vertices over flat regions and keeps each vertex at the same point of the body in every pose.
 constexpr double travelWeight = 1e-2;
 
-// Weight of the squared distance from a boundary's own planes, times the squared length of its edges.
+// Weight of the squared distance from planes at the boundary, times the squared length of its edges.
 constexpr double boundaryWeight = 1;
 
-// Vertices with more faces than this are collapsed onto, not away.
+// Vertices with more faces only receive collapses.
 constexpr int largestValence = 64;
 
 constexpr int stepsPerReport = 2048;
 constexpr int setUpsPerReport = 16384;
-// Of the work, as measured, that comes before the first collapse.
+// Measured share of the work before the first collapse.
 constexpr double setUpShare = 0.2;
 
-// What a collapse may do to a face: the cosine of its turn, and twice its area over its squared longest edge
-// afterwards. Later limits are used when nothing else is left. No round numbers: regular meshes are full of them.
+// Limits for faces changed by a collapse: cosine of the rotation, and resulting twice the area over the squared longest
+// edge. Later limits apply when no other collapse is left. The values are not round, because round values are frequent
+// in regular meshes.
 struct Limits {
   double cosine, flatness;
 };
@@ -41,7 +42,7 @@ constexpr Limits limits[] = {{0.47, 0.093}, {0.17, 0.031}, {0.013, 0.0047}};
 
 using Kind = CollapseMesh::Kind;
 
-// A vertex to collapse onto. Ordered by cost, then by the vertex.
+// A target vertex for a collapse. Ordered by cost, then by vertex.
 struct Candidate {
   std::uint32_t cost = 0;
   int target = -1;
@@ -54,7 +55,7 @@ struct Entry {
   std::uint32_t scatter;
   int vertex;
   int version;
-  bool operator<(const Entry& o) const {  // reversed: the queue serves the greatest
+  bool operator<(const Entry& o) const {  // reversed, because the queue serves the greatest entry
     return cost != o.cost ? cost > o.cost : scatter > o.scatter;
   }
 };
@@ -112,7 +113,7 @@ class Simplifier {
   }
 
  private:
-  // The faces of components with a share, each set of three vertices once.
+  // The faces of components with a budget, without duplicates.
   std::vector<Triangle> facesToUse(const ShapeTopology& topology) {
     onProgress_(0);
     std::vector<Triangle> faces;
@@ -168,7 +169,7 @@ class Simplifier {
     return std::any_of(ring_.begin(), ring_.end(), [&](const auto& n) { return n.vertex == b && n.onLine(); });
   }
 
-  // Whether the vertex collapsed onto moves.
+  // Whether the target vertex moves.
   bool moves(int from, int to) const {
     return options_.optimalPlacement && mesh_.kind(from) == mesh_.kind(to) && mesh_.valence(to) <= largestValence;
   }
@@ -187,7 +188,7 @@ class Simplifier {
     return sum;
   }
 
-  // The cheapest candidate after the last one that was rejected.
+  // The cheapest candidate after the last rejected one.
   Candidate best(int v) {
     Candidate best;
     if (mesh_.kind(v) == Kind::Fixed || mesh_.valence(v) == 0 || mesh_.valence(v) > largestValence) return best;
@@ -208,8 +209,8 @@ class Simplifier {
       queue_.push({candidate.cost, static_cast<std::uint32_t>(v) * 2654435761u, v, version_[v]});
   }
 
-  // Takes the next vertex: it collapses, or goes back into the queue with what it would cost now, or rests.
-  // Not inlined: a browser optimises a function between two of its calls.
+  // Processes the next vertex: collapses it, requeues it with its current cost, or drops it.
+  // Not inlined, because a browser optimises a function only between calls.
   [[gnu::noinline]] void serve() {
     const Entry entry = queue_.top();
     queue_.pop();
@@ -224,7 +225,7 @@ class Simplifier {
     push(v);
   }
 
-  // Where the vertex collapsed onto lies afterwards, in every pose.
+  // Position of the target vertex after the collapse, in every pose.
   void place(int from, int to) {
     placed_.resize(columns_);
     for (int c = 0; c < columns_; ++c) {
@@ -254,7 +255,7 @@ class Simplifier {
     return fair && count_[componentOf_[from]] - gone >= budget_.least[componentOf_[from]];
   }
 
-  // Of face (v, x, y) when v moves to the place of the collapse.
+  // Checks face (v, x, y) for the move of v to the collapsed position.
   bool staysFair(int v, int x, int y) const {
     for (int c = 0; c < columns_; ++c) {
       const Vec3 side = position(y, c) - position(x, c);
@@ -267,7 +268,7 @@ class Simplifier {
         return std::max({a.squaredNorm(), side.squaredNorm(), (a + side).squaredNorm()});
       };
       const double longestAfter = longest(after), longestBefore = longest(before);
-      // A face that is thin already may stay so.
+      // A thin face may stay thin.
       const bool thin = squaredAfter < limits_.flatness * limits_.flatness * longestAfter * longestAfter;
       if (thin && squaredAfter * longestBefore * longestBefore < 0.999 * squaredBefore * longestAfter * longestAfter)
         return false;
@@ -346,18 +347,18 @@ class Simplifier {
   int columns_;
   int faceCount_ = 0;
   std::vector<int> componentOf_;
-  std::vector<int> count_;  // faces left of each component
+  std::vector<int> count_;  // remaining faces of each component
   FaceBudget budget_;
   CollapseMesh mesh_;
   Limits limits_ = limits[0];
   std::vector<Vec3> position_;    // [vertex][column]
   std::vector<Quadric> quadric_;  // [vertex][column]
-  std::vector<double> error_;     // of each vertex where it lies, over all poses
+  std::vector<double> error_;     // error of each vertex at its position, summed over all poses
   std::vector<Candidate> rejected_;
   std::vector<int> version_, goneTo_;
   std::priority_queue<Entry> queue_;
 
-  // scratch
+  // Scratch memory.
   std::vector<CollapseMesh::Neighbour> ring_, touched_;
   std::vector<Vec3> placed_;
 };

@@ -9,10 +9,10 @@ namespace shapespline {
 
 namespace {
 
-constexpr std::size_t fields = 4;  // constant, and along three axes
-// A pin that is flat or a single vertex shows no field across, as a share of its extent.
+constexpr std::size_t fields = 4;  // a constant field, and one along each of three axes
+// Share of its extent below which a pin is flat or a single vertex, and has no field in that direction.
 constexpr double leastExtent = 1e-3, rounding = 1e-7;
-// Of the largest gradient of a patch: a pull hardly turns what has less.
+// Share of a patch's largest gradient. Pulls with smaller gradients barely rotate the patch.
 constexpr double littleGradient = 5e-3;
 
 }  // namespace
@@ -45,11 +45,11 @@ AffineResponse::AffineResponse(const HoldInput& input, const HoldSystem& system,
   for (const double square : most) little_.push_back(square <= littleGradient * littleGradient * largest);
 }
 
-// Of each pin: one, and the places of its vertices, orthonormal over its weights.
+// Fields of each pin: the constant 1 and the vertex positions, orthonormal under the pin's weights.
 void AffineResponse::findFields(const Positions& reference) {
   field_.assign(fields * held_.size(), 0.0);
   for (std::size_t begin = 0, end = 0; begin < held_.size(); begin = end) {
-    double whole = 1e-300;  // a loose vertex has no weight
+    double whole = 1e-300;  // avoids 0 / 0: a loose vertex has no weight
     for (; end < held_.size() && held_[end].pin == held_[begin].pin; ++end) whole += held_[end].weight;
     const auto product = [&](std::size_t a, std::size_t b) {
       double sum = 0;

@@ -1,4 +1,4 @@
-// The response of a shape to a pull at its pins, predicted without a solve: as if each pin moved by an affine field.
+// Predicts the response of a shape to a pull at its pins without a solve, as if each pin moved by an affine field.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace shapespline {
 
-/// One vertex that is held, and how firmly.
+/// A pinned vertex and its stiffness.
 struct HeldVertex {
   int vertex, pin;
   double weight;
@@ -19,22 +19,22 @@ struct HeldVertex {
 /// Immutable.
 class AffineResponse {
  public:
-  /// Solves the system for four modes per pin. held: by pin.
+  /// Solves the system for four modes per pin. held: vertices, grouped by pin.
   AffineResponse(const HoldInput& input, const HoldSystem& system, std::span<const HeldVertex> held, int pins);
 
-  /// The affine fields nearest to the displacements of the held vertices: four vectors per pin.
+  /// Fits an affine field to the displacements of each pin's vertices: four vectors per pin.
   void fit(std::span<const Vec3> displacement, std::vector<Vec3>& mode) const;
 
-  /// What a held vertex moves by.
+  /// Displacement of a held vertex.
   Vec3 moved(std::size_t held, const std::vector<Vec3>& mode) const;
 
-  /// The mean gradient of what the vertices of a patch move by, over the patch in the reference pose.
+  /// Mean gradient of the displacements over a patch, in the reference pose.
   Mat3 gradient(std::size_t patch, const std::vector<Vec3>& mode) const;
 
-  /// The mean over a patch of what projects on its faces' planes; zero without area.
+  /// Mean over a patch of the projections onto its faces' planes; zero without area.
   const std::vector<Mat3>& planes() const { return planes_; }
 
-  /// Whether pulls turn a patch so little beside others that it may be left as it is.
+  /// Whether pulls rotate a patch so little, relative to other patches, that its rotation can be ignored.
   bool hardlyTurns(std::size_t patch) const { return little_[patch]; }
 
  private:
@@ -43,12 +43,12 @@ class AffineResponse {
 
   std::size_t modes_;
   std::vector<HeldVertex> held_;
-  std::vector<double> field_;     // of each held vertex, its pin's modes there
-  std::vector<double> fit_;       // of each held vertex, what its way adds to its pin's modes
-  std::vector<double> response_;  // of each held vertex, what a mode moves it by
+  std::vector<double> field_;     // values of its pin's modes at each held vertex
+  std::vector<double> fit_;       // contribution of each held vertex's displacement to its pin's modes
+  std::vector<double> response_;  // displacement of each held vertex per mode
   std::vector<Mat3> planes_;
-  std::vector<Vec3> gradient_;  // of each patch, of each mode
-  std::vector<char> little_;    // of each patch
+  std::vector<Vec3> gradient_;  // per patch and mode
+  std::vector<char> little_;    // per patch
 };
 
 }  // namespace shapespline

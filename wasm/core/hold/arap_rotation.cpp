@@ -11,18 +11,18 @@ namespace shapespline {
 
 namespace {
 
-// A solve without rotations takes part of the rotation that patches need: this multiple of that part, up to the
-// largest.
-constexpr double further = 3, mostTurn = 1.6;  // radians
+// A solve without rotations finds part of the required rotation. That part is multiplied by this factor, up to the
+// limit.
+constexpr double further = 3, mostTurn = 1.6;  // mostTurn in radians
 
-// What is left of a patch that is crushed says nothing: of its extent in two directions, over what it was.
+// Shares of a patch's original extent in two directions. A crushed patch does not determine a rotation.
 constexpr double crushed = 0.2, whole = 1;
 
 double extent(const Mat3& m) { return (m.trace() * m.trace() - m.squaredNorm()) / 2; }
 
-// planes: of a patch (affine_response.h), gradient: of what moves it, seen from it. The turn that leaves least of that
-// to shear, to first order: its sine where the patch turns far, and what is more than a sine can be where it stretches
-// far.
+// planes: mean projection of a patch (affine_response.h). gradient: gradient of its displacements, relative to the
+// patch. Returns the rotation that minimises shear, to first order. Large rotations give their sine; large stretches
+// may give values above 1.
 Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
   const Vec3 curl(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
   const Mat3 stiff = planes.trace() * Mat3::Identity() - planes;
@@ -75,7 +75,7 @@ ArapRotation::ArapRotation(const HoldInput& input, const AffineResponse& modes) 
   }
 }
 
-// A patch is taken for what it is in the reference pose, turned as its frames are in the mean.
+// Each patch keeps its shape from the reference pose, rotated by the mean of its frames.
 void ArapRotation::find(const AffineResponse& modes, const std::vector<Vec3>& mode,
                         const std::vector<Quaternion>& frames, std::vector<Mat3>& turn) const {
   turn.assign(modes.planes().size(), Mat3::Zero());

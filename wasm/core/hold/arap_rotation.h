@@ -1,4 +1,4 @@
-// How patches turn when a shape is pulled, and what turns them further: a limb bends then instead of shearing.
+// Extra rotations of patches in a pulled shape, so a limb bends instead of shearing.
 #pragma once
 
 #include <vector>
@@ -12,21 +12,21 @@ namespace shapespline {
 /// vertex, over-relaxed. Immutable.
 class ArapRotation {
  public:
-  /// modes: of what pulls; patches that these hardly turn are left as they are.
+  /// modes: response to the pulls. Patches that barely rotate are ignored.
   ArapRotation(const HoldInput& input, const AffineResponse& modes);
 
-  /// The further rotation of each patch, minus the identity, in the frame of its present rotation. frames: of the shape
-  /// before the pull; mode: of the pull.
+  /// The extra rotation of each patch minus the identity, in the patch's current frame. frames: local frames of the
+  /// shape before the pull. mode: modes of the pull.
   void find(const AffineResponse& modes, const std::vector<Vec3>& mode, const std::vector<Quaternion>& frames,
             std::vector<Mat3>& turn) const;
 
-  /// Adds what pulls each vertex so that its patches turn.
+  /// Adds the pulls on vertices that rotate their patches.
   void addTo(Positions& pulls, const std::vector<Mat3>& turn) const { addPulls(pulls_, turn, pulls); }
 
  private:
   std::vector<int> patchOfFrame_;
-  std::vector<double> frameShare_;  // in its patch
-  std::vector<PatchPull> pulls_;    // what holds a vertex in its patch in the reference pose; by vertex
+  std::vector<double> frameShare_;  // share in its patch
+  std::vector<PatchPull> pulls_;  // ARAP forces of each vertex in its patches, in the reference pose; sorted by vertex
 };
 
 }  // namespace shapespline

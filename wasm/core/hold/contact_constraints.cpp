@@ -7,10 +7,10 @@ namespace shapespline {
 
 namespace {
 
-constexpr double restsLittle = 0.1,
-                 restsWhole = 0.6;  // mean rest of a patch that is not held yet, and of one that is held whole
-constexpr double softness = 0.1;    // of the mean compliance
-constexpr int mostResponses = 48;   // about what a solve reads for each vertex
+// Mean rest at which holding of a patch starts, and at which it is complete.
+constexpr double restsLittle = 0.1, restsWhole = 0.6;
+constexpr double softness = 0.1;   // share of the mean compliance
+constexpr int mostResponses = 48;  // rows of this size cost about as much as a solve
 
 // Lower triangular L with L L^T = a, by rows, in place.
 void factorise(std::vector<double>& a, int n) {
@@ -51,7 +51,7 @@ ContactConstraints::ContactConstraints(const RestingSpline& path, const HoldSyst
   findCompliance(system, patchOf.size());
 }
 
-// How far a pull at one handle moves the others, three handles at once.
+// Computes the displacement of all handles by a pull at one of them, three handles at once.
 void ContactConstraints::findCompliance(const HoldSystem& system, std::size_t vertices) {
   factor_.assign(static_cast<std::size_t>(count_) * count_, 0.0);
   if (count_ <= mostResponses) response_.resize(vertices * count_);

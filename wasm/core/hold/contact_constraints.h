@@ -1,4 +1,4 @@
-// Patches that rest between two keys, and the constant low-rank correction that keeps their mean positions in place.
+// Patches at rest between two keys, and the constant low-rank correction that keeps their mean positions.
 #pragma once
 
 #include <vector>
@@ -11,28 +11,29 @@ namespace shapespline {
 /// Handles on the patches that rest in some span. Immutable.
 class ContactConstraints {
  public:
-  /// patchOf: of each vertex, or -1. area: of each vertex.
+  /// patchOf: patch of each vertex, or -1. area: area of each vertex.
   ContactConstraints(const RestingSpline& path, const HoldSystem& system, const std::vector<int>& patchOf, int patches,
                      const std::vector<double>& area);
 
-  /// The mean displacements of the vertices of each handle.
+  /// The mean displacement of each handle's vertices.
   void meanDisplacements(const Positions& from, const Positions& to, std::vector<Vec3>& displacement) const;
 
-  /// How much each handle holds at a time, in [0, 1]; false where none does.
+  /// Weight of each handle in a span, in [0, 1]; false if all weights are 0.
   bool weightsAt(const SpanPosition& inSpan, std::vector<double>& weight) const;
 
-  /// What the vertices of each handle are pulled by, so they move by about what is left of their way. Replaces `left`.
+  /// Replaces the remaining displacements `left` by the pulls on each handle's vertices that approximately produce
+  /// them.
   void pull(std::vector<Vec3>& left) const;
 
-  /// Adds the handles' pulls to those of their vertices.
+  /// Adds the pulls of the handles to those of their vertices.
   void addTo(Positions& pulls, const std::vector<Vec3>& pull) const;
 
-  /// What each handle's pull moves every vertex by, a row per vertex (hold_passes.h); empty where that is no less work
-  /// than to solve.
+  /// Displacement of every vertex per pull at each handle, one row per vertex (hold_passes.h). Empty if a solve is
+  /// cheaper.
   const std::vector<float>& response() const { return response_; }
 
  private:
-  // What a handle holds of a vertex.
+  // Share of a vertex in a handle.
   struct Share {
     int vertex, handle;
     double share;
@@ -42,10 +43,10 @@ class ContactConstraints {
   std::vector<Share> shares_;
   bool loop_;
   int spans_;
-  std::vector<double> rest_;  // of each handle in each span
+  std::vector<double> rest_;  // rest of each handle in each span
   int count_ = 0;
   std::vector<float> response_;
-  std::vector<double> factor_;  // lower Cholesky factor of (handles' compliance + a tenth of its mean), by rows
+  std::vector<double> factor_;  // lower Cholesky factor of (compliance of the handles + a tenth of its mean), by rows
 };
 
 }  // namespace shapespline

@@ -10,23 +10,24 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double leastAnchor = 1e-5, mostAnchor = 1e4, anchorTurn = 200 * degree;
-// Turns of the whole from key to key over which the placement gives way: its target is a blend of vertices.
+// Rotations of the whole between keys at which the rigid fit fades out, because its target is a blend of vertices.
 constexpr double turnsLittle = 30 * degree, turnsFar = 90 * degree;
 constexpr double fitTurnsLittle = 60 * degree, fitTurnsFar = 120 * degree;
-// How well the mean of rotations is defined: from 0 to 2.
+// Range of how well the mean rotation is defined, from 0 to 2.
 constexpr double scattered = 0.1, gathered = 0.5;
 constexpr double inertia = 1e-6;
-// How well a fit is defined: from 0 to 1.
+// Range of how well the fit is defined, from 0 to 1.
 constexpr double openFit = 0.05, soundFit = 0.7;
 
-// A little inertia keeps a shape that is a line from spinning about itself.
+// Regularises the fit of nearly collinear shapes.
 Mat3 stiffened(const Mat3& covariance) { return covariance + inertia * covariance.norm() * Mat3::Identity(); }
 
-// The product of what resists turns about three axes.
+// Product of the inertias about the three axes.
 double resistance(const Mat3& covariance) { return (covariance.trace() * Mat3::Identity() - covariance).determinant(); }
 
-// What resists turning a fit away, beside what would if both shapes were their mean: 1 where they are alike, less where
-// they differ in form or size, 0 where an axis is open. A symmetric function of the singular values, and so smooth.
+// Resistance to rotating the fit, relative to the resistance if both shapes equalled their mean. 1 for equal shapes,
+// less for different forms or sizes, 0 if an axis is undetermined. Smooth, because it is a symmetric function of the
+// singular values.
 double definedness(const FitSums& sums, const Mat3& fit) {
   const Mat3 between = fit.transpose() * stiffened(sums.covariance);
   const Mat3 mean = (sums.ofFrom + fit.transpose() * sums.ofTo * fit) / 2;
@@ -47,7 +48,7 @@ Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& in
     if (!system) return system.error();
     held->system_ = std::make_shared<const HoldSystem>(std::move(*system));
   }
-  // The keys and their times alone decide which vertices rest.
+  // Resting vertices depend only on the keys and their times.
   if (same && before->target_.path().hasSpansOf(held->target_.path())) held->resting_ = before->resting_;
   else held->findResting(input);
   return std::shared_ptr<const HeldMotion>(std::move(held));
@@ -74,7 +75,7 @@ HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve)
   anchor_ = anchorWeights(input.mesh);
 }
 
-// The mean over its faces, by area, of what their frames' turns say.
+// Area-weighted mean over each vertex's faces of the weights given by their frames' rotations.
 std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
   constexpr double leastTurn = 1e-9;
   const std::vector<double> faceArea = faceAreas(mesh);
@@ -89,7 +90,7 @@ std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
   return weight;
 }
 
-// A body turns about its centroid.
+// Each rigid group rotates about its centroid.
 void HeldMotion::moveOntoTarget(const SpanPosition& inSpan, const std::vector<Quaternion>& frames, const Vec3& mean,
                                 const Positions& target, Positions& shape) const {
   for (std::size_t b = 0; b < placed_.size(); ++b) {
@@ -121,7 +122,7 @@ void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Ve
   if (holds) holdPatches(together, shape, scratch, forkJoin);
 }
 
-// together: what draws the vertices to their paths is in scratch.pulls still, and one solve does for both.
+// together: scratch.pulls still has the pulls towards the target positions, so one solve does both.
 void HeldMotion::holdPatches(bool together, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const {
   std::vector<Vec3>& pull = scratch.pull;
   resting_->meanDisplacements(shape, scratch.target, pull);

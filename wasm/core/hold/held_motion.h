@@ -1,6 +1,6 @@
-// Keeps what rests between the keys where it is: the shape is placed by what its vertices do, what hardly turns is
-// drawn to its vertices' paths, and resting patches are held. Every correction is a weight times the difference of two
-// curves that agree at the keys, so the keys stay exact and the motion as smooth as it was.
+// Keeps parts still that rest between keys. The shape is fitted rigidly to target positions, barely rotating patches
+// are pulled to them, and resting patches are held. Every correction is a weight times the difference of two curves
+// that agree at the keys. The keys therefore stay exact, and the motion stays as smooth as before.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@ namespace shapespline {
 /// Immutable.
 class HeldMotion {
  public:
-  /// before: of the same shape, whose system and handles are taken over where they are the same; or null. The curve
-  /// must be cubic. Error: that of the solver.
+  /// before: motion of the same shape whose system and handles are reused where they agree, or null. The curve must be
+  /// cubic. Error: the solver's.
   static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve,
                                                           const HeldMotion* before);
 
-  /// Whether the other's system was taken over, so nothing was factored.
+  /// Whether both motions share a system, so nothing was factored.
   bool sharesSystem(const HeldMotion* other) const { return other && other->system_ == system_; }
 
   struct Scratch {
@@ -30,8 +30,8 @@ class HeldMotion {
     HoldSystem::Scratch solve;
   };
 
-  /// Corrects a shape: the positions of the welded vertices, in the world of the first period. t: within that, if
-  /// there is one. frames: those of the shape, `mean` what the mean of its vertices follows.
+  /// Corrects a shape: positions of the welded vertices, in the coordinates of the first period. t: within the first
+  /// period of a loop. frames: local frames of the shape. mean: target of the mean vertex position.
   void apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape, Scratch& scratch,
              ForkJoin* forkJoin) const;
 
@@ -44,9 +44,9 @@ class HeldMotion {
   void holdPatches(bool together, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
 
   RestTarget target_;
-  std::vector<double> area_;                 // of each vertex
-  std::vector<std::vector<double>> placed_;  // of each body, share of each span
-  std::vector<double> anchor_;               // of each vertex
+  std::vector<double> area_;                 // area of each vertex
+  std::vector<std::vector<double>> placed_;  // for each rigid group, weight of the fit in each span
+  std::vector<double> anchor_;               // penalty weight of each vertex
   std::shared_ptr<const HoldSystem> system_;
   std::shared_ptr<const ContactConstraints> resting_;
 };

@@ -1,4 +1,4 @@
-// The shape that is held, as what holds it is given it.
+// Input for holding a shape.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace shapespline {
 
-/// All of it must outlive what is made of it.
+/// All members must outlive the objects created from them.
 struct HoldInput {
   HoldMesh mesh;
-  const std::vector<int>& patchOfFace;                   ///< -1 without area
+  const std::vector<int>& patchOfFace;                   ///< patch of each face, -1 without area
   const std::vector<std::vector<Quaternion>>& rotation;  ///< rotation[column][frame]
   Precision precision;
 };

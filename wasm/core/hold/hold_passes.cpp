@@ -6,7 +6,7 @@ namespace shapespline {
 
 namespace {
 
-// Eigen's products stay calls where code is to be small.
+// Used instead of Eigen's products, which are not inlined in code compiled for size.
 void addScaled(double scale, const double* vector, double* sum) {
   sum[0] += scale * vector[0], sum[1] += scale * vector[1], sum[2] += scale * vector[2];
 }

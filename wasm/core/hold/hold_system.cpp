@@ -11,7 +11,8 @@ namespace shapespline {
 
 namespace {
 
-// Times the stiffness of what is joined. A joint is stiffer than that; a loose vertex pulls at nothing.
+// Relative to the stiffness of the connected vertices. A joint is stiffer; a loose vertex is so soft that it pulls
+// nothing.
 constexpr double jointStiffness = 10, looseStiffness = 1e-3;
 
 struct Stiffness {

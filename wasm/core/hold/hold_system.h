@@ -1,4 +1,4 @@
-// How a shape gives way to what holds it: its stiffness and a weight that keeps every vertex where it is, factored.
+// The response of a shape to holding forces: the factored sum of its stiffness and a positional weight at every vertex.
 #pragma once
 
 #include <span>
@@ -11,34 +11,34 @@
 
 namespace shapespline {
 
-/// What the system is made of. The reference pose's cotangent stiffness is the one of the second system.
+/// Input of the system. The cotangent stiffness of the reference pose is the same as in the second system.
 struct HoldMesh {
   const WeldedShape& shape;
-  std::span<const int> localFrameOf;       ///< of each face; -1 where it has no area
-  std::span<const ComponentJoint> joints;  ///< where components are joined
+  std::span<const int> localFrameOf;       ///< frame of each face, -1 without area
+  std::span<const ComponentJoint> joints;  ///< joints of components
   std::span<const LooseVertex> loose;
 };
 
-/// Twice the distance of the farthest position from the centroid: the same whichever way the shape is turned, which the
-/// diagonal of its box is not.
+/// Twice the distance of the farthest position from the centroid. Unlike the diagonal of the bounding box, it does not
+/// depend on the orientation.
 double sizeOf(const Positions& positions);
 
-/// Of each face in the reference pose, as a share of the whole; 0 without area.
+/// Share of each face in the total area, in the reference pose; 0 without area.
 std::vector<double> faceAreas(const HoldMesh& mesh);
 
-/// The same per vertex, which has a third of its faces' areas.
+/// Share of each vertex in the total area: a third of its faces' areas.
 std::vector<double> vertexAreas(const HoldMesh& mesh);
 
-/// Cotangent of corner c of a face in the reference pose, halved: what ties the other two corners.
+/// Half the cotangent at corner c of a face in the reference pose: the stiffness between the other two corners.
 double sideStiffness(const HoldMesh& mesh, std::size_t face, int c);
 
-/// Of each vertex in K: what its neighbours hold it with.
+/// Diagonal entry of K for each vertex: the total stiffness to its neighbours.
 std::vector<double> stiffnessDiagonal(const HoldMesh& mesh);
 
 /// Displacements x with (K + diag(weight)) x = b. Immutable.
 class HoldSystem {
  public:
-  /// weight: of each vertex, not negative. Error: that of the solver.
+  /// weight: one per vertex, not negative. Error: the solver's.
   static Result<HoldSystem> create(const HoldMesh& mesh, std::span<const double> weight, Precision precision);
 
   struct Scratch {
@@ -46,7 +46,7 @@ class HoldSystem {
     std::vector<double> whole;
   };
 
-  /// Moves the vertices of a shape by the displacements that belong to a pull at each of them.
+  /// Adds the displacements caused by a pull at each vertex.
   void addSolved(const Positions& pull, Positions& shape, Scratch& scratch, ForkJoin* forkJoin) const;
 
  private:

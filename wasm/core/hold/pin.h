@@ -1,4 +1,4 @@
-// Places of a shape that are held by hand, and where.
+// Pins: user-placed constraints on parts of a shape.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace shapespline {
 
-/// A key of a path that a pin was dragged along.
+/// A key of the path of a dragged pin.
 struct PathKey {
   double time = 0;
-  Vec3 move = Vec3::Zero();  ///< from where the pin would be, in the shape's unit
+  Vec3 move = Vec3::Zero();  ///< offset from the pin's undragged position, in the shape's unit
 };
 
-/// The vertices around one of the input's. They follow their own splines, or stay where they are in a key; moved along
-/// a path, where there is one.
+/// A pin holds the vertices around an input vertex. They follow their own splines or keep their positions from a key,
+/// plus the offset of an optional path.
 struct Pin {
   int vertex = 0;
-  double radius = 0;  ///< of the ball, over the shape's size (pin_region.h); 0: the vertex's patch
-  int key = -1;       ///< -1: they follow their own splines
+  double radius = 0;  ///< radius of the ball relative to the shape's size (pin_region.h); 0: the vertex's patch
+  int key = -1;       ///< -1: follow their own splines
   std::vector<PathKey> path = {};
 };
 

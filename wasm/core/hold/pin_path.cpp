@@ -34,7 +34,8 @@ Status PinPath::fit(const std::vector<double>& times, const Curve& along) {
   return {};
 }
 
-// How far a loop that ends elsewhere has turned: what is moved along a bend keeps its side of it.
+// Rotation of a loop that does not close in place. Offsets rotate with it, so they keep their direction relative to the
+// path.
 Mat3 PinPath::turned(double t) const {
   return closing_ ? closing_->power((t - start_) / period_).rotation.toRotationMatrix() : Mat3::Identity();
 }

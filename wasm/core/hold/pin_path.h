@@ -1,4 +1,4 @@
-// The way of a pin that was dragged: a cubic spline through its keys that stands still beyond them.
+// The offset of a dragged pin over time: a cubic spline through its keys, constant beyond them.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,13 @@ namespace shapespline {
 /// Immutable.
 class PinPath {
  public:
-  /// along: the curve of the motion. In a loop the path is one, too; its keys outside the first period are left out.
-  /// closing: what a period that ends elsewhere is moved by. Null where no key is left. Error: that of the curve.
+  /// along: the curve of the motion. In a loop, the path is periodic too, and keys outside the first period are
+  /// dropped. closing: rigid motion per period of a loop that does not close in place. The result is null without keys.
+  /// Error: the curve's.
   static Result<std::unique_ptr<const PinPath>> create(const std::vector<PathKey>& keys, const Curve& along,
                                                        const std::optional<RigidMotion>& closing);
 
-  /// What the pin is moved by at t, within the first period of a loop.
+  /// Offset of the pin at t, within the first period of a loop.
   Vec3 at(double t) const;
 
  private:
@@ -28,7 +29,7 @@ class PinPath {
 
   double start_, period_;
   std::optional<RigidMotion> closing_;
-  WeldedShape keys_;  // of one vertex; in a loop as it was before it turned
+  WeldedShape keys_;  // keys of one vertex; in a loop, before the rotation by turned()
   std::optional<Curve> curve_;
   std::optional<RestingSpline> path_;
 };

@@ -8,7 +8,7 @@ namespace shapespline {
 
 namespace {
 
-// The patch of the first face at the vertex.
+// Marks the patch of the first face at the vertex.
 std::vector<char> inPatchOf(const HoldInput& input, int vertex) {
   std::vector<char> in(input.mesh.shape.vertexCount(), 0);
   const std::vector<Triangle>& faces = input.mesh.shape.faces;
@@ -21,7 +21,7 @@ std::vector<char> inPatchOf(const HoldInput& input, int vertex) {
   return in;
 }
 
-// Grows over faces, so another limb that comes near is not held, too.
+// Grows over faces, to exclude other limbs inside the ball.
 std::vector<char> inBallAround(const WeldedShape& shape, int vertex, double radius) {
   const Positions& p = shape.poses[shape.reference];
   const VertexFaces facesAt = facesOfVertices(shape.vertexCount(), shape.faces);

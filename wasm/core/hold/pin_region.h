@@ -1,4 +1,4 @@
-// Which vertices a pin holds.
+// Finds the vertices of a pin.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace shapespline {
 
-/// Welded vertices, ascending: those within a ball around `vertex` in the reference pose that faces join to it there,
-/// or, with radius 0, those of the patch of its first face. radius: over the size of the reference pose, twice the
-/// distance of its farthest vertex from its centroid.
+/// Welded vertices, ascending: those in a ball around `vertex` in the reference pose that are connected to it by faces
+/// inside, or, for radius 0, those of the patch of its first face. radius: relative to the size of the reference pose,
+/// twice the distance of its farthest vertex from its centroid.
 std::vector<int> pinnedVertices(const HoldInput& input, int vertex, double radius);
 
 }  // namespace shapespline

@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-// Times a vertex's share in the area: how firmly the rest of the shape keeps its place.
+// Stiffness of the rest of the shape, relative to a vertex's share of the area.
 constexpr double bodyWeight = 10;
 
 double medianOf(const std::vector<double>& values) {
@@ -75,7 +75,7 @@ RigidMotion PinnedMotion::motionOfPin(const Stay& stay, double t) const {
   return closing_ && stay.pose ? closing_->power((t - stay.time) / period_) : RigidMotion{};
 }
 
-// Each vertex is held as firmly as its neighbours hold it, by its share in the area.
+// Each vertex is held as firmly as by its neighbours, in proportion to its share of the area.
 std::vector<HeldVertex> PinnedMotion::heldVertices(const HoldInput& input, const std::vector<Pin>& pins,
                                                    const std::vector<int>& weldedOf) {
   const std::vector<double> area = vertexAreas(input.mesh);
@@ -107,14 +107,14 @@ void PinnedMotion::apply(double t, const std::vector<Quaternion>& frames, const 
   modes.fit(scratch.displacement, scratch.mode);
   patches.find(modes, scratch.mode, frames, scratch.turn);
   scratch.pulls.assign(shape.size(), Vec3::Zero());
-  // What a pull alone would leave of the way pulls, too.
+  // Twice the displacement minus the predicted motion compensates for the softness of the pin.
   for (std::size_t i = 0; i < held_.size(); ++i)
     scratch.pulls[held_[i].vertex] = held_[i].weight * (2 * scratch.displacement[i] - modes.moved(i, scratch.mode));
   patches.addTo(scratch.pulls, scratch.turn);
   system.addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
 }
 
-// From where each held vertex is to where it is wanted.
+// Displacements from each held vertex's current position to its wanted position.
 void PinnedMotion::findDisplacement(double t, const SpanPosition& inSpan, const std::vector<Quaternion>& frames,
                                     const Vec3& mean, const Positions& shape, Scratch& scratch) const {
   target_.at(t, frames, mean, scratch.target, scratch.body);

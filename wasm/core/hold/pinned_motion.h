@@ -1,5 +1,5 @@
-// A motion with pins: the rotations of patches are predicted from the wanted positions of the pins, then the shape is
-// pulled there. One solve per time with a factored system, as smooth as the pull itself.
+// A motion with pins. Rotations of patches are predicted from the pins' wanted positions, then the shape is pulled
+// there. Takes one solve per time with a factored system, and is as smooth as the pull.
 #pragma once
 
 #include <memory>
@@ -16,14 +16,15 @@ namespace shapespline {
 /// Immutable.
 class PinnedMotion {
  public:
-  /// weldedOf: of each vertex of the input. before: of the same shape, whose system is taken over where the same is
-  /// pinned; or null. The curve must be cubic and the pins checked, at least one. Error: that of the solver.
+  /// weldedOf: welded vertex of each input vertex. before: motion of the same shape whose system is reused if it has
+  /// the same pinned vertices, or null. The curve must be cubic. At least one pin, checked by checkPins. Error: the
+  /// solver's.
   static Result<std::shared_ptr<const PinnedMotion>> create(const HoldInput& input, const Curve& curve,
                                                             const std::vector<Pin>& pins,
                                                             const std::vector<int>& weldedOf,
                                                             const PinnedMotion* before);
 
-  /// Whether the other's system was taken over, so nothing was factored.
+  /// Whether both motions share a system, so nothing was factored.
   bool sharesSystem(const PinnedMotion* other) const { return other && other->pull_ == pull_; }
 
   struct Scratch {
@@ -33,23 +34,23 @@ class PinnedMotion {
     HoldSystem::Scratch solve;
   };
 
-  /// Corrects a shape: positions of the welded vertices, in the world of the first period. t: within that, if there is
-  /// one. frames: those of the shape, `mean` what the mean of its vertices follows.
+  /// Corrects a shape: positions of the welded vertices, in the coordinates of the first period. t: within the first
+  /// period of a loop. frames: local frames of the shape. mean: target of the mean vertex position.
   void apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape, Scratch& scratch,
              ForkJoin* forkJoin) const;
 
-  /// Welded vertices of a pin, ascending. One that several pins would hold belongs to the first.
+  /// Welded vertices of a pin, ascending. A vertex in several pins belongs to the first.
   std::vector<int> verticesOf(int pin) const;
 
  private:
-  /// What depends on which vertices are held alone.
+  /// Data that depends only on the set of held vertices.
   struct Pull {
     HoldSystem system;
     AffineResponse modes;
     ArapRotation patches;
   };
 
-  /// A key whose place is kept. In a loop that ends elsewhere what stays goes with it, evenly.
+  /// A key whose position is kept. In a loop that does not close in place, the position drifts evenly with the loop.
   struct Stay {
     const Positions* pose = nullptr;
     double time = 0;
@@ -65,7 +66,7 @@ class PinnedMotion {
   std::vector<HeldVertex> held_;
   std::vector<int> vertices_;
   RestTarget target_;
-  std::vector<Stay> stays_;  // of each pin; without a pose it follows its own splines
+  std::vector<Stay> stays_;  // one per pin; without a pose, the pin follows its own splines
   std::optional<RigidMotion> closing_;
   double period_;
   std::vector<std::unique_ptr<const PinPath>> path_;

@@ -10,7 +10,8 @@ namespace shapespline {
 
 namespace {
 
-// What patches turn against the whole, as a share of what they turn: up to the first the motion is a rigid body's.
+// Rotation of patches relative to the whole, as a share of their total rotation. Up to the first limit, the motion is
+// that of a rigid body.
 constexpr double rigid = 0.2, deforming = 0.35;
 
 double angleOf(const Mat3& rotation) { return logRotation(rotation).norm(); }
@@ -81,7 +82,7 @@ RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::ve
   for (const std::unique_ptr<RigidGroup>& body : rigidGroups_) {
     const KeyTurns& turns = body->turns;
     if (turns.deforms < 1) {
-      // Every pose seen from the frame of the body; there no period differs from another.
+      // Poses relative to the frame of the rigid group. In this frame, all periods are equal.
       body->shape = shape->withMesh({}, {});
       body->shape.closing.reset();
       for (std::size_t pose = 0; pose < shape->poses.size(); ++pose) {

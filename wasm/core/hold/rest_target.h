@@ -1,5 +1,5 @@
-// Where vertices would be by themselves: each on its own spline, without overshoot where it rests, and on that of a
-// rigid body where the whole moves like one.
+// Target positions of vertices. Each vertex follows its own spline, without overshoot while it rests. Nearly rigid
+// motions follow the spline of the rigid motion.
 #pragma once
 
 #include <memory>
@@ -11,36 +11,36 @@
 
 namespace shapespline {
 
-/// How the whole, or some of its faces, and the frames turn from key to key.
+/// Rotations between keys, for the whole (or some faces) and for the frames.
 struct KeyTurns {
-  /// bodyOf: of each vertex; empty for the whole.
+  /// bodyOf: rigid group of each vertex; empty for the whole.
   KeyTurns(const HoldInput& input, const Curve& curve, const std::vector<int>& bodyOf = {}, int body = 0);
 
-  /// What the mean rotation of frames is the nearest rotation to: their sum by area.
+  /// Area-weighted sum of the frames. Its nearest rotation is their mean rotation.
   Mat3 sumOf(const std::vector<Quaternion>& frames) const;
 
   std::vector<double> frameArea;
   std::vector<Mat3> whole;        ///< mean rotation of each column
   std::vector<double> wholeTurn;  ///< angle of the whole in each span
-  std::vector<double> frameTurn;  ///< rms angle of each frame from key to key
-  double area = 0;                ///< of all frames; of the whole 1
-  double deforms = 1;             ///< 0 where the motion is nearly a rigid body's
+  std::vector<double> frameTurn;  ///< rms angle of each frame between keys
+  double area = 0;                ///< area of all frames; 1 for the whole
+  double deforms = 1;             ///< 0 if the motion is nearly rigid
 };
 
-/// Of all vertices, or of some. Immutable.
+/// Targets of all vertices, or of some. Immutable.
 class RestTarget {
  public:
-  /// What moves as one. Alone it is the whole.
+  /// Vertices that move as one rigid body. A single group covers the whole shape.
   struct RigidGroup {
     KeyTurns turns;
     std::vector<int> vertices;  ///< in the order of the target
-    // Seen from the body, where the motion is nearly a rigid body's.
+    // Poses relative to the group's frame, for nearly rigid motions.
     WeldedShape shape = {};
     std::optional<RestingSpline> path = {};
   };
 
-  /// only: welded vertices, all of one body, or null for all vertices. The curve must be cubic, and the input outlive
-  /// the target.
+  /// only: welded vertices of a single rigid group, or null for all vertices. The curve must be cubic. The input must
+  /// outlive the target.
   RestTarget(const HoldInput& input, const Curve& curve, const std::vector<int>* only = nullptr);
 
   RestTarget(const RestTarget&) = delete;
@@ -49,12 +49,12 @@ class RestTarget {
   const RestingSpline& path() const { return *path_; }
   const std::vector<std::unique_ptr<RigidGroup>>& rigidGroups() const { return rigidGroups_; }
 
-  /// frames: at t; mean: what the mean of all vertices follows.
+  /// frames: at t. mean: target of the mean vertex position.
   void at(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& target,
           Positions& scratch) const;
 
  private:
-  WeldedShape some_;  // with `only`
+  WeldedShape some_;  // set if `only` is given
   std::optional<RestingSpline> path_;
   std::vector<std::unique_ptr<RigidGroup>> rigidGroups_;
 };

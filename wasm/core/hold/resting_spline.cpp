@@ -10,17 +10,18 @@ namespace shapespline {
 
 namespace {
 
-// A vertex rests in a span where it moves less than .03 of what it moves in a neighbouring one, and not from .10 on.
+// A vertex rests in a span if it moves less than .03 of its motion in a neighbouring span. From .10 on, it does not
+// rest.
 constexpr double atRest = 0.03, inMotion = 0.10;
-constexpr double leastMotion = 1e-4;  // of the size
-// Cosine of the angle from where it is on to that it turns back, and how much slower it may be on one side.
+constexpr double leastMotion = 1e-4;  // share of the size
+// Cosine of the angle from which a vertex counts as reversing, and the range of the speed ratio of both sides.
 constexpr double backwards = 0.5, dawdles = 0.1, hurries = 0.3;
 
 RigidMotion motionOf(const WeldedShape& shape, int periods) {
   return shape.closing && periods != 0 ? shape.closing->power(periods) : RigidMotion{};
 }
 
-// xyz of each vertex. Weights that no sum can show are left out.
+// xyz of each vertex. Omits weights too small for any sum.
 std::vector<float> slopesAt(const WeldedShape& shape, const Curve& curve, double t) {
   constexpr double least = 1e-9;
   const Columns columns{shape.keys};
@@ -92,8 +93,8 @@ void RestingSpline::findRest(double size) {
   }
 }
 
-// A limb that swings hardly moves between two keys on either side of its turning point, and does not rest there: it
-// goes back as fast as it came. What is slower than the slowest goes nowhere: rounding says where to.
+// A swinging limb barely moves between two keys on either side of its turning point, but does not rest: it reverses at
+// the same speed. Motions slower than `slowest` are ignored, because rounding determines their direction.
 double RestingSpline::turnsBack(std::size_t v, int before, int after, double slowest) const {
   if (before < 0 || after < 0 || before >= spans() || after >= spans()) return 0;
   const auto speed = [&](int s) -> Vec3 {
@@ -134,7 +135,7 @@ void RestingSpline::positionsAt(double t, Positions& positions) const {
   at.step = u * u * (3 - 2 * u);
   at.slope0 = h * u * w * w;
   at.slope1 = -h * u * u * w;
-  // Velocity and acceleration of the cubic at its ends, times the quintics that have nothing else there.
+  // Quintics with only a velocity or only an acceleration at one end, to remove those of the cubic.
   const double velocity0 = u - u * u * u * (6 + u * (3 * u - 8)), velocity1 = u * u * u * (u * (7 - 3 * u) - 4);
   const double acceleration0 = u * u * w * w * w / 2, acceleration1 = u * u * u * w * w / 2;
   at.rest0[0] = 6 * acceleration0;
@@ -143,7 +144,7 @@ void RestingSpline::positionsAt(double t, Positions& positions) const {
   at.rest1[0] = -6 * acceleration1;
   at.rest1[1] = 2 * h * acceleration1;
   at.rest1[2] = h * (velocity1 + 4 * acceleration1);
-  if (inSpan.beyond > 0) {  // straight on from the end, with what rest leaves of its velocity
+  if (inSpan.beyond > 0) {  // continues straight from the end, with the velocity reduced by rest
     const double further = h * (u > 0 ? inSpan.beyond : -inSpan.beyond);
     (u > 0 ? at.slope1 : at.slope0) += further;
     if (u > 0) at.rest1[2] += further;

@@ -1,4 +1,4 @@
-// The keys' vertices, each on a cubic spline of its own that does not overshoot where the vertex rests.
+// Cubic splines of the vertices through the keys, without overshoot where a vertex rests.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace shapespline {
 
-/// Where a path does not overshoot.
+/// Where a path must not overshoot.
 struct PathRest {
   enum { Nowhere, WhereStill, AtEnds } where = Nowhere;
-  double size = 1;  ///< of the whole shape (keySize); a vertex that moves by a small share of this is still
+  double size = 1;  ///< size of the whole shape (keySize); a motion by a small share of it counts as rest
 };
 
-/// Of the largest key, whichever way it is turned.
+/// Size of the largest key, independent of orientation.
 double keySize(const WeldedShape& shape);
 
-/// Positions at the ends of the spans of a curve, and how a vertex passes them.
+/// Positions at the ends of a curve's spans, and the slope and rest of each vertex there.
 class RestingSpline {
  public:
-  /// The keys of `shape` on `curve`, in the world of its first period. The curve must be cubic, and the shape outlive
-  /// the path. With PathRest::AtEnds an open path stands still beyond its ends.
+  /// Uses the keys of `shape` on `curve`, in the coordinates of the first period. The curve must be cubic, and the
+  /// shape must outlive the path. With PathRest::AtEnds, an open path is constant beyond its ends.
   RestingSpline(const WeldedShape& shape, const Curve& curve, const PathRest& rest);
 
   RestingSpline(const RestingSpline&) = delete;
@@ -31,15 +31,16 @@ class RestingSpline {
   int spans() const { return static_cast<int>(spans_.size()); }
   bool loop() const { return loop_; }
   SpanPosition spanPositionAt(double t) const;
-  /// Whether it runs through the same keys at the same times: of the same shape, the same vertices rest then.
+  /// Whether both paths have the same keys at the same times. If they belong to one shape, the same vertices rest in
+  /// both.
   bool hasSpansOf(const RestingSpline& other) const;
 
-  /// How little a vertex moves in a span beside the spans before and after it, in [0, 1], and not only turns around.
-  /// Speeds are compared, so neither size nor unit of time matter.
+  /// How little a vertex moves in a span relative to the neighbouring spans, in [0, 1]; 0 for a vertex that only
+  /// reverses. Compares speeds, so size and time unit do not matter.
   float rest(int span, std::size_t v) const { return rest_[span][v]; }
 
-  /// All vertices at time t: the quintic that has the spline's position at both keys, and there its velocity and
-  /// acceleration scaled down by the rest around the key. Without rest the cubic.
+  /// Positions of all vertices at time t: the quintic with the spline's positions at both keys, and its velocity and
+  /// acceleration reduced by the rest around each key. Without rest, it equals the cubic.
   void positionsAt(double t, Positions& positions) const;
 
  private:
@@ -48,10 +49,10 @@ class RestingSpline {
 
   std::vector<KeySpan> spans_;
   bool loop_ = false;
-  Positions closed_;                                  // the last key of a loop that ends elsewhere
+  Positions closed_;                                  // last key of a loop that does not close in place
   std::vector<const Positions*> knots_;               // spans + 1
-  std::vector<std::vector<float>> slope_, knotRest_;  // of each knot
-  std::vector<std::vector<float>> rest_;              // of each span
+  std::vector<std::vector<float>> slope_, knotRest_;  // per knot
+  std::vector<std::vector<float>> rest_;              // per span
 };
 
 }  // namespace shapespline

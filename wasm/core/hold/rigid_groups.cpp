@@ -9,10 +9,10 @@ namespace shapespline {
 
 namespace {
 
-// Of the shape's size: what a joint may give, and how near parts are that touch.
+// Shares of the shape's size: allowed slack of a joint, and distance of touching parts.
 constexpr double slack = 0.03, touches = 0.01;
 
-// How near the corners of two faces come in a pose.
+// Distance between the corners of two faces in a pose.
 double gap(const Positions& p, const Triangle& a, const Triangle& b) {
   double nearest = (p[a[0]] - p[b[0]]).norm();
   for (const int i : a)

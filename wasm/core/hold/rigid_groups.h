@@ -1,4 +1,4 @@
-// Which components of a shape are parts of one body, and which are objects of their own.
+// Groups components that belong to one rigid body, and separates the others.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,10 @@
 
 namespace shapespline {
 
-/// Whether a component stays joined to what carries it: the point that is to move least against both does hardly move
-/// in the keys, or the two touch in all of them.
+/// Whether a component stays joined to its parent: the joint barely moves in the keys, or both parts touch in all keys.
 bool staysJoined(const HoldMesh& mesh, const ComponentJoint& joint);
 
-/// Body of each vertex, numbered by their first vertices. Parts of one body are joined to each other.
+/// Rigid group of each vertex, numbered by first vertex. Components of a group are joined to each other.
 std::vector<int> rigidGroupsOf(const HoldMesh& mesh);
 
 }  // namespace shapespline

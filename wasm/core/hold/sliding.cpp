@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-// Less of the whole area is a few vertices that happen to turn around.
+// Share of the total area. A smaller area is just a few vertices that happen to reverse.
 constexpr double leastResting = 1e-3;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How far what should rest between two keys goes from its place.
+// Foot sliding: displacement of vertices that should rest between two keys.
 #pragma once
 
 #include "core/hold/hold_system.h"
@@ -6,15 +6,15 @@
 
 namespace shapespline {
 
-/// The keys alone decide which vertices rest, so all methods are measured alike. Immutable.
+/// The resting vertices depend only on the keys, so all methods are measured alike. Immutable.
 class Sliding {
  public:
-  /// keys: the natural cubic spline through them. mesh: must outlive it.
+  /// keys: the natural cubic spline through the keys. mesh: must outlive this object.
   Sliding(const HoldMesh& mesh, const Curve& keys);
 
-  /// Root of the mean square distance of the vertices of `shape`, the motion at t, from where they rest, over the
-  /// largest diagonal of a key; each counts by its area and how much it rests. NaN where nothing rests, and beyond the
-  /// keys. shape: of the input; weldedOf: of its vertices.
+  /// Root mean square distance of the vertices of `shape`, the motion at t, from their rest positions, relative to the
+  /// largest diagonal of a key. Vertices are weighted by area and rest. NaN if no vertex rests, and beyond the keys.
+  /// shape: input vertices. weldedOf: welded vertex of each input vertex.
   double at(double t, const Positions& shape, const std::vector<int>& weldedOf) const;
 
  private:

@@ -9,9 +9,9 @@ namespace shapespline {
 
 namespace {
 
-// Turns of a few degrees say little about the point that they leave where it is.
+// Rotations of a few degrees determine their fixed point poorly.
 constexpr double stillness = 1e-3;
-// Vertices of a part without area from which the nearest face is looked for.
+// Number of query vertices for the face nearest to a part without area.
 constexpr int queriesPerGroup = 1000;
 
 class CarriedEncoder {
@@ -34,7 +34,7 @@ class CarriedEncoder {
       if (link.parent < 0) continue;
       const int a = link.anchorFace, b = link.contactFace;
       ComponentJoint joint{component, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
-      std::vector<Mat3> turn;  // of b against a
+      std::vector<Mat3> turn;  // rotation of b relative to a, per column
       for (int c = 0; c < shape_.columns(); ++c) {
         const Quaternion anchor = turnOf(a, c);
         const Positions& p = shape_.poses[c];
@@ -51,7 +51,8 @@ class CarriedEncoder {
     }
   }
 
-  // The x for which turn x + offset varies least, near 0 where the turns leave it open.
+  // The x with the smallest variation of turn x + offset. Close to 0 in directions that the rotations leave
+  // undetermined.
   static Vec3 stillPoint(const std::vector<Mat3>& turn, const std::vector<Vec3>& offset) {
     const double columns = static_cast<double>(turn.size());
     Mat3 meanTurn = Mat3::Zero(), normal = Mat3::Zero();
@@ -65,13 +66,13 @@ class CarriedEncoder {
     return (normal + stillness * Mat3::Identity()).ldlt().solve(right);
   }
 
-  // R_f, or that of its frame where faces rest in their frames.
+  // R_f, or the rotation of its frame if faces rest in their frames.
   Quaternion turnOf(int f, int column) const {
     return rests_ ? localFrameOf(f, column) : rotationOf(shape_, f, column);
   }
 
   void encodeLoose() {
-    std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area
+    std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area at each vertex
     topology_.eachUsedFace([&](int f) {
       for (int v : shape_.faces[f])
         if (faceAt[v] < 0) faceAt[v] = f;
@@ -93,9 +94,9 @@ class CarriedEncoder {
     }
   }
 
-  // Vertices held only by faces without area take the anchor of the nearest vertex that such faces join them to.
+  // A vertex with only faces without area takes the anchor of the nearest vertex connected by such faces.
   void spreadOverFacesWithoutArea(const VertexFaces& facesAt, std::vector<int>& anchor) const {
-    std::vector<int> settled;  // taken from the front
+    std::vector<int> settled;  // a queue
     for (int v = 0; v < shape_.vertexCount(); ++v)
       if (anchor[v] >= 0) settled.push_back(v);
     for (std::size_t taken = 0; taken < settled.size(); ++taken) {
@@ -108,12 +109,12 @@ class CarriedEncoder {
     }
   }
 
-  // What no face with area reaches, such as a part that is one point in some pose, follows as a whole the face nearest
-  // to it.
+  // Groups connected to no face with area, such as a part that is one point in some pose, follow their nearest face as
+  // a whole.
   void anchorGroups(const VertexFaces& facesAt, const std::vector<int>& faceAt, std::vector<int>& anchor) const {
     std::vector<const Positions*> poses;
     for (const Positions& pose : shape_.poses) poses.push_back(&pose);
-    std::vector<int> partOf;  // all that can carry others are one part
+    std::vector<int> partOf;  // all vertices of faces with area form one part
     for (const int f : faceAt) partOf.push_back(f >= 0 ? 0 : -1);
     const int everyLabel[] = {0};
     std::optional<ContactSearch> search;
@@ -130,7 +131,7 @@ class CarriedEncoder {
     }
   }
 
-  // The vertices that faces join to the first one; none of them may be met before.
+  // The vertices connected to the first one by faces. None may be visited before.
   std::vector<int> looseGroup(const VertexFaces& facesAt, int first, std::vector<char>& met) const {
     std::vector<int> group = {first};
     met[first] = 1;

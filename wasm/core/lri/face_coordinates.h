@@ -1,4 +1,4 @@
-// The per-face part of the coordinates, laid out for the frame kernel: it is what a frame streams through memory.
+// Per-face coordinates in the layout of the frame kernel, which reads all of them for every frame.
 #pragma once
 
 #include <algorithm>
@@ -15,29 +15,29 @@
 
 namespace shapespline {
 
-/// Numbers of a face and column: log(G_p(f)^T R_f) (3), then S_f or log S_f as xx, xy, yy in the reference tangent
+/// Numbers per face and column: log(G_p(f)^T R_f) (3), then S_f or log S_f as xx, xy, yy in the reference tangent
 /// frame.
 inline constexpr int numbersPerFace = 6;
 
-/// Faces side by side in one vector register.
+/// Number of faces per vector register.
 inline constexpr int faceLanes = 4;
 
-/// A stored column, by its index among them, and its weight.
+/// Index and weight of a stored column.
 template <class Real>
 struct WeightedColumn {
   int column;
   Real weight;
 };
 
-/// The key that a frame beyond the keys goes on from, and where the columns have the keys.
+/// The end key for a frame beyond the keys, and the columns that store keys.
 struct EndKey {
-  int column;      ///< of the end key among the stored columns, or -1 where its faces rest
-  int storedKeys;  ///< the first stored columns, which are keys
-  bool anyAtRest;  ///< whether faces rest in one of the keys
+  int column;      ///< stored column of the end key, or -1 if its faces rest
+  int storedKeys;  ///< number of leading stored columns that are keys
+  bool anyAtRest;  ///< whether faces rest in any key
 };
 
-/// What a frame takes of the columns: those that are stored and whose weight can be seen, and what those at rest add to
-/// the diagonal of S_f. Beyond the keys the weights are those of the change from the end key on.
+/// A frame's weights: the stored columns with significant weights, and the contribution of columns at rest to the
+/// diagonal of S_f. Beyond the keys, the weights describe the change from the end key.
 template <class Real>
 struct ColumnWeights {
   std::vector<WeightedColumn<Real>> stored;
@@ -45,19 +45,19 @@ struct ColumnWeights {
   std::optional<EndKey> end;
 };
 
-/// Six numbers for each face and column, in blocks of four faces: [block][column][number][lane], so a frame reads them
-/// once, forwards. The last block is padded. Faces lie in their own order until they are reordered. A column in which
-/// every face rests, as in the reference pose, is not stored.
+/// Six numbers for each face and column in blocks of four faces: [block][column][number][lane]. A frame reads them
+/// once, in order. The last block is padded. Faces are in mesh order until reorder(). A column in which every face
+/// rests, such as the reference pose, is not stored.
 template <class Real>
 class FaceCoordinates {
  public:
   FaceCoordinates() = default;
 
-  /// All faces at rest: no rotation, and a diagonal of `rest`, 1 for S_f = I and 0 for its logarithm.
+  /// Initialises all faces at rest: no rotation, and a diagonal of `rest`: 1 for S_f = I, 0 for its logarithm.
   FaceCoordinates(int faces, int columns, Real rest)
       : blocks_((faces + faceLanes - 1) / faceLanes), rest_(rest), storedAs_(columns, -1) {}
 
-  /// Makes room for what set() writes, in every column.
+  /// Allocates all columns for set().
   void store() {
     stored_ = columns();
     for (int c = 0; c < stored_; ++c) storedAs_[c] = c;
@@ -68,7 +68,7 @@ class FaceCoordinates {
   }
 
   int columns() const { return static_cast<int>(storedAs_.size()); }
-  /// Where a face lies in the blocks: block slot / faceLanes, lane slot % faceLanes.
+  /// Position of a face in the blocks: block slot / faceLanes, lane slot % faceLanes.
   int slot(int face) const { return face < static_cast<int>(slot_.size()) ? slot_[face] : face; }
   void set(int face, int column, int number, Real value) {
     data_[index(slot(face), storedAs_[column], number)] = value;
@@ -107,7 +107,7 @@ class FaceCoordinates {
     for (int k = 0; k < 3; ++k) set(face, column, k, static_cast<Real>(v[k]));
   }
 
-  /// Stops storing a column in which every face rests, to the last bit.
+  /// Removes a column in which every face rests exactly.
   void dropIfAtRest(int column) {
     const int dropped = storedAs_[column];
     if (dropped < 0) return;
@@ -129,8 +129,8 @@ class FaceCoordinates {
     --stored_;
   }
 
-  /// Moves the faces within the blocks, column by column to hold a second copy of one only: order[i] is the face that
-  /// comes to slot i. Once only.
+  /// Reorders the faces within the blocks: order[i] is the new face in slot i. Works column by column, to copy only one
+  /// column at a time. May be called only once.
   void reorder(const std::vector<int>& order, const FractionReport& onProgress = {}) {
     assert(slot_.empty() && isPermutation(order));
     slot_.resize(order.size());
@@ -160,8 +160,8 @@ class FaceCoordinates {
 
   int blocks_ = 0, stored_ = 0;
   Real rest_ = 0;
-  std::vector<int> storedAs_;  // of each column among the stored ones, or -1
-  std::vector<int> slot_;      // of each face; empty while they lie in their own order
+  std::vector<int> storedAs_;  // stored index of each column, or -1
+  std::vector<int> slot_;      // slot of each face; empty in mesh order
   std::vector<Real> data_;
 };
 

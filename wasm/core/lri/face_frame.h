@@ -23,17 +23,19 @@ struct FaceDeformation {
   Mat2 stretch;   ///< S_f in (t1, t2)
 };
 
-/// Of the reference frame and the deformed corners, by the closed-form polar decomposition of a 3x2 matrix.
+/// The deformation from the reference frame to the deformed corners, by the closed-form polar decomposition of a 3x2
+/// matrix.
 FaceDeformation deformation(const FaceFrame& reference, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// How the symmetric factor S_f of a face is interpolated.
+/// Interpolation of a face's symmetric factor S_f.
 enum class Stretch {
-  Linear,  ///< S_f itself (the paper); beyond the keys it eases off short of a lower limit and stays definite, a blend
-           ///< may not
-  Log,     ///< log S_f; cannot turn inside out, and beyond the keys eases towards limits (stretch_limits.h)
+  /// interpolates S_f (the paper); beyond the keys it eases before a lower limit and stays definite, but a blend may
+  /// become indefinite
+  Linear,
+  Log,  ///< interpolates log S_f; cannot turn inside out; beyond the keys it eases towards limits (stretch_limits.h)
 };
 
-/// Logarithm of a symmetric positive definite matrix and exponential of a symmetric one.
+/// Logarithm of a symmetric positive definite matrix, and exponential of a symmetric matrix.
 Mat2 logSymmetric(const Mat2& m);
 Mat2 expSymmetric(const Mat2& m);
 

@@ -1,4 +1,4 @@
-// Where the frames come from that faces are encoded in: patches of the shape itself, or the faces of a ghost mesh.
+// Local frames for encoding faces: patches of the shape, or faces of a ghost mesh.
 #pragma once
 
 #include <span>
@@ -10,16 +10,16 @@
 
 namespace shapespline {
 
-/// The frames of the poses that are encoded.
+/// The frames of the encoded poses.
 struct LocalFramePoses {
-  std::span<const int> ofFace;                           ///< frame of each face; -1 where it has no area
+  std::span<const int> ofFace;                           ///< frame of each face, or -1 without area
   const std::vector<std::vector<Quaternion>>& rotation;  ///< rotation[column][frame]
 };
 
-/// The frames at one time.
+/// The local frames at one time.
 struct LocalFrames {
   std::vector<Quaternion> rotation;  ///< one per frame
-  std::vector<Mat3> gradient;        ///< what faces are multiplied by, where that is more than the rotation; else empty
+  std::vector<Mat3> gradient;        ///< gradient per frame if faces follow more than the rotation; else empty
 };
 
 }  // namespace shapespline

@@ -11,9 +11,9 @@ namespace shapespline {
 
 namespace {
 
-// Principal logarithms below a quarter turn in every pose are the nearest representatives already.
+// Principal logarithms below a quarter turn in every pose need no unwrapping.
 constexpr double tameAngle = std::numbers::pi / 2;
-// In the reference frames do not turn; what they seem to is rounding.
+// Frames do not rotate in the reference pose. Smaller measured rotations are rounding.
 constexpr double roundedTurn = 1e-9;
 
 template <class Real>
@@ -51,7 +51,7 @@ class Encoder {
         if (c == shape_.reference) {
           const Vec3 r = logRotation(localFrameOf(f, c).conjugate());
           if (r.norm() > roundedTurn) out_.face.setRotation(f, c, r);
-          continue;  // deformed by nothing
+          continue;  // the identity deformation
         }
         const FaceDeformation d = deformationOf(shape_, f, frame, c);
         const Vec3 r = logRotation(Quaternion(localFrameOf(f, c).conjugate() * Quaternion(d.rotation)));
@@ -72,12 +72,13 @@ class Encoder {
     out_.face.dropIfAtRest(shape_.reference);
   }
 
-  // Faces that turn far against their frame: branches agree with the pose before and with a neighbour in the same frame
-  // that is settled. Spreads from settled neighbours; what no neighbour reaches follows its own past alone.
+  // Unwraps faces with large rotations in their frames. Their branches must agree with the previous pose and with a
+  // resolved neighbour in the same frame. Spreads from resolved neighbours. Faces without one follow their previous
+  // poses only.
   void unwrapWildFaces(const std::vector<int>& wild) {
     std::vector<char> open(shape_.faceCount(), 0);
     for (int f : wild) open[f] = 1;
-    std::vector<std::pair<int, int>> next;  // face, settled neighbour or -1; taken from the front
+    std::vector<std::pair<int, int>> next;  // a queue of faces with a resolved neighbour or -1
     std::size_t taken = 0;
     const auto spread = [&](int settled) {
       for (int g : topology_.graph.of(settled))
@@ -103,7 +104,7 @@ class Encoder {
       if (open[f]) next.emplace_back(f, -1), drain();
   }
 
-  // From the reference, where nothing turns, to both ends: reversed keys unwrap alike.
+  // Proceeds from the reference pose, which has no rotation, to both ends. Reversed keys then unwrap equally.
   void unwrapFace(int f, int neighbour) {
     const int reference = shape_.reference;
     for (int c = reference - 1; c >= 0; --c) unwrapPose(f, neighbour, c, c + 1);
@@ -111,7 +112,7 @@ class Encoder {
   }
 
   void unwrapPose(int f, int neighbour, int column, int before) {
-    // nearest to two targets in least squares = nearest to their midpoint
+    // The least-squares fit to two targets is the nearest to their midpoint.
     Vec3 target = out_.face.rotation(f, before);
     if (neighbour >= 0) target = (target + out_.face.rotation(neighbour, column)) / 2;
     out_.face.setRotation(f, column, nearestRepresentative(out_.face.rotation(f, column), target));

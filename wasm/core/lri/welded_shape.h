@@ -1,4 +1,4 @@
-// The welded mesh as the method sees it: its poses, and which of its faces take part.
+// The welded mesh for the method: its poses, and its faces with area.
 #pragma once
 
 #include <optional>
@@ -14,31 +14,30 @@
 
 namespace shapespline {
 
-/// All poses of a shape: the keys, and the shapes that stand for end tangents where there are any.
+/// All poses of a shape: the keys, and the optional shapes for end tangents.
 struct WeldedShape {
   std::vector<Triangle> faces;
-  std::vector<Positions> poses;  ///< columns: the keys, then the end tangents where there are any
-  int keys = 0;                  ///< how many of the poses are keys
+  std::vector<Positions> poses;  ///< columns: the keys, then any end tangents
+  int keys = 0;                  ///< number of poses that are keys
   int startTangent = -1;         ///< pose index, or -1
   int endTangent = -1;
   int reference = 0;
-  /// The motion that takes the first key to the last, where it takes all of it there.
+  /// The rigid motion from the first key to the last, if one exists.
   std::optional<RigidMotion> closing;
 
   PoseRoles roles() const { return {keys, startTangent, endTangent}; }
   int vertexCount() const { return static_cast<int>(poses.front().size()); }
   int faceCount() const { return static_cast<int>(faces.size()); }
   int columns() const { return static_cast<int>(poses.size()); }
-  /// The pose whose representatives the logarithms of `column` stay close to; -1 for the first.
+  /// The pose that determines the representatives of the logarithms of `column`; -1 for the first.
   int before(int column) const {
     if (column == startTangent) return 0;
     if (column == endTangent) return keys - 1;
     return column - 1;
   }
-  /// Whether a column is the last key of a loop, which is the first one again: it counts once where all poses count
-  /// alike.
+  /// Whether a column is the last key of a loop, a copy of the first key. Averages over poses count it once.
   bool repeatsFirst(int column) const { return closing && column == keys - 1; }
-  /// Another mesh with as many poses, which play the same roles.
+  /// The same pose roles for another mesh with the same number of poses.
   WeldedShape withMesh(std::vector<Triangle> otherFaces, std::vector<Positions> otherPoses) const {
     return {std::move(otherFaces), std::move(otherPoses), keys, startTangent, endTangent, reference, closing};
   }
@@ -46,18 +45,18 @@ struct WeldedShape {
 
 FaceFrame referenceFrame(const WeldedShape& shape, int face);
 
-/// R_f and S_f of a face that has area, in one pose. frame: its referenceFrame().
+/// R_f and S_f in one pose of a face with area. frame: its referenceFrame().
 FaceDeformation deformationOf(const WeldedShape& shape, int face, const FaceFrame& frame, int column);
 Quaternion rotationOf(const WeldedShape& shape, int face, int column);
 
-/// The faces that have area in every pose, and the components that they form.
+/// The faces with area in every pose, and their components.
 struct ShapeTopology {
   std::vector<char> hasArea;
-  FaceGraph graph;  ///< of those faces
+  FaceGraph graph;  ///< graph of the faces with area
   Components components;
-  ComponentTree tree;  ///< empty where there is no component
+  ComponentTree tree;  ///< empty without components
 
-  /// The faces that take part, in order.
+  /// Visits the faces with area, in order.
   template <class Visit>
   void eachUsedFace(Visit visit, const FractionReport& onProgress = {}) const {
     inBlocks(onProgress, hasArea.size(), [&](std::size_t begin, std::size_t end) {

@@ -13,33 +13,33 @@ namespace shapespline {
 namespace {
 
 // Squared lengths are compared in steps of about 1e-7 of the pose's squared radius: far above rounding, far below any
-// detail. The factor moves the steps away from round numbers, of which regular meshes are full.
+// detail. The factor moves the steps away from round numbers, which are frequent in regular meshes.
 constexpr double stepsPerUnit = 0x1p24 * 0.7390851332151607;
 
-// Number of faces over which walks are compared whose sides have equal lengths: shapes that differ only beyond count as
+// Number of faces for comparing walks from sides with equal lengths. Shapes that differ only further away count as
 // symmetric.
 constexpr std::size_t comparedFaces = 4096;
-// Of how many such walks a mesh of no faces may compare, while starts are looked for; larger ones may compare more.
+// Number of such comparisons for an empty mesh during the search for starts. The limit grows with the mesh.
 constexpr std::size_t comparedWalks = 64;
 
 int inSteps(double squaredLength) {
-  return squaredLength < 64 ? static_cast<int>(squaredLength * stepsPerUnit)
-                            : 1 << 30;  // sound poses have none above 4
+  // squared lengths in valid poses stay below 4
+  return squaredLength < 64 ? static_cast<int>(squaredLength * stepsPerUnit) : 1 << 30;
 }
 
-// From face to face, breadth first. A side 3 f + c runs from corner c of face f to the next.
+// Breadth-first walk over faces. Side 3 f + c runs from corner c of face f to the next corner.
 class Walk {
  public:
   explicit Walk(const std::vector<int>& nextAlongEdge)
       : next_(nextAlongEdge), seen_(nextAlongEdge.size() / 3, 0), crossed_(nextAlongEdge.size(), 0) {}
 
   bool hasSeen(int face) const { return seen_[face] != 0; }
-  /// Over which side each face was entered.
+  /// The side through which each face was entered.
   const std::vector<int>& entries() const { return queue_; }
 
   void begin(int side) { meet(side); }
 
-  // All faces are new again.
+  // Marks all faces as unseen.
   void forget() {
     for (int side : queue_) seen_[side / 3] = 0;
     for (int side : crowded_) crossed_[side] = 0;
@@ -48,7 +48,7 @@ class Walk {
     served_ = 0;
   }
 
-  // The side over which the next face was entered; -1 where there is none.
+  // The side through which the next face was entered, or -1 at the end.
   int step() {
     if (served_ == queue_.size()) return -1;
     const int entry = queue_[served_++];
@@ -59,7 +59,7 @@ class Walk {
   static int sideAfter(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
  private:
-  // Where many sides run along one edge, all of their faces are met from the first one.
+  // If many sides share one edge, the first of them visits all their faces.
   void cross(int side) {
     const bool crowded = next_[next_[side]] != side;
     if (crowded && crossed_[side]) return;
@@ -79,7 +79,7 @@ class Walk {
   const std::vector<int>& next_;
   std::vector<char> seen_;
   std::vector<char> crossed_;  // sides along edges of three faces or more
-  std::vector<int> crowded_;   // those that are
+  std::vector<int> crowded_;   // the marked sides in crossed_
   std::vector<int> queue_;
   std::size_t served_ = 0;
 };
@@ -106,8 +106,8 @@ class Orderer {
   }
 
  private:
-  // How far out each vertex lies: the mean over the poses of its squared distance from the centroid, over that of the
-  // farthest.
+  // Farness of each vertex: mean over the poses of its squared distance from the centroid, relative to the farthest
+  // vertex.
   void measure() {
     std::vector<double> sum(poses_.front().size(), 0);
     for (const Positions& pose : poses_) {
@@ -126,14 +126,14 @@ class Orderer {
 
   double squared(const Vec3& difference, std::size_t pose) const { return (scale_[pose] * difference).squaredNorm(); }
 
-  // The corners of a side's face, from the side's first one on.
+  // The corners of a side's face, starting at the side's first corner.
   Triangle cornersFrom(int side) const {
     const Triangle& t = faces_[side / 3];
     const int c = side % 3;
     return {t[c], t[(c + 1) % 3], t[(c + 2) % 3]};
   }
 
-  // Squared lengths in a pose: of the corners from the centroid, and of the face's sides.
+  // Squared lengths in a pose: distances of the corners from the centroid, and sides of the face.
   std::array<double, 6> lengths(const Triangle& t, std::size_t pose) const {
     const Positions& p = poses_[pose];
     std::array<double, 6> result;
@@ -198,13 +198,12 @@ class Orderer {
     return order != 0 ? order < 0 : a < b;
   }
 
-  // Where three sides or more run along an edge, they follow each other by their lengths.
+  // Sorts three or more sides at one edge by their lengths.
   void sortNonManifoldEdges() {
     std::vector<int> sides;
     inBlocks({}, next_.size(), [&](std::size_t begin, std::size_t end) {
       for (int last = static_cast<int>(begin); last < static_cast<int>(end); ++last) {
-        if (next_[last] >= last)
-          continue;  // the sides of an edge come in ascending order: each edge is met at its last one
+        if (next_[last] >= last) continue;  // sides of an edge ascend, so each edge is handled at its last side
         sides = {last};
         for (int side = next_[last]; side != last; side = next_[side]) sides.push_back(side);
         if (sides.size() < 3) continue;
@@ -216,7 +215,7 @@ class Orderer {
 
   bool mayWalk() const { return compared_ < faces_.size() + comparedWalks * comparedFaces; }
 
-  // Whichever of a face's sides comes before the first so far.
+  // Updates `first` with any side of the face that precedes it.
   void takeFirst(int face, int& first) {
     for (int side = 3 * face; side < 3 * face + 3; ++side)
       if (side != first && comesFirst(side, first, mayWalk())) first = side;
@@ -230,7 +229,7 @@ class Orderer {
     return first;
   }
 
-  // The first side of each component that the walk has not seen, the first of all last.
+  // The first side of each component that the walk has not seen, in reverse order.
   std::vector<int> findOthers(Walk walk) {
     std::vector<int> firsts;
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
@@ -243,7 +242,7 @@ class Orderer {
     return firsts;
   }
 
-  // Of each face in order the side over which it is entered.
+  // The entry side of each face, in walking order.
   std::vector<int> walkAll(int first, const FractionReport& onProgress) {
     Walk walk(next_);
     std::vector<int> starts;
@@ -277,12 +276,12 @@ class Orderer {
 
   std::vector<Triangle> faces_;
   const std::vector<Positions>& poses_;
-  std::vector<Vec3> centroid_;  // of each pose
-  std::vector<double> scale_;   // one over each pose's radius; 0 for a pose that is one point
-  std::vector<int> farness_;    // of each vertex, in steps
-  std::vector<int> next_;       // of each side the next one along its edge, cyclically
-  std::vector<Walk> walks_;     // two, where they are needed
-  std::size_t compared_ = 0;    // faces, so far
+  std::vector<Vec3> centroid_;  // centroid of each pose
+  std::vector<double> scale_;   // inverse radius of each pose; 0 for a pose of one point
+  std::vector<int> farness_;    // farness of each vertex, in steps
+  std::vector<int> next_;       // next side along the same edge, cyclically
+  std::vector<Walk> walks_;     // two walks, created on demand
+  std::size_t compared_ = 0;    // number of faces compared in walks
 };
 
 std::vector<int> inverseOf(const std::vector<int>& permutation) {

@@ -1,5 +1,4 @@
-// An order of vertices and faces that comes from the mesh itself: what follows does not depend on the order in the
-// file.
+// Orders vertices and faces by geometry and connectivity, so later results do not depend on the file order.
 #pragma once
 
 #include <vector>
@@ -10,7 +9,7 @@
 
 namespace shapespline {
 
-/// A numbering of a mesh, as maps from the new numbers to the old ones.
+/// A new numbering of a mesh, as maps from new to old numbers.
 struct MeshOrder {
   std::vector<int> vertex;  ///< of each vertex
   std::vector<int> corner;  ///< of each face 3 f + c: face f, whose corner c comes first now
@@ -19,7 +18,7 @@ struct MeshOrder {
   std::vector<Triangle> apply(const std::vector<Triangle>& faces) const;
   Positions apply(const Positions& positions) const;
   Welding apply(const Welding& welding) const;
-  std::vector<int> oldFaces() const;  ///< of each new one
+  std::vector<int> oldFaces() const;  ///< old number of each face
 };
 
 /// Breadth first from face to face over their edges, from the side of a face that lies farthest out in all poses. Faces

@@ -12,14 +12,15 @@ namespace shapespline {
 
 namespace {
 
-// Queries for the nearest other component: enough to find the place of contact, bounded for meshes of many components.
+// Maximum number of queries for the nearest other component: enough to find the contact, bounded for meshes of many
+// components.
 constexpr int maximumQueries = 40000;
 constexpr int minimumQueriesPerComponent = 4;
-// Contacts that are farther by no more than this share, or by what files round, are as near: symmetric shapes have
+// Contacts farther by up to this share, or by the rounding in files, count as equally near. Symmetric shapes have
 // several.
 constexpr double asNear = 1e-3;
 
-// Vertices of each component that are used as starting points of the search.
+// Vertices of each component that serve as starting points of the search.
 std::vector<std::vector<int>> sampleVertices(const std::vector<int>& componentOfVertex, int components) {
   std::vector<std::vector<int>> samples(components);
   for (int v = 0; v < static_cast<int>(componentOfVertex.size()); ++v)
@@ -30,11 +31,11 @@ std::vector<std::vector<int>> sampleVertices(const std::vector<int>& componentOf
 }
 
 struct Edge {
-  int a, b;      // components
-  int atA, atB;  // vertices
+  int a, b;      // component indices
+  int atA, atB;  // vertex indices
 };
 
-// Boruvka's algorithm: every group joins its nearest other group until one is left.
+// Boruvka's algorithm: every group joins its nearest other group until one group remains.
 std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int components,
                                 std::span<const Positions* const> poses) {
   const auto samples = sampleVertices(componentOfVertex, components);
@@ -52,13 +53,13 @@ std::vector<Edge> spanningEdges(const std::vector<int>& componentOfVertex, int c
       std::vector<int> lastFound;
       for (int u : samples[c]) search.nearestOther(u, shared, group[c], nearest[group[c]], lastFound);
     }
-    // Of those that are as near the lowest, so rounding does not decide.
+    // Among equally near contacts, chooses the lowest vertices, so rounding does not decide.
     std::vector<Contact> lowest(components);
     for (int c = 0; c < components; ++c) {
       const int g = group[c];
       const double within = std::pow((1 + asNear) * std::sqrt(nearest[g].distance) + rounded, 2);
       for (int u : samples[c]) {
-        if (lowest[g].from >= 0 && lowest[g].from <= u) break;  // samples ascend
+        if (lowest[g].from >= 0 && lowest[g].from <= u) break;  // samples are in ascending order
         int to = -1;
         search.lowestOther(u, shared, g, within, to);
         if (to >= 0) lowest[g] = {nearest[g].distance, u, to};
@@ -104,7 +105,7 @@ ComponentTree linkComponents(const std::vector<Triangle>& faces, const Component
       if (faceOfVertex[v] < 0) componentOfVertex[v] = c, faceOfVertex[v] = f;
   }
 
-  const auto smaller = [](double a, double b) { return coarse(a) < coarse(b); };  // rounding decides nothing
+  const auto smaller = [](double a, double b) { return coarse(a) < coarse(b); };  // coarse, so rounding does not decide
   const int root = static_cast<int>(std::max_element(area.begin(), area.end(), smaller) - area.begin());
   std::vector<std::vector<Edge>> at(components.count);
   for (const Edge& e : spanningEdges(componentOfVertex, components.count, poses)) {

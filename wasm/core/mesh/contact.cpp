@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// Distances are measured in every pose, but searched from this many only.
+// The search uses at most this number of poses. Distances are measured in all poses.
 constexpr int searchedPoses = 4;
 constexpr int leafSize = 8;
 
@@ -20,7 +20,7 @@ std::vector<int> evenlyChosen(int count, int wanted) {
   return chosen;
 }
 
-// Puts the lower half of the items, by where they lie along an axis, before the others. Returns where these begin.
+// Moves the lower half of the items along an axis to the front. Returns the start of the upper half.
 int divide(std::span<int> items, const Positions& position, int axis) {
   const auto middle = static_cast<std::ptrdiff_t>(items.size() / 2);
   std::nth_element(items.begin(), items.begin() + middle, items.end(), [&](int a, int b) {
@@ -103,7 +103,7 @@ void ContactSearch::nearestOther(int from, const std::vector<int>& sharedLabels,
     Nearest nearest{k, (*searched_[k])[from], own, best.distance};
     if (lastFound[k] >= 0) nearest.compare(lastFound[k], *searched_[k]);
     search(root(), sharedLabels, nearest);
-    if (nearest.vertex < 0) return;  // what is no nearer in one pose is none
+    if (nearest.vertex < 0) return;  // if no vertex is nearer in one pose, none is nearer in all
     lastFound[k] = nearest.vertex;
     if (const double d = distance(from, nearest.vertex); d < best.distance) best = {d, from, nearest.vertex};
   }

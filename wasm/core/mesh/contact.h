@@ -1,4 +1,4 @@
-// Where parts of a shape are nearest to each other, in all its poses at once.
+// Finds the points where parts of a shape are closest in all poses at once.
 #pragma once
 
 #include <cstddef>
@@ -13,30 +13,30 @@
 
 namespace shapespline {
 
-/// Two vertices, and the square of the largest of their distances over the poses.
+/// Two vertices and the square of their largest distance over the poses.
 struct Contact {
   double distance = std::numeric_limits<double>::infinity();
   int from = -1, to = -1;
 };
 
-/// Finds contacts with the vertices of parts, by a tree of boxes in several poses: whole parts first, and under each of
-/// them its vertices, so no search wades through what is near and of the same part. The poses must outlive it.
-/// Deterministic: equal distances go to the lower vertex.
+/// Finds contacts with vertices of other parts. Uses a tree of boxes in several poses, with parts above their vertices,
+/// so searches skip whole parts. The poses must outlive it. Deterministic: ties go to the lower vertex.
 class ContactSearch {
  public:
-  /// partOf: of each vertex, in [0, parts), or -1 where it is not to be found.
+  /// partOf: part of each vertex in [0, parts), or -1 to exclude the vertex.
   ContactSearch(std::span<const Positions* const> poses, const std::vector<int>& partOf, int parts);
 
-  /// Of each subtree the label that all of its parts share, or -1. labelOfPart: none of them negative.
+  /// For each subtree, the common label of all its parts, or -1. labelOfPart: not negative.
   std::vector<int> sharedLabels(std::span<const int> labelOfPart) const;
 
-  /// Puts a contact of `from` with a vertex of another label than `own` into `best` where it is nearer: with one that
-  /// is the nearest in some pose. lastFound: by calls before for the same label, most likely near; empty at first.
+  /// Updates `best` if `from` has a nearer contact with a vertex whose label is not `own`. Candidates are the nearest
+  /// vertices in single poses. lastFound: results of earlier calls for the same label, as starting guesses; initially
+  /// empty.
   void nearestOther(int from, const std::vector<int>& sharedLabels, int own, Contact& best,
                     std::vector<int>& lastFound) const;
 
-  /// Of the vertices of another label that are nearer to `from` than `within` (a square) in all poses the lowest, if it
-  /// is below `lowest`, which else stays; -1 stands for none.
+  /// Updates `lowest` with the lowest vertex of another label that is nearer to `from` than `within` (a square) in all
+  /// poses. -1 stands for none.
   void lowestOther(int from, const std::vector<int>& sharedLabels, int own, double within, int& lowest) const {
     lowestOther(root(), from, sharedLabels, own, within, lowest);
   }
@@ -44,13 +44,13 @@ class ContactSearch {
  private:
   using Box = Eigen::AlignedBox3d;
 
-  // A leaf has a range of one part's vertices, anything else two halves, which come before it.
+  // A leaf has a range of one part's vertices. An inner node has two halves with lower indices.
   struct Subtree {
     int first = 0, last = 0;
     int lower = -1, upper = -1;
-    int part = -1;  // where it holds no other
+    int part = -1;  // the only part inside, or -1
   };
-  // The nearest vertex so far in one pose.
+  // The nearest vertex found so far in one pose.
   struct Nearest {
     std::size_t pose;
     Vec3 from;
@@ -82,10 +82,10 @@ class ContactSearch {
   std::vector<const Positions*> searched_;
   std::vector<int> vertices_;
   std::vector<Subtree> subtrees_;
-  std::vector<Box> boxes_;  // of each subtree, one for each searched pose
+  std::vector<Box> boxes_;  // boxes of each subtree, one per searched pose
 };
 
-/// At most `limit` of the items, evenly spread.
+/// At most `limit` evenly spread items.
 std::vector<int> spreadSample(const std::vector<int>& items, int limit);
 
 }  // namespace shapespline

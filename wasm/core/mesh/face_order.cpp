@@ -15,7 +15,7 @@ FaceOrder orderFaces(const std::vector<Triangle>& corners, int count, int shared
   const std::vector<int>&start = rows.start, &sorted = rows.item;
   const auto cut = std::lower_bound(start.begin(), start.end(), static_cast<int>(corners.size() / 2)) - start.begin();
 
-  std::vector<int> list[3];  // below the cut, above it, the rest
+  std::vector<int> list[3];  // below the cut, above the cut, crossing
   inBlocks(partOf(onProgress, 0.7, 1), sorted.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Triangle& t = corners[sorted[i]];

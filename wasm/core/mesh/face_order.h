@@ -1,4 +1,4 @@
-// Faces in an order in which two can add up at their corners at the same time.
+// Partitions faces for race-free accumulation by two threads.
 #pragma once
 
 #include <array>
@@ -9,20 +9,19 @@
 
 namespace shapespline {
 
-/// A range of faces in their order.
+/// A range of faces in this order.
 struct FaceRange {
   int begin = 0, end = 0;
 };
 
-/// Faces sorted by the last of their corners: neighbours in this order add to neighbouring places and find all that
-/// lies before theirs at hand.
+/// Faces sorted by their last corner, so consecutive faces access neighbouring memory.
 struct FaceOrder {
   std::vector<int> order;
-  /// Two halves without a common corner, each a multiple of four faces, then the rest.
+  /// Two halves without common corners, each a multiple of four faces, followed by the rest.
   std::array<FaceRange, 3> ranges;
 };
 
-/// corners: of each face, in [0, count). Faces with the corner `shared` (or -1 for none) go to the rest.
+/// corners: corner indices of each face, in [0, count). Faces with the corner `shared` (-1 for none) go to the rest.
 FaceOrder orderFaces(const std::vector<Triangle>& corners, int count, int shared = -1,
                      const FractionReport& onProgress = {});
 

@@ -1,4 +1,4 @@
-// The input's own vertices and faces, and how they belong to the welded mesh.
+// The input's vertices and faces, and their relation to the welded mesh.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct InputMesh {
 
   int vertexCount() const { return static_cast<int>(welding.weldedOfRaw.size()); }
 
-  /// Values of the welded mesh's faces, in the order of the input's.
+  /// Reorders values of welded faces to the input's face order.
   std::vector<int> ofInputFaces(const std::vector<int>& ofFaces) const {
     std::vector<int> result(ofFaces.size());
     for (std::size_t f = 0; f < ofFaces.size(); ++f) result[inputFaceOf[f]] = ofFaces[f];

@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-/// Signed volume enclosed by the faces (divergence theorem): right for closed, consistently wound meshes.
+/// Signed volume enclosed by the faces (divergence theorem). Correct for closed, consistently wound meshes.
 double enclosedVolume(const Positions& positions, const std::vector<Triangle>& faces);
 double surfaceArea(const Positions& positions, const std::vector<Triangle>& faces);
 

@@ -23,8 +23,7 @@ void sortRows(CompressedRows<Item>& rows, const FractionReport& onProgress) {
   });
 }
 
-// One side 3 f + c of a face, but for its lower vertex: the higher one, then the side, then whether it runs from high
-// to low.
+// One side 3 f + c of a face without its lower vertex, packed as: higher vertex, side, direction (high to low).
 class Side {
  public:
   Side() = default;
@@ -41,7 +40,7 @@ class Side {
   std::uint64_t bits_ = 0;
 };
 
-// Sides of faces, bucketed by their lower vertex and sorted by the higher, so sides of one edge are consecutive.
+// Sides of faces in buckets by lower vertex, sorted by higher vertex. Sides of one edge are then consecutive.
 template <class Use>
 CompressedRows<Side> collectSides(int vertexCount, const std::vector<Triangle>& faces, Use use,
                                   const FractionReport& onProgress = {}) {
@@ -57,7 +56,7 @@ CompressedRows<Side> collectSides(int vertexCount, const std::vector<Triangle>& 
   return sides;
 }
 
-// Calls visit for each edge with its sides.
+// Calls visit for each edge and its sides.
 template <class Visit>
 void eachEdge(CompressedRows<Side>& sides, const FractionReport& onProgress, Visit visit) {
   inBlocks(onProgress, static_cast<std::size_t>(sides.count()), [&](std::size_t begin, std::size_t end) {
@@ -82,7 +81,7 @@ FaceGraph graphOf(int faceCount, const std::vector<std::pair<int, int>>& links, 
 }
 
 int countDuplicates(int vertexCount, const std::vector<Triangle>& faces, const FractionReport& onProgress) {
-  using Rest = std::uint64_t;  // a face's vertices but for the lowest one: the middle one, then the highest
+  using Rest = std::uint64_t;  // a face's vertices without the lowest: the middle one, then the highest
   const auto restOf = [&](std::size_t f, auto add) {
     const auto [a, b, c] = faces[f];
     const int low = std::min({a, b, c}), high = std::max({a, b, c}), middle = a ^ b ^ c ^ low ^ high;
@@ -152,7 +151,7 @@ FaceGraph dualGraph(int vertexCount, const std::vector<Triangle>& faces, const s
       collectSides(vertexCount, faces, [&](int f) { return use[f] != 0; }, partOf(onProgress, 0, 0.5));
   links.reserve(sides.item.size() / 2);
   eachEdge(sides, partOf(onProgress, 0.5, 0.65), [&](std::span<const Side> edge) {
-    // Consecutive faces at a non-manifold edge: enough to connect them, and linear in their number.
+    // Links consecutive faces at a non-manifold edge. This connects them with linearly many links.
     for (std::size_t i = 1; i < edge.size(); ++i) {
       const int a = edge[i - 1].face(), b = edge[i].face();
       if (a == b) continue;
@@ -196,7 +195,7 @@ Components connectedComponents(const FaceGraph& graph, const std::vector<char>& 
   inBlocks(partOf(onProgress, 0.8, 1), use.size(), [&](std::size_t begin, std::size_t end) {
     for (int f = static_cast<int>(begin); f < static_cast<int>(end); ++f) {
       if (!use[f]) continue;
-      const int first = joined.find(f);  // the lowest face of its component
+      const int first = joined.find(f);  // lowest face of the component
       components.ofFace[f] = first == f ? components.count++ : components.ofFace[first];
     }
   });

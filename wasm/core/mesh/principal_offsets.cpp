@@ -12,7 +12,7 @@ namespace {
 using Row = Eigen::Map<Eigen::VectorXf>;
 using Rows = std::vector<std::vector<float>>;
 
-// Components below this share of the first are rounding.
+// Components below this share of the first are rounding noise.
 constexpr double smallest = 1e-14;
 // Number of columns converted to double precision at a time, which small components need next to large ones.
 constexpr Eigen::Index blockSize = 1024;
@@ -22,7 +22,7 @@ Row row(std::vector<float>& values) { return {values.data(), static_cast<Eigen::
 Eigen::MatrixXd gramOf(Rows& rows) {
   const Eigen::Index count = static_cast<Eigen::Index>(rows.size()), size = row(rows[0]).size();
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
-  Eigen::MatrixXd block;  // a row in a column
+  Eigen::MatrixXd block;  // each row is a column of the block
   for (Eigen::Index start = 0; start < size; start += blockSize) {
     const Eigen::Index width = std::min(blockSize, size - start);
     block.resize(width, count);
@@ -49,13 +49,13 @@ PrincipalOffsets principalOffsets(Rows& rows, double tolerance, int most) {
   out.largest = largestDistance(rows);
   if (out.largest <= tolerance || rows.empty()) return out;
   const Eigen::Index count = static_cast<Eigen::Index>(rows.size()), size = row(rows[0]).size();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gramOf(rows));  // eigenvalues increase
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gramOf(rows));  // eigenvalues ascend
   const double first = solver.eigenvalues()[count - 1];
   std::vector<Eigen::VectorXf> weights;
   for (Eigen::Index k = count - 1; k >= 0 && out.count < most && out.largest > tolerance; --k) {
     if (!(solver.eigenvalues()[k] > smallest * first)) break;
     const Eigen::VectorXd direction = solver.eigenvectors().col(k);
-    // Of what is left of the rows: rounding of the components before does not add up.
+    // Computed from the remaining rows, so rounding of earlier components does not accumulate.
     Eigen::VectorXf offset = Eigen::VectorXf::Zero(size);
     for (Eigen::Index i = 0; i < count; ++i) offset += static_cast<float>(direction[i]) * row(rows[i]);
     const double scale = direction.cwiseAbs().maxCoeff();

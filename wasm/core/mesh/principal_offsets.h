@@ -1,4 +1,4 @@
-// Few fields of offsets whose weighted sums come near many: principal component analysis of a motion's residuals.
+// Approximates many offset fields by weighted sums of a few: principal component analysis of a motion's residuals.
 #pragma once
 
 #include <span>
@@ -8,13 +8,13 @@ namespace shapespline {
 
 struct PrincipalOffsets {
   int count = 0;               ///< K
-  std::vector<float> offsets;  ///< K x 3n, the leading one first; scaled so that the largest weight of each is 1
+  std::vector<float> offsets;  ///< K x 3n, leading component first; scaled so that each has largest weight 1
   std::vector<float> weights;  ///< rows x K
-  double largest = 0;          ///< the largest distance of a vertex that is left
+  double largest = 0;          ///< largest remaining distance of a vertex
 };
 
-/// Takes leading components of the rows (3n numbers each, used as scratch) until no vertex is farther than `tolerance`
-/// from its row, or until there are `most` of them.
+/// Extracts leading components of the rows (3n numbers each, used as scratch) until every vertex is within `tolerance`
+/// of its row, or until there are `most` components.
 PrincipalOffsets principalOffsets(std::vector<std::vector<float>>& rows, double tolerance, int most);
 
 }  // namespace shapespline

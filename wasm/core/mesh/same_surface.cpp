@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-using Arc = std::array<int, 2>;  // from one vertex to the next
+using Arc = std::array<int, 2>;  // start and end vertex
 
 Triangle fromLeastVertex(const Triangle& f) {
   const int start = static_cast<int>(std::min_element(f.begin(), f.end()) - f.begin());
@@ -37,10 +37,10 @@ std::vector<Arc> edgesOf(const std::vector<Triangle>& faces) {
   return edges;
 }
 
-// The polygons that the faces were cut from, each as its sorted sides: faces are joined across edges that `other`, the
-// edges of another cut of the same polygons, does not have. Empty where some are no polygons without inner vertices.
+// The polygons behind the faces, each as its sorted sides. Faces are joined across edges that `other`, the edges of
+// another cut of the same polygons, lacks. Empty if a joined region has inner vertices.
 std::vector<std::vector<Arc>> polygonsOf(const std::vector<Triangle>& faces, const std::vector<Arc>& other) {
-  std::vector<std::pair<Arc, int>> sides;  // with their faces
+  std::vector<std::pair<Arc, int>> sides;  // sides with their faces
   for (int f = 0; f < static_cast<int>(faces.size()); ++f)
     for (int c = 0; c < 3; ++c) sides.push_back({arcOf(faces[f], c), f});
   std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) {
@@ -49,7 +49,7 @@ std::vector<std::vector<Arc>> polygonsOf(const std::vector<Triangle>& faces, con
   });
 
   UnionFind joined(static_cast<int>(faces.size()));
-  std::vector<std::pair<int, Arc>> outer;  // with any face of the polygon
+  std::vector<std::pair<int, Arc>> outer;  // sides with a face of their polygon
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
     const Arc edge = undirected(sides[i].first);
     for (next = i; next < sides.size() && undirected(sides[next].first) == edge; ++next) {

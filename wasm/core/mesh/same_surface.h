@@ -1,4 +1,4 @@
-// Whether two lists of triangles over the same vertices are one surface, in whichever order and however cut.
+// Compares two lists of triangles over the same vertices as surfaces, regardless of face order and polygon cuts.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace shapespline {
 
-/// Whether two faces are the same triangle with the same winding, whichever corner they start at.
+/// Whether two faces are the same triangle with the same winding, from any first corner.
 bool sameTriangle(const Triangle& a, const Triangle& b);
 
-/// Whether both lists hold the same triangles in any order, but for polygons that are cut along other diagonals: k
-/// triangles over k + 2 vertices, with the same boundary in both. Windings must agree. O(m log m).
+/// Whether both lists contain the same triangles in any order, except for polygons cut along other diagonals: k
+/// triangles over k + 2 vertices with the same boundary. Windings must agree. O(m log m).
 bool sameSurface(const std::vector<Triangle>& a, const std::vector<Triangle>& b);
 
 }  // namespace shapespline

@@ -7,18 +7,18 @@
 
 namespace shapespline {
 
-/// Twice the area over the squared longest edge below which a triangle has no usable normal. float32 input places a
-/// corner to about 1e-7 of the size, so flatter triangles are noise.
+/// Limit of twice the area over the squared longest edge. Flatter triangles have no usable normal: float32 places a
+/// corner to about 1e-7 of the size, so their shape is noise.
 inline constexpr double degenerateFlatness = 1e-6;
 
-/// Also true for what is not a number.
+/// Also true for NaN.
 inline bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;
   const double longest = std::max(std::max(u.squaredNorm(), (v - u).squaredNorm()), v.squaredNorm());
   return !(u.cross(v).squaredNorm() > degenerateFlatness * degenerateFlatness * longest * longest);
 }
 
-/// Of the angle between two sides.
+/// Cotangent of the angle between two sides.
 inline double cotangent(const Vec3& u, const Vec3& v) { return u.dot(v) / u.cross(v).norm(); }
 
 inline Vec3 centroidOf(const Positions& p, const Triangle& f) { return (p[f[0]] + p[f[1]] + p[f[2]]) / 3; }

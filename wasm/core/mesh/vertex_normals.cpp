@@ -12,7 +12,7 @@ namespace shapespline {
 
 namespace {
 
-// 0, 1, ... sorted by ascending key, equals in their own order.
+// Indices 0, 1, ... sorted stably by ascending key.
 std::vector<int> sortedBy(const std::vector<int>& key) {
   if (key.empty()) return {};
   return compressedRows<int>(*std::max_element(key.begin(), key.end()) + 1,
@@ -22,14 +22,14 @@ std::vector<int> sortedBy(const std::vector<int>& key) {
       .item;
 }
 
-// Face normal times twice the area.
+// Face normal scaled to twice the area.
 Float4 areaNormal(Float4 a, Float4 b, Float4 c) {
   const Float4 u = b - a, v = c - a;
   return rotatedXyz(u * rotatedXyz(v) - rotatedXyz(u) * v);
 }
 
-// Four sums to unit length; a sum of zero becomes (0, 0, 1). Divided by their largest component first: the squares of a
-// small mesh's areas leave the range of float.
+// Normalises four sums; zero becomes (0, 0, 1). Divides by the largest component first, because squared areas of a
+// small mesh exceed the range of float.
 void normalise(Float4 (&sum)[4]) {
   Float4 &x = sum[0], &y = sum[1], &z = sum[2], &w = sum[3];
   transpose(x, y, z, w);
@@ -48,7 +48,7 @@ void normalise(Float4 (&sum)[4]) {
 const float* at(const float* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); }
 float* at(float* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); }
 
-// Faces as they lie in the shape, and the groups that their normals belong to.
+// Faces as slots in the shape, and the groups that receive their normals.
 struct Faces {
   const std::vector<Triangle>& corner;
   const std::vector<Triangle>& target;
@@ -64,15 +64,15 @@ void addNormals(const Faces& faces, const FaceRange& range, const float* xyzp, f
       (Float4::load(sum) + normal).store(sum);
     }
   };
-  // Neighbours share corners, and each would wait for the sum that the one before has just stored: faces eight apart
-  // follow each other.
+  // Neighbouring faces share corners, so each would wait for the previous store. Consecutive additions are therefore
+  // eight faces apart.
   int f = range.begin;
   for (; f + 32 <= range.end; f += 32)
     for (int i = f; i < f + 8; ++i) add(i), add(i + 8), add(i + 16), add(i + 24);
   for (; f < range.end; ++f) add(f);
 }
 
-// Groups of four, the last of them filled up with vertices before it.
+// Processes groups of four. The last group repeats earlier vertices.
 template <class Drawn>
 void drawVertices(std::span<const Drawn> drawn, const float* xyzp, const float* move, const float* sums,
                   float* positions, float* normals) {

@@ -1,4 +1,4 @@
-// What is drawn of a shape: positions and vertex normals of the raw vertices, so the page never computes any.
+// Positions and vertex normals of the raw vertices for drawing. The page never computes normals.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@ class VertexNormals {
   /// (x, y, z, pad) of each group.
   using Scratch = std::vector<float>;
 
-  /// slotOf: where each raw vertex lies in the shapes that come; neighbours should be near each other there.
+  /// slotOf: slot of each raw vertex in the shapes. Neighbours should have close slots.
   VertexNormals(const std::vector<Triangle>& faces, const std::vector<int>& groupOf, int groups,
                 const std::vector<int>& slotOf, const FractionReport& onProgress = {});
 
-  /// xyzp: (x, y, z, pad) at each slot. move: what is added to all of them. positions, normals: 3n; normals are
-  /// unit, (0, 0, 1) where a vertex has no area around it. To the same bits in one thread or two.
+  /// xyzp: (x, y, z, pad) per slot. move: added to all positions. positions, normals: 3n. Normals are unit vectors, or
+  /// (0, 0, 1) at a vertex without area. One or two threads give the same bits.
   void draw(const std::vector<float>& xyzp, const Vec3& move, Scratch& scratch, std::vector<float>& positions,
             std::vector<float>& normals, ForkJoin* forkJoin = nullptr) const;
 
@@ -31,10 +31,10 @@ class VertexNormals {
   struct Drawn {
     int vertex, slot, group;
   };
-  std::vector<Drawn> drawn_;  // the raw vertices in order of slot: read in order and written anywhere is twice as fast
-                              // as the other way round
-  std::vector<Triangle> corner_;  // faces by slot, in their order (face_order.h)
-  std::vector<Triangle> target_;  // their corners' groups, numbered in order of slot; empty where those are the slots
+  // raw vertices in slot order: sequential reads with random writes are twice as fast as the reverse
+  std::vector<Drawn> drawn_;
+  std::vector<Triangle> corner_;  // corner slots of the faces, ordered by face_order.h
+  std::vector<Triangle> target_;  // groups of these corners, numbered in slot order; empty if equal to the slots
   int groups_;
   std::array<FaceRange, 3> ranges_;
 };

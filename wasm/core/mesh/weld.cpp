@@ -13,10 +13,10 @@ namespace shapespline {
 namespace {
 
 constexpr double shareOfDiagonal = 1e-6;
-// Between two roundings of one number, and a bit.
+// Slightly more than the difference between two roundings of one number.
 constexpr double float32Roundings = 4 * 0x1p-24;
 
-// Points hashed by cubes much wider than the tolerance, so almost every look-up visits one cube.
+// Points in a hash grid. Cells are much wider than the tolerance, so most look-ups visit one cell.
 class Grid {
  public:
   Grid(const Positions& positions, double tolerance)
@@ -32,7 +32,7 @@ class Grid {
     head = vertex;
   }
 
-  // The lowest vertex for which match holds among those that can lie within the tolerance of p; -1 if none.
+  // The lowest vertex for which match holds, or -1. Tests all vertices that may be within the tolerance of p.
   template <class Match>
   int find(const Vec3& p, Match match) const {
     const Cube low = cube(p - Vec3::Constant(tolerance_)), high = cube(p + Vec3::Constant(tolerance_));
@@ -49,14 +49,14 @@ class Grid {
   using Cube = std::array<std::int64_t, 3>;
 
   Cube cube(const Vec3& p) const {
-    // Clamped, so far coordinates over a tiny tolerance cannot overflow the conversion.
+    // Clamped, because large coordinates over a tiny tolerance could overflow the conversion.
     const auto index = [&](double x) {
       return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -1e18, 1e18));
     };
     return {index(p.x()), index(p.y()), index(p.z())};
   }
 
-  // Different cubes may share a slot: find() compares positions anyway.
+  // Different cells may share a slot, because find() compares positions anyway.
   std::size_t slot(const Cube& c) const {
     std::uint64_t h = static_cast<std::uint64_t>(c[0]) * 0x9E3779B97F4A7C15ull;
     h = (h ^ (h >> 29)) + static_cast<std::uint64_t>(c[1]) * 0xBF58476D1CE4E5B9ull;
@@ -70,8 +70,8 @@ class Grid {
   std::vector<int> head_, next_;
 };
 
-// Where all poses together put each vertex, in units of their tolerances: copies lie within 1 of each other, and parts
-// that are one point in some pose are spread out by the others. Weights that differ let no two poses cancel each other.
+// Combines each vertex's positions in all poses, in units of the tolerances. Copies are within 1 of each other. Parts
+// that are one point in some pose are separated by the others. Different weights prevent poses from cancelling.
 Positions placesInAllPoses(std::span<const Positions* const> poses, std::span<const double> tolerance) {
   Positions places(poses[0]->size(), Vec3::Zero());
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -150,7 +150,7 @@ Positions weldPositions(const Positions& raw, const Welding& welding) {
       away[w] += raw[v] - raw[welding.rawOfWelded[w]];
     }
   });
-  // Copies that agree bit for bit stay what they are.
+  // Bitwise equal copies keep their exact position.
   for (int w = 0; w < welding.count; ++w) welded[w] = raw[welding.rawOfWelded[w]] + away[w] / copies[w];
   return welded;
 }
@@ -164,7 +164,7 @@ std::vector<int> shadingGroups(const Welding& welding, const Positions& rawNorma
     return welding.weldedOfRaw;
   }
   groups = 0;
-  std::vector<int> next(n, -1), last(welding.count, -1);  // chains of the groups' first copies, by welded vertex
+  std::vector<int> next(n, -1), last(welding.count, -1);  // chains of each group's first copies, by welded vertex
   std::vector<int> head(welding.count, -1);
   for (int v = 0; v < n; ++v) {
     const int w = welding.weldedOfRaw[v];

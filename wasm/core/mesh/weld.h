@@ -1,4 +1,4 @@
-// Welding: seams split a vertex into copies; the method works on the mesh without them, the output keeps them.
+// Welding: joins vertex copies at seams. The method uses the welded mesh, the output keeps the copies.
 #pragma once
 
 #include <span>
@@ -9,28 +9,28 @@
 
 namespace shapespline {
 
-/// The maps between raw vertices (as in the input) and welded ones.
+/// Maps between raw (input) vertices and welded vertices.
 struct Welding {
-  std::vector<int> weldedOfRaw;  ///< n entries in [0, count)
-  std::vector<int> rawOfWelded;  ///< a raw vertex for each welded one, the first of its copies
+  std::vector<int> weldedOfRaw;  ///< n indices in [0, count)
+  std::vector<int> rawOfWelded;  ///< the first raw copy of each welded vertex
   int count = 0;
 };
 
-/// Joins vertices that coincide in every pose within that pose's tolerance, a length.
+/// Joins vertices that coincide in every pose within the pose's tolerance, a length.
 Welding weld(std::span<const Positions* const> poses, std::span<const double> tolerance,
              const FractionReport& onProgress = {});
 
-/// The tolerance of each pose: 1e-6 of its own bounding diagonal, wherever the others lie; anything much larger would
-/// join real detail. Exporters write float32, whose rounding is 6e-8 of the size; where a pose that holds nothing but
-/// such numbers lies far from the origin, it is what those are rounded by there.
+/// Tolerance of each pose: 1e-6 of its bounding diagonal. Larger values would join real detail. Exporters write
+/// float32, with a rounding of 6e-8 of the size. In a pose far from the origin that stores only float32 values, the
+/// tolerance is the rounding at that distance.
 std::vector<double> weldTolerances(std::span<const Positions* const> poses);
 
 std::vector<Triangle> weldFaces(const std::vector<Triangle>& faces, const Welding& welding);
-/// The mean of each welded vertex's copies.
+/// Mean position of each welded vertex's copies.
 Positions weldPositions(const Positions& raw, const Welding& welding);
 
-/// Groups raw vertices for shading: copies of one welded vertex share a normal where the input's normals agree within a
-/// degree, or where it has none. Returns the group of each raw vertex, in [0, groups).
+/// Groups raw vertices for shading. Copies of one welded vertex share a normal if their input normals agree within a
+/// degree or are missing. Returns the group of each raw vertex, in [0, groups).
 std::vector<int> shadingGroups(const Welding& welding, const Positions& rawNormals, int& groups);
 
 }  // namespace shapespline

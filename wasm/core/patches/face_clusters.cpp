@@ -6,7 +6,7 @@ namespace shapespline {
 
 namespace {
 
-// Breadth first from a face, as far as faces are free.
+// Grows breadth first from a face over unassigned faces.
 void growCluster(const FaceGraph& graph, int first, int cluster, std::size_t largest, FaceClusters& clusters) {
   const std::size_t begin = clusters.member.size();
   const auto take = [&](int f) {
@@ -31,7 +31,7 @@ void average(const PatchInput& input, std::span<const int> members, int cluster,
     area += input.area[f];
     centroid += input.area[f] * input.centroid[f];
     const Quaternion* rotation = input.rotations.of(f);
-    for (int p = 0; p < poses; ++p)  // of both signs of a quaternion, the one that is nearer to the first
+    for (int p = 0; p < poses; ++p)  // choose the sign of each quaternion that is closer to the first
       mean[p].coeffs() += (rotation[p].dot(first[p]) < 0 ? -input.area[f] : input.area[f]) * rotation[p].coeffs();
   }
   for (int p = 0; p < poses; ++p) mean[p].normalize();
@@ -47,7 +47,7 @@ FaceClusters clusterFaces(const PatchInput& input, int largest, const FractionRe
   const std::size_t faces = input.area.size();
   clusters.ofFace.assign(faces, -1);
   clusters.member.reserve(faces);
-  std::vector<int> ends = {0};  // of each cluster's members
+  std::vector<int> ends = {0};  // end of each cluster's members
   inBlocks(partOf(onProgress, 0, 0.4), faces, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       if (input.components.ofFace[f] < 0 || clusters.ofFace[f] >= 0) continue;
@@ -59,7 +59,7 @@ FaceClusters clusterFaces(const PatchInput& input, int largest, const FractionRe
   const int count = static_cast<int>(ends.size()) - 1;
   clusters.components.count = input.components.count;
   clusters.rotations = FaceRotations(count, input.comparedPoses);
-  std::vector<int> lastMet(count, -1);  // by which cluster
+  std::vector<int> lastMet(count, -1);  // last cluster that met each cluster
   inBlocks(partOf(onProgress, 0.4, 1), static_cast<std::size_t>(count), [&](std::size_t begin, std::size_t end) {
     for (int c = static_cast<int>(begin); c < static_cast<int>(end); ++c) {
       const std::span<const int> members{clusters.member.data() + ends[c], clusters.member.data() + ends[c + 1]};

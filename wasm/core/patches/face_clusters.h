@@ -1,4 +1,4 @@
-// A coarser mesh for the partition: connected clusters of a few faces each, as faces of it.
+// A coarser mesh for the partition: connected clusters of a few faces each serve as its faces.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 namespace shapespline {
 
 struct FaceClusters {
-  std::vector<int> ofFace;  ///< cluster of each face; -1 where the face is in no component
-  std::vector<int> member;  ///< faces, cluster by cluster; the cluster's first one is its lowest
-  // What the partition looks at, by cluster: sums of areas, means of centroids and rotations over areas.
+  std::vector<int> ofFace;  ///< cluster of each face, or -1 for a face outside all components
+  std::vector<int> member;  ///< faces, cluster by cluster; each cluster starts with its lowest face
+  // Data of the clusters for the partition: sums of areas, and area-weighted means of centroids and rotations.
   FaceGraph graph;
   Components components;
   std::vector<double> area;
@@ -20,7 +20,7 @@ struct FaceClusters {
   int count() const { return static_cast<int>(area.size()); }
 };
 
-/// Clusters of at most `largest` faces, in the order of their lowest faces; only the poses that count are averaged.
+/// Clusters of at most `largest` faces, ordered by their lowest faces. Averages only the compared poses.
 FaceClusters clusterFaces(const PatchInput& input, int largest, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -12,7 +12,8 @@ constexpr int steps = 3;
 }  // namespace
 
 GlobalAlignment::GlobalAlignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area) {
-  // The medoid: least sum over j of area (1 - cos) = greatest sum of area (q_i . q_j)^2, a quadratic form in q_i.
+  // The medoid: the smallest sum over j of area (1 - cos) = the largest sum of area (q_i . q_j)^2, a quadratic form in
+  // q_i.
   std::vector<double> agreement(area.size(), 0);
   for (const auto& x : halfway) {
     Eigen::Matrix4d form = Eigen::Matrix4d::Zero();
@@ -21,7 +22,7 @@ GlobalAlignment::GlobalAlignment(const std::vector<std::vector<Quaternion>>& hal
   }
   double total = 0;
   for (double a : area) total += a;
-  // On a grid, so rounding decides no tie.
+  // Rounded to a grid, so rounding errors decide no tie.
   for (double& a : agreement) a = std::nearbyint(a / total * 0x1p20);
   medoid_ = static_cast<int>(std::max_element(agreement.begin(), agreement.end()) - agreement.begin());
   double sum = 0;

@@ -1,5 +1,5 @@
-// How the whole shape is turned: patch rotations are found up to a common rotation, which follows the patches' own
-// paths.
+// Rotation of the whole shape. The patches' own paths determine it, because patch rotations are known only up to a
+// common rotation.
 #pragma once
 
 #include <vector>
@@ -8,25 +8,25 @@
 
 namespace shapespline {
 
-/// Turns reconstructed patch rotations to where the patches' own cumulative paths have them.
+/// Rotates reconstructed patch rotations to match the patches' own cumulative paths.
 ///
-/// Every path says how the whole would be turned, X_i = P_i G_i^T; where they agree, that is it. The mean of rotations
-/// that differ much jumps (a projection, an eigenvector), so a fixed number of reweighted steps is taken from a patch
-/// that speaks for most. Smooth wherever the paths and the rotations are.
+/// Each path suggests a rotation of the whole, X_i = P_i G_i^T. If they all agree, this is the result. A mean of very
+/// different rotations jumps (a projection, an eigenvector). A fixed number of reweighted steps is therefore taken from
+/// a patch that agrees with most others. The result is smooth wherever the paths and the rotations are.
 class GlobalAlignment {
  public:
   GlobalAlignment() = default;
 
-  /// halfway[step][patch]: X_i halfway through each step, from which the spokesman and the weights are taken. area: of
-  /// each patch.
+  /// halfway[step][patch]: X_i halfway through each step, which determines the starting patch and the weights. area:
+  /// one per patch.
   GlobalAlignment(const std::vector<std::vector<Quaternion>>& halfway, const std::vector<double>& area);
 
-  /// The rotation Q that takes `rotation` to where `path` has it: G_k <- Q G_k.
+  /// The rotation Q that moves `rotation` to `path`: G_k <- Q G_k.
   Quaternion at(const std::vector<Quaternion>& path, const std::vector<Quaternion>& rotation) const;
 
  private:
   int medoid_ = 0;
-  std::vector<double> weight_;  // of each patch, their sum 1
+  std::vector<double> weight_;  // weight of each patch; the sum is 1
 };
 
 }  // namespace shapespline

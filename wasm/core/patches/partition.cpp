@@ -14,28 +14,28 @@ namespace shapespline {
 
 namespace {
 
-// Rounds of growing and re-seeding. The cost hardly falls after the third.
+// Number of rounds of growing and re-seeding. The cost hardly falls after the third.
 constexpr int rounds = 4;
 
-// From this number of faces on, patches are found among clusters of this many faces, if patches have at least this many
-// clusters.
+// Meshes with at least largeFaceCount faces are partitioned by clusters of clusterSize faces, if each patch has at
+// least leastClusters clusters.
 constexpr int largeFaceCount = 60000, clusterSize = 8, leastClusters = 8;
 
-// Weight of the squared distance to the patch centre, over the squared mean patch radius, against the rotation cost.
-// It keeps patches compact where all rotations agree, and is below the cost of a turn by 7 degrees in one key.
+// Weight of the squared distance to the patch centre over the squared mean patch radius, relative to the rotation cost.
+// It keeps patches compact where all rotations agree, and is below the cost of a rotation by 7 degrees in one key.
 constexpr double distanceWeight = 0.03;
 
-// Faces, or clusters, that may become a first seed, as a multiple of the number of seeds.
+// Number of candidate faces or clusters for the initial seeds, as a multiple of the number of seeds.
 constexpr int candidatesPerSeed = 48, candidateClustersPerSeed = 12;
 
-// Of the time that a partition takes, about.
+// Approximate share of the run time.
 constexpr double shareOfSeeds = 0.3;
 
-// In whole steps of 2^-20: ties of a symmetric mesh then go to the lower index, and a common rigid motion of all keys,
-// which changes costs by rounding, does not change the partition.
+// Rounds to steps of 2^-20. Ties in a symmetric mesh then go to the lower index. A common rigid motion of all keys
+// changes costs by rounding only, so it does not change the partition.
 double inSteps(double exact) { return std::nearbyint(exact * 0x1p20); }
 
-// A patch while it grows.
+// A growing patch.
 struct Centre {
   std::vector<Quaternion> rotation;  // one per compared pose
   Vec3 position;
@@ -43,15 +43,15 @@ struct Centre {
   int seed;
 };
 
-// What growing asks of a face, in one place: it comes to faces in no order, so each look elsewhere would wait for
+// Data of a face for growing, in one place. Faces are accessed in random order, so each separate access would wait for
 // memory.
 struct GrowingFace {
   static constexpr int manyNeighbours = -2;
 
-  double cheapest;   // the claim that comes before all others so far: those need not queue
-  int claimant;      // its patch, or -1
-  int patch;         // -1 while it is in none
-  int neighbour[3];  // -1 where there is none; the first one is manyNeighbours where the graph has more
+  double cheapest;   // cost of the best claim so far; worse claims need not queue
+  int claimant;      // patch of that claim, or -1
+  int patch;         // -1 while unassigned
+  int neighbour[3];  // -1 if missing; the first is manyNeighbours if the graph has more
 };
 
 class Partition {
@@ -68,7 +68,7 @@ class Partition {
     }
   }
 
-  // From seeds that lie far from each other, in rounds.
+  // Finds patches in rounds, from seeds far from each other.
   void find(int wanted, int candidates) {
     chooseSeeds(wanted, candidates);
     for (int round = 0; round < rounds; ++round) {
@@ -80,7 +80,7 @@ class Partition {
     }
   }
 
-  // From the patches of clusters: what lies within them stays there, the rest is grown face by face.
+  // Refines patches of clusters: their inner faces stay, the rest is grown by faces.
   void refine(Partition& coarse, const FaceClusters& clusters) {
     coarse.recentre({});
     centres_ = std::move(coarse.centres_);
@@ -104,7 +104,7 @@ class Partition {
     return distanceWeight * (centroid - centre.position).squaredNorm() * centre.inverseRadiusSquared;
   }
 
-  // rotation: the face's, one per key.
+  // rotation: the face's rotation in each key.
   static double cost(const Vec3& centroid, const Quaternion* rotation, const Centre& centre) {
     double rotationCost = 0;  // |R - G|_F^2 = 8 (1 - (q . g)^2)
     for (std::size_t j = 0; j < centre.rotation.size(); ++j) {
@@ -146,7 +146,7 @@ class Partition {
       candidates[i] =
           members[static_cast<std::int64_t>(i) * static_cast<std::int64_t>(members.size()) / candidateCount];
 
-    // Side by side: every seed asks all of them.
+    // Stored contiguously, because every seed scans all candidates.
     Positions centroid;
     FaceRotations rotations(candidateCount, in_.comparedPoses);
     for (int i = 0; i < candidateCount; ++i) {
@@ -157,7 +157,7 @@ class Partition {
     const auto farness = [&](int f) { return inSteps((in_.centroid[f] - middle).squaredNorm() / area); };
     std::vector<double> nearest(candidateCount, std::numeric_limits<double>::infinity());
     int next = 0;
-    for (int i = 1; i < candidateCount; ++i)  // the first seed lies farthest out
+    for (int i = 1; i < candidateCount; ++i)  // the first seed is the farthest from the centre
       if (farness(candidates[i]) > farness(candidates[next])) next = i;
     for (int s = 0; s < count; ++s) {
       if (s % 16 == 0)
@@ -168,7 +168,7 @@ class Partition {
       inBlocks({}, nearest.size(), [&](std::size_t begin, std::size_t end) {
         const Centre& centre = centres_.back();
         for (std::size_t i = begin; i < end; ++i) {
-          // Most lie too far away to ask how they turn.
+          // Most candidates are too far away, so their rotations need no test.
           if (nearest[i] < 0 || inSteps(distanceCost(centroid[i], centre)) > nearest[i]) continue;
           nearest[i] = std::min(nearest[i], cost(centroid[i], rotations.of(static_cast<int>(i)), centre));
         }
@@ -178,7 +178,7 @@ class Partition {
     }
   }
 
-  // Calls visit(face, patch) for all faces that are in one.
+  // Calls visit(face, patch) for all assigned faces.
   template <class Visit>
   void eachFace(const FractionReport& onProgress, Visit visit) const {
     inBlocks(onProgress, patches_.ofFace.size(), [&](std::size_t begin, std::size_t end) {
@@ -194,7 +194,7 @@ class Partition {
     }
   }
 
-  // The patch of each face that is joined to its seed by faces whose neighbours are all in the same patch; else -1.
+  // Patch of each face that is connected to its seed by faces with all neighbours in the same patch, else -1.
   std::vector<int> within(const std::vector<Centre>& centres) const {
     const std::vector<int>& patch = patches_.ofFace;
     std::vector<int> result(faceCount_, -1), queue;
@@ -209,12 +209,12 @@ class Partition {
     return result;
   }
 
-  // Floods all patches at once from what they have, the cheapest face first, so they stay connected.
+  // Floods all patches at once from their present faces, the cheapest face first, so they stay connected.
   void grow(const FractionReport& onProgress) {
     struct Claim {
       double cost;
       int face, patch;
-      bool operator<(const Claim& o) const {  // reversed: the priority queue serves the greatest
+      bool operator<(const Claim& o) const {  // reversed, because the priority queue serves the greatest claim
         if (cost != o.cost) return cost > o.cost;
         return face != o.face ? face > o.face : patch > o.patch;
       }
@@ -240,7 +240,7 @@ class Partition {
     };
     for (int f = 0; f < faceCount_; ++f)
       if (growing_[f].patch >= 0) claimNeighbours(f, growing_[f].patch);
-    // No more faces can be claimed than there are.
+    // The number of claims cannot exceed the number of faces.
     inBlocks(onProgress, static_cast<std::size_t>(faceCount_), [&](std::size_t claimed, std::size_t end) {
       while (claimed < end && !queue.empty()) {
         const Claim next = queue.top();
@@ -254,7 +254,7 @@ class Partition {
     for (int f = 0; f < faceCount_; ++f) patches_.ofFace[f] = growing_[f].patch;
   }
 
-  // Moves each centre to its patch's means and seeds it with the face that suits them best.
+  // Moves each centre to its patch's means, and seeds it with the face closest to them.
   void recentre(const FractionReport& onProgress) {
     const int count = static_cast<int>(centres_.size());
     const auto keys = static_cast<std::size_t>(in_.comparedPoses);
@@ -277,8 +277,8 @@ class Partition {
     });
   }
 
-  // In the order of their first faces: that of the seeds is a matter of luck, and trees in the graph of patches go by
-  // numbers.
+  // Numbers patches by their first faces. The order of the seeds is arbitrary, and trees in the graph of patches depend
+  // on numbers.
   void numberByFaces() {
     std::vector<int> number(patches_.count, -1), componentOf;
     eachFace({}, [&](int, int k) {

@@ -10,7 +10,7 @@
 
 namespace shapespline {
 
-/// R_f of some poses, a face's side by side.
+/// R_f in some poses. The rotations of one face are contiguous.
 struct FaceRotations {
   int poses;
   std::vector<Quaternion> values;  ///< poses * faces
@@ -21,36 +21,36 @@ struct FaceRotations {
   const Quaternion* of(int face) const { return values.data() + static_cast<std::size_t>(poses) * face; }
 };
 
-/// Everything the partition looks at. All arrays are indexed by face; faces outside every component are left out.
+/// Input of the partition. All arrays are indexed by face. Faces outside every component are ignored.
 struct PatchInput {
   const FaceGraph& graph;
   const Components& components;
   const std::vector<double>& area;  ///< in the reference pose
   const Positions& centroid;        ///< in the reference pose
-  const FaceRotations& rotations;   ///< of the poses that count first; none of them need be the reference
-  int comparedPoses;                ///< how many count
+  const FaceRotations& rotations;   ///< compared poses first; none of them needs to be the reference
+  int comparedPoses;                ///< number of compared poses
 };
 
-/// Two patches that share an edge (or, at a pinched place, a vertex).
+/// Two patches with a common edge or, at a pinched vertex, a common vertex.
 struct PatchPair {
   int first, second;  ///< first < second
   int sharedEdges;
 };
 
 struct Patches {
-  std::vector<int> ofFace;  ///< -1 where the face is in no component
+  std::vector<int> ofFace;  ///< patch of each face, or -1 outside all components
   int count = 0;
   std::vector<int> componentOf;  ///< component of each patch
   std::vector<PatchPair> pairs;  ///< ascending
 };
 
-/// Number of patches used when none is asked for: the square root of the number of faces, rounded. The pairs then
-/// number a few times sqrt(m), so the first system stays tiny beside the second.
+/// Default number of patches: the square root of the number of faces, rounded. The number of pairs is then a few times
+/// sqrt(m), so the first system is tiny compared with the second.
 int defaultPatchCount(int faceCount);
 
-/// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd); of large meshes among
-/// clusters of faces (face_clusters.h), then face by face between the patches. Every component gets at least one patch,
-/// so the count may exceed `wanted`; it never exceeds the number of faces.
+/// Farthest-point seeds, then rounds of region growing on the dual graph and re-seeding (Lloyd). Large meshes are
+/// partitioned by clusters of faces (face_clusters.h), then refined by faces between the patches. Every component gets
+/// at least one patch, so the count may exceed `wanted`. It never exceeds the number of faces.
 Patches partitionFaces(const PatchInput& input, int wanted, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

@@ -32,10 +32,10 @@ class PatchEncoder {
  private:
   void partition(int wantedPatches, const FractionReport& onProgress) {
     const int m = shape_.faceCount();
-    std::vector<int> columns;  // of which rotations are known: nothing turns in the reference
+    std::vector<int> columns;  // columns with computed rotations; the reference has none
     for (int c = 0; c < shape_.columns(); ++c)
       if (c != shape_.reference && !shape_.repeatsFirst(c)) columns.push_back(c);
-    const int compared = static_cast<int>(columns.size());  // a loop's last key is its first one again
+    const int compared = static_cast<int>(columns.size());  // the last key of a loop repeats the first
     if (shape_.closing && shape_.reference != shape_.keys - 1) columns.push_back(shape_.keys - 1);
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
@@ -72,14 +72,14 @@ class PatchEncoder {
       for (int k = 0; k < out_.patches.count; ++k) out_.rotation[columns[i]][k] = mean[columns.size() * k + i].mean();
   }
 
-  // Of the faces, whatever the patches are; a patch turned as most of it did.
+  // Finds senses for faces, independent of the patches. A patch takes the sense of most of its area.
   void findSenses(const std::vector<double>& area, const FaceRotations& rotations, const std::vector<int>& columns) {
     std::vector<TurnJoint> joints;
     topology_.eachUsedFace([&](int f) {
       for (const int g : topology_.graph.of(f))
         if (f < g) joints.push_back({f, g, std::sqrt(std::min(area[f], area[g]))});
     });
-    std::vector<int> indexOf(shape_.columns(), -1);  // -1: nothing turns
+    std::vector<int> indexOf(shape_.columns(), -1);  // -1: no rotation
     for (std::size_t i = 0; i < columns.size(); ++i) indexOf[columns[i]] = static_cast<int>(i);
     const auto rotationOf = [&](int f, int column) {
       return indexOf[column] < 0 ? Quaternion::Identity() : rotations.of(f)[indexOf[column]];
@@ -104,7 +104,7 @@ class PatchEncoder {
     }
   }
 
-  // The logarithms of the metric (sequence/gram_matrix.h): the representatives nearest the pose before.
+  // Logarithms for the metric (space/gram_matrix.h): the representatives nearest to the previous pose.
   void encodePairs() {
     for (int c = 0; c < shape_.columns(); ++c) {
       std::vector<Vec3> column;
@@ -131,7 +131,7 @@ class PatchEncoder {
 
   const WeldedShape& shape_;
   const ShapeTopology& topology_;
-  std::vector<double> area_;  // of each patch in the reference pose
+  std::vector<double> area_;  // area of each patch in the reference pose
   PatchCoordinates out_;
 };
 
@@ -172,7 +172,7 @@ class ConnectionEncoder {
     return (out_.rotation[column][link.from].conjugate() * out_.rotation[column][link.to]).normalized();
   }
 
-  // Where only patches are known.
+  // For input with patches only.
   void findSenses(int step, int from, int to) {
     std::vector<TurnJoint> joints;
     for (const PatchLink& link : out_.graph.links())
@@ -181,8 +181,8 @@ class ConnectionEncoder {
     out_.openTurns[step] = chooseTurnSenses(joints, out_.graph.area(), out_.turn[step]);
   }
 
-  // The cumulative form is not symmetric in the two patches: links lead away from the middle of the shape, not up the
-  // numbers.
+  // The cumulative form is not symmetric in the two patches. Links therefore lead away from the middle of the shape,
+  // regardless of patch numbers.
   void orient() {
     std::vector<double> cost;
     for (const PatchLink& link : out_.graph.links()) {
@@ -198,8 +198,8 @@ class ConnectionEncoder {
     out_.graph.orient(out_.graph.centreTree(cost));
   }
 
-  // A component that turns by almost half a turn goes the way that bends least. The closing step follows the others:
-  // an open motion does not take it.
+  // A component that rotates by almost half a turn takes the direction with the least bending. The closing step follows
+  // the other steps, because an open motion does not take it.
   void chooseBridgeTurns() {
     auto& increment = out_.connection.increment;
     for (std::size_t l = out_.patches.pairs.size(); l < out_.graph.links().size(); ++l) {
@@ -216,7 +216,7 @@ class ConnectionEncoder {
     }
   }
 
-  // The senses of a component go with its bridge. Parents come before their children.
+  // The senses of a component follow its bridge. Parents come before their children.
   void joinSenses() {
     const std::size_t first = out_.patches.pairs.size();
     for (int s = 0; s < steps_.count(); ++s) {
@@ -231,8 +231,7 @@ class ConnectionEncoder {
     }
   }
 
-  // The last step to a last key that is the first one again: the same way as to the last key, but for what the two
-  // differ by.
+  // The step to a last key that repeats the first has the same direction as the step to the last key.
   void closeOnLastKey() {
     const auto [from, to] = posesOf(shape_, steps_.turnedClosing());
     const auto& key = out_.connection.key;

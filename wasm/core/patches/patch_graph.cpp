@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-// Patches that may be the middle.
+// Number of candidates for the central patch.
 constexpr int candidates = 64;
 
 double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
@@ -38,7 +38,7 @@ void PatchGraph::orient(const PatchTree& tree) {
     if (link.sharedEdges > 0 && rank[link.from] > rank[link.to]) std::swap(link.from, link.to);
 }
 
-// Dijkstra's algorithm along paths, Prim's otherwise: they differ in what a patch is reached at.
+// Dijkstra's algorithm if alongPaths, otherwise Prim's. They differ in the key of a patch.
 PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool alongPaths, std::vector<double>& distance,
                            const Bound& bound) const {
   const int count = patchCount();
@@ -46,7 +46,7 @@ PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool along
   distance.assign(count, std::numeric_limits<double>::infinity());
   std::vector<char> reached(count, 0);
   bool isWithin = true;
-  double sum = 0, unreached = 0;  // weighted distances so far; the area that lies at least as far as the next patch
+  double sum = 0, unreached = 0;  // weighted distances so far; area that is at least as far as the next patch
   if (bound.reachesAll)
     for (const double a : area_) unreached += a;
   using Entry = std::pair<double, int>;
@@ -88,7 +88,7 @@ PatchTree PatchGraph::centreTree(const std::vector<double>& cost) const {
   PatchTree best;
   bool reachesAll = false;
   for (int i = 0; i < tried; ++i) {
-    // A step more, so rounding drops no tree that is as good.
+    // One extra step, so rounding rejects no equally good tree.
     PatchTree tree = grow(grid, static_cast<int>(static_cast<long long>(i) * count / tried), true, distance,
                           {total * (least + 1), reachesAll});
     if (tree.order.empty()) continue;

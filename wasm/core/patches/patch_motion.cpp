@@ -11,34 +11,34 @@ namespace shapespline {
 
 namespace {
 
-// Steps of a frame. One leaves the cross-sections of a bar twisted by two turns 1.9 % off halfway, two leave 1 %. The
-// second one, where maps disagree by much, would go on towards minima that are lost in time: it moves what nearly
-// agrees.
+// Steps of a frame. Halfway, the cross-sections of a bar twisted by two turns are 1.9 % off with one step and 1 % with
+// two. Where maps disagree strongly, a second step would move towards minima that disappear over time. It therefore
+// moves only links that nearly agree.
 constexpr std::array frameSteps = {1, 16};
-// Rotation vectors shorter than this have no axis of their own.
+// Shorter rotation vectors have no usable axis.
 constexpr double noAxis = 1e-6;
-// What turns by less than this may rest: noise decides about which axis.
+// Parts with smaller rotations may be at rest, with an axis determined by noise.
 constexpr double atRest = 0.01;
-// A root that turns by less does not turn the other way.
+// A root with a smaller rotation does not take the other direction.
 constexpr double surelyShort = 0.5;
 // Of bends, radians squared: below it turns are even up to rounding. And of their mean, what counts as even.
 constexpr double leastBend = 1e-6, leastShare = 0.3;
 // The shares of a step at which paths are compared.
 constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
 
-// The way that was chosen, as the only one.
+// The chosen direction as the only option.
 TurnOptions chosen(const TurnOptions& o, bool other) {
   return other ? TurnOptions{o.other, o.other, o.otherCost, o.otherCost, false}
                : TurnOptions{o.turn, o.turn, o.cost, o.cost, false};
 }
 
-// Axis times angle, up to a whole turn: of q and of -q, which is the other way.
+// Axis times angle, up to a full turn. Uses -q for the other direction.
 Vec3 rotationVector(const Quaternion& q, bool flipped) {
   const double sign = flipped ? -1 : 1, sine = q.vec().norm();
   return sine < noAxis / 2 ? Vec3(Vec3::Zero()) : Vec3(sign * 2 * std::atan2(sine, sign * q.w()) / sine * q.vec());
 }
 
-// The axis about which a set of points has the largest moment of inertia: that of a wheel.
+// The axis with the largest moment of inertia of a set of points: that of a wheel.
 Vec3 wheelAxis(const Positions& positions, const std::vector<Triangle>& faces, const std::vector<char>& ofPart) {
   Vec3 mean = Vec3::Zero();
   Mat3 second = Mat3::Zero();
@@ -98,7 +98,7 @@ void PatchMotion::take(int step, const OwnTurns& turns, bool other) {
   isOpen_[step] = turns.options.isOpen;
 }
 
-// Both ways of the whole in a step, the shorter first.
+// Both directions of the whole in a step, the shorter first.
 PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) const {
   const int root = solver.system.tree().root();
   PartWay partWay;
@@ -126,7 +126,7 @@ PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) cons
   return turns;
 }
 
-// As for pairs: the same way as to the last key.
+// Own paths close in the direction of the step to the last key, like the paths of pairs.
 void PatchMotion::closeOwnPaths() {
   const auto [from, to] = posesOf_[steps_.turnedClosing()];
   for (std::size_t k = 0; k < own_.key[0].size(); ++k) {
@@ -152,8 +152,8 @@ std::vector<int> PatchMotion::stepsOf(const WeldedShape& shape, bool loop) const
   return result;
 }
 
-// Links count by the length of what they share. Those that turn far, or whose maps disagree with the others, count
-// less; smooth shapes hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
+// Links are weighted by the length of the shared boundary. Links that turn far, or whose maps disagree with the others,
+// have less weight. Smooth shapes hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
 Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& steps) const {
   const std::size_t count = patches_.graph.links().size();
   std::vector<double> weight, cost;
@@ -175,7 +175,7 @@ Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& step
   return Solver{std::move(*system), {}};
 }
 
-// The rotations at a share of one step, as the maps give them: up to one rotation of all.
+// Rotations at a share of one step from the maps, up to a common rotation.
 void PatchMotion::solvePartWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const {
   const int from = posesOf_[step].from;
   std::vector<Quaternion> connection = patches_.connection.key[from];
@@ -185,7 +185,7 @@ void PatchMotion::solvePartWay(const Solver& solver, int step, double share, std
   solver.system.solve(connection, frameSteps, scratch, rotation);
 }
 
-// The same, the root on its own path.
+// The same rotations, with the root on its own path.
 void PatchMotion::turnPartWay(const Solver& solver, int step, double share, const Vec3& rootTurn,
                               std::vector<Quaternion>& rotation) const {
   const int root = solver.system.tree().root();
@@ -194,9 +194,9 @@ void PatchMotion::turnPartWay(const Solver& solver, int step, double share, cons
   for (Quaternion& q : rotation) q = (turn * q).normalized();
 }
 
-// How often a patch turned in a step shows in how its neighbours take it along: of its increments that differ by two
-// whole turns the one is taken whose path comes nearest to the shape's own on the way. (Nearest to a neighbour's would
-// lose turns near 360 degrees.) Whether a whole turn more is an even or an odd one, its sense says.
+// Neighbours show how many turns a patch made in a step. Among increments that differ by two full turns, the one whose
+// path is nearest to the shape's is chosen. (The increment nearest to a neighbour's would lose turns near 360 degrees.)
+// The sense decides whether the number of extra full turns is even or odd.
 std::vector<Vec3> PatchMotion::ownIncrements(const Solver& solver, int step, const PartWay& partWay,
                                              bool flipped) const {
   const int from = posesOf_[step].from, root = solver.system.tree().root();
@@ -269,8 +269,8 @@ Vec3 PatchMotion::meanTurn(int step, const std::vector<Vec3>& increment) const {
   return sum / total;
 }
 
-// In the reference pose of the attached component: that of its increment, of the first of its others that turns, or its
-// axle.
+// Axis in the reference pose of the attached component: that of its increment, of its first other increment with a
+// rotation, or its axle.
 Vec3 PatchMotion::turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const {
   const std::size_t link = patches_.patches.pairs.size() + bridge;
   Vec3 axis = patches_.connection.increment[step][link];
@@ -288,7 +288,7 @@ PatchTurns PatchMotion::addedTurns(const WeldedShape& shape, const std::vector<A
   result.whole.assign(steps_.count(), 0);
   const auto add = [&](int step, const AddedTurns& t) {
     const auto component = std::find(patches_.bridgedComponent.begin(), patches_.bridgedComponent.end(), t.component);
-    if (component == patches_.bridgedComponent.end()) {  // the whole, or the component that carries all others
+    if (component == patches_.bridgedComponent.end()) {  // the whole, or the root component
       result.whole[step] += t.turns;
       return;
     }
@@ -303,7 +303,7 @@ PatchTurns PatchMotion::addedTurns(const WeldedShape& shape, const std::vector<A
   return result;
 }
 
-// A whole turn of everything about an axis of its own, taken with the step's share: the identity at every key.
+// A full turn of the whole about its own axis, scaled by the step's share: the identity at every key.
 Quaternion PatchMotion::addedTurn(const CurvePoint& point, const PatchTurns& turns) const {
   Quaternion turn = Quaternion::Identity();
   for (const StepShare& s : point.steps) {

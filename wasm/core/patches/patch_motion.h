@@ -1,5 +1,5 @@
-// The patches of a shape as frames: their rotations from the connection maps (the first system of paper section 4.2),
-// the whole turned to where the keys have it.
+// The patches of a shape as local frames: rotations from the connection maps (the first system of paper section 4.2),
+// aligned with the rotation of the whole in the keys.
 #pragma once
 
 #include <array>
@@ -14,8 +14,7 @@
 
 namespace shapespline {
 
-/// Whole turns that are added on the way to keys: to all patches, in each step, and to the components that bridges
-/// attach.
+/// Full turns added before keys: to all patches in each step, and to the components attached by bridges.
 struct PatchTurns {
   std::vector<double> whole;
   std::vector<WholeTurns> bridges;
@@ -29,13 +28,13 @@ class PatchMotion {
     PatchRotationSystem::Scratch turn;
   };
 
-  /// Factors the first system for an open curve and for a loop. Error: that of the solver.
+  /// Factors the first system for an open curve and for a loop. Error: the solver's.
   static Result<PatchMotion> create(const WeldedShape& shape, PatchCoordinates coordinates);
 
-  /// A turn's component is a component of the shape that the motion was made of. No turns: none.
+  /// A turn's component refers to a component of the given shape. An empty list gives no turns.
   PatchTurns addedTurns(const WeldedShape& shape, const std::vector<AddedTurns>& turns) const;
 
-  /// The frames at `point`: equal to the encoded ones at a key.
+  /// The local frames at `point`. At a key, they equal the encoded ones.
   void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
   /// Of an open curve's point: by how much each patch turns otherwise than its own path says, radians.
@@ -44,13 +43,13 @@ class PatchMotion {
   const PatchCoordinates& coordinates() const { return patches_; }
   LocalFramePoses poses() const { return {patches_.patches.ofFace, patches_.rotation}; }
 
-  /// How far the whole turns in a step between two keys, radians: the mean over the patches.
+  /// Rotation of the whole in a step between two keys, radians: the mean over the patches.
   double wholeTurn(int step) const { return worldTurn(step).norm(); }
-  /// Whether the keys leave open which way.
+  /// Whether the keys leave the direction of this rotation ambiguous.
   bool isWholeTurnOpen(int step) const { return isOpen_[step] != 0; }
 
  private:
-  // One for the steps of an open curve, one for those of a loop with its closing interval.
+  // One solver for the steps of an open curve, one for those of a loop with its closing interval.
   struct Solver {
     PatchRotationSystem system;
     GlobalAlignment alignment;
@@ -80,13 +79,13 @@ class PatchMotion {
   Quaternion addedTurn(const CurvePoint& point, const PatchTurns& turns) const;
 
   KeySteps steps_;
-  std::vector<StepPoses> posesOf_;      // at either end of each step
-  std::optional<RigidMotion> closing_;  // of a loop whose last key is the first one again
+  std::vector<StepPoses> posesOf_;      // at both ends of each step
+  std::optional<RigidMotion> closing_;  // for a loop whose last key repeats the first
   PatchCoordinates patches_;
-  RotationSplines own_;  // the rotation of each patch by itself
+  RotationSplines own_;  // separate rotation path of each patch
   std::optional<Solver> open_, loop_;
-  std::vector<char> isOpen_;  // of each step
-  std::vector<Vec3> axis_;    // of each step, world, at the key where it begins
+  std::vector<char> isOpen_;  // per step
+  std::vector<Vec3> axis_;    // per step, world axis at its first key
 };
 
 }  // namespace shapespline

@@ -14,7 +14,8 @@ double power(double base, int exponent) {
   return result;
 }
 
-// Of the graph with weighted links. Holding each root makes it definite; the rotation left free is set by the caller.
+// Laplacian of the graph with weighted links. Holding each root makes it definite. The caller sets the remaining free
+// rotation.
 SymmetricMatrix laplacianOf(const std::vector<PatchLink>& links, const PatchTree& tree,
                             const std::vector<double>& weight) {
   std::vector<Triplet> entries;
@@ -74,8 +75,8 @@ void PatchRotationSystem::step(const std::vector<Quaternion>& connection, int ca
   scratch.assign(laplacian_.paddedSize(), Eigen::Vector4d::Zero());
   for (std::size_t l = 0; l < links_.size(); ++l) {
     const auto [i, j, edges] = links_[l];
-    // G_j (G_i C)^T = exp(r), q its quaternion: the sine of r, faded by powers of (1 + cos r) / 2 where maps disagree
-    // by much. No logarithm, no branch cut, and no difference between q and -q.
+    // G_j (G_i C)^T = exp(r) with quaternion q: the sine of r, faded by powers of (1 + cos r) / 2 for large
+    // disagreements. It needs no logarithm, has no branch cut, and is the same for q and -q.
     const Quaternion q = rotation[j] * (rotation[i] * connection[l]).conjugate();
     const Vec3 pull = weight_[l] * 2 * q.w() * power(q.w() * q.w(), caution) * q.vec();
     scratch[position_[i]].head<3>() += pull;

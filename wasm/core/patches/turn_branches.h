@@ -1,4 +1,5 @@
-// Which way a patch turned against its neighbour from one pose to the next: the branch of the increment's logarithm.
+// Direction in which a patch turned relative to its neighbour between two poses: the branch of the increment's
+// logarithm.
 #pragma once
 
 #include <vector>
@@ -9,16 +10,16 @@
 
 namespace shapespline {
 
-/// What is chosen for one step between two poses.
+/// The choices for one step between two poses.
 struct TurnBranches {
-  std::vector<Vec3> increment;  ///< of each link: its exp is C_from^T C_to
-  /// Of each link: the angle by which the maps halfway disagree with the rotations found there, radians.
+  std::vector<Vec3> increment;  ///< increment of each link, with exp(increment) = C_from^T C_to
+  /// For each link, the angle between the maps halfway and the rotations found there, radians.
   std::vector<double> residual;
 };
 
-/// Logarithms near half a turn do not say their sense; the signs of the patches' turns do (turn_senses.h), where a link
-/// turns far. from, to: the maps C = G_i^T G_j of each link in the two poses; turn: G_to G_from^T of each patch. Error:
-/// that of the solver.
+/// Logarithms near half a turn do not determine their sense. For links with large turns, the signs of the patches'
+/// turns do (turn_senses.h). from, to: the maps C = G_i^T G_j of each link in the two poses. turn: G_to G_from^T of
+/// each patch. Error: the solver's.
 Result<TurnBranches> chooseTurnBranches(const PatchGraph& graph, const std::vector<Quaternion>& from,
                                         const std::vector<Quaternion>& to, const std::vector<Quaternion>& turn);
 

@@ -14,18 +14,18 @@ namespace shapespline {
 namespace {
 
 constexpr double certainTurn = std::numbers::pi / 3;
-// Certain joints are served in this number of groups, smaller turns first.
+// Number of groups of certain joints, processed from small to large turns.
 constexpr int certainGroups = 32;
 constexpr double openTurn = 0.8 * std::numbers::pi;
-// Smaller sets, as a share of the area, are not worth a word.
+// Share of the area. Smaller sets are not reported.
 constexpr double smallShare = 0.005;
 
-// Parts whose signs are known against each other.
+// Sets of parts with known relative signs.
 class SignedSets {
  public:
   struct Member {
     int set;
-    bool flipped;  // against the part that stands for the set
+    bool flipped;  // relative to the set's representative
   };
 
   explicit SignedSets(std::size_t n) : parent_(n), flipped_(n, 0) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -33,14 +33,14 @@ class SignedSets {
   Member find(int x) {
     bool flipped = false;
     for (; parent_[x] != x; x = parent_[x]) {
-      const int next = parent_[x];  // paths are halved
+      const int next = parent_[x];  // path halving
       if (parent_[next] != next) flipped_[x] ^= flipped_[next], parent_[x] = parent_[next];
       flipped ^= flipped_[x] != 0;
     }
     return {x, flipped};
   }
 
-  // Both stand for their sets.
+  // Both must be representatives.
   void join(int set, int other, bool flipped) { parent_[other] = set, flipped_[other] = flipped; }
 
  private:
@@ -63,14 +63,14 @@ class SenseSearch {
   }
 
  private:
-  // What the joints between two sets say: positive where the signs agree.
+  // Evidence of the joints between two sets: positive if the signs agree.
   struct Said {
     double sum = 0, length = 0;
   };
   struct Next {
     double strength;
     int a, b;
-    bool operator<(const Next& o) const {  // the priority queue serves the greatest
+    bool operator<(const Next& o) const {  // the priority queue serves the greatest entry
       if (strength != o.strength) return strength < o.strength;
       return a != o.a ? a > o.a : b > o.b;
     }
@@ -149,10 +149,10 @@ class SenseSearch {
   const std::vector<TurnJoint>& joints_;
   std::vector<Quaternion>& turn_;
   SignedSets sets_;
-  std::vector<double> area_;  // of each set, by the part that stands for it
+  std::vector<double> area_;  // area of each set, at its representative
   double total_ = 0;
   std::vector<int> uncertain_;
-  std::unordered_map<int, Neighbours> neighbours_;  // of sets
+  std::unordered_map<int, Neighbours> neighbours_;  // keyed by set
   std::priority_queue<Next> queue_;
   std::vector<OpenTurn> open_;
 };

@@ -1,4 +1,4 @@
-// Which way parts of a shape turned from one pose to the next: a property of the mesh, found before any partition.
+// Directions in which parts of a shape turned between two poses: a property of the mesh, found before any partition.
 #pragma once
 
 #include <vector>
@@ -7,28 +7,27 @@
 
 namespace shapespline {
 
-/// Two parts of a shape that are joined: faces that share an edge, or patches.
+/// Two connected parts of a shape: faces with a common edge, or patches.
 struct TurnJoint {
   int first, second;
-  double length;  ///< of the joint, in any unit
+  double length;  ///< length of the joint, in any unit
 };
 
-/// A set of parts that may as well have turned the other way.
+/// A set of parts with an ambiguous direction of turning.
 struct OpenTurn {
-  int part;      ///< one of the set
-  double angle;  ///< by which the set turns against its neighbours: the mean over its joints, radians
-  double share;  ///< of the area of all parts
+  int part;      ///< a part in the set
+  double angle;  ///< rotation of the set relative to its neighbours: the mean over its joints, radians
+  double share;  ///< share of the total area
 };
 
-/// The turns of parts as unit quaternions whose signs say their senses. A rotation has two quaternions, q and -q: turns
-/// by a and by a - 360 degrees about one axis. A joint turns by 2 acos(p . q): by less than half a turn where the
-/// quaternions of its parts agree.
-///
-/// turn: of each part, its sign changed in place. Joints that turn by less than 60 degrees either way are believed one
-/// by one, the smallest turn first. Then sets of parts are joined, those first whose joints say most: the sum of
-/// length (pi - angle), less where they contradict each other. So small turns decide, and of two sides the longer one.
-/// Signs of parts that nothing joins are independent. area: of each part. Returns the sets whose joints turn by 144
-/// degrees or more in the mean, or contradict each other as much.
+/// Chooses the senses of the parts' turns, as signs of unit quaternions. A rotation has two quaternions, q and -q:
+/// turns by a and by a - 360 degrees about one axis. A joint turns by 2 acos(p . q), which is less than half a turn if
+/// the quaternions of its parts agree.
+/// turn: one per part; its sign is changed in place. Joints that turn by less than 60 degrees in either sense are
+/// trusted one by one, the smallest turn first. Then sets of parts are joined, in descending order of the evidence of
+/// their joints: the sum of length (pi - angle), reduced if joints contradict each other. So small turns decide, and
+/// longer boundaries count more. Signs of unconnected parts are independent. area: one per part. Returns the sets whose
+/// joints turn by 144 degrees or more on average, or contradict each other as much.
 std::vector<OpenTurn> chooseTurnSenses(const std::vector<TurnJoint>& joints, const std::vector<double>& area,
                                        std::vector<Quaternion>& turn);
 

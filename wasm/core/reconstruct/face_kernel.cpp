@@ -25,7 +25,7 @@ Vector3<L> cross(const Vector3<L>& a, const Vector3<L>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// One number of each of the faces side by side.
+// One number for each face of a block.
 template <class Real>
 using Four = Real[faceLanes];
 
@@ -40,14 +40,14 @@ void store(const Vector3<Lanes<Real>>& from, Four<Real>* v) {
   from.x.store(v[0]), from.y.store(v[1]), from.z.store(v[2]);
 }
 
-// Blocks that go through the kernel's steps together, and what a block hands from step to step. Each step is a short
-// loop whose numbers fit the registers; all in one would spill them, at twice the time.
+// Number of blocks per kernel step, and the data passed between steps. Each step is a short loop that fits the
+// registers. A single loop would spill them and take twice the time.
 constexpr int blocksAtOnce = 8;
 template <class Real>
 struct alignas(32) Passing {
-  Four<Real> number[numbersPerFace];  // at the frame's weights
-  Four<Real> factor[2];               // of Rodrigues' formula
-  Four<Real> corner[6];               // contributions of corners 0 and 1 in the frames; corner 2 has minus their sum
+  Four<Real> number[numbersPerFace];  // interpolated at the frame's weights
+  Four<Real> factor[2];               // factors of Rodrigues' formula
+  Four<Real> corner[6];  // contributions of corners 0 and 1 in the local frames; corner 2 gets minus their sum
 };
 
 template <class Real>
@@ -55,14 +55,14 @@ const Real* columnOf(const Real* block, int column) {
   return block + column * numbersPerFace * faceLanes;
 }
 
-// Three of a column's numbers.
+// Three numbers of a column.
 template <class Real>
 Vector3<Lanes<Real>> loadThree(const Real* number) {
   using L = Lanes<Real>;
   return {L::load(number), L::load(number + faceLanes), L::load(number + 2 * faceLanes)};
 }
 
-// The six numbers at the given weights.
+// The six numbers, interpolated at the given weights.
 template <class Real>
 void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>& passing) {
   using L = Lanes<Real>;
@@ -89,7 +89,7 @@ Symmetric<L> operator-(const Symmetric<L>& m) {
   return {L::zero() - m.xx, L::zero() - m.xy, L::zero() - m.yy};
 }
 
-// Mean of the two eigenvalues, and how far either lies from it.
+// Mean of the two eigenvalues, and their distance from it.
 template <class L>
 struct Eigenvalues {
   L mean, spread;
@@ -100,8 +100,9 @@ Eigenvalues<L> eigenvalues(const L& xx, const L& yy, const L& squaredXy) {
   return {(xx + yy) * half, squareRoot(difference * difference + squaredXy)};
 }
 
-// The largest u >= 0 at which u A + D is singular, 0 where there is none: minus the least eigenvalue of A^-1 D. A is
-// positive definite; with A = C C^T it is that of the symmetric C^-1 D C^-T, in which nothing cancels.
+// The largest u >= 0 for which u A + D is singular, or 0 if none exists: minus the least eigenvalue of A^-1 D. A is
+// positive definite. With A = C C^T, this is the least eigenvalue of the symmetric C^-1 D C^-T, which avoids
+// cancellation.
 template <class L>
 L nearness(const Symmetric<L>& a, const Symmetric<L>& d) {
   const L p = L::splat(1) / a.xx, s = a.xy * p, q = L::splat(1) / (a.yy - s * a.xy);
@@ -110,7 +111,7 @@ L nearness(const Symmetric<L>& a, const Symmetric<L>& d) {
   return larger(spread - mean, L::zero());
 }
 
-// The least and the largest eigenvalue that the face's stretch, or its logarithm, has in a key.
+// Smallest and largest eigenvalue of the face's stretch, or of its logarithm, over the keys.
 template <class L>
 struct Extremes {
   L low, high;
@@ -128,9 +129,9 @@ Extremes<Lanes<Real>> extremesOfKeys(const EndKey& end, const Real* block, Real 
   return result;
 }
 
-// Beyond the keys. `passing` holds the change from the end key on, which is linear in time: its stretch is scaled so
-// that it eases towards the limits (stretch_limits.h), and the end key is added. A logarithm has two limits, S_f the
-// lower one, short of which it stays definite. Which limit is the nearer one does not change with time.
+// Evaluates beyond the keys. `passing` holds the change from the end key, which is linear in time. Its stretch is
+// scaled to ease towards the limits (stretch_limits.h), and the end key is added. A logarithm has two limits. S_f has
+// the lower one, and stays definite before it. The nearer limit does not depend on time.
 template <class Real>
 void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Real>& passing) {
   using L = Lanes<Real>;
@@ -145,8 +146,7 @@ void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Rea
 
   const L margin = L::splat(static_cast<Real>(isLog ? std::log(stretchMargin) : 1 / stretchMargin));
   const L least = isLog ? low - margin : low * margin;
-  // A face that is all but flat in the end key leaves no room above the limit that its digits could show: it gets a
-  // little more.
+  // A nearly flat face in the end key would have no significant room above the limit, so the room is slightly enlarged.
   Symmetric<L> room{s.x - least, s.y, s.z - least};
   const L little = (room.xx + room.yy) * L::splat(64 * std::numeric_limits<Real>::epsilon());
   room.xx = room.xx + little, room.yy = room.yy + little;
@@ -157,7 +157,7 @@ void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Rea
   store({s.x + f * d.xx, s.y + f * d.xy, s.z + f * d.yy}, passing.number + 3);
 }
 
-// exp of the symmetric 2x2 matrices in place.
+// Exponential of the symmetric 2x2 matrices, in place.
 template <class Real>
 void exponentiate(Passing<Real>& passing) {
   auto &xx = passing.number[3], &xy = passing.number[4], &yy = passing.number[5];
@@ -182,7 +182,8 @@ void findFactors(Passing<Real>& passing) {
   f.a.store(passing.factor[0]), f.b.store(passing.factor[1]);
 }
 
-// The rotations of four faces as unit quaternions q, in place of exp(r): Rodrigues' formula with q's vector, 2 q.w, 2.
+// Uses the rotations of four faces as unit quaternions q instead of exp(r): Rodrigues' formula with q's vector, 2 q.w,
+// 2.
 template <class Real>
 void takeRotations(const Real* rotations, Passing<Real>& passing) {
   using L = Lanes<Real>;
@@ -191,7 +192,7 @@ void takeRotations(const Real* rotations, Passing<Real>& passing) {
   (w + w).store(passing.factor[0]), L::splat(2).store(passing.factor[1]);
 }
 
-// exp(r) [t1 t2] S g of corners 0 and 1.
+// exp(r) [t1 t2] S g for corners 0 and 1.
 template <class Real>
 void diverge(const FaceBlock<Real>& face, Passing<Real>& passing) {
   using L = Lanes<Real>;
@@ -209,7 +210,7 @@ void diverge(const FaceBlock<Real>& face, Passing<Real>& passing) {
   turned(u + s.y * g1, v + s.z * g1, passing.corner + 3);
 }
 
-// Turns one lane's contributions by a frame's matrix and adds them to its three corners.
+// Rotates one lane's contributions by a frame's matrix and adds them to its three corners.
 template <class Real>
 void scatter(const FaceBlock<Real>& face, int lane, const Real* g, const Four<Real>* v, Real* rhs) {
   using L = Lanes<Real>;
@@ -224,7 +225,7 @@ void scatter(const FaceBlock<Real>& face, int lane, const Real* g, const Four<Re
   (L::load(at(2)) - (b0 + b1)).store(at(2));
 }
 
-// Where each face's corners lie; in the trashSlot for faces that take no part.
+// Position of each face's corners, or the trashSlot for faces without a frame.
 std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>& localFrameOf,
                                 const std::vector<int>& position, int trashSlot, const FractionReport& onProgress) {
   std::vector<Triangle> corners(shape.faces.size(), {trashSlot, trashSlot, trashSlot});
@@ -261,7 +262,7 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& l
       block.tangent[3 + k][lane] = static_cast<Real>(frame.basis(k, 1));
       block.corner[k][lane] = corners[order_[i]][k];
     }
-    // area times gradient of a corner's hat function = half the opposite edge, turned by a quarter
+    // Area times the gradient of a corner's hat function = half the opposite edge, rotated by 90 degrees.
     const Vec2 a = Vec2::Zero(), b = frame.edges.col(0), c = frame.edges.col(1);
     const auto quarter = [](const Vec2& e) { return Vec2(-e.y() / 2, e.x() / 2); };
     const Vec2 g0 = quarter(c - b), g1 = quarter(a - c);
@@ -313,8 +314,7 @@ IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const 
       else findFactors(passing[i]);
     }
     for (int i = 0; i < count; ++i) diverge(block[i], passing[i]);
-    // Not face after face: neighbours share corners, and each would wait for the sum that the one before has just
-    // stored.
+    // Interleaves faces: neighbouring faces share corners, and each would wait for the previous store.
     for (int lane = 0; lane < faceLanes; ++lane)
       for (int i = 0; i < count; ++i) {
         const std::size_t frame = numbersPerFrame * static_cast<std::size_t>(block[i].frame[lane]);

@@ -1,4 +1,5 @@
-// Coordinates -> right-hand side of the second system, four faces at a time: spline, exponential, product, divergence.
+// Computes the right-hand side of the second system from coordinates, four faces at a time: spline, exponential,
+// product, divergence.
 #pragma once
 
 #include <array>
@@ -15,24 +16,24 @@
 
 namespace shapespline {
 
-/// What stretches of four faces take.
+/// Number of stretch values for four faces.
 inline constexpr int stretchBlock = 3 * faceLanes;
 
-/// A frame's matrix in the kernel: its columns, four numbers each, the last of them zero.
+/// Size of a frame's matrix in the kernel: three columns of four numbers, the last number zero.
 inline constexpr int numbersPerFrame = 12;
 
-/// What a face contributes that does not depend on time. Lanes of one block lie side by side.
+/// The time-independent data of a block of faces. Values of one lane array are contiguous.
 template <class Real>
 struct FaceBlock {
   Real tangent[6][faceLanes];  ///< t1 and t2 of the reference frame, xyz each
   /// Area times the hat functions' gradients, in (t1, t2): (-a, b) of corner 0, (a, c) of 1.
   Real gradient[3][faceLanes];
-  std::int32_t frame[faceLanes];      ///< index into the frames
-  std::int32_t corner[3][faceLanes];  ///< where each corner's right-hand side lies
+  std::int32_t frame[faceLanes];      ///< index of the local frame
+  std::int32_t corner[3][faceLanes];  ///< position of each corner's right-hand side
 };
 
-/// What stands before S_f: of each frame the matrix G that stands before exp(r_f), numbersPerFrame numbers each; or of
-/// the faces themselves the rotations R_f (rotation_blocks.h), and null otherwise.
+/// The rotation factor before S_f. Either each frame's matrix G, which precedes exp(r_f), as numbersPerFrame numbers;
+/// or the faces' rotations R_f (rotation_blocks.h). The other pointer is null.
 template <class Real>
 struct FaceTurns {
   const Real* frames = nullptr;
@@ -42,32 +43,32 @@ struct FaceTurns {
 /// Faces whose interpolated S_f is not positive definite.
 struct IndefiniteFaces {
   int count = 0;
-  int slot = -1;  ///< of one of them, in the order of the coordinates
+  int slot = -1;  ///< slot of one such face in the coordinates
 };
 
-/// Faces of the welded mesh, ready to be evaluated.
+/// Faces of the welded mesh, prepared for evaluation.
 template <class Real>
 class FaceKernel {
  public:
-  /// frameOf: frame of each face, or -1 for faces that take no part. position: where each vertex's right-hand side
-  /// lies, or `trashSlot`, behind all others, for vertices that have none.
+  /// frameOf: frame of each face, or -1 to ignore the face. position: position of each vertex's right-hand side, or
+  /// `trashSlot`, after all others, for vertices without one.
   FaceKernel(const WeldedShape& shape, const std::vector<int>& localFrameOf, Stretch stretch,
              const std::vector<int>& position, int trashSlot, const FractionReport& onProgress = {});
 
-  /// The faces in the order in which they are gone through and in which their coordinates must lie.
+  /// The face order of the kernel. The coordinates must use the same order.
   const std::vector<int>& order() const { return order_; }
 
   /// Adds the divergence of R_f S_f of every face to rhs, (x, y, z, pad) per position.
-  /// weights: as the coordinates take them.
+  /// weights: in the form used by the coordinates.
   IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const FaceTurns<Real>& turns,
                              const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin = nullptr) const;
 
-  /// R_f of every face as accumulate() takes it. frames: of each frame G as x, y, z, w.
+  /// R_f of every face, as used by accumulate(). frames: G of each frame as x, y, z, w.
   void rotations(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
                  const ColumnWeights<Real>& weights, RotationBlocks<Real>& rotations,
                  ForkJoin* forkJoin = nullptr) const;
 
-  /// S_f of every face as accumulate() takes it: xx, xy, yy in the tangent frame, [block][number][lane].
+  /// S_f of every face, as used by accumulate(): xx, xy, yy in the tangent frame, [block][number][lane].
   void stretches(const FaceCoordinates<Real>& coordinates, const ColumnWeights<Real>& weights,
                  std::vector<Real>& stretch) const;
 

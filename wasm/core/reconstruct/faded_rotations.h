@@ -1,4 +1,4 @@
-// Rotations that go over into others where the two agree.
+// Blends rotations into others where both agree.
 #pragma once
 
 #include "core/base/fork_join.h"
@@ -6,8 +6,9 @@
 
 namespace shapespline {
 
-/// With q = own rotation^-1, rotation becomes exp(2 q.w |q.w|^4 q.vec) rotation: `own` to the third order of what they
-/// differ by, nothing of it where that is half a turn. No logarithm, so no branch, and smooth everywhere.
+/// With q = own rotation^-1, rotation becomes exp(2 q.w |q.w|^4 q.vec) rotation. The result is `own` up to third order
+/// in their difference, and unchanged if they differ by half a turn. Needs no logarithm, so it has no branches and is
+/// smooth everywhere.
 template <class Real>
 void fadeRotations(const RotationBlocks<Real>& own, RotationBlocks<Real>& rotation, ForkJoin* forkJoin = nullptr);
 

@@ -1,4 +1,4 @@
-// Quaternions in lanes: four rotations at once.
+// Quaternions in vector lanes: four rotations at once.
 #pragma once
 
 #include "core/base/simd.h"
@@ -36,7 +36,7 @@ LaneQuaternion<L> splat(const Quaternion& q) {
   return {all(q.x()), all(q.y()), all(q.z()), all(q.w())};
 }
 
-/// exp of twice these vectors: half the angle's sine and cosine.
+/// exp of twice these vectors, from sine and cosine of half the angle.
 template <class L>
 LaneQuaternion<L> expOfHalves(const L& x, const L& y, const L& z) {
   const L squared = x * x + y * y + z * z;

@@ -16,7 +16,7 @@ namespace shapespline {
 
 namespace {
 
-// Operations between two reports: well under a quarter of a second on a slow machine.
+// Operations between two reports: well below a quarter of a second on a slow machine.
 constexpr std::int64_t flopsPerChunk = 100'000'000;
 
 }  // namespace
@@ -46,8 +46,8 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
     }
   });
 
-  // Every side of a face adds to the diagonal and to one entry below it. Column by column the latter are sorted by row
-  // and added up in the order of the faces, so the sums are reproducible.
+  // Every side of a face contributes to the diagonal and to one entry below it. The latter are sorted by row in each
+  // column and summed in face order, so the sums are reproducible.
   std::vector<double> diagonal(count, 0.0);
   const auto eachSide = [&](const FractionReport& report, auto visit) {
     inBlocks(report, faces.size(), [&](std::size_t begin, std::size_t end) {
@@ -69,7 +69,7 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
   sorter.allocate();
   eachSide(partOf(onProgress, 0.3, 0.6), [&](int apex, int i, int j) {
     const Vec3 u = reference[i] - reference[apex], v = reference[j] - reference[apex];
-    const double weight = cotangent(u, v) / 2;  // of the angle opposite edge ij
+    const double weight = cotangent(u, v) / 2;  // cotangent of the angle opposite edge ij
     const int a = result.unknown[i], b = result.unknown[j];
     if (a >= 0) diagonal[a] += weight;
     if (b >= 0) diagonal[b] += weight;

@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-// The sum of `count` positions, by runs that are short enough for the precision.
+// Sum of `count` positions, in runs short enough for the precision.
 template <class Real>
 Vec3 sumOf(const Real* xyzp, std::size_t count) {
   constexpr std::size_t run = 64;
@@ -118,7 +118,7 @@ IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const 
   return kernel_.accumulate(lri_.face, turns, lri_.face.weights(weights), x, forkJoin);
 }
 
-// Refinement starts from the key with the largest weight: a frame depends on its weights alone, never on another frame.
+// Refinement starts from the key with the largest weight, so a frame depends only on its weights, not on other frames.
 template <class Real>
 void Reconstructor<Real>::startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const {
   const auto first = weights.column.begin();
@@ -160,7 +160,7 @@ Vec3 Reconstructor<Real>::shiftedCentroid(int face, const Scratch& scratch, cons
   return (shiftedVertex(t[0], scratch, x) + shiftedVertex(t[1], scratch, x) + shiftedVertex(t[2], scratch, x)) / 3;
 }
 
-// Each component keeps its offset in its anchor face's R_f.
+// Each component keeps its offset in the R_f of its anchor face.
 template <class Real>
 void Reconstructor<Real>::moveComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
                                          const Real* x) const {
@@ -183,7 +183,7 @@ void Reconstructor<Real>::moveLoose(const PoseWeights& weights, const Turning& t
   }
 }
 
-// What everything has to be moved by, so the mean of all vertices lies where the coordinates have it.
+// The translation that moves the mean of all vertices to its position in the coordinates.
 template <class Real>
 Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Scratch& scratch, const Real* x) const {
   Vec3 sum = sumOf(x, static_cast<std::size_t>(poisson_.unknowns()));
@@ -192,13 +192,12 @@ Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Scratch& sc
   return blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
 }
 
-// The solver's slots come first; each component is moved by its shift, and the vertices without a slot
-// follow.
+// The solver's slots come first, moved by the shifts of their components. Vertices without a slot follow.
 template <class Real>
 void Reconstructor<Real>::applyShifts(Scratch& scratch, Real* x) const {
   using L = Lanes<Real>;
   const std::size_t unknowns = static_cast<std::size_t>(poisson_.unknowns());
-  std::fill(x + 4 * unknowns, x + 4 * slotOf_.size(), Real(0));  // pinned to zero
+  std::fill(x + 4 * unknowns, x + 4 * slotOf_.size(), Real(0));  // pinned vertices are zero
   scratch.shiftLanes.assign(4 * scratch.shift.size(), Real(0));
   for (std::size_t p = 0; p < scratch.shift.size(); ++p)
     for (int k = 0; k < 3; ++k) scratch.shiftLanes[4 * p + k] = static_cast<Real>(scratch.shift[p][k]);

@@ -1,4 +1,4 @@
-// exp of rotation vectors in lanes, by Rodrigues' formula.
+// Exponential of rotation vectors in lanes, by Rodrigues' formula.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,9 @@
 
 namespace shapespline {
 
-// The series' terms up to x = seriesLimit (a little over half a turn). The first term left out is below the precision's
-// rounding there; larger angles go through the C library. Most faces turn by less than half a radian against their
-// frame: they take few terms.
+// Ranges of the two series in x, the squared angle; seriesLimit is slightly more than half a turn. The first omitted
+// term is below the precision's rounding there. Larger angles use the C library. Most faces rotate by less than half a
+// radian in their frames and need few terms.
 inline constexpr double seriesLimit = 10.5, shortLimit = 0.25;
 template <class Real>
 inline constexpr int seriesTerms = std::is_same_v<Real, float> ? 11 : 17;

@@ -1,4 +1,4 @@
-// Rotations at one time, four side by side, such as R_f of each face for the face kernel.
+// Rotations at one time in groups of four, such as R_f of each face for the face kernel.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace shapespline {
 
-/// Unit quaternions: [block][x, y, z, w][lane]. Faces lie in blocks and lanes as FaceCoordinates has them.
+/// Unit quaternions: [block][x, y, z, w][lane]. The faces have the blocks and lanes of FaceCoordinates.
 template <class Real>
 using RotationBlocks = std::vector<Real>;
 
@@ -19,7 +19,7 @@ constexpr std::size_t rotationNumbers(int count) {
   return static_cast<std::size_t>(rotationBlock) * ((count + faceLanes - 1) / faceLanes);
 }
 
-/// Where the number k of the rotation in a slot lies.
+/// Index of number k of the rotation in a slot.
 constexpr std::size_t rotationAt(int slot, int k) {
   return static_cast<std::size_t>(slot / faceLanes) * rotationBlock + k * faceLanes + slot % faceLanes;
 }

@@ -1,4 +1,4 @@
-// Rotations that move through the keys (rotation_spline.h), four at a time.
+// Evaluates rotation splines (rotation_spline.h), four at a time.
 #pragma once
 
 #include <span>
@@ -15,10 +15,10 @@ template <class Real>
 class RotationPaths {
  public:
   RotationPaths() = default;
-  /// slotOf: of each path; those without one rest.
+  /// slotOf: slot of each path. Slots without a path rest.
   RotationPaths(const RotationSplines& paths, std::span<const int> slotOf);
 
-  /// The rotations at `point`, all of them turned by `whole` after that.
+  /// The rotations at `point`, each followed by the rotation `whole`.
   void at(const CurvePoint& point, const Quaternion& whole, RotationBlocks<Real>& rotations,
           ForkJoin* forkJoin = nullptr) const;
 
@@ -29,8 +29,8 @@ class RotationPaths {
                 Real* rotations) const;
 
   std::size_t blocks_ = 0;
-  std::vector<RotationBlocks<Real>> key_;     // of each column
-  std::vector<std::vector<Real>> increment_;  // of each step: [block][x, y, z][lane]
+  std::vector<RotationBlocks<Real>> key_;     // rotations of each column
+  std::vector<std::vector<Real>> increment_;  // increments of each step: [block][x, y, z][lane]
 };
 
 }  // namespace shapespline

@@ -1,11 +1,11 @@
-// The rigid motion that takes one set of points nearest to another.
+// Fits a rigid motion between two sets of points.
 #pragma once
 
 #include "core/base/types.h"
 
 namespace shapespline {
 
-/// The rotation and the largest distance that remain when `from` is moved rigidly onto `to` (least squares, Kabsch).
+/// The rotation from `from` to `to` (least squares, Kabsch), and the largest distance that remains after the rigid fit.
 struct RigidFit {
   Mat3 rotation;
   double largestDistance = 0;

@@ -1,4 +1,4 @@
-// A rotation and a shift together, and its powers: a walk that goes on, a loop that closes somewhere else.
+// SE(3): rigid motions and their powers.
 #pragma once
 
 #include "core/rotation/rotation.h"
@@ -12,7 +12,7 @@ struct RigidMotion {
 
   Vec3 operator()(const Vec3& p) const { return rotation * p + translation; }
 
-  /// The motion done s times, for any real s: exp(s log M) on SE(3), a screw whose rotation is the principal one.
+  /// The motion applied s times, for any real s: exp(s log M) on SE(3), a screw with the principal rotation.
   RigidMotion power(double s) const;
 };
 

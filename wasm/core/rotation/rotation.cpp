@@ -14,7 +14,7 @@ namespace {
 // Below this angle the axis of a rotation vector is rounding noise (about the square root of double's epsilon).
 constexpr double axisEpsilon = 1e-8;
 
-// Up to one radian nine terms of the series of half an angle leave out less than a rounding, and cost a third of the C
+// Up to one radian, nine terms of the series in half the angle are exact to rounding, at a third of the cost of the C
 // library's sine and cosine.
 constexpr double seriesLimit = 1;
 

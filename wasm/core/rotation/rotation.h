@@ -1,4 +1,4 @@
-// SO(3): exponential and logarithm, representatives of a logarithm, means. Rotation vectors are axis times angle,
+// SO(3): exponential and logarithm, representatives of a logarithm, means. A rotation vector is axis times angle in
 // radians.
 #pragma once
 
@@ -14,7 +14,7 @@ using Quaternion = Eigen::Quaterniond;
 
 inline constexpr double twoPi = 2 * std::numbers::pi;
 
-/// How much two rotations have in common that differ by this angle: (1 + cos angle) / 2, and 0 from half a turn on.
+/// Agreement of two rotations that differ by this angle: (1 + cos angle) / 2, and 0 from half a turn on.
 double agreement(double angle);
 
 /// exp of a rotation vector (Rodrigues).
@@ -25,18 +25,18 @@ Quaternion expQuaternion(const Vec3& rotationVector);
 Vec3 logRotation(const Mat3& rotation);
 Vec3 logRotation(const Quaternion& rotation);
 
-/// The representative (angle + 2 pi k) about the axis of `rotationVector` that lies nearest `target`. A rotation vector
-/// of angle (near) zero has no axis of its own and takes the target's.
+/// The representative (angle + 2 pi k) about the axis of `rotationVector` that is nearest to `target`. A rotation
+/// vector of (nearly) zero angle has no axis and takes the target's.
 Vec3 nearestRepresentative(const Vec3& rotationVector, const Vec3& target);
 
-/// The same rotation vector with `turns` whole turns added about its own axis; about `fallbackAxis` where it is zero.
+/// Adds `turns` full turns about the rotation vector's axis, or about `fallbackAxis` if it is zero.
 Vec3 addTurns(const Vec3& rotationVector, int turns, const Vec3& fallbackAxis);
 
-/// Above this the keys leave open which way and how often something turned between them, radians.
+/// Turns between two keys above this angle are ambiguous in direction and number, radians.
 inline constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
 
-/// Accumulates weighted rotations; its mean minimises sum w |R - G|_F^2 over SO(3), that is, the projection of the mean
-/// matrix. Kept as sum w q q^T, whose leading eigenvector is that mean (Davenport's q-method).
+/// Accumulates weighted rotations. Their mean minimises sum w |R - G|_F^2 over SO(3), which is the projection of the
+/// mean matrix. Stored as sum w q q^T, whose leading eigenvector is that mean (Davenport's q-method).
 class RotationMean {
  public:
   void add(const Quaternion& rotation, double weight);

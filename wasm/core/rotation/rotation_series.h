@@ -1,4 +1,4 @@
-// sin(a) / a and (1 - cos(a)) / a^2 as power series in x = a^2, for one number or for lanes of them.
+// Power series of sin(a) / a and (1 - cos(a)) / a^2 in x = a^2, for one number or for lanes.
 #pragma once
 
 #include <type_traits>

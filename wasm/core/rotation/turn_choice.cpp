@@ -8,9 +8,10 @@ namespace shapespline {
 
 namespace {
 
-// Of turning against bending. A swing by 165 degrees and its return cost as much as a whole turn in two steps.
+// Weight of turning relative to bending. With this weight, a swing by 165 degrees and its return cost as much as a full
+// turn in two steps.
 constexpr double turningWeight = 10;
-// Costs that differ by less are decided by rounding, radians squared.
+// Smaller cost differences may be rounding errors, radians squared.
 constexpr double sameCost = 1e-2;
 
 bool isPositive(const Vec3& turn) {
@@ -28,14 +29,15 @@ TurnOptions turnOptions(const Vec3& turn) {
   return {turn, other, turn.squaredNorm(), other.squaredNorm(), isOpen};
 }
 
-// Viterbi's algorithm from the last step to the first: least[s][w] is the least cost from step s on that takes way w.
+// Viterbi's algorithm, from the last step to the first: least[s][w] is the minimum cost from step s on if s takes
+// direction w.
 std::vector<char> chooseTurns(const std::vector<TurnOptions>& steps) {
   const auto cost = [&](std::size_t s, int way) {
     return turningWeight * (way == 0 ? steps[s].cost : steps[s].otherCost);
   };
   const auto turn = [&](std::size_t s, int way) -> const Vec3& { return way == 0 ? steps[s].turn : steps[s].other; };
   std::vector<std::array<double, 2>> least(steps.size());
-  // The better way of step s after a turn, and what it costs.
+  // The best direction of step s after a given turn, and its cost.
   const auto best = [&](std::size_t s, const Vec3* before) {
     std::array<double, 2> sum;
     for (int way = 0; way < 2; ++way) sum[way] = least[s][way] + (before ? (turn(s, way) - *before).squaredNorm() : 0);

@@ -1,4 +1,4 @@
-// Which of two senses each turn of a sequence takes.
+// Chooses between the two senses of each turn in a sequence.
 #pragma once
 
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace shapespline {
 
-/// A turn in one step, one way and the other; `other` differs by a whole turn. Costs are mean squares of angles.
+/// A turn in one step and its alternative in the other direction, which differs by a full turn. Costs are mean squares
+/// of angles.
 struct TurnOptions {
-  Vec3 turn, other;  ///< rotation vectors, in a frame that all steps share
+  Vec3 turn, other;  ///< rotation vectors in a common frame of all steps
   double cost, otherCost;
-  bool isOpen;  ///< whether the other way is worth a thought
+  bool isOpen;  ///< whether the alternative is worth considering
 };
 
-/// The two ways of a single turn, open above 150 degrees.
+/// Both directions of a single turn, open above 150 degrees.
 TurnOptions turnOptions(const Vec3& turn);
 
-/// Of each step whether it takes the other way: the choice of least bending, sum |turn_s - turn_(s-1)|^2, and of least
-/// turning, ten times sum cost. So the shorter way is taken unless it is hardly shorter and the steps before and after
-/// go the other way. Where two choices are as good up to rounding, that on the positive side of the turn's largest
-/// coordinate.
+/// For each step, whether to take the alternative. Minimises bending, sum |turn_s - turn_(s-1)|^2, plus turning, ten
+/// times sum cost. The shorter direction wins unless it is hardly shorter and the neighbouring steps turn the other
+/// way. Ties up to rounding go to the positive side of the turn's largest coordinate.
 std::vector<char> chooseTurns(const std::vector<TurnOptions>& steps);
 
 }  // namespace shapespline

@@ -1,4 +1,4 @@
-// The stages of making LRI space, and how much of the whole each takes.
+// Stages of building LRI space, with their shares of the total time.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace shapespline {
 
-/// The fraction of the whole, in [0, 1], at a fraction of the named stage. Shares from measured runs.
+/// Converts the fraction of a stage to a fraction of the total, in [0, 1]. Shares come from measured runs.
 inline double wholeProgress(std::string_view stage, double fraction, bool withGhost) {
   struct Stage {
     std::string_view name;

@@ -1,5 +1,4 @@
-// The order of elimination alone. Nothing of the encoding needs it, nor does it need anything of that, so both can be
-// made at the same time.
+// Computes only the elimination order. It is independent of the encoding, so both can run at the same time.
 #pragma once
 
 #include <vector>
@@ -10,8 +9,8 @@
 
 namespace shapespline {
 
-/// The order in which EncodedShape::build eliminates the unknowns of the same keys (reconstruct/poisson.h): order[p] is
-/// the one at position p. Errors: as there.
+/// The order in which EncodedShape::build eliminates the unknowns for these keys (reconstruct/poisson.h): order[p] is
+/// the unknown at position p. Errors: as for EncodedShape::build.
 Result<std::vector<int>> eliminationOrder(Keyframes keyframes, const EncodingOptions& options);
 
 }  // namespace shapespline

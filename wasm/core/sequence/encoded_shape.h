@@ -1,4 +1,4 @@
-// The poses of a shape, and the spaces that its motions are made in: what is costly to make and knows no time.
+// The poses of a shape and the spaces for its motions. They are expensive to build and independent of time.
 #pragma once
 
 #include <cassert>
@@ -17,30 +17,30 @@
 
 namespace shapespline {
 
-/// Welded poses, and each space from when a motion first needs it. A space never changes once it is made.
+/// Welded poses, and each space once a motion needs it. A space never changes after it is built.
 class EncodedShape {
  public:
-  /// keyframes: freed once they are welded. Errors: those of weldKeys(), and NoArea.
+  /// keyframes: freed after welding. Errors: those of weldKeys(), and NoArea.
   static Result<EncodedShape> build(Keyframes keyframes, const EncodingOptions& options,
                                     const StageProgress& progress = {});
 
-  const WeldedShape& shape() const { return keys_->shape; }  ///< its mesh in canonical order
+  const WeldedShape& shape() const { return keys_->shape; }  ///< the mesh in canonical order
   const InputMesh& input() const { return keys_->input; }
   const std::vector<Vec3>& meanPosition() const { return keys_->meanPosition; }  ///< one per column
 
-  /// Makes LRI space where it is not there. Arguments and errors as for LriSpace::create.
+  /// Builds LRI space unless it exists. Arguments and errors as for LriSpace::create.
   Status makeLri(const StageProgress& progress = {}, OrderSource order = nullptr);
-  /// Makes the space of vertex positions where it is not there.
+  /// Builds the space of vertex positions unless it exists.
   void makeVertices();
 
-  /// Makes a space in which faces rotate by themselves where it is not there; LRI space must have been made. Error:
-  /// InvalidOption where the shape has no stretches of its own.
+  /// Builds a space with separate face rotations unless it exists. LRI space must exist. Error: InvalidOption if faces
+  /// have no separate stretches.
   Status makeFaceSpace(Method method);
 
-  /// The same of own paths. base: not Off.
+  /// Builds the space of own paths unless it exists. base: not Off. Requirements and errors as for makeFaceSpace.
   Status makeOwnPaths(OwnPaths base);
 
-  /// It must have been made.
+  /// LRI space must exist.
   const LriSpace& lri() const { return assert(lri_), *lri_; }
   const VertexSpace& vertices() const { return assert(vertices_), *vertices_; }
   const RotationStrainSpace& rotationStrain() const { return assert(rotationStrain_), *rotationStrain_; }
@@ -48,18 +48,18 @@ class EncodedShape {
   const OwnPathsSpace& ownPaths(OwnPaths base) const { return *(base == OwnPaths::Root ? rootPaths_ : ownPaths_); }
   bool hasLri() const { return lri_ != nullptr; }
 
-  /// Component of each face of the input, numbered by their first faces there; -1 where it has no area.
+  /// Component of each input face, numbered by its first face in the input; -1 without area.
   const std::vector<int>& componentOfInputFace() const { return componentOfInputFace_; }
   int componentCount() const { return static_cast<int>(firstFaceOf_.size()); }
 
-  /// Turns of the input's components, and of the whole, taken to the patches of LRI space.
+  /// Converts turns of the input's components, and of the whole, to turns of LRI space's patches.
   PatchTurns turnsOfPatches(std::vector<AddedTurns> turns) const;
-  /// The components as the patches count them: with a ghost both are its own.
+  /// Converts component numbers to those of the patches: with a ghost, the ghost's components.
   std::vector<AddedTurns> turnsOfPatchComponents(std::vector<AddedTurns> turns) const;
 
-  /// What the keys say, whatever the motion.
+  /// Warnings about the keys that do not depend on the motion.
   const std::vector<Warning>& warnings() const { return warnings_; }
-  /// What was made so far, and what it cost.
+  /// The parts built so far, and their costs.
   BuildStats stats() const;
 
  private:
@@ -69,16 +69,16 @@ class EncodedShape {
   void numberComponents();
   void findMirroredKeys();
 
-  std::unique_ptr<const WeldedKeys> keys_;  // what follows refers to it
+  std::unique_ptr<const WeldedKeys> keys_;  // the other members refer to it
   LriOptions options_;
-  std::optional<ShapeTopology> topology_;  // until LRI space is made
+  std::optional<ShapeTopology> topology_;  // empty after LRI space is built
   std::unique_ptr<const LriSpace> lri_;
   std::optional<VertexSpace> vertices_;
   std::unique_ptr<const RotationStrainSpace> rotationStrain_;
   std::unique_ptr<const RimdSpace> rimd_;
-  std::unique_ptr<const OwnPathsSpace> ownPaths_, rootPaths_;  // absolute, and against the largest frame
+  std::unique_ptr<const OwnPathsSpace> ownPaths_, rootPaths_;  // absolute, and relative to the largest frame
   std::vector<int> componentOfInputFace_;
-  std::vector<int> firstFaceOf_;  // of each component, in the welded mesh
+  std::vector<int> firstFaceOf_;  // first face of each component in the welded mesh
   std::vector<Warning> warnings_;
   BuildStats stats_;
 };

@@ -19,7 +19,7 @@ bool moves(const RigidMotion& motion) { return motion.rotation.w() != 1 || motio
 
 }  // namespace
 
-// welded_: the shape at `point`, in frames_.
+// welded_: the shape at `point` with frames_.
 void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
   const Vec3 move = motion.loopMove(encoded, point);
   const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles())) + move;
@@ -48,7 +48,7 @@ void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const s
   draw(encoded, motion, {}, frame);
 }
 
-// Leaves the shape in `padded_`.
+// Stores the shape in `padded_`.
 void Evaluator::reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame) {
   const Reconstruction found = reconstruct(encoded, motion, point, padded_, forkJoin_);
   stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.positionsMs = found.positionsMs;
@@ -66,7 +66,7 @@ void Evaluator::holdShape(const EncodedShape& encoded, const Motion& motion, dou
   stats_.positionsMs += watch.lap();
 }
 
-// Leaves the shape in `padded`.
+// Stores the shape in `padded`.
 Reconstruction Evaluator::reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
                                       PaddedShape<float>& padded, ForkJoin* forkJoin) {
   stats_.localFramesMs = 0;
@@ -137,7 +137,7 @@ void Evaluator::positions(const EncodedShape& encoded, const Motion& motion, dou
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = welded_[weldedOf[v]];
 }
 
-// From `padded_` to what is drawn.
+// Draws the shape in `padded_`.
 void Evaluator::draw(const EncodedShape& encoded, const Motion& motion, const RigidMotion& global, Frame& frame) {
   Stopwatch watch;
   std::vector<float>& xyzp = padded_.xyzp;
@@ -169,7 +169,7 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
     for (const double x : global(p)) positions.push_back(static_cast<float>(x));
 }
 
-// The ghost in `welded_` goes with the vertices that it collapsed to.
+// Moves the ghost in `welded_` with the vertices that collapsed to it.
 void Evaluator::moveGhost(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
   Positions ghost = std::move(welded_);
   PaddedShape<float> shape;

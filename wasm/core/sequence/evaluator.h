@@ -1,4 +1,4 @@
-// Shapes of a motion at any time: what holds the scratch space. One per thread.
+// Evaluates shapes of a motion at any time. Owns the scratch memory. One per thread.
 #pragma once
 
 #include <vector>
@@ -9,40 +9,40 @@
 
 namespace shapespline {
 
-/// One shape of the sequence, in the input's own vertices.
+/// One shape of the sequence, in the input's vertices.
 struct Frame {
   std::vector<float> positions;  ///< 3n, xyz interleaved
   std::vector<float> normals;    ///< 3n, unit, xyz interleaved
   int indefiniteFaces = 0;       ///< faces whose interpolated S_f is not positive definite
-  int indefiniteFace = -1;       ///< one of them, of the input; -1 where there is none
+  int indefiniteFace = -1;       ///< one such input face, or -1
 };
 
-/// Every result is a pure function of its arguments, bit for bit. Times must be finite. encoded: what the motion was
-/// fitted to.
+/// Every result is a pure function of its arguments, bit for bit. Times must be finite. encoded: the shape of the
+/// motion.
 class Evaluator {
  public:
-  /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the evaluator.
+  /// Enables two threads for frames, with equal bits, or one thread for null. forkJoin must outlive the evaluator.
   void setForkJoin(ForkJoin* forkJoin) { forkJoin_ = forkJoin; }
 
-  /// The shape at time t, which may lie beyond the keys.
+  /// The shape at time t, including times beyond the keys.
   void frame(const EncodedShape& encoded, const Motion& motion, double t, Frame& frame);
 
-  /// The same as n positions in double. As exact as the encoding's precision.
+  /// The shape as n positions in double, with the accuracy of the encoding's precision.
   void positions(const EncodedShape& encoded, const Motion& motion, double t, Positions& positions);
 
-  /// One position per welded vertex at a point of the motion's curve, before anything is held and the whole is moved.
+  /// One position per welded vertex at a point of the motion's curve, before holding and before moving the whole.
   void unmoved(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Positions& positions);
 
   /// The shape at an affine combination of the keys, one weight per key.
   void blend(const EncodedShape& encoded, const Motion& motion, const std::vector<double>& weights, Frame& frame);
 
-  /// xyz of each vertex of the ghost at time t; LRI space and a ghost must have been made.
+  /// xyz of each ghost vertex at time t. LRI space with a ghost must exist.
   void ghost(const EncodedShape& encoded, const Motion& motion, double t, std::vector<float>& positions);
 
-  /// The rotations G_k of the patches of LRI space at time t, as the first system gives them and the whole is turned.
+  /// The rotations G_k of LRI space's patches at time t, after rotating the whole.
   void patchRotations(const EncodedShape& encoded, const Motion& motion, double t, std::vector<Quaternion>& rotations);
 
-  /// What was counted and timed here: solves and the last frame's times.
+  /// Counters and times: solves, and the parts of the last frame.
   const FrameStats& stats() const { return stats_; }
 
  private:
@@ -59,11 +59,11 @@ class Evaluator {
   Reconstruction solve(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point,
                        const Reconstructor<Real>& reconstructor, PaddedShape<Real>& padded, ForkJoin* forkJoin);
 
-  // What shapes are reconstructed in, in either precision.
+  // Scratch memory for reconstruction, in either precision.
   template <class Real>
   struct Solved {
     typename Reconstructor<Real>::Scratch scratch;
-    RotationBlocks<Real> rotations, own;  // where faces rotate by themselves
+    RotationBlocks<Real> rotations, own;  // for methods with separate face rotations
     PaddedShape<Real> padded;
   };
   Solved<float>& solved(const Reconstructor<float>&) { return single_; }

@@ -10,7 +10,7 @@
 
 namespace shapespline {
 
-// Takes weights over the curve's columns, as a row, to weights over the poses.
+// Maps weights over the curve's columns, as a row, to weights over the poses.
 Eigen::MatrixXd FeatureCurve::columnsToPoses() const {
   const Columns columns{shape_.keys};
   const int count = columns.count();
@@ -92,7 +92,7 @@ Result<CoordinateCurve> FeatureCurve::patch(int patch, const std::vector<double>
       rows.push_back(stretch.dot(poseWeightsAt(*curve, t)));
       patches.connection.at(curve->at(curve->wrap(t).time), motion_.turns().bridges, rotation);
       for (std::size_t l = 0; l < links.size(); ++l) {
-        const int sign = links[l].from == patch ? 1 : -1;  // the other way round it is the conjugate
+        const int sign = links[l].from == patch ? 1 : -1;  // in the other direction, the rotation is conjugated
         if (sign < 0 && links[l].to != patch) continue;
         const Quaternion& q = rotation[l];
         rows.insert(rows.end(), {q.w(), sign * q.x(), sign * q.y(), sign * q.z()});
@@ -140,7 +140,7 @@ KeySpacing FeatureCurve::keySpacing() const {
   const Eigen::MatrixXd toPoses = columnsToPoses();
   const double none = std::numeric_limits<double>::infinity();
   KeySpacing spacing;
-  std::vector<double> chord = {none};  // the slope before each key, and after the last
+  std::vector<double> chord = {none};  // slope before each key, and after the last
   for (int j = 1; j < shape_.keys; ++j) {
     spacing.distance.push_back(std::sqrt(squaredDistance(j, j - 1)));
     chord.push_back(spacing.distance.back() / (times[j] - times[j - 1]));
@@ -167,7 +167,7 @@ MotionSpeed FeatureCurve::speedAt(const std::vector<double>& times) const {
   return motion;
 }
 
-// Of equal keys, which have no way from one to the other, it is the distance from them.
+// For equal keys, which have no direction between them, returns the distance from them.
 double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) const {
   const std::vector<double>& times = motion_.keyTimes();
   const int after = static_cast<int>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
@@ -182,7 +182,7 @@ double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) con
   return std::max({0.0, -along, along - chord});
 }
 
-// Of the space that the motion is made in.
+// Inner products in the motion's own space.
 Eigen::MatrixXd FeatureCurve::ownGram() const {
   if (motion_.blendsVertices()) return lri_.vertexGram();
   if (motion_.inLri()) return gram_;

@@ -1,4 +1,4 @@
-// The motion as a curve of feature vectors: its plane, its bending energy, and the minimisation that it solves.
+// The motion as a curve of feature vectors: its plane, its bending energy, and the sampled minimisation.
 #pragma once
 
 #include <functional>
@@ -11,66 +11,66 @@
 
 namespace shapespline {
 
-/// Where the shapes of a sequence lie in the plane of the two leading principal components (Fig. 2b).
+/// Positions of a sequence's shapes in the plane of the two leading principal components (Fig. 2b).
 struct ShapePlane {
   std::vector<double> keys;  ///< 2J
-  /// 2 values for each tangent shape there is, that of the start first.
+  /// 2 values for each tangent shape, the start tangent first.
   std::vector<double> tangents;
-  std::vector<double> curve;  ///< 2 values for each of the asked times
-  /// For each of them: how far the shape is from the plane, in the metric, as a share of the mean distance of keys that
-  /// follow each other; 0 where all keys are equal.
+  std::vector<double> curve;  ///< 2 values per requested time
+  /// Per requested time: distance of the shape from the plane in the metric, relative to the mean distance of
+  /// consecutive keys; 0 if all keys are equal.
   std::vector<double> distance;
-  std::vector<double> weights;  ///< a row for each of them: a weight for each key, then for each tangent shape
-  double explained = 0;         ///< share of the keys' variance that the plane holds, in [0, 1]
+  std::vector<double> weights;  ///< a row per requested time: a weight for each key, then for each tangent shape
+  double explained = 0;         ///< share of the keys' variance in the plane, in [0, 1]
 };
 
-/// A face or a patch over time: rows of numbers, one for each of the asked times.
+/// Coordinates of a face or a patch over time: one row of numbers per requested time.
 struct CoordinateCurve {
-  int patch = -1;  ///< of a face: that it belongs to; -1 where it has no area, and nothing else is known then
-  std::vector<int> neighbours;  ///< of a patch: those that it is linked with, components that are attached among them
-  /// Of a face, 6: the rotation vector against its patch (radians) and S_f or log S_f as xx, xy, yy in the face's
-  /// tangent frame (face_coordinates.h). Of a patch: the mean over its area of tr(S_f) / 2 or tr(log S_f) / 2, then
-  /// for each neighbour j the rotation G^T G_j as w, x, y, z.
+  int patch = -1;               ///< for a face: its patch; -1 without area, in which case all else is empty
+  std::vector<int> neighbours;  ///< for a patch: linked patches, including those of attached components
+  /// For a face, 6 numbers: the rotation vector relative to its patch (radians), and S_f or log S_f as xx, xy, yy in
+  /// the face's tangent frame (face_coordinates.h). For a patch: the area-weighted mean of tr(S_f) / 2 or tr(log S_f) /
+  /// 2, then the rotation G^T G_j for each neighbour j as w, x, y, z.
   std::vector<double> numbers;
-  /// As `numbers`, of the natural cubic spline through the same keys: what the boundary and the shaping of the keys do.
+  /// As `numbers`, for the natural cubic spline through the same keys. The difference shows the effect of boundary and
+  /// shaping.
   std::vector<double> natural;
 };
 
-/// Samples of the feature curve that minimise the bending energy with the keys held (paper Eq. 1-2, Fig. 2;
+/// Samples of the feature curve that minimise the bending energy and keep the keys (paper Eq. 1-2, Fig. 2;
 /// discrete_spline.h).
 struct DiscretePath {
-  std::vector<double> times;    ///< K; of a periodic motion those of one period
+  std::vector<double> times;    ///< K; for a periodic motion, those of one period
   std::vector<double> weights;  ///< K rows: a weight for each key, then for each tangent shape
-  std::vector<double> plane;    ///< 2K: where the samples lie in the plane of ShapePlane
-  double energy = 0;            ///< of the samples, in the metric of the feature vector; per unit of time cubed
-  double curveEnergy = 0;       ///< of the curve's own shapes at the same times
+  std::vector<double> plane;    ///< 2K: positions of the samples in the plane of ShapePlane
+  double energy = 0;            ///< energy of the samples in the metric of the feature vector, per unit of time cubed
+  double curveEnergy = 0;       ///< energy of the curve's shapes at the same times
 };
 
-/// How far the keys lie apart, and what keeps the curve from overshooting them.
+/// Distances of the keys, and the tensions that prevent overshoot.
 struct KeySpacing {
   std::vector<double> distance;  ///< J - 1: |x_j - x_(j-1)|, without unit
-  /// J, in [0, 1]: the least tension with which the slope at a key is at most three times that of either chord beside
-  /// it (Fritsch and Carlson 1980, one bound for all coordinates, so the weights stay linear in the keys). 1 where two
-  /// keys are equal: the motion rests there.
+  /// J values in [0, 1]: the smallest tension for which the slope at a key is at most three times that of either
+  /// adjacent chord (Fritsch and Carlson 1980, with one bound for all coordinates, so the weights stay linear in the
+  /// keys). 1 if two keys are equal: the motion rests there.
   std::vector<double> tension;
 };
 
-/// How the motion goes through shape space over time.
+/// Speed of the motion in shape space over time.
 struct MotionSpeed {
-  std::vector<double> speed;  ///< |x'(t)|, per unit of time; of a piecewise linear curve after a key, not before it
-  /// How far the curve is past either of the keys beside it along the way from one to the other, relative to the mean
-  /// distance of neighbouring keys; 0 between them, and beyond the first and last key.
+  std::vector<double> speed;  ///< |x'(t)|, per unit of time; for a piecewise linear curve, the speed after a key
+  /// Distance of the curve beyond either neighbouring key, along the line between them, relative to the mean distance
+  /// of neighbouring keys. 0 between the keys, and beyond the first and last key.
   std::vector<double> overshoot;
 };
 
-/// What can be said of a motion from the inner products of its coordinates alone.
+/// Properties of a motion that follow from the inner products of its coordinates.
 class FeatureCurve {
  public:
-  /// The motion's shape at a time, one position per welded vertex (Evaluator::unmoved).
+  /// The motion's shape at a given time, one position per welded vertex (Evaluator::unmoved).
   using ShapeAt = std::function<void(double, Positions&)>;
 
-  /// encoded: LRI space and that of the motion must have been made. gram: that of LRI space. All must outlive the
-  /// curve.
+  /// encoded: LRI space and the motion's space must exist. gram: LRI space's. All arguments must outlive the curve.
   FeatureCurve(const EncodedShape& encoded, const Motion& motion, const Eigen::MatrixXd& gram, ShapeAt shapeAt)
       : encoded_(encoded),
         lri_(encoded.lri()),
@@ -79,11 +79,11 @@ class FeatureCurve {
         gram_(gram),
         shapeAt_(std::move(shapeAt)) {}
 
-  /// Shapes of other spaces are encoded for it, which costs about as much as a frame each.
+  /// Shapes of other spaces are encoded first, at about the cost of one frame each.
   ShapePlane plane(const std::vector<double>& times) const;
 
-  /// The minimisation that the splines solve in closed form, over K samples. With tensions, biases or a linear method,
-  /// the curve is not its limit. Error: InvalidOption (too few samples or too many).
+  /// The minimisation over K samples that the splines solve in closed form. With tensions, biases or a linear method,
+  /// the curve is not its limit. Error: InvalidOption (too few or too many samples).
   Result<DiscretePath> discretePath(int samples) const;
 
   /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), by second differences over a
@@ -95,10 +95,10 @@ class FeatureCurve {
   KeySpacing keySpacing() const;
 
   MotionSpeed speedAt(const std::vector<double>& times) const;
-  /// The coordinates of a face of the input as the motion's curve has them; of a blend of vertices those that the
-  /// coordinates' own curve would have. Error: InvalidOption (no such face).
+  /// Coordinates of an input face along the motion's curve. For vertex blends, the curve of the coordinates is used.
+  /// Error: InvalidOption (no such face).
   Result<CoordinateCurve> face(int inputFace, const std::vector<double>& times) const;
-  /// The same for a patch; with a ghost, for a patch of the ghost.
+  /// Coordinates of a patch; with a ghost, of a patch of the ghost.
   Result<CoordinateCurve> patch(int patch, const std::vector<double>& times) const;
 
  private:

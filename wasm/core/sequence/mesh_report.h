@@ -1,4 +1,4 @@
-// What is worth saying about a set of keys before anything is computed with them.
+// A report on the mesh, before any computation.
 #pragma once
 
 #include "core/mesh/mesh.h"
@@ -6,19 +6,19 @@
 
 namespace shapespline {
 
-/// Counts of the input; edges and components are those of the welded mesh, so seams are no boundary.
+/// Counts of the input. Edges and components are those of the welded mesh, so seams are not boundaries.
 struct MeshReport {
   int vertices = 0;
   int weldedVertices = 0;
   int faces = 0;
-  int components = 0;            ///< components that share no welded vertex, faces without area left out
+  int components = 0;            ///< components without common welded vertices, ignoring faces without area
   int degenerateFaces = 0;       ///< without area in some key
-  int unreferencedVertices = 0;  ///< of the input, in no face
+  int unreferencedVertices = 0;  ///< unused input vertices
   MeshCounts counts;
-  double diagonal = 0;  ///< of the box around all keys
+  double diagonal = 0;  ///< diagonal of the bounding box of all keys
 };
 
-/// Of keys that passed validate().
+/// The keys must have passed validate().
 MeshReport reportOf(const Keyframes& keyframes, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

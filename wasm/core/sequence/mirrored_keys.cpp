@@ -9,24 +9,23 @@ namespace shapespline {
 
 namespace {
 
-// This many vertices suffice.
+// A sample of this size suffices.
 constexpr int askedVertices = 50000;
-// Curvature of all domes together (a sphere has 4 pi) below which they tell nothing.
+// Total curvature of all domes (a sphere has 4 pi) below which they are inconclusive.
 constexpr double leastCurvature = 1;
-// Vertices on the boundary, squared, over all vertices: from a disc on (4 pi, and a bit less for how vertices lie) the
-// shape is a sheet.
+// Boundary vertices squared over all vertices. From a disc on, which has slightly less than 4 pi, the shape is a sheet.
 constexpr double sheetBoundary = 11;
-// Poses of animals and people agree to 0.77 and more, a ball whose spikes grow to 0.04; their mirror images to the
-// opposite.
+// Poses of animals and people agree to 0.77 or more, a ball with growing spikes to 0.04. Their mirror images have the
+// opposite sign.
 constexpr double mirroredAgreement = -0.5;
 
-// What the faces around a vertex say about the surface there.
+// Properties of the surface around a vertex, from its faces.
 struct Surroundings {
-  double cosine = 1, sine = 0;                         // of the angles together, ...
-  int turns = 0;                                       // ... which stand for this many full turns more
-  Vec3 towards = Vec3::Zero(), normal = Vec3::Zero();  // sums over the neighbours and the faces
+  double cosine = 1, sine = 0;                         // direction of the sum of the angles ...
+  int turns = 0;                                       // ... and its number of full turns
+  Vec3 towards = Vec3::Zero(), normal = Vec3::Zero();  // sums over neighbours and over faces
   int faces = 0;
-  std::int64_t open = 0;  // the next neighbours less those before: 0 around a closed fan of faces that run alike
+  std::int64_t open = 0;  // next neighbours minus previous ones: 0 around a closed, consistently oriented fan
 
   void add(const Positions& p, int v, int next, int before) {
     const Vec3 a = p[next] - p[v], b = p[before] - p[v], cross = a.cross(b);
@@ -37,7 +36,7 @@ struct Surroundings {
     open += next - before;
   }
 
-  // By the angle of (x, y), at most half a turn. A product of complex numbers takes a fifth of an arc tangent's time.
+  // Adds the angle of (x, y), at most half a turn. A complex product takes a fifth of an arc tangent's time.
   void turn(double x, double y) {
     const double length = std::sqrt(x * x + y * y);
     if (!(length > 0)) return;
@@ -54,8 +53,7 @@ struct Surroundings {
 
   bool isOnBoundary() const { return open != 0; }
 
-  // Integral of the Gaussian curvature, negative where the dome opens to the side that the faces look to; 0 where there
-  // is no dome.
+  // Integral of the Gaussian curvature, negative if the dome opens to the front of the faces; 0 without a dome.
   double bulge() const {
     const double defect = 2 * std::numbers::pi - angle();
     if (faces == 0 || isOnBoundary() || !(defect > 0)) return 0;
@@ -63,7 +61,7 @@ struct Surroundings {
   }
 };
 
-// The vertices that are asked, every stride-th, and their corners: c of face f as 3 f + c.
+// The sampled vertices, every stride-th, and their corners: c of face f as 3 f + c.
 struct Asked {
   explicit Asked(const WeldedShape& shape) : stride(1 + shape.vertexCount() / askedVertices) {
     inBlocks({}, shape.faces.size(), [&](std::size_t begin, std::size_t end) {
@@ -77,7 +75,7 @@ struct Asked {
   std::vector<int> corners;
 };
 
-// Of every asked vertex; nothing of a sheet.
+// Bulges of all sampled vertices; zero for a sheet.
 std::vector<double> bulges(const WeldedShape& shape, int key, const Asked& asked) {
   std::vector<Surroundings> around(shape.vertexCount() / asked.stride + 1);
   inBlocks({}, asked.corners.size(), [&](std::size_t begin, std::size_t end) {

@@ -1,4 +1,4 @@
-// Keys that are a mirror image of the others: no motion leads there.
+// Detects keys that are mirror images of the others. No motion leads to a mirror image.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,12 @@
 
 namespace shapespline {
 
-/// How similarly a surface bulges in two keys, in [-1, 1]; 1 if undecided, as on a sheet, which may roll up either way.
-/// A vertex where the surface is dome-shaped bulges to the same side of its faces in every pose; in a mirror image it
-/// bulges to the other.
+/// Similarity of a surface's bulges in two keys, in [-1, 1]; 1 if undecided, as for a sheet, which may roll up either
+/// way. A vertex where the surface is dome-shaped bulges to the same side of its faces in every pose, and to the other
+/// side in a mirror image.
 double bulgeAgreement(const WeldedShape& shape, int key, int otherKey);
 
-/// The keys in which the surface is a mirror image of what it is in the other keys, ascending; at most half of the
-/// keys.
+/// Keys whose surface is a mirror image of that in the other keys, ascending; at most half of the keys.
 std::vector<int> mirroredKeys(const WeldedShape& shape);
 
 }  // namespace shapespline

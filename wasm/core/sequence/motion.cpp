@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-/// More than anybody means; MOST_TURNS of web/engine/api/option-table.ts is the same.
+/// Upper bound on added turns. Same as MOST_TURNS in web/engine/api/option-table.ts.
 constexpr int mostTurns = 100;
 
 Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int components) {
@@ -107,13 +107,13 @@ Curve Motion::unshapedCurve(const WeldedShape& shape) const {
   CurveOptions options = curveOptions(shape, options_);
   options.tension.clear();
   options.bias.clear();
-  // What was fitted with them is fitted without.
+  // A curve that fits with tensions and biases also fits without.
   Result<Curve> curve = Curve::fit(times_, options);
   return std::move(*curve);
 }
 
 Curve Motion::naturalCurve() const {
-  // Times that something was fitted at are in order.
+  // The times have passed an earlier fit, so they are valid.
   Result<Curve> curve = Curve::fit(times_, CurveOptions{});
   return std::move(*curve);
 }
@@ -146,8 +146,8 @@ Vec3 Motion::loopMove(const EncodedShape& encoded, const CurvePoint& point) cons
   return move;
 }
 
-// Every period of a loop that ends elsewhere is one more of the rigid motion that takes the first key to the last; so
-// are the keys of other periods that the curve feels.
+// In a loop that does not close in place, every period adds the rigid motion from the first key to the last. It also
+// applies to keys of other periods that influence the curve.
 RigidMotion Motion::globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const {
   if (curve_.closesOnLastKey()) {
     const RigidMotion& closing = *encoded.shape().closing;

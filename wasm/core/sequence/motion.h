@@ -1,4 +1,5 @@
-// A motion through an encoded shape's keys: what time means. Made in microseconds, but for what it holds.
+// A motion through the keys of an encoded shape. Maps time to curve points. Created in microseconds, except for holding
+// and pins.
 #pragma once
 
 #include <memory>
@@ -15,44 +16,43 @@
 
 namespace shapespline {
 
-/// The curve through the keys at their times, what turns are added, and how the whole is moved along. Immutable.
+/// The curve through the keys at their times, the added turns, and the motion of the whole. Immutable.
 class Motion {
  public:
-  /// encoded: the space that the method needs must have been made. Errors: InvalidOption, NotFinite,
-  /// TimesNotIncreasing, TimeCountMismatch, and those of the solver. before: another motion of the same shape, which
-  /// what is costly is taken from; or null.
+  /// encoded: the method's space must exist. before: another motion of the same shape whose costly parts are reused, or
+  /// null. Errors: InvalidOption, NotFinite, TimesNotIncreasing, TimeCountMismatch, and those of the solver.
   static Result<Motion> fit(const EncodedShape& encoded, std::vector<double> keyTimes, const MotionOptions& options,
                             const Motion* before = nullptr);
 
   const MotionOptions& options() const { return options_; }
   const std::vector<double>& keyTimes() const { return times_; }
   const Curve& curve() const { return curve_; }
-  /// The curve as it would be without tensions and biases. shape: of what this motion was fitted to.
+  /// The curve without tensions and biases. shape: the shape of this motion.
   Curve unshapedCurve(const WeldedShape& shape) const;
   /// The natural cubic spline through the same keys at the same times.
   Curve naturalCurve() const;
   const PatchTurns& turns() const { return turns_; }
 
-  /// First and last time at which the curve is defined by keys (for periodic: one whole period).
+  /// First and last time of the keys; for a periodic motion, one period.
   std::pair<double, double> range() const { return {curve_.start(), curve_.end()}; }
 
   /// The point of the curve at any time.
   CurvePoint at(double t) const { return curve_.at(curve_.wrap(t).time); }
 
-  /// What the shape at `t` is moved by after its reconstruction; point: at(t).
+  /// The rigid motion to apply to the reconstructed shape at `t`. point: at(t).
   RigidMotion globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const;
 
   bool inLri() const { return !blendsVertices() && !turnsFaces(options_.method); }
   bool blendsVertices() const { return shapespline::blendsVertices(options_.method); }
 
-  /// What shapes are corrected by, or null.
+  /// Corrections of the shapes, or null.
   const HeldMotion* held() const { return held_.get(); }
   const PinnedMotion* pinned() const { return pinned_.get(); }
   bool corrects() const { return held_ || pinned_; }
-  /// Where the mean of a loop's vertices is that ends elsewhere, against the mean of its keys' blend.
+  /// Mean vertex position in a loop that does not close in place, relative to the mean of the blended keys.
   Vec3 loopMove(const EncodedShape& encoded, const CurvePoint& point) const;
 
-  /// Those of the encoded shape and of the space, and what this motion's keys leave open.
+  /// Warnings of the encoded shape and the space, and about ambiguities of this motion's keys.
   const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:

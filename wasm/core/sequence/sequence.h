@@ -1,4 +1,4 @@
-// The facade: keyframes and options in, the shape at any time out.
+// The facade: evaluates shapes at any time from keyframes and options.
 #pragma once
 
 #include <memory>
@@ -13,62 +13,62 @@
 namespace shapespline {
 
 /// A motion of a shape, evaluated at any time. evaluate is a pure function of keys, options and t, bit for bit. Not
-/// thread-safe, nor are several of one shape.
+/// thread-safe, even between motions of one shape.
 class Sequence {
  public:
-  /// A motion of a shape that may have others. before: one of them, which what is costly is taken from; or null.
-  /// progress, order: as for SharedShape::makeSpace. Errors: those of SharedShape::makeSpace and of Motion::fit.
+  /// Creates a motion of a shape, which may have others. before: another motion of the shape whose costly parts are
+  /// reused, or null. progress, order: as for SharedShape::makeSpace. Errors: those of SharedShape::makeSpace and of
+  /// Motion::fit.
   static Result<Sequence> fit(std::shared_ptr<SharedShape> shape, std::vector<double> keyTimes,
                               const MotionOptions& motion, const Sequence* before = nullptr,
                               const StageProgress& progress = {}, OrderSource order = nullptr);
 
-  /// The same of a shape of its own. progress: of each in turn. Errors: those of SharedShape::encode as well.
+  /// Creates a motion with a new shape. progress: reports both steps. Errors: as above, and those of
+  /// SharedShape::encode.
   static Result<Sequence> create(Keyframes keyframes, const EncodingOptions& encoding, const MotionOptions& motion,
                                  const StageProgress& progress = {}, OrderSource order = nullptr);
 
-  /// Another motion through the same keys. Errors: those of Motion::fit; the old motion stays then.
+  /// Changes the motion through the same keys. On errors, those of Motion::fit, the old motion stays.
   Status update(const MotionOptions& motion, const std::vector<double>& keyTimes);
 
-  /// The shape at time t, which may lie beyond the keys.
+  /// The shape at time t, including times beyond the keys.
   Status evaluate(double t, Frame& frame);
 
-  /// Frames are made by two from here on, to the same bits, or by one with null. It must outlive the sequence.
+  /// Enables two threads for frames, with equal bits, or one thread for null. forkJoin must outlive the sequence.
   void setForkJoin(ForkJoin* forkJoin) { shape_->evaluator().setForkJoin(forkJoin); }
 
-  /// The same as n positions without rounding them to float: for measures and tests. As exact as the encoding's
+  /// The shape as n positions without rounding to float, for measures and tests. The accuracy depends on the encoding's
   /// precision.
   Status evaluate(double t, Positions& positions);
 
-  /// How far what rests between its keys is from its place in `shape`, which is evaluate(t) (hold/sliding.h); NaN where
-  /// nothing rests, and where the shape moves on with a loop or is kept in place.
+  /// Displacement of resting vertices in `shape`, which is evaluate(t) (hold/sliding.h). NaN if no vertex rests, or if
+  /// the shape moves on with a loop or is kept in place.
   /// Error: those of SharedShape::makeSpace.
   Result<double> sliding(double t, const Positions& shape);
 
-  /// The shape at an affine combination of the keys: one weight per key, sum 1. evaluate(t) is this at the curve's
-  /// weights, but for what the motion holds.
+  /// The shape at an affine combination of the keys: one weight per key, sum 1. With the curve's weights at t, equals
+  /// evaluate(t) without holding.
   Status evaluateBlend(const std::vector<double>& weights, Frame& frame);
 
-  /// The ghost that belongs to the shape at time t: xyz of each ghost vertex. Errors: InvalidOption without a ghost,
-  /// and those of SharedShape::makeSpace.
+  /// The ghost at time t: xyz of each ghost vertex. Errors: InvalidOption without a ghost, and those of
+  /// SharedShape::makeSpace.
   Status evaluateGhost(double t, std::vector<float>& positions);
 
   const EncodedShape& encoded() const { return shape_->encoded(); }
   const Motion& motion() const { return motion_; }
-  /// Of the input.
+  /// The faces of the input.
   const std::vector<Triangle>& faces() const { return encoded().input().faces; }
   SequenceStats stats() const { return shape_->stats(); }
-  /// Of the shape and the motion, and where its times carry it far from its keys (uneven_times.h).
+  /// Warnings of the shape and the motion, and about times that carry the motion far from its keys (uneven_times.h).
   const std::vector<Warning>& warnings() const { return warnings_; }
 
-  /// First and last time at which the curve is defined by keys (for periodic: one whole period).
+  /// First and last time of the keys; for a periodic motion, one period.
   std::pair<double, double> range() const { return motion_.range(); }
 
-  /// The rotations G_k of the patches (of the ghost, with one) at time t, as the first system gives them and the whole
-  /// is turned.
+  /// The rotations G_k of the patches (of the ghost's, if any) at time t, after rotating the whole.
   Status patchRotations(double t, std::vector<Quaternion>& rotations);
 
-  /// What can be said of it in LRI space, which is made for it where it is not there. Errors: those of
-  /// SharedShape::makeSpace.
+  /// The motion's curve in LRI space, which is built if needed. Errors: those of SharedShape::makeSpace.
   Result<FeatureCurve> featureCurve();
 
  private:
@@ -78,7 +78,7 @@ class Sequence {
   std::shared_ptr<SharedShape> shape_;
   Motion motion_;
   std::vector<Warning> warnings_;
-  std::unique_ptr<const Sliding> sliding_;  // of the motion's key times, made when it is first asked for
+  std::unique_ptr<const Sliding> sliding_;  // for the motion's key times, created on first use
 };
 
 }  // namespace shapespline

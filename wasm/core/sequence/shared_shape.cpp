@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-// Every key has a weight at every other one: numbers and work grow with the square.
+// Memory and time grow with the square of the number of keys, because every key has a weight at every other key.
 constexpr int mostKeys = 2000;
 
 }  // namespace

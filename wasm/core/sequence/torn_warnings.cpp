@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// Fewer or smaller faces than these shares of the shape are slivers.
+// Shares of the shape. Torn faces below them, by number or area, are slivers.
 constexpr double leastShare = 0.001;
 constexpr int leastCount = 4;
 

@@ -1,4 +1,4 @@
-// Where faces that rotate by themselves tear the surface.
+// Warns about surfaces torn by separate face rotations.
 #pragma once
 
 #include <vector>

@@ -11,10 +11,10 @@ namespace shapespline {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-// Patches that disagree by more with what surrounds them halfway turned in a way that their neighbours did not.
+// Patches with larger disagreements halfway have turned in a different direction than their neighbours.
 constexpr double ambiguousResidual = 20 / degrees;
-// Patches smaller than this share of the mean, and fewer or smaller faces than these shares of the shape, are noise,
-// because their turns are invisible.
+// Patches smaller than this share of the mean, and faces below these shares of the shape, are noise, because their
+// turns are invisible.
 constexpr double smallPatch = 0.3;
 constexpr double fewFaces = 0.001;
 constexpr int fewestFaces = 4;
@@ -34,7 +34,7 @@ class TurnWarnings {
     leastArea_ = smallPatch * total / patches_.graph.patchCount();
   }
 
-  // turns: those that were added to the step.
+  // turns: added to this step.
   void addStep(int step, const AmbiguousFaces* faces, const std::vector<AddedTurns>& turns = {}) {
     step_ = step;
     turns_ = turns;
@@ -53,7 +53,7 @@ class TurnWarnings {
   std::vector<Warning> take() { return std::move(warnings_); }
 
  private:
-  // Who adds turns has seen that they are open.
+  // A user who adds turns has decided the ambiguity.
   bool decided(int component) const {
     return std::any_of(turns_.begin(), turns_.end(),
                        [&](const AddedTurns& t) { return t.turns != 0 && t.component == component; });

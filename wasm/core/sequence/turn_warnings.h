@@ -1,4 +1,4 @@
-// What the keys leave open about turns, and where.
+// Warnings about ambiguous rotations.
 #pragma once
 
 #include <vector>

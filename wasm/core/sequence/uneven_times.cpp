@@ -13,10 +13,10 @@ namespace {
 
 // An interval this many times longer than its neighbour is suspicious.
 constexpr double unevenFactor = 4;
-// So are weights of keys whose absolute values sum to more: evenly spaced keys reach 1.6 between them, and 3.6 one
-// interval beyond the last one.
+// Sums of the weights' absolute values above these limits are suspicious too. Evenly spaced keys reach 1.6 between
+// them, and 3.6 one interval beyond the last.
 constexpr double betweenFactor = 3, beyondFactor = 8;
-constexpr int samples = 8;  // of an interval
+constexpr int samples = 8;  // per interval
 
 struct Suspect {
   double time, weight, ratio;
@@ -36,7 +36,7 @@ double shortestNeighbour(const std::vector<KeySpan>& spans, std::size_t i, bool 
   return shortest;
 }
 
-// The one between keys where the weights are largest, and those beyond the ends.
+// The suspicious interval with the largest weights between keys, and suspicious times beyond the ends.
 std::vector<Suspect> suspectsOf(const Motion& motion) {
   const std::vector<KeySpan> spans = motion.curve().spans();
   const bool closed = motion.curve().periodic();
@@ -70,7 +70,7 @@ struct Box {
       for (const Vec3& p : shape.poses[j]) low = low.cwiseMin(p), high = high.cwiseMax(p);
   }
 
-  // In diagonals; infinite for what is no number.
+  // In diagonals; infinite for NaN.
   double distanceOf(const Vec3& p) const {
     const double out = (p - p.cwiseMax(low).cwiseMin(high)).norm() / (high - low).norm();
     return std::isfinite(out) ? out : std::numeric_limits<double>::infinity();

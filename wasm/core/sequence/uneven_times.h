@@ -1,4 +1,4 @@
-// Keys so unevenly spaced in time that the spline carries the shape far away from them.
+// Warns about unevenly spaced keys that carry the spline far away from the shapes.
 #pragma once
 
 #include <functional>
@@ -10,9 +10,9 @@
 
 namespace shapespline {
 
-/// Warns where the motion leaves the box around the keys by more than the box's diagonal: between two keys of which the
-/// interval is much longer than a neighbouring one, and one mean interval beyond the ends. The weights of the curve say
-/// where that may be; only there `shapeAt` is asked for the shape, so evenly spaced keys cost nothing.
+/// Warns if the motion leaves the box around the keys by more than the box's diagonal: between two keys whose interval
+/// is much longer than a neighbouring one, or one mean interval beyond the ends. The curve's weights show candidate
+/// times. `shapeAt` is called only for these, so evenly spaced keys cost nothing.
 std::vector<Warning> unevenTimesWarnings(const EncodedShape& encoded, const Motion& motion,
                                          const std::function<Status(double t, Positions& shape)>& shapeAt);
 

@@ -16,7 +16,7 @@ namespace shapespline {
 namespace {
 
 constexpr int leastGhostFaces = 4;
-// Poses closer than this, over the diagonal, are the same up to rounding and a modeller's noise.
+// Share of the diagonal. Poses closer than this are equal up to rounding and modelling noise.
 constexpr double samePose = 1e-4;
 
 Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
@@ -44,7 +44,7 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
   return {};
 }
 
-// The motion that takes the first key to the last, where it takes all of it there.
+// The rigid motion from the first key to the last, if one exists.
 std::optional<RigidMotion> closingOf(const WeldedShape& shape, double diagonal) {
   const Positions &first = shape.poses.front(), &last = shape.poses[shape.keys - 1];
   const RigidFit fit = fitRigid(first, last);
@@ -55,7 +55,7 @@ std::optional<RigidMotion> closingOf(const WeldedShape& shape, double diagonal) 
 
 // Puts the welded mesh into its canonical order.
 void putInOrder(WeldedShape& shape, InputMesh& input, const FractionReport& onProgress) {
-  // Where a loop's last key is its first one again, it must not count twice: any key could be the first.
+  // The last key of a loop repeats the first. It must not count twice, because any key could be the first.
   Positions repeated;
   const auto last = shape.poses.begin() + (shape.keys - 1);
   if (shape.closing) repeated = std::move(*last), shape.poses.erase(last);
@@ -90,7 +90,7 @@ Result<WeldedKeys> weldKeys(Keyframes keyframes, const EncodingOptions& options,
   input.welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0, 0.5));
   shape.faces = weldFaces(input.faces, input.welding);
   for (const Positions* pose : poses) shape.poses.push_back(weldPositions(*pose, input.welding));
-  keyframes.keys.clear();  // what follows takes the most memory, and works on the welded poses
+  keyframes.keys.clear();  // later steps take the most memory, and use the welded poses
   shape.closing = closingOf(shape, keys.diagonal);
   putInOrder(shape, input, partOf(onProgress, 0.55, 1));
   for (const Positions& pose : shape.poses) keys.meanPosition.push_back(centroidOf(pose));

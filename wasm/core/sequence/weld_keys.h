@@ -1,4 +1,4 @@
-// Keyframes -> welded keys.
+// Converts keyframes to welded keys.
 #pragma once
 
 #include "core/base/progress.h"
@@ -9,8 +9,8 @@
 
 namespace shapespline {
 
-/// keyframes: their poses are freed once they are welded. Errors: those of validate(), InvalidOption, and
-/// VertexCountMismatch and NotFinite of tangent shapes.
+/// keyframes: poses are freed after welding. Errors: those of validate(), InvalidOption, and VertexCountMismatch and
+/// NotFinite for tangent shapes.
 Result<WeldedKeys> weldKeys(Keyframes keyframes, const EncodingOptions& options, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

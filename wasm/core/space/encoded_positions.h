@@ -1,4 +1,4 @@
-// Where a shape that is no blend of coordinates lies in shape space: it has to be encoded to be compared.
+// Encodes a shape that is not a blend of coordinates, to locate it in shape space.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace shapespline {
 
-/// Coordinates of one shape that is no column.
+/// Coordinates of a shape that is not a column.
 struct ShapeCoordinates {
-  std::vector<std::array<double, numbersPerFace>> face;  ///< as FaceCoordinates has them; 0 without area
-  std::vector<Vec3> pair;                                ///< as PatchCoordinates::pair
+  std::vector<std::array<double, numbersPerFace>> face;  ///< in the format of FaceCoordinates; 0 without area
+  std::vector<Vec3> pair;                                ///< in the format of PatchCoordinates::pair
   Vec3 meanPosition;
 };
 
-/// The coordinates of the poses, in whichever precision they are: one code for both, where speed does not count.
+/// Coordinates of the poses in either precision. Speed is not critical here, so one implementation serves both.
 struct PoseCoordinates {
   const PatchCoordinates& patches;
   const void* faces;
@@ -36,8 +36,8 @@ PoseCoordinates coordinatesOf(const PatchCoordinates& patches, const LriCoordina
   return {patches, &x.face, read, x.meanPosition};
 }
 
-/// A shape that belongs to these weights (one per column, sum 1), such as the poses' vertices in them, encoded in the
-/// poses' patches. Logarithms take the representatives nearest the same blend of the poses' logarithms.
+/// Encodes a shape in the poses' patches. weights: one per column, sum 1; the shape must belong to them, like the blend
+/// of the poses' vertices. Logarithms use the representatives nearest to the same blend of the poses' logarithms.
 ShapeCoordinates encodeShape(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
                              const Eigen::VectorXd& weights, const Positions& positions);
 

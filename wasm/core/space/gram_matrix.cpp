@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-// Plain loops instead of Eigen's matrix product, which would add much code to the wasm.
+// Uses plain loops, because Eigen's matrix product would add much code to the wasm module.
 void addProducts(Eigen::MatrixXd& gram, double weight, const std::vector<double>& numbers) {
   const auto shapes = static_cast<std::size_t>(gram.rows()), count = numbers.size() / shapes;
   for (std::size_t a = 0; a < shapes; ++a)
@@ -40,7 +40,8 @@ Eigen::MatrixXd gramMatrix(const PoseCoordinates& poses, const WeldedShape& shap
     for (int c = 0; c < count; ++c)
       for (int n = 0; n < numbersPerFace; ++n) {
         const double value = c < columns ? poses.number(f, c, n) : other->face[f][n];
-        entry[static_cast<std::size_t>(c) * numbersPerFace + n] = n == 4 ? std::sqrt(2.0) * value : value;  // xy twice
+        // xy occurs twice
+        entry[static_cast<std::size_t>(c) * numbersPerFace + n] = n == 4 ? std::sqrt(2.0) * value : value;
       }
     addProducts(gram, referenceFrame(shape, f).area / totalArea, entry);
   }
@@ -81,7 +82,7 @@ PrincipalPlane::PrincipalPlane(const Eigen::MatrixXd& gram, int keys) : gram_(gr
     const double value = solver.eigenvalues()[keys - 1 - axis];
     if (!(value > 1e-14 * total)) continue;
     Eigen::VectorXd vector = solver.eigenvectors().col(keys - 1 - axis);
-    if (vector[keys - 1] < vector[0]) vector = -vector;  // a fixed sign: the last key lies on the greater side
+    if (vector[keys - 1] < vector[0]) vector = -vector;  // fixes the sign: the last key is on the positive side
     direction_.col(axis) = centre * vector / std::sqrt(value);
     explained_ += value / total;
   }

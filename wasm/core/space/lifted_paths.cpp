@@ -17,8 +17,8 @@ namespace {
 // Within this of half a turn, rounding decides the sign of the principal logarithm.
 constexpr double halfTurnMargin = 1e-3;
 
-// An increment of about half a turn goes the way of the one before it; without one, to the positive side of its largest
-// coordinate. Others stay as they are.
+// An increment of about half a turn continues the direction of the previous one. Without a previous increment, its
+// largest coordinate is positive. Other increments are unchanged.
 Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before) {
   if (increment.norm() <= std::numbers::pi - halfTurnMargin) return increment;
   if (!before.isZero()) return nearestRepresentative(increment, before);
@@ -27,7 +27,7 @@ Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before) {
   return increment[largest] < 0 ? nearestRepresentative(increment, -increment) : increment;
 }
 
-// Rounds costs to a grid: rounding errors decide no tree.
+// Rounds costs to a grid, so rounding errors do not affect the tree.
 double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
 
 class Lift {
@@ -80,7 +80,7 @@ class Lift {
     return calmest;
   }
 
-  // The largest angle by which two faces turn against each other in a step.
+  // The largest relative rotation of two faces in a step.
   double cost(int f, int g) const {
     double largest = 0;
     for (const int s : lifted_) {
@@ -90,7 +90,7 @@ class Lift {
     return onGrid(0.05 + largest);
   }
 
-  // Prim's algorithm. before: the face whose increments those of `root` are to be near, or -1.
+  // Prim's algorithm. before: the face whose increments `root` should match, or -1.
   void growFrom(int root, int before) {
     struct Reached {
       double cost;
@@ -119,7 +119,7 @@ class Lift {
     }
   }
 
-  // The last key is the first one again, moved: a loop goes on from the one before it.
+  // The last key repeats the first, moved rigidly, so the loop continues from the previous key.
   void closeOnFirstKey() {
     const auto [from, to] = posesOf(shape_, steps_.turnedClosing());
     const std::vector<Vec3>& alike = out_.paths.increment[shape_.keys - 2];
@@ -153,7 +153,7 @@ class Lift {
   const ShapeTopology& topology_;
   KeySteps steps_;
   std::vector<char> open_;
-  std::vector<int> lifted_;  // steps, in order
+  std::vector<int> lifted_;  // processed steps, in order
   LiftedPaths out_;
 };
 

@@ -1,5 +1,5 @@
-// The rotation of each face through the keys, by itself: which way and how often it turned in a step follows from its
-// neighbours (rotation-strain coordinates by increments, Huang et al. 2011).
+// A separate rotation path of each face through the keys. Neighbours determine the direction and number of turns in a
+// step (rotation-strain coordinates by increments, Huang et al. 2011).
 #pragma once
 
 #include <vector>
@@ -11,15 +11,15 @@
 namespace shapespline {
 
 struct LiftedPaths {
-  RotationSplines paths;  ///< of R_f against the reference pose; faces without area rest
-  /// One per interval between keys: faces whose increment differs by more than half a turn from a neighbour's. The
-  /// surface tears there: near a whole turn the axis of a rotation says nothing.
+  RotationSplines paths;  ///< paths of R_f relative to the reference pose; faces without area rest
+  /// One entry per interval between keys: faces whose increment differs by more than half a turn from a neighbour's.
+  /// The surface tears there, because the axis of a rotation is undetermined near a full turn.
   std::vector<AmbiguousFaces> torn;
 };
 
-/// Each increment is the representative nearest the one of the face before it in a spanning tree that crosses edges
-/// where faces turn least against each other. The tree begins at the face that turns least; it goes on in another
-/// component from the face that carries that component.
+/// Each increment is the representative nearest to the previous face's in a spanning tree. The tree prefers edges with
+/// small relative rotations. It starts at the face with the smallest rotation, and continues in another component from
+/// the face that carries it.
 LiftedPaths liftPaths(const WeldedShape& shape, const ShapeTopology& topology);
 
 }  // namespace shapespline

@@ -73,7 +73,7 @@ Status LriSpace::makeReconstructor(const ShapeTopology& topology, const LriOptio
   const CholeskyStats solver = reconstructor->solverStats();
   stats_.factorBytes = solver.factorBytes + solver.indexBytes;
   reconstructor_.emplace(std::move(*reconstructor));
-  // One of the shape's own coordinates and systems, and one more of a ghost's; one system of its patches.
+  // The shape has one set of coordinates and one system, and its patches have a system. A ghost adds one of each.
   stats_.encodings = ghost_ ? 2 : 1;
   stats_.factorisations = stats_.encodings + 1;
   return {};
@@ -167,7 +167,7 @@ ShapeProducts LriSpace::productsOf(const Positions& positions, const Eigen::Vect
   return {gram.col(columns).head(columns), gram(columns, columns)};
 }
 
-// A ghost vertex moves against its blend as the vertex does that it belongs to.
+// A ghost vertex deviates from its blend as its shape vertex does.
 Positions LriSpace::ghostOf(const Positions& positions, const Eigen::VectorXd& weights) const {
   const std::span<const double> w(weights.data(), static_cast<std::size_t>(weights.size()));
   Positions blend, ghost;

@@ -14,10 +14,10 @@ namespace shapespline {
 namespace {
 
 constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
-// Below this at all shares no increment that differs by whole turns comes nearer.
+// If the difference is smaller at all shares, no other full turn can be nearer.
 constexpr double surelyNearest = std::numbers::pi / 4;
 
-// The frame that holds the largest area.
+// The local frame with the largest area.
 int largestFrame(const WeldedShape& shape, const std::vector<int>& localFrameOf, std::size_t frames) {
   std::vector<double> area(frames, 0);
   for (int f = 0; f < shape.faceCount(); ++f)
@@ -25,7 +25,7 @@ int largestFrame(const WeldedShape& shape, const std::vector<int>& localFrameOf,
   return static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
 }
 
-// A point part way along one step.
+// A point part way through one step.
 CurvePoint pointOn(const WeldedShape& shape, int step, double share) {
   const KeySteps steps{shape.keys};
   const Columns columns{shape.keys};
@@ -61,7 +61,7 @@ class PathFinder {
  private:
   bool isUsed(int f) const { return lri_.patchOfFace()[f] >= 0; }
 
-  // Of the frame that the paths are taken against.
+  // Rotation of the base frame.
   Quaternion baseOf(int column) const {
     return root_ < 0 ? Quaternion::Identity() : lri_.holdInput().rotation[column][root_];
   }
@@ -113,7 +113,7 @@ class PathFinder {
     return best;
   }
 
-  // The last key is the first one again, moved: a loop goes on from the one before it.
+  // The last key repeats the first, moved rigidly, so the loop continues from the previous key.
   void closeOnFirstKey() {
     const int step = KeySteps{shape_.keys}.turnedClosing();
     const auto [from, to] = posesOf(shape_, step);
@@ -121,7 +121,7 @@ class PathFinder {
     std::vector<Vec3>& closing = out_.increment[step];
     closing.assign(alike.size(), Vec3::Zero());
     for (std::size_t f = 0; f < closing.size(); ++f) {
-      // Against a base that is turned as well, nothing is.
+      // Relative to a base frame, which rotates as well, no rotation is added.
       const Quaternion turned = root_ < 0 ? Quaternion(shape_.closing->rotation * out_.key[to][f]) : out_.key[to][f];
       closing[f] = nearestRepresentative(logRotation(Quaternion(out_.key[from][f].conjugate() * turned)), alike[f]);
     }

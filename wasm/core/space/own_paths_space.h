@@ -1,4 +1,4 @@
-// Own paths: faces that rotate as they do by themselves, faded towards LRI space where the two disagree.
+// Own paths: separate rotation paths of faces, faded towards LRI space where both disagree.
 #pragma once
 
 #include <variant>
@@ -9,22 +9,22 @@
 
 namespace shapespline {
 
-/// What own paths are taken against.
+/// Base frame of the own paths.
 enum class OwnPaths {
   Off,
-  Absolute,  ///< nothing: nearer to sampled animations; a key that is turned as a whole changes the motion
-  Root,      ///< the largest frame: a key that is turned as a whole changes nothing
+  Absolute,  ///< none: closer to sampled animations; rotating a whole key changes the motion
+  Root,      ///< the largest local frame: rotating a whole key has no effect
 };
 
-/// With q = R_own R_lri^T, R_f = exp(2 q.w |q.w|^4 q.vec) R_lri: all of the own path where both agree, nothing of it at
-/// half a turn. An own path goes from key to key as RotationSplines do; of the increments that differ by whole turns it
-/// takes the one that comes nearest to LRI space's rotations on the way. Immutable.
+/// With q = R_own R_lri^T, R_f = exp(2 q.w |q.w|^4 q.vec) R_lri. R_f is the own path where both agree, and LRI space's
+/// at half a turn. Own paths are RotationSplines between the keys. Among increments that differ by full turns, the one
+/// nearest to LRI space's rotations along the step is chosen. Immutable.
 class OwnPathsSpace {
  public:
-  /// Both must outlive the space. The faces must have coordinates of their own: not with Transfer::Paper.
+  /// Both must outlive the space. Requires separate coordinates of the faces, so not with Transfer::Paper.
   OwnPathsSpace(const WeldedKeys& keys, const LriSpace& lri, OwnPaths base);
 
-  /// frames: of LRI space at `point`. Real: of LRI space's reconstructor. own: scratch space.
+  /// frames: LRI space's at `point`. Real: the type of LRI space's reconstructor. own: scratch memory.
   template <class Real>
   void rotationsAt(const CurvePoint& point, const LocalFrames& frames, const Reconstructor<Real>& reconstructor,
                    typename Reconstructor<Real>::Scratch& scratch, RotationBlocks<Real>& own,
@@ -35,7 +35,7 @@ class OwnPathsSpace {
 
   const WeldedKeys* keys_;
   OwnPaths base_;
-  int root_ = 0;  // frame
+  int root_ = 0;  // index of the base frame
   std::variant<RotationPaths<float>, RotationPaths<double>> paths_;
 };
 

@@ -7,7 +7,7 @@ namespace shapespline {
 
 namespace {
 
-// The step that leads to a column from the one before it.
+// The step from the previous column to this one.
 int stepTo(const WeldedShape& shape, int column) {
   const KeySteps steps{shape.keys};
   if (column == shape.startTangent) return steps.startTangent();

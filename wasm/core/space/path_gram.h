@@ -1,4 +1,4 @@
-// The metric of spaces in which rotations move through the keys by themselves, of faces or of pairs of them.
+// The metric of spaces with separate rotation paths, of faces or of pairs of faces.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,11 @@
 
 namespace shapespline {
 
-/// The share of each face in the area of the reference pose, by its slot; 0 without area.
+/// Share of each face in the area of the reference pose, by slot; 0 without area.
 std::vector<double> areaShares(const WeldedKeys& keys, const LriSpace& lri);
 
-/// Inner products of the columns: sums of the paths' increments, each path with its weight, and the rest as in LRI
-/// space (gram_matrix.h): stretches of faces by their share of the area, mean positions over the diagonal. weight: by
-/// slot; slots of weight 0 take no part.
+/// Inner products of the columns: weighted sums of the paths' increments, and stretches and mean positions as in LRI
+/// space (gram_matrix.h). weight: one per path, by slot; slots of weight 0 are ignored.
 template <class Real>
 Eigen::MatrixXd pathGram(const WeldedKeys& keys, const LriSpace& lri, const RotationPaths<Real>& paths,
                          const std::vector<double>& weight);

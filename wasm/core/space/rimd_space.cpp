@@ -10,13 +10,12 @@ namespace shapespline {
 
 namespace {
 
-// Of a frame. More walk away from LRI space without a lower error.
+// Steps per frame. More steps move away from LRI space without reducing the error.
 constexpr int rounds = 3;
-// Pairs that turn far against each other in a step count less; none counts for nothing.
+// Pairs with large relative rotations in a step have less weight, but never zero.
 constexpr double leastAgreement = 1e-5;
 
-// The rotation nearest to a matrix: Newton's iteration for the polar factor (Higham 1986), which ends where it no
-// longer moves.
+// The rotation nearest to a matrix: Newton's iteration for the polar factor (Higham 1986), until it converges.
 Quaternion nearestRotation(const Mat3& matrix) {
   const double determinant = matrix.determinant(), size = matrix.norm();
   if (!(determinant > 1e-6 * size * size * size)) return Quaternion(projectToRotation(matrix));
@@ -34,7 +33,7 @@ struct Pair {
   int first, second;
 };
 
-// Either way round: a product of increments and that of their inverses are different paths.
+// Both directions: a product of increments and the product of their inverses are different paths.
 std::vector<Pair> pairsOf(const ShapeTopology& topology) {
   std::vector<Pair> pairs;
   topology.eachUsedFace([&](int f) {
@@ -60,7 +59,7 @@ RotationSplines differencesOf(const WeldedShape& shape, const std::vector<Pair>&
   return paths;
 }
 
-// Between the keys.
+// Between keys only.
 double agreementOf(const RotationSplines& differences, int keys, std::size_t pair) {
   double largest = 0;
   for (int s = 0; s + 1 < keys; ++s) largest = std::max(largest, differences.increment[s][pair].norm());
@@ -94,7 +93,7 @@ RimdSpace::RimdSpace(const WeldedKeys& keys, const LriSpace& lri) : keys_(&keys)
   });
 }
 
-// The rotation of a face that is nearest to what the shape and its neighbours say.
+// The rotation of a face that best fits the shape and its neighbours.
 Quaternion RimdSpace::agreeing(int face, const Scratch& scratch) const {
   const FaceFrame& frame = frame_[face];
   const FaceDeformation now = deformationIn(scratch.positions, face);
@@ -105,7 +104,7 @@ Quaternion RimdSpace::agreeing(int face, const Scratch& scratch) const {
   Mat3 product = Mat3::Identity();
   product.topLeftCorner<2, 2>() = now.stretch * wanted;
   Mat3 sum = Mat3::Zero();
-  // A face that has collapsed says nothing.
+  // Skips collapsed faces.
   if (now.rotation.allFinite() && now.stretch.allFinite())
     sum = frame.area * (now.rotation * frame.basis * product * frame.basis.transpose());
   for (const Side& side : neighbours_.of(face)) {

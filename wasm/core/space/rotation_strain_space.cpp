@@ -27,7 +27,7 @@ RotationStrainSpace::RotationStrainSpace(const WeldedKeys& keys, const LriSpace&
   paths_ = pathsInOrderOf(lri, lifted.paths);
 }
 
-// Of a loop that ends elsewhere, which goes on from its last key.
+// For a loop that does not close in place, which continues from its last key.
 Quaternion RotationStrainSpace::wholeTurn(const CurvePoint& point) const {
   const std::optional<RigidMotion>& closing = keys_->shape.closing;
   if (!closing || point.closes) return Quaternion::Identity();

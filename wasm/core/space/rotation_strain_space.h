@@ -1,4 +1,4 @@
-// Rotation-strain coordinates (Huang et al. 2011), by increments: what each face turns and stretches by itself.
+// Rotation-strain coordinates (Huang et al. 2011) by increments: separate rotations and stretches of the faces.
 #pragma once
 
 #include <variant>
@@ -11,23 +11,23 @@
 
 namespace shapespline {
 
-/// The rotations R_f of this space beside the stretches, the system and the placement of LRI space, of the shape itself
-/// even where a ghost leads that. A key that is turned as a whole changes the motion. Immutable.
+/// Rotations R_f of this space. Stretches, system and placement come from LRI space, for the shape itself even with a
+/// ghost. Rotating a whole key changes the motion. Immutable.
 class RotationStrainSpace {
  public:
-  /// Both must outlive the space. The stretches must be those of the shape's own faces: not with Transfer::Paper.
+  /// Both must outlive the space. Requires stretches of the shape's faces, so not with Transfer::Paper.
   RotationStrainSpace(const WeldedKeys& keys, const LriSpace& lri);
 
-  /// Real: of LRI space's reconstructor.
+  /// Real: the type of LRI space's reconstructor.
   template <class Real>
   void rotationsAt(const CurvePoint& point, RotationBlocks<Real>& rotations, ForkJoin* forkJoin = nullptr) const {
     std::get<RotationPaths<Real>>(paths_).at(point, wholeTurn(point), rotations, forkJoin);
   }
 
-  /// One per interval between keys (lifted_paths.h).
+  /// One entry per interval between keys (lifted_paths.h).
   const std::vector<AmbiguousFaces>& tornFaces() const { return torn_; }
 
-  /// Inner products of the columns (path_gram.h), faces by their share of the area.
+  /// Inner products of the columns (path_gram.h), with faces weighted by area.
   Eigen::MatrixXd gramMatrix() const;
 
  private:

@@ -1,4 +1,4 @@
-// The space of vertex positions: what the baselines blend. Neither encoded nor factored.
+// The space of vertex positions, for the baselines. It needs no encoding and no factor.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ class VertexSpace {
   /// keys: must outlive the space.
   explicit VertexSpace(const WeldedKeys& keys);
 
-  /// Draws places in the order of the welded vertices.
+  /// Draws positions in the order of the welded vertices.
   const VertexNormals& normals() const { return normals_; }
 
   /// The shape at `point`.

@@ -1,4 +1,4 @@
-// The keys as every space works on them: without copies of vertices, in the mesh's canonical order.
+// The keys in the form used by all spaces: without vertex copies, in canonical order.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@ namespace shapespline {
 struct WeldedKeys {
   InputMesh input;
   WeldedShape shape;
-  double diagonal = 0;             ///< the largest of one pose
-  std::vector<Vec3> meanPosition;  ///< one per column: of all welded vertices
-  /// Of each vertex of the input: those of one group share a normal (weld.h: shadingGroups).
+  double diagonal = 0;             ///< largest bounding diagonal of a pose
+  std::vector<Vec3> meanPosition;  ///< per column: mean of all welded vertices
+  /// Group of each input vertex. Vertices in a group share a normal (weld.h: shadingGroups).
   std::vector<int> shadingGroup;
   int shadingGroups = 0;
 };

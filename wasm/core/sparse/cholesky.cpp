@@ -16,7 +16,7 @@ namespace shapespline {
 
 namespace {
 
-// FNV-1a over the structure: enough to catch a matrix that is not the analysed one.
+// FNV-1a hash of the structure, to detect a matrix that was not analysed.
 std::uint64_t patternHash(const SymmetricMatrix& matrix) {
   std::uint64_t hash = 14695981039346656037ull;
   const auto add = [&](int value) { hash = (hash ^ static_cast<std::uint32_t>(value)) * 1099511628211ull; };
@@ -36,7 +36,7 @@ struct Cholesky::State {
   PanelFactor<float> single;
   PanelFactor<double> full;
   std::optional<Multifrontal> running;
-  // of the last factorisation
+  // count of the last factorisation
   int regularised = 0;
   int failedPosition = -1;
   std::size_t workBytes = 0;

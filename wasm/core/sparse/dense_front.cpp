@@ -11,14 +11,14 @@ namespace shapespline {
 
 namespace {
 
-// Relative to the diagonal entry: below the first a pivot is rounding noise of a semi-definite matrix, below the second
-// the matrix is indefinite. Schur complements of a positive semi-definite matrix never exceed its diagonal.
+// Relative to the diagonal entry: a pivot below the first limit is rounding noise of a semi-definite matrix. Below the
+// second, the matrix is indefinite. Schur complements of a positive semi-definite matrix never exceed its diagonal.
 constexpr double semidefinite = 1e-13;
 constexpr double indefinite = -1e-8;
-// Not relative: one over a smaller number may be none.
+// Absolute: the reciprocal of a smaller number may overflow.
 constexpr double smallest = std::numeric_limits<double>::min();
 
-// A 4 x 4 tile in registers: of each column rows 0, 1 and rows 2, 3.
+// A 4 x 4 tile in registers: rows 0, 1 and rows 2, 3 of each column.
 struct Tile {
   Double2 a0, b0, a1, b1, a2, b2, a3, b3;
 
@@ -36,7 +36,7 @@ struct Tile {
   }
 };
 
-// The tile less rows * columnsᵀ over the first `depth` columns of two strips.
+// The tile minus rows * columnsᵀ over the first `depth` columns of two strips.
 inline Tile less(Tile t, const double* rows, const double* columns, int depth) {
   for (const double* end = rows + 4 * static_cast<std::ptrdiff_t>(depth); rows != end; rows += 4, columns += 4) {
     const Double2 a = Double2::load(rows), b = Double2::load(rows + 2);
@@ -69,7 +69,8 @@ inline Tile solved(Tile t, const double* inverse) {
   return t;
 }
 
-// Cholesky of a diagonal tile in place and its inverse; firstColumn is the tile's first column in the front.
+// Cholesky factorisation of a diagonal tile in place, and its inverse. firstColumn: the tile's first column in the
+// front.
 void factorTile(double* tile, int firstColumn, const double* reference, double* inverse, PivotReport& report) {
   const auto at = [&](int r, int c) -> double& { return tile[4 * c + r]; };
   double inverseRoot[4];
@@ -78,12 +79,12 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
     const double scale = std::abs(reference[c]);
     if (!(pivot > std::max(semidefinite * scale, smallest))) {
       if (!(pivot >= indefinite * scale) && report.failed == -1) report.failed = firstColumn + c;
-      // As if this unknown were pinned to zero with the strength of its own diagonal entry: any weaker pin would let
-      // rounding errors of the right-hand side through.
+      // Pins this unknown to zero with the strength of its own diagonal entry. A weaker pin would amplify rounding
+      // errors of the right-hand side.
       pivot = scale > smallest ? scale : 1.0;
       ++report.regularised;
     }
-    // From pivot to pivot there is one division to wait for, and no square root.
+    // Each pivot waits for one division only, and for no square root.
     const double reciprocal = 1.0 / pivot;
     for (int k = c + 1; k < 4; ++k)
       for (int r = k; r < 4; ++r) at(r, k) -= at(r, c) * (at(k, c) * reciprocal);
@@ -102,11 +103,11 @@ void factorTile(double* tile, int firstColumn, const double* reference, double* 
   }
 }
 
-// Strips that are eliminated together: each strip above is read once for all of them, and they fit a level-2 cache.
+// Number of strips eliminated together. Each strip above is read once for all of them, and they fit a level-2 cache.
 constexpr int groupSize = 8;
 
-// In strips begin ... end - 1 the tile that follows `depth` columns from `rows` on: updated by those and solved. above:
-// the same columns of the strip in which the tile is the diagonal one.
+// Updates and solves the tile that follows `depth` columns from `rows` on, in strips begin ... end - 1. above: the same
+// columns of the strip with the diagonal tile.
 void solveColumn(double* rows, int begin, int end, Pivots pivots, const double* above, int depth,
                  const double* inverse) {
   for (int i = begin; i < end; ++i) {
@@ -116,13 +117,13 @@ void solveColumn(double* rows, int begin, int end, Pivots pivots, const double* 
   }
 }
 
-// The diagonal tile that follows `depth` columns, updated by those.
+// Updates the diagonal tile with the `depth` columns before it.
 void updateDiagonal(double* rows, int depth) {
   double* const tile = rows + 4 * static_cast<std::ptrdiff_t>(depth);
   less(Tile::load(tile), rows, rows, depth).store(tile);
 }
 
-// Strips begin ... end - 1 of the update matrix; below: its rows of the pivots' columns.
+// Computes strips begin ... end - 1 of the update matrix. below: its rows of the pivots' columns.
 void makeUpdate(const double* below, double* update, Pivots pivots, int begin, int end) {
   const std::ptrdiff_t stride = 16 * static_cast<std::ptrdiff_t>(pivots.strips);
   const int depth = 4 * pivots.strips - pivots.padding;
@@ -160,7 +161,8 @@ void eliminateStrips(double* columns, double* update, Pivots pivots, int begin, 
 }
 
 double eliminationFlops(Pivots pivots, int begin, int end) {
-  // Strip i multiplies its tiles j <= i at depth 4 min(j, strips), less the padding: 2 * 16 * depth operations a tile.
+  // Strip i multiplies its tiles j <= i at depth 4 min(j, strips), minus the padding: 2 * 16 * depth operations per
+  // tile.
   double flops = 0.0;
   for (int i = begin; i < end; ++i) {
     const double triangle = std::min(i, pivots.strips), rest = std::max(0, i + 1 - pivots.strips);

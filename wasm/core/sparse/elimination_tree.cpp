@@ -15,7 +15,7 @@ Graph permuted(const Graph& graph, const std::vector<int>& order, const Fraction
   result.start.assign(static_cast<std::size_t>(size) + 1, 0);
   result.neighbour.resize(graph.neighbour.size());
   for (int p = 0; p < size; ++p) result.start[p + 1] = result.start[p] + graph.degree(order[p]);
-  // In ascending order everybody's neighbours arrive sorted.
+  // The ascending order sorts all neighbour lists.
   std::vector<int> next(result.start.begin(), result.start.end() - 1);
   inBlocks(onProgress, order.size(), [&](std::size_t from, std::size_t end) {
     for (std::size_t p = from; p < end; ++p)
@@ -27,7 +27,7 @@ Graph permuted(const Graph& graph, const std::vector<int>& order, const Fraction
 std::vector<int> eliminationTree(const Graph& graph, const FractionReport& onProgress) {
   const int size = graph.size();
   std::vector<int> parent(size, -1);
-  std::vector<int> ancestor(size, -1);  // path-compressed towards the root of the tree so far
+  std::vector<int> ancestor(size, -1);  // path-compressed towards the root of the current tree
   inBlocks(onProgress, static_cast<std::size_t>(size), [&](std::size_t begin, std::size_t end) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
       for (int i : graph.neighbours(j))
@@ -44,7 +44,7 @@ std::vector<int> eliminationTree(const Graph& graph, const FractionReport& onPro
 std::vector<int> postorder(const std::vector<int>& parent) {
   const int size = static_cast<int>(parent.size());
   std::vector<int> firstChild(size, -1), sibling(size, -1), order, stack;
-  for (int v = size - 1; v >= 0; --v) {  // backwards, so the lists ascend
+  for (int v = size - 1; v >= 0; --v) {  // descending, so the lists ascend
     if (parent[v] == -1) continue;
     sibling[v] = firstChild[parent[v]];
     firstChild[parent[v]] = v;
@@ -88,8 +88,8 @@ std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& 
                                     const FractionReport& onProgress) {
   assert(std::ranges::is_sorted(postorder(parent)));
   const int size = graph.size();
-  // Row i of the factor is a subtree rooted at i; a column's count is the number of row subtrees it lies in. Each row
-  // subtree adds one at its leaves and takes one off where two branches meet.
+  // Row i of the factor is a subtree rooted at i. A column's count is the number of row subtrees that contain it. Each
+  // row subtree adds one at its leaves and subtracts one where two branches meet.
   std::vector<int> count(size, 0), first(size, -1), previousLeaf(size, -1), maxFirst(size, -1), set(size);
   for (int j = 0; j < size; ++j) {
     set[j] = j;
@@ -100,7 +100,7 @@ std::vector<int> factorColumnCounts(const Graph& graph, const std::vector<int>& 
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j) {
       if (parent[j] != -1) --count[parent[j]];
       for (int i : graph.neighbours(j)) {
-        if (i <= j || first[j] <= maxFirst[i]) continue;  // j is no leaf of row i's subtree
+        if (i <= j || first[j] <= maxFirst[i]) continue;  // j is not a leaf of row i's subtree
         maxFirst[i] = first[j];
         ++count[j];
         if (previousLeaf[i] != -1) --count[findRoot(set, previousLeaf[i])];

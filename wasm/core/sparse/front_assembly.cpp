@@ -14,7 +14,7 @@ Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbo
   for (std::size_t i = 0; i < map.item.size(); ++i) assembly.slot[map.item[i].source] = static_cast<int>(i);
   for (int first : symbolic.first) assembly.start.push_back(map.start[first]);
 
-  // Parents come after their children, and tell them where their rows are.
+  // Parents come after their children and record the positions of their rows.
   assembly.parentRow.resize(symbolic.row.size());
   const int count = symbolic.supernodes();
   std::vector<int> firstChild(count, -1), sibling(count, -1);

@@ -1,4 +1,4 @@
-// Where the numbers that fronts are assembled from go: found once for all matrices of one structure.
+// Destinations of the numbers that form the fronts, computed once per matrix structure.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace shapespline {
 
-/// What a front is the sum of: entries of the matrix, and its children's update matrices. Neither needs the numbers of
-/// unknowns.
+/// A front is the sum of matrix entries and its children's update matrices. Both can be added without the unknowns'
+/// numbers.
 struct Assembly {
-  std::vector<int> slot;   ///< of each of the matrix's values, which in order of their slots are sorted by supernode
-  std::vector<int> start;  ///< slots of supernode s: start[s] ... start[s + 1] - 1
-  std::vector<std::size_t> target;  ///< of each slot's value in the columns of the front (see dense_front.h)
-  std::vector<int> parentRow;       ///< row i of symbolic.row is this row of its parent's front
+  std::vector<int> slot;            ///< slot of each matrix value; slots are sorted by supernode
+  std::vector<int> start;           ///< slots of supernode s: start[s] ... start[s + 1] - 1
+  std::vector<std::size_t> target;  ///< position of each slot's value in the columns of the front (see dense_front.h)
+  std::vector<int> parentRow;       ///< row of the parent's front for row i of symbolic.row
 };
 
 Assembly planAssembly(const SymmetricMatrix& matrix, const SymbolicFactor& symbolic);

@@ -13,9 +13,9 @@ Graph graphOf(const SymmetricMatrix& matrix) {
         if (matrix.row[i] != column) visit(matrix.row[i], column);
   };
   CompressedRows<int> rows = compressedRows<int>(matrix.size, [&](auto add) {
-    // Column by column: first every node's smaller neighbours arrive in order, ...
+    // Column by column: first each node's smaller neighbours, in order, ...
     eachEntryBelow([&](int row, int column) { add(row, column); });
-    // ... then its larger ones, which are the rows of its own column.
+    // ... then the larger ones, which are the rows of its own column.
     eachEntryBelow([&](int row, int column) { add(column, row); });
   });
   return {std::move(rows.start), std::move(rows.item)};

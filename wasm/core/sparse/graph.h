@@ -1,4 +1,4 @@
-// The undirected graph of a sparse symmetric matrix: what orderings work on.
+// The undirected graph of a sparse symmetric matrix, the input of ordering algorithms.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ struct Graph {
   }
 };
 
-/// The graph with an edge for every stored entry off the diagonal, zero or not.
+/// The graph with an edge for every stored off-diagonal entry, including stored zeros.
 Graph graphOf(const SymmetricMatrix& matrix);
 
 }  // namespace shapespline

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int unclustered = -1;
 
-// Returns how many there are.
+// Returns the number of clusters.
 int growClusters(const Graph& graph, std::vector<int>& ofNode) {
   const auto isClustered = [&](int v) { return ofNode[v] != unclustered; };
   ofNode.assign(graph.size(), unclustered);

@@ -1,4 +1,4 @@
-// A graph in the small: its clusters.
+// Coarse graph of node clusters.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@ namespace shapespline {
 
 struct GraphClusters {
   std::vector<int> ofNode;  ///< cluster of each node
-  Graph graph;              ///< of the clusters: an edge where one joins nodes of theirs
+  Graph graph;              ///< graph of the clusters, with an edge where their nodes are adjacent
 };
 
-/// In ascending order each node without clustered neighbours makes a cluster with all of these; what is left over joins
-/// that of its first clustered neighbour. A cluster of a triangle mesh's nodes has about eight (aggregation, as in
-/// algebraic multigrid: Vanek, Mandel and Brezina 1996).
+/// In ascending order, each node without clustered neighbours forms a cluster with all its neighbours. Each remaining
+/// node joins the cluster of its first clustered neighbour. A cluster of a triangle mesh has about eight nodes
+/// (aggregation, as in algebraic multigrid: Vanek, Mandel and Brezina 1996).
 GraphClusters clusterNodes(const Graph& graph);
 
 }  // namespace shapespline

@@ -11,9 +11,9 @@ namespace shapespline {
 
 namespace {
 
-// A correction leaves about 1e-5 of itself as error, so the last one leaves less than 1e-11 of the extent.
+// A correction leaves about 1e-5 of itself as error, so the last correction leaves less than 1e-11 of the extent.
 constexpr double smallCorrection = 1e-6;
-// Three are usual. Systems so badly conditioned that single precision hardly solves them take more.
+// Three corrections are typical. Systems close to the limit of single precision take more.
 constexpr int mostCorrections = 12;
 
 }  // namespace
@@ -53,7 +53,7 @@ void IterativeRefinement::solve(const Cholesky& solver, const double* b, double*
                                 ForkJoin* forkJoin) const {
   const std::size_t length = 4 * static_cast<std::size_t>(solver.paddedSize());
   scratch.correction.resize(length);
-  assert([&] {  // the pads of b are zero
+  assert([&] {  // the pads of b must be zero
     for (std::size_t i = 3; i < 4 * static_cast<std::size_t>(matrix_.size); i += 4)
       if (b[i] != 0) return false;
     return true;

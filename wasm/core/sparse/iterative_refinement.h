@@ -1,4 +1,4 @@
-// Solutions to double accuracy on a factor in single precision.
+// Double accuracy with a factor in single precision.
 #pragma once
 
 #include <vector>
@@ -17,11 +17,11 @@ class IterativeRefinement {
     std::vector<float, Eigen::aligned_allocator<float>> correction;
   };
 
-  /// matrix: what the solver has factored, in single precision.
+  /// matrix: the matrix that the solver has factored in single precision.
   IterativeRefinement(const SymmetricMatrix& matrix, const Cholesky& solver);
 
-  /// Solves A x = b from the x given until a correction is small beside `extent`. b and x: (x, y, z, pad) of every
-  /// unknown in elimination order, 4 * solver.paddedSize() numbers each. The pads of b must be zero, those of x are
+  /// Solves A x = b from the given x until a correction is small relative to `extent`. b and x: (x, y, z, pad) of every
+  /// unknown in elimination order, 4 * solver.paddedSize() numbers each. The pads of b must be zero; the pads of x are
   /// kept.
   void solve(const Cholesky& solver, const double* b, double* x, double extent, Scratch& scratch,
              ForkJoin* forkJoin = nullptr) const;

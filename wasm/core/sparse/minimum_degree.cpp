@@ -9,7 +9,7 @@ namespace shapespline {
 
 std::vector<int> minimumDegreeOrder(const Graph& graph) {
   const int size = graph.size();
-  // Eigen wants each column with its diagonal entry; the values do not matter.
+  // Eigen requires a diagonal entry in each column. The values do not matter.
   Eigen::SparseMatrix<signed char, Eigen::ColMajor, int> pattern(size, size);
   pattern.resizeNonZeros(static_cast<Eigen::Index>(graph.neighbour.size()) + size);
   int next = 0;

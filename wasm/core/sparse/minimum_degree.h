@@ -1,4 +1,4 @@
-// Minimum degree orders: the least fill for small graphs.
+// Minimum degree ordering, which has the least fill for small graphs.
 #pragma once
 
 #include <vector>

@@ -15,9 +15,9 @@ namespace {
 constexpr int none = -1;
 constexpr int source = -2;  // the predecessor of a path's first node
 
-// Vertex-disjoint maximum flow with node splitting: every node of the band has an entrance and an exit of capacity one
-// between them. A node on a path may be entered once more only to go back to its predecessor, whose path then leaves it
-// on another way. So every node but a used one is left by its own exit, and a search goes from exit to exit.
+// Vertex-disjoint maximum flow with node splitting: every node of the band has an entrance and an exit, joined by an
+// arc of capacity one. A node on a path may be entered again only to return to its predecessor, whose path then takes
+// another route. An unused node is therefore always left by its own exit, and a search can move from exit to exit.
 class DisjointPaths {
  public:
   DisjointPaths(const Graph& graph, const std::vector<Side>& side) {
@@ -28,11 +28,12 @@ class DisjointPaths {
     findPaths();
   }
 
-  // Sides of the band's nodes for the smallest separator nearest to Left: entrance within reach, exit not.
+  // Sides of the band's nodes for the smallest separator nearest to Left: nodes whose entrance is reachable and whose
+  // exit is not.
   std::vector<Side> nearestToLeft() const {
     std::vector<Side> result(node_.size(), Side::Right);
     std::vector<int> queue;
-    std::vector<char> reached(node_.size(), 0);  // exits
+    std::vector<char> reached(node_.size(), 0);  // whether each exit is reachable
     const auto enter = [&](int b) {
       if (result[b] != Side::Right) return;
       result[b] = Side::Separator;
@@ -51,7 +52,7 @@ class DisjointPaths {
     return result;
   }
 
-  // The same nearest to Right, from the exits that reach the sink.
+  // Sides for the smallest separator nearest to Right, from the exits that reach the sink.
   std::vector<Side> nearestToRight() const {
     std::vector<Side> result(node_.size(), Side::Left);
     for (int b : queue_) result[b] = Side::Separator;
@@ -66,14 +67,14 @@ class DisjointPaths {
  private:
   bool used(int b) const { return predecessor_[b] != none; }
 
-  // Where one is who has entered a node: at its exit, or at that of its predecessor. Below 0 at a path's start.
+  // The exit after entering a node: its own, or its predecessor's if it is used. Negative at a path's start.
   int exitBehind(int b) const { return used(b) ? predecessor_[b] : b; }
 
-  // The node that one enters to get to an exit; below 0 where a path has its end.
+  // The node to enter to reach an exit. Negative at the end of a path.
   int entranceBefore(int exit) const { return used(exit) ? successor_[exit] : exit; }
 
-  // The band's nodes in the order of their distances from the sink, so a search stays where it is; then those without a
-  // way there.
+  // Numbers the band's nodes by distance from the sink, for locality of the search. Nodes that cannot reach the sink
+  // come last.
   void number(const Graph& graph, const std::vector<Side>& side) {
     std::vector<int> local(side.size(), none), band;
     const auto add = [&](int v, int distance) {
@@ -108,8 +109,8 @@ class DisjointPaths {
     }
   }
 
-  // In rounds (Dinic 1970), nearest starts first. Who has no way to the sink never gets one again: new ways begin where
-  // a path was laid.
+  // Searches in rounds (Dinic 1970), nearest starts first. A start that cannot reach the sink never can later: new
+  // routes only begin on new paths.
   void findPaths() {
     std::vector<int> starts = atSource_;
     const auto distance = [&](int b) { return exitBehind(b) < 0 ? size() : distance_[exitBehind(b)]; };
@@ -124,7 +125,7 @@ class DisjointPaths {
     }
   }
 
-  // Of all exits, as paths leave them now; size() where there is no way. Queues those that have one.
+  // Distances of all exits under the current paths; size() if the sink is unreachable. Queues the reachable exits.
   void findDistances() {
     std::fill(distance_.begin(), distance_.end(), size());
     queue_.clear();
@@ -142,8 +143,8 @@ class DisjointPaths {
     }
   }
 
-  // Depth-first from a node at the source along falling distances. Where that ends the distance is raised, so others
-  // may still come by on a longer way.
+  // Depth-first search from a node at the source along decreasing distances. A dead end gets a larger distance, so
+  // longer routes may still use it.
   void search(int start) {
     entered_.assign(1, start);
     path_.assign(1, exitBehind(start));
@@ -162,7 +163,7 @@ class DisjointPaths {
     }
   }
 
-  // The next node to enter from an exit, one nearer to the sink, or none: a neighbour, or the exit's own node.
+  // The next node to enter from an exit, closer to the sink, or none: a neighbour, or the exit's own node.
   int advance(int from) {
     const int wanted = distance_[from] - 1, degree = band_.degree(from);
     const int* neighbour = band_.neighbour.data() + band_.start[from];
@@ -186,12 +187,12 @@ class DisjointPaths {
     next_[from] = 0;
   }
 
-  // Reroutes the paths. No node is entered twice on the way, so the old predecessors are those that it was found with.
+  // Reroutes the paths. No node occurs twice on the route, so the old predecessors are still valid.
   void apply() {
     predecessor_[entered_[0]] = source;
     for (std::size_t i = 1; i < path_.size(); ++i) {
       const int from = path_[i - 1];
-      const bool leaves = entered_[i] == from;  // the path through it takes another way
+      const bool leaves = entered_[i] == from;  // its old path takes another route
       predecessor_[entered_[i]] = leaves ? none : from;
       successor_[from] = leaves ? none : entered_[i];
     }
@@ -201,12 +202,12 @@ class DisjointPaths {
   std::vector<int> node_;
   Graph band_;
   std::vector<int> atSource_;
-  int atSink_ = 0;                            // how many nodes are: the first ones
-  std::vector<int> predecessor_, successor_;  // on the path through the node; none if there is none
-  std::vector<int> distance_;                 // of exits from the sink, at least
-  std::vector<int> next_;                     // arc of an exit to be tried
+  int atSink_ = 0;                            // number of nodes adjacent to the sink, which come first
+  std::vector<int> predecessor_, successor_;  // neighbours along the path through the node, or none
+  std::vector<int> distance_;                 // lower bounds of the exits' distances from the sink
+  std::vector<int> next_;                     // next arc to try at each exit
   std::vector<int> queue_;                    // exits that reach the sink
-  std::vector<int> entered_, path_;           // nodes of the path in the making, and the exits behind them
+  std::vector<int> entered_, path_;           // nodes of the current path, and the exits after them
 };
 
 long imbalance(const std::vector<Side>& side, const DisjointPaths& paths, const std::vector<Side>& band) {

@@ -1,4 +1,4 @@
-// Minimum vertex cuts: the smallest separator inside a band of nodes.
+// Minimum vertex cut: the smallest separator inside a band of nodes.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@ namespace shapespline {
 
 enum class Side : unsigned char { Left, Right, Separator };
 
-/// Replaces the separator by a smallest part of it that still separates what is Left from what is Right; its other
-/// nodes join a side. No edge may join the two sides. Of the smallest separators it takes the one nearest to either
-/// side that leaves the better balance.
+/// Reduces the separator to a minimum subset that still separates Left from Right. The other nodes join a side. No edge
+/// may connect Left and Right. Among the minimum separators, the two nearest to either side are considered, and the
+/// better balanced one is taken.
 ///
-/// By Menger's theorem their size is the largest number of vertex-disjoint paths from Left to Right: a maximum flow
-/// with node splitting, found by blocking flows (Dinic 1970), which for unit capacities takes few rounds.
+/// By Menger's theorem, the size of the separator is the largest number of vertex-disjoint paths from Left to Right: a
+/// maximum flow with node splitting. Blocking flows (Dinic 1970) find it in few rounds for unit capacities.
 void shrinkSeparator(const Graph& graph, std::vector<Side>& side);
 
 }  // namespace shapespline

@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-// Strips eliminated between two looks at the budget.
+// Strips eliminated between two checks of the budget.
 constexpr int stripsAtOnce = 32;
 
 Pivots pivotsOf(const SymbolicFactor& symbolic, int s) { return Pivots(symbolic.columns(s)); }
@@ -22,7 +22,7 @@ std::size_t columnsSize(const SymbolicFactor& symbolic, int s) {
   return pivots.stripAt(pivots.strips + updateStrips(symbolic, s));
 }
 
-// The largest size that both stacks and the columns of a front will have together, in doubles.
+// Peak size of both stacks and the columns of a front together, in doubles.
 std::size_t stackPeak(const SymbolicFactor& symbolic) {
   std::vector<std::size_t> childUpdates(symbolic.supernodes(), 0);
   std::size_t held = 0, peak = 0;
@@ -36,8 +36,8 @@ std::size_t stackPeak(const SymbolicFactor& symbolic) {
   return peak;
 }
 
-// What memset does for whole strips: WebAssembly's C library has it a word at a time or asks JavaScript to do it.
-// stepBack() keeps compilers from calling it all the same.
+// A memset for whole strips: WebAssembly's C library clears one word at a time or calls JavaScript. stepBack() prevents
+// compilers from replacing this loop with memset.
 void clear(double* begin, std::size_t n) {
   for (double* p = begin + n; p != begin;) {
     p = stepBack(p, 4);
@@ -45,8 +45,8 @@ void clear(double* begin, std::size_t n) {
   }
 }
 
-// Values move to their slots, and those of one supernode to their places. To read them at random costs five times as
-// much.
+// Moves values to their slots, and the values of one supernode to their positions. Reading them at random costs five
+// times as much.
 void sortValues(std::span<const double> values, const int* slot, double* sorted) {
   for (std::size_t i = 0; i < values.size(); ++i) sorted[slot[i]] = values[i];
 }
@@ -55,14 +55,14 @@ void scatterValues(const double* value, const std::size_t* target, int count, do
 }
 
 // Adds columns begin ... end - 1 of strip i of an update matrix to a part of its parent's front: entry (4 i + r, c) to
-// part[target[r] + 4 * to[c]]. Rows that only fill up the strip are zero and may go anywhere.
+// part[target[r] + 4 * to[c]]. Padding rows of the strip are zero and may be added anywhere.
 void addStrip(const double* strip, int i, int begin, int end, double* part, const std::ptrdiff_t* target,
               const int* to) {
   double *a = part + target[0], *b = part + target[1], *c = part + target[2], *d = part + target[3];
   strip += 4 * begin;
   int k = begin;
   const int square = std::min(4 * i, end);
-  if (b == a + 1 && d == c + 1) {  // two and two side by side
+  if (b == a + 1 && d == c + 1) {  // two pairs of adjacent rows
     for (; k < square; ++k, strip += 4) {
       const int column = 4 * to[k];
       (Double2::load(a + column) + Double2::load(strip)).store(a + column);
@@ -78,7 +78,7 @@ void addStrip(const double* strip, int i, int begin, int end, double* part, cons
     for (int r = k - 4 * i; r < 4; ++r) part[target[r] + 4 * to[k]] += strip[r];
 }
 
-// Adds the columns of an update matrix that are its parent's pivots, or the others, to that part of its front.
+// Adds the columns of an update matrix that belong to one part of its parent's front: the parent's pivots, or the rest.
 void addUpdate(const double* update, const int* to, int rows, Pivots pivots, bool isUpdate, double* part) {
   const int pivotRows = 4 * pivots.strips;
   const int split = static_cast<int>(std::lower_bound(to, to + rows, pivotRows) - to);
@@ -173,7 +173,7 @@ bool Multifrontal::eliminate(double& flopBudget) {
 
 void Multifrontal::finishFront() {
   addChildren(Part::Update);
-  // The children's update matrices are the last of their stack.
+  // The children's update matrices are at the end of their stack.
   for (int child = firstChild_[supernode_]; child != -1; child = sibling_[child])
     if (isHigh_[child]) high_ += updateSize(symbolic_, child);
     else low_ -= updateSize(symbolic_, child);

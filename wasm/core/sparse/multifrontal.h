@@ -12,25 +12,26 @@
 
 namespace shapespline {
 
-/// One running factorisation. Update matrices lie on two stacks that grow towards each other, a front's on the one and
-/// its children's on the other: each is made where it stays. Between them are the columns of the current front.
+/// A running factorisation. Two stacks of update matrices grow towards each other: a front's matrix on one stack, its
+/// children's on the other. Each matrix is computed at its final position. The columns of the current front lie between
+/// the stacks.
 class Multifrontal {
  public:
-  /// The structure must outlive this. values: the matrix's, which are copied in the order in which fronts take them.
+  /// The structure must outlive this. values: the matrix's values, copied in the order of the fronts.
   Multifrontal(const SymbolicFactor& symbolic, const Assembly& assembly, std::span<const double> values);
 
   int supernode() const { return supernode_; }
   bool done() const { return supernode_ == symbolic_.supernodes(); }
 
-  /// Works on the current supernode for about flopBudget operations, which it reduces by what it took. True when the
-  /// front is eliminated: read it with columns(), then call finishFront() to go on.
+  /// Works on the current supernode for about flopBudget operations and subtracts the used ones. Returns true when the
+  /// front is eliminated: read it with columns(), then call finishFront().
   bool eliminate(double& flopBudget);
   const double* columns() const { return stack_.get() + low_; }
-  const double* inverse() const { return inverse_.data(); }  // of its diagonal tiles
+  const double* inverse() const { return inverse_.data(); }  // inverses of the diagonal tiles
   void finishFront();
 
   int regularisedPivots() const { return regularised_; }
-  /// Position of the first pivot that was negative or not finite, or -1.
+  /// Position of the first pivot that is negative or not finite, or -1.
   int failedPosition() const { return failed_; }
   double flopsDone() const { return flopsDone_; }
   std::size_t stackDoubles() const { return stackSize_; }
@@ -42,22 +43,22 @@ class Multifrontal {
 
   const SymbolicFactor& symbolic_;
   const Assembly& assembly_;
-  std::unique_ptr<double[]> values_;  // by their slots
-  std::size_t stackSize_;             // doubles
+  std::unique_ptr<double[]> values_;  // sorted by slot
+  std::size_t stackSize_;             // in doubles
   std::unique_ptr<double[]> stack_;
-  std::vector<int> firstChild_, sibling_;  // last pushed child first
-  std::vector<char> isHigh_;               // supernodes whose update matrix goes to the high stack
-  std::vector<std::size_t> updateBase_;    // of each supernode whose update matrix is on a stack
+  std::vector<int> firstChild_, sibling_;  // children in reverse order
+  std::vector<char> isHigh_;               // supernodes whose update matrix is on the high stack
+  std::vector<std::size_t> updateBase_;    // position of each stacked update matrix
   std::vector<double> reference_, inverse_;
-  std::size_t low_ = 0, high_;  // where the low stack ends and the high one begins
+  std::size_t low_ = 0, high_;  // end of the low stack and start of the high stack
   int supernode_ = 0;
-  int nextStrip_ = -1;  // of the current front, -1 before it is assembled
+  int nextStrip_ = -1;  // next strip of the current front, -1 before assembly
   int regularised_ = 0;
   int failed_ = -1;
   double flopsDone_ = 0.0;
 };
 
-/// Operations of the whole factorisation, as flopsDone() counts them.
+/// Operations of the whole factorisation, counted like flopsDone().
 double factorisationFlops(const SymbolicFactor& symbolic);
 
 }  // namespace shapespline

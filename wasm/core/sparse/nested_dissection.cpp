@@ -20,12 +20,12 @@ namespace shapespline {
 namespace {
 
 constexpr int leafSize = 64;
-// A separator of more than this share of the nodes is none: no mesh, so minimum degree does better.
+// A larger share of nodes in a separator means that the graph is not a mesh, so minimum degree works better.
 constexpr double uselessSeparator = 0.3;
-// Larger subgraphs are divided among their clusters, in a band that would be costly among nodes.
+// Larger subgraphs are first divided by clusters, because a wide band of nodes would be costly.
 constexpr int manyNodes = 3000;
 constexpr Band bandOfClusters = {60, 0.3};
-// Layers of clusters on either side of theirs in which the nodes' separator is sought.
+// Number of cluster layers on either side of the clusters' separator for the search among nodes.
 constexpr int nearbyLayers = 2;
 
 // A subgraph of nodes or of clusters, compactly renumbered.
@@ -48,7 +48,7 @@ bool isUseful(const Counts& count) {
   return count[0] > 0 && count[1] > 0 && count[2] <= uselessSeparator * size;
 }
 
-// The separator and what borders on it.
+// The separator and its adjacent nodes.
 std::vector<Side> widened(const Graph& graph, const std::vector<Side>& side) {
   std::vector<Side> wide = side;
   for (int v = 0; v < graph.size(); ++v)
@@ -76,7 +76,7 @@ class Dissection {
   std::vector<int> takeOrder() { return std::move(order_); }
 
  private:
-  // Fills the order from its end: the separator, then the right side, then the left one.
+  // Fills the order from its end: the separator, then the right side, then the left side.
   void dissect(Subgraph subgraph) {
     const int size = subgraph.graph.size();
     if (size <= leafSize) return orderLeaf(subgraph.original);
@@ -102,7 +102,7 @@ class Dissection {
     return findSeparator(subgraph.graph, subgraph.coordinates, onStep);
   }
 
-  // A separator of the subgraph's clusters, then the smallest one of nodes near it; none where there are few clusters.
+  // Finds a separator of the subgraph's clusters, then the smallest separator of nodes near it. Empty for few clusters.
   std::vector<Side> sidesByClusters(const Subgraph& subgraph, const std::function<void()>& onStep) {
     const Subgraph clusters = clustersOf(subgraph);
     std::vector<Side> side;
@@ -117,7 +117,7 @@ class Dissection {
     return side;
   }
 
-  // Each at its first node. Numbers them.
+  // Numbers the clusters. Each cluster is at the position of its first node.
   Subgraph clustersOf(const Subgraph& subgraph) {
     Subgraph clusters;
     for (std::size_t i = 0; i < subgraph.original.size(); ++i) {
@@ -135,7 +135,7 @@ class Dissection {
     return clusters;
   }
 
-  // Every node is divided off about as often as subgraphs can be halved, each time in two steps: finding, extracting.
+  // Every node is divided about as often as subgraphs can be halved, in two steps each: finding and extracting.
   void reportWork(double nodes) {
     const double halvings = std::max(1.0, std::log2(static_cast<double>(whole_.size()) / leafSize));
     work_ += nodes / (2 * halvings * whole_.size());
@@ -144,7 +144,7 @@ class Dissection {
     reportFraction(onProgress_, reported_);
   }
 
-  // Along its longest axis, so the rows that a neighbouring block shares with it are contiguous.
+  // Orders the separator along its longest axis, so its rows in a neighbouring block are contiguous.
   void placeSeparator(const Subgraph& subgraph, const std::vector<Side>& side) {
     std::vector<int> nodes;
     Vec3 low = Vec3::Constant(1e300), high = -low;
@@ -163,11 +163,11 @@ class Dissection {
     for (std::size_t i = 0; i < nodes.size(); ++i) order_[end_ + static_cast<int>(i)] = subgraph.original[nodes[i]];
   }
 
-  // The sides, left and right.
+  // The left and right sides.
   std::array<Subgraph, 2> divide(const Subgraph& subgraph, const std::vector<Side>& side, const Counts& count) {
     const Graph& graph = subgraph.graph;
     std::array<Subgraph, 2> halves;
-    std::array<std::size_t, 2> ends = {0, 0};  // of edges, at most
+    std::array<std::size_t, 2> ends = {0, 0};  // upper bound for the number of edge ends
     for (int h = 0; h < 2; ++h) {
       halves[h].original.reserve(count[h]);
       halves[h].coordinates.reserve(count[h]);
@@ -198,7 +198,7 @@ class Dissection {
     for (std::size_t i = 0; i < order.size(); ++i) order_[end_ + static_cast<int>(i)] = subgraph.original[order[i]];
   }
 
-  // Minimum degree on bit sets. Neighbours outside the leaf are eliminated later but count in the degrees.
+  // Minimum degree on bit sets. Neighbours outside the leaf are eliminated later but count for the degrees.
   void orderLeaf(const std::vector<int>& nodes) {
     using Bits = std::array<std::uint64_t, 4>;
     constexpr int bitCount = 256;
@@ -249,12 +249,12 @@ class Dissection {
   const GraphClusters clusters_;
   const FractionReport& onProgress_;
   double work_ = 0, reported_ = 0;
-  std::vector<int> local_;          // of a leaf's nodes and their neighbours while it is ordered, else -1
-  std::vector<int> number_;         // of a subgraph's nodes in their side, while it is divided
-  std::vector<int> clusterNumber_;  // of each cluster in a subgraph's, while these are divided, else -1
+  std::vector<int> local_;          // local number of a leaf's nodes and their neighbours during its ordering, else -1
+  std::vector<int> number_;         // number of a subgraph's nodes in their side, during division
+  std::vector<int> clusterNumber_;  // number of each cluster in a subgraph during division, else -1
   std::vector<int> halo_;
   std::vector<int> order_;
-  int end_ = 0;  // order_ is filled from here on
+  int end_ = 0;  // start of the filled part of order_
 };
 
 }  // namespace

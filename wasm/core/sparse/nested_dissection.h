@@ -1,4 +1,4 @@
-// Nested dissection (George 1973) on coordinates.
+// Nested dissection (George 1973) with coordinates.
 #pragma once
 
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace shapespline {
 
-/// Elimination order: order[p] is the node at position p. Graph halves come first, their separator last, recursively;
-/// small subgraphs are ordered by minimum degree among all their neighbours. coordinates: one finite position a node.
+/// Elimination order: order[p] is the node at position p. The halves of the graph come first, their separator last,
+/// recursively. Small subgraphs are ordered by minimum degree, including neighbours outside. coordinates: one finite
+/// position per node.
 std::vector<int> nestedDissectionOrder(const Graph& graph, std::span<const Vec3> coordinates,
                                        const FractionReport& onProgress = {});
 

@@ -7,7 +7,7 @@ namespace shapespline {
 
 std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates,
                                    const FractionReport& onProgress) {
-  // Below this nested dissection has no less fill than minimum degree.
+  // Nested dissection has no less fill than minimum degree below this size.
   constexpr int large = 40000;
   if (graph.size() < large || coordinates.empty()) return minimumDegreeOrder(graph);
   return nestedDissectionOrder(graph, coordinates, onProgress);

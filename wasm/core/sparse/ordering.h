@@ -10,8 +10,8 @@
 
 namespace shapespline {
 
-/// The order the solver uses: nested dissection for large graphs with coordinates, else minimum degree.
-/// coordinates: one position a node, or empty.
+/// The solver's order: nested dissection for large graphs with coordinates, otherwise minimum degree.
+/// coordinates: one position per node, or empty.
 std::vector<int> fillReducingOrder(const Graph& graph, std::span<const Vec3> coordinates,
                                    const FractionReport& onProgress = {});
 

@@ -11,7 +11,7 @@ namespace shapespline {
 
 namespace {
 
-// Columns of a strip of a front, the next of them `stride` numbers on.
+// Columns of a strip of a front, `stride` numbers apart.
 template <class Scalar>
 void copyStrip(const double* strip, int columns, int stride, Scalar* out) {
   for (const double* end = strip + 4 * columns; strip != end; strip += 4, out += stride)
@@ -74,7 +74,7 @@ template <class Scalar>
 void PanelFactor<Scalar>::solve(Scalar* x, ForkJoin* forkJoin) const {
   const auto at = [x](int i) { return x + 4 * static_cast<std::ptrdiff_t>(i); };
   std::fill(at(size_), at(paddedSize()),
-            Scalar(0));  // what the zero rows read and write, and what the second part adds to the top
+            Scalar(0));  // scratch for padding rows, and for what the second part adds to the top
   inTwo(forkJoin, [&](int part) { forward(part, x); });
   const Scalar* copy = at(size_ + 2);
   for (int p : top_)

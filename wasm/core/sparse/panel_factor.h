@@ -1,4 +1,4 @@
-// The stored factor and the solve, which is all about streaming it through the processor.
+// The stored factor and the solve. The cost of a solve is reading the factor from memory.
 #pragma once
 
 #include <vector>
@@ -8,26 +8,24 @@
 
 namespace shapespline {
 
-/// The factor L of a matrix, in Scalar (float or double), for solving with (x, y, z, pad) vectors. A panel is stored in
-/// the order in which the forward solve reads it and the backward solve reads it backwards:
-///  - its triangle, four rows at a time: what is left of the diagonal block, column by column, then the inverse of the
-///    diagonal block (lower triangle, row by row). The first block may have fewer rows;
-///  - the rows below, eight at a time, then a last group of four, each column by column. Rows that fill up a group are
-///  zero.
-/// Four rows of one column are one vector that multiplies x, y and z at once: no lane is wasted on the padding.
+/// The factor L of a matrix in Scalar (float or double), for solving with (x, y, z, pad) vectors. A panel is stored in
+/// the order of the forward solve; the backward solve reads it backwards:
+/// - its triangle, four rows at a time: the rest of the rows before the diagonal block, column by column, then the
+///   inverse of the diagonal block (lower triangle, row by row). The first block may have fewer rows;
+/// - the rows below, in groups of eight with a last group of four, each column by column. Padding rows are zero.
+/// Four rows of one column form one vector that multiplies x, y and z at once, so no lane is wasted on the padding.
 template <class Scalar>
 class PanelFactor : public PanelLayout {
  public:
-  /// Makes room for the factor.
+  /// Allocates the factor.
   void allocate(const SymbolicFactor& symbolic);
 
-  /// Takes over supernode s from the columns of its eliminated front and its inverted diagonal tiles (see
-  /// dense_front.h). The first column of which a pivot is too small for Scalar is the factor's problem, not noticed
-  /// here.
+  /// Copies supernode s from the columns of its eliminated front and its inverted diagonal tiles (see dense_front.h).
+  /// Pivots too small for Scalar are not detected here.
   void store(const SymbolicFactor& symbolic, int s, const double* columns, const double* inverse);
 
-  /// Solves L Lᵀ x = b in place, (x, y, z, pad) an unknown in elimination order; the padding is scratch. `x` has
-  /// length paddedSize() unknowns, those beyond the matrix's size are scratch.
+  /// Solves L Lᵀ x = b in place: (x, y, z, pad) per unknown in elimination order. The pads are scratch. `x` has length
+  /// paddedSize() unknowns. Those beyond the matrix's size are scratch.
   void solve(Scalar* x, ForkJoin* forkJoin = nullptr) const;
 
   std::size_t entries() const { return values_.size(); }

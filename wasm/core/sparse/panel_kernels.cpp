@@ -5,8 +5,8 @@
 #include "core/base/no_inline_call.h"
 #include "core/base/simd.h"
 
-// Loops here are as small as they can be. Browsers' optimising compilers move the loads of a loop body to its front, so
-// an unrolled body runs out of registers: bodies of five loads ran twice as fast as bodies of fourteen.
+// Loop bodies here are as small as possible. Browsers' optimising compilers move the loads of a loop body to its front,
+// so an unrolled body runs out of registers: bodies of five loads ran twice as fast as bodies of fourteen.
 
 namespace shapespline {
 
@@ -35,7 +35,7 @@ Group<V> gather(const Scalar* a, const Scalar* b, const Scalar* c, const Scalar*
   return g;
 }
 
-// Of the four unknowns that `row` names.
+// Loads the four unknowns in `row`.
 template <class V, class Scalar>
 Group<V> gather(const Scalar* x, const int* row) {
   return gather<V>(at(x, alone(row[0])), at(x, alone(row[1])), at(x, alone(row[2])), at(x, alone(row[3])));
@@ -56,7 +56,7 @@ void addTo(const Group<V>& g, Scalar* x, const int* row) {
   addTo(g, at(x, alone(row[0])), at(x, alone(row[1])), at(x, alone(row[2])), at(x, alone(row[3])));
 }
 
-// Minus four rows times the unknowns from y to end.
+// Subtracts four rows times the unknowns from y to end.
 template <class V, class Scalar>
 Group<V> negativeProduct(const Scalar* values, const Scalar* y, const Scalar* end) {
   Group<V> g;
@@ -81,14 +81,14 @@ void solveDiagonal(const Scalar* inverse, Scalar* x) {
   }
 }
 
-// The lanes of four vectors added up.
+// Adds up the lanes of four vectors.
 template <class V>
 V addedUp(V a, V b, V c, V d) {
   transpose(a, b, c, d);
   return (a + b) + (c + d);
 }
 
-// x := inverseᵀ * (x - sum) for W unknowns, sum being what is left to add up over the lanes of W columns' x, y and z.
+// x := inverseᵀ * (x - sum) for W unknowns. The lanes of W columns' x, y and z in sum still have to be added up.
 template <class V, int W, class Scalar>
 void solveDiagonalTransposed(const Scalar* inverse, const Scalar* sum, Scalar* x) {
   const auto number = [sum](int i) {
@@ -138,8 +138,8 @@ void forwardPanel(const Scalar* values, int columns, const int* row, int rows, S
   if (rows > 0) addTo(negativeProduct<V>(values, own, end), x, row);
 }
 
-// Adds to the columns' sums the products with four rows, from the last column to the first, or starts the sums with
-// them. Returns where the values start.
+// Adds the products with four rows to the columns' sums, from the last column to the first, or starts the sums. Returns
+// the start of the values.
 template <class V, bool start = false, class Scalar>
 const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar* begin, Scalar* sum) {
   const auto add = [](Scalar* to, V p) { (start ? p : V::load(to) + p).store(to); };
@@ -152,7 +152,7 @@ const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar*
   return values;
 }
 
-// The same with eight rows.
+// As above, with eight rows.
 template <class V, bool start = false, class Scalar>
 const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Group<V>& h, const Scalar* begin,
                           Scalar* sum) {

@@ -5,10 +5,10 @@
 
 namespace shapespline {
 
-/// Rows of a panel's first triangle block; all others have four.
+/// Rows of a panel's first triangle block. All other blocks have four.
 constexpr int firstBlock(int columns) { return (columns - 1) % 4 + 1; }
 
-/// Numbers that a panel of `columns` columns with `rows` rows below (a multiple of four) takes.
+/// Size of a panel with `columns` columns and `rows` rows below (a multiple of four), in numbers.
 constexpr std::size_t panelEntries(int columns, int rows) {
   const std::size_t first = static_cast<std::size_t>(firstBlock(columns));
   std::size_t entries = first * (first + 1) / 2 + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
@@ -16,7 +16,7 @@ constexpr std::size_t panelEntries(int columns, int rows) {
   return entries;
 }
 
-/// Works on the vector x (four numbers per unknown): the panel's own unknowns start at `first`, the rows below are
+/// Works on the vector x (four numbers per unknown). The panel's own unknowns start at `first`; the rows below are
 /// row[0 .. rows - 1].
 template <class Scalar>
 using PanelKernel = void (*)(const Scalar* values, int columns, const int* row, int rows, Scalar* x, int first);
@@ -26,7 +26,7 @@ struct PanelKernels {
   PanelKernel<Scalar> forward, backward;
 };
 
-/// Called through pointers, see core/base/no_inline_call.h.
+/// Called through pointers (see core/base/no_inline_call.h).
 template <class Scalar>
 PanelKernels<Scalar> panelKernels();
 

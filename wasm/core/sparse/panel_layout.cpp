@@ -11,8 +11,8 @@ std::size_t PanelLayout::lay(const SymbolicFactor& symbolic) {
   size_ = symbolic.size();
   firstPanel_.resize(symbolic.supernodes());
   const std::vector<int> partOf = cutTree(symbolic);
-  std::vector<int> own(size_ + 1),
-      copied;  // of each row and what fills them up: what the first part and the top call it, and the second
+  // Names of each row and of the padding: `own` for the first part and the top, `copied` for the second part.
+  std::vector<int> own(size_ + 1), copied;
   std::iota(own.begin(), own.end(), 0);
   copied = own;
   copied[size_] = size_ + 1;

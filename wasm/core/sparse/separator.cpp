@@ -12,10 +12,12 @@ namespace shapespline {
 
 namespace {
 
-// Times the square root of all nodes, the side of a square subgraph: separators longer than this are worth a try along
-// the diagonals, and along the other axes. The cubes of the largest separators are most of a factorisation's work.
+// In units of the square root of all nodes, the side of a square subgraph. For longer separators, other directions are
+// worth trying: the diagonals, and the other axes. The cubes of the largest separators dominate the work of a
+// factorisation.
 constexpr double longSeparator = 1.1, veryLongSeparator = 1.6;
-// Of a subgraph of n nodes over n^1.5, in units of a separator's cube. Lopsided cuts would be too cheap without it.
+// Cost of a subgraph of n nodes over n^1.5, in units of a separator's cube. Without this cost, lopsided cuts would look
+// too cheap.
 constexpr double dissectionCost = 5.0;
 
 // The principal axes, longest first.
@@ -29,7 +31,7 @@ std::array<Vec3, 3> principalAxes(std::span<const Vec3> points) {
   return {solver.eigenvectors().col(2), solver.eigenvectors().col(1), solver.eigenvectors().col(0)};
 }
 
-// Left below the band about the median along a direction, Right above it; ties by number.
+// Left below the band around the median along a direction, Right above it. Ties are broken by number.
 std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& direction, const Band& band) {
   const double size = static_cast<double>(coordinates.size());
   const double halfBand = std::min(band.share * size, band.depth * std::sqrt(size));
@@ -42,7 +44,7 @@ std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& dire
   std::nth_element(sorted.begin(), sorted.begin() + low, sorted.end());
   std::nth_element(sorted.begin() + low + 1, sorted.begin() + high, sorted.end());
   const double from = sorted[low], to = sorted[high];
-  // How many of the nodes at the limits themselves lie below.
+  // Number of nodes exactly at a limit that belong below it.
   const auto tiesBelow = [&](std::ptrdiff_t count, double limit) {
     return count - std::count_if(projection.begin(), projection.end(), [&](double x) { return x < limit; });
   };
@@ -56,7 +58,7 @@ std::vector<Side> medianBand(std::span<const Vec3> coordinates, const Vec3& dire
   return side;
 }
 
-// Takes into the band what an edge joins across it.
+// Adds nodes to the band until no edge crosses it.
 void widenBand(const Graph& graph, std::vector<Side>& side) {
   for (int v = 0; v < graph.size(); ++v) {
     if (side[v] != Side::Left) continue;
@@ -79,8 +81,8 @@ std::vector<Side> separatorAlong(const Graph& graph, std::span<const Vec3> coord
   return side;
 }
 
-// What elimination costs with these sides, about: the cube of the separator, and of each side what nested dissection
-// takes.
+// Approximate elimination cost for these sides: the cube of the separator, plus the nested dissection cost of each
+// side.
 struct Cut {
   std::vector<Side> side;
   double separator = 0, cost = 0;

@@ -17,7 +17,7 @@ Error malformed(ErrorCode code, const std::string& what, int index) {
   return error;
 }
 
-// Stable counting sort of the triplets' indices: result lists them by ascending key.
+// Stable counting sort of the triplets' indices by ascending key.
 template <class Key>
 std::vector<int> sortedBy(int size, const std::vector<int>& input, Key key) {
   return compressedRows<int>(size,

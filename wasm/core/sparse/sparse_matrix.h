@@ -1,4 +1,4 @@
-// The symmetric sparse matrix that the solver takes: lower triangle, compressed by columns.
+// The symmetric sparse matrix for the solver: lower triangle, compressed by columns.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace shapespline {
 
-/// One contribution to entry (row, column) of a matrix; contributions to the same entry are added.
+/// One contribution to entry (row, column) of a matrix. Contributions to the same entry are added.
 struct Triplet {
   int row = 0;
   int column = 0;
@@ -26,21 +26,20 @@ struct SymmetricMatrix {
   std::vector<double> value;
 };
 
-/// The matrix that the triplets add up to, in the order in which they are given (so that the sums are reproducible).
-/// Every triplet must lie in the lower triangle of a size x size matrix. Every diagonal entry is stored, zero if
-/// nothing contributes to it.
+/// Adds up the triplets in the given order, so the sums are reproducible. Every triplet must be in the lower triangle
+/// of a size x size matrix. Every diagonal entry is stored, even if it is zero.
 SymmetricMatrix assembleSymmetric(int size, std::span<const Triplet> lowerTriplets);
 
-/// Error unless the matrix has the form that SymmetricMatrix promises and every value is finite;
+/// Error unless the matrix meets the conditions of SymmetricMatrix and every value is finite.
 /// error.row is the offending row or column.
 Status checkSymmetric(const SymmetricMatrix& matrix);
 
-/// An entry that column p of the factor starts from: matrix.value[source] at row position row >= p.
+/// Source of an entry in column p of the factor: matrix.value[source] at row position row >= p.
 struct MappedEntry {
   int row, source;
 };
 
-/// Where the entries of a matrix go, by column of the factor.
+/// The entries of a matrix by column of the factor.
 using EntryMap = CompressedRows<MappedEntry>;
 
 EntryMap mapEntries(const SymmetricMatrix& matrix, const std::vector<int>& position);

@@ -6,21 +6,21 @@
 
 namespace shapespline {
 
-// In a postorder all supernodes before a split are whole subtrees. Of those from there on, the ones with a descendant
-// before the split lie above; the others are whole subtrees again. So one split decides the cut: the one after which
-// both are done first.
+// In a postorder, all supernodes before a split form whole subtrees. Supernodes after the split with a descendant
+// before it form the top; the others are whole subtrees again. A single split thus defines the cut. The chosen split
+// lets both threads finish earliest.
 std::vector<int> cutTree(const SymbolicFactor& symbolic) {
   const int count = symbolic.supernodes();
   std::vector<int> firstDescendant(count);
   std::iota(firstDescendant.begin(), firstDescendant.end(), 0);
   std::vector<std::int64_t> work(count),
-      above(static_cast<std::size_t>(count) + 1, 0);  // above: by how much it changes at each split
+      above(static_cast<std::size_t>(count) + 1, 0);  // change of the work above at each split
   std::int64_t total = 0;
   for (int s = 0; s < count; ++s) {
     const std::int64_t columns = symbolic.columns(s), rows = symbolic.rows(s);
     work[s] = columns * (columns + 1) / 2 + columns * rows;
     total += work[s];
-    above[firstDescendant[s] + 1] += work[s];  // cancels out in a leaf
+    above[firstDescendant[s] + 1] += work[s];  // cancels for leaves
     above[s + 1] -= work[s];
     if (const int parent = symbolic.parent[s]; parent != -1)
       firstDescendant[parent] = std::min(firstDescendant[parent], firstDescendant[s]);

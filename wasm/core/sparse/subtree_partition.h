@@ -1,4 +1,4 @@
-// Where the supernode tree is cut so that two can work on it.
+// Cuts the supernode tree for two threads.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace shapespline {
 
-/// What lies above both parts and comes after them.
+/// Marks supernodes above both parts, which come last.
 inline constexpr int topPart = 2;
 
-/// The part of each supernode: 0 and 1 are whole subtrees of about the same work, which have no column in common and
-/// only rows in the top, 2, which is as little as can be.
+/// The part of each supernode. Parts 0 and 1 are whole subtrees with about the same work. They share no columns, and
+/// share rows only in the top, part 2, which is as small as possible.
 std::vector<int> cutTree(const SymbolicFactor& symbolic);
 
 }  // namespace shapespline

@@ -14,14 +14,14 @@ namespace shapespline {
 namespace {
 
 // Merging a child into its parent stores zeros but saves the child's rows in every gather, scatter and assembly.
-// In units of one stored entry: what one row and what one supernode cost. Measured on mesh Laplacians.
+// The costs of one row and of one supernode, in units of one stored entry. Measured on mesh Laplacians.
 constexpr std::int64_t costOfRow = 4;
 constexpr std::int64_t costOfSupernode = 80;
 
-// One node of the supernode tree while it is being merged.
+// One node of the supernode tree during merging.
 struct Node {
   int columns = 0;
-  int front = 0;  // columns and the rows below them
+  int front = 0;  // number of columns and rows below
   int parent = -1;
 };
 
@@ -47,7 +47,7 @@ std::vector<Node> maximalSupernodes(const std::vector<int>& parent, const std::v
   return nodes;
 }
 
-// Merges children into parents while that pays; mergedInto[s] is s itself for those that stay.
+// Merges children into parents while this reduces the cost. mergedInto[s] is s itself for remaining nodes.
 std::vector<int> mergeSupernodes(std::vector<Node>& nodes) {
   const int count = static_cast<int>(nodes.size());
   std::vector<int> mergedInto(count), firstChild(count, -1), sibling(count, -1), children;
@@ -56,7 +56,7 @@ std::vector<int> mergeSupernodes(std::vector<Node>& nodes) {
     Node& parent = nodes[s];
     children.clear();
     for (int c = firstChild[s]; c != -1; c = sibling[c]) children.push_back(c);
-    // Children with the most rows first: they have most in common with the parent.
+    // Merges children with the most rows first, because they share the most with the parent.
     sortIndices(children, [&](int a, int b) {
       const int rowsA = nodes[a].front - nodes[a].columns, rowsB = nodes[b].front - nodes[b].columns;
       return rowsA != rowsB ? rowsA > rowsB : a < b;
@@ -81,10 +81,10 @@ std::vector<int> mergeSupernodes(std::vector<Node>& nodes) {
   return mergedInto;
 }
 
-// Doubles in the lower triangle of a front, about.
+// Approximate number of doubles in the lower triangle of a front.
 std::int64_t lowerTriangle(std::int64_t n) { return n * (n + 1) / 2; }
 
-// Postorder of the merged tree in which every node's children stand by descending (peak - update) memory.
+// Postorder of the merged tree, with every node's children in descending order of (peak - update) memory.
 std::vector<int> stackOrder(const std::vector<Node>& nodes, const std::vector<int>& mergedInto) {
   const int count = static_cast<int>(nodes.size());
   std::vector<std::vector<int>> children(count);
@@ -124,7 +124,7 @@ std::vector<int> stackOrder(const std::vector<Node>& nodes, const std::vector<in
   return result;
 }
 
-// Fills in the rows of every supernode: those of its columns' entries and of its children, beyond its own columns.
+// Sets the rows of every supernode: the rows of its columns' entries and of its children, beyond its own columns.
 void collectRows(const Graph& graph, SymbolicFactor& factor, const FractionReport& onProgress) {
   const int count = factor.supernodes();
   std::vector<int> firstChild(count, -1), sibling(count, -1), mark(factor.size(), -1);
@@ -155,7 +155,7 @@ void collectRows(const Graph& graph, SymbolicFactor& factor, const FractionRepor
 SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, const FractionReport& onProgress) {
   assert(isPermutation(order));
   const int size = graph.size();
-  // Renumber by a postorder of the elimination tree.
+  // Renumbers by a postorder of the elimination tree.
   const std::vector<int> parent =
       eliminationTree(permuted(graph, order, partOf(onProgress, 0, 0.15)), partOf(onProgress, 0.15, 0.2));
   const std::vector<int> post = postorder(parent);
@@ -172,7 +172,7 @@ SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, 
   const std::vector<int> finalOrder = stackOrder(nodes, mergedInto);
 
   reportFraction(onProgress, 0.7);
-  // Columns of merged supernodes come together, the child's before the parent's.
+  // Places columns of merged supernodes together, the child's before the parent's.
   SymbolicFactor factor;
   std::vector<int> finalIndex(nodes.size(), -1);
   for (std::size_t i = 0; i < finalOrder.size(); ++i) {

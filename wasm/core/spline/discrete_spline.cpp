@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 
-// A linear map of a path to rows of weights, and what is added to it.
+// An affine map of a path: rows of weights, plus a constant.
 struct Affine {
   MatrixXd samples, columns;
 };
@@ -23,9 +23,9 @@ struct Grid {
   double start, step;
   Index samples;
   bool periodic;
-  RowVectorXd period;  // periodic: what a path gains in a period
+  RowVectorXd period;  // periodic: increment of a path per period
 
-  // Adds `factor` times sample i to a row; a periodic path runs on beyond its ends.
+  // Adds `factor` times sample i to a row. A periodic path continues beyond its ends.
   void add(Affine& to, Index row, Index i, double factor) const {
     const Index periods = periodic ? (i >= samples) - (i < 0) : 0;
     to.samples(row, i - periods * samples) += factor;
@@ -45,8 +45,7 @@ Affine secondDifferences(const Grid& grid, Index columns) {
   return bend;
 }
 
-// The ends' differences with the neighbour that an assigned slope m puts beyond the end: 2 (x_1 - x_0 - h m). They
-// count half.
+// Differences at the ends, with an outer neighbour given by the assigned slope m: 2 (x_1 - x_0 - h m). They count half.
 Affine endDifferences(const Grid& grid, const RowVectorXd& startSlope, const RowVectorXd& endSlope) {
   Affine bend = nothing(2, grid.samples, startSlope.size());
   const Index last = grid.samples - 1;
@@ -65,7 +64,7 @@ Affine stacked(const Affine& a, const Affine& b) {
   return both;
 }
 
-// The path at the keys.
+// Evaluates the path at the keys.
 Affine atKeys(const Grid& grid, const std::vector<double>& keyTimes, Index columns) {
   Affine keys = nothing(static_cast<Index>(keyTimes.size()), grid.samples, columns);
   for (std::size_t j = 0; j < keyTimes.size(); ++j) {
@@ -79,11 +78,11 @@ Affine atKeys(const Grid& grid, const std::vector<double>& keyTimes, Index colum
   return keys;
 }
 
-// Solves a x = b for all columns of b, in sample: Gaussian elimination with partial pivoting. (Eigen's is ten times as
-// long, and K is small.)
+// Solves a x = b for all columns of b, in place: Gaussian elimination with partial pivoting. (Eigen's code is ten times
+// as long, and K is small.)
 void eliminate(MatrixXd& a, MatrixXd& b) {
   const Index n = a.rows();
-  // column -= factor * the part of `by` below row k
+  // column -= factor * (part of `by` below row k)
   const auto reduce = [n](double* column, const double* by, double factor, Index k) {
     for (Index i = k + 1; i < n; ++i) column[i] -= factor * by[i];
   };
@@ -119,7 +118,7 @@ MatrixXd product(const MatrixXd& a, const MatrixXd& b) {
 Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, BoundaryKind boundary,
                                            const Curve& curve, int samples) {
   std::vector<double> held = keyTimes;
-  // The key that closes a period is its first one again.
+  // The key that closes a period repeats the first key.
   if (curve.periodic() && held.size() > 1 && held.back() >= curve.end()) held.pop_back();
   const double span = curve.end() - curve.start();
   double shortest = span;
@@ -140,7 +139,7 @@ Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, 
   const Affine keys = atKeys(grid, held, columns);
   const Index count = keys.samples.rows();
 
-  // Least |D x + b|^2 with C x = y: the sum's gradient D^T (D x + b) is a sum of the keys' rows.
+  // Minimises |D x + b|^2 with C x = y: the gradient D^T (D x + b) is a combination of the keys' rows.
   MatrixXd matrix = MatrixXd::Zero(samples + count, samples + count), rhs(samples + count, columns);
   const MatrixXd adjoint = bend.samples.transpose();
   matrix.topLeftCorner(samples, samples) = product(adjoint, bend.samples);

@@ -9,10 +9,11 @@ namespace shapespline {
 
 namespace {
 
-// Of the whole time: closer keys leave no digits for the speeds between them.
+// Share of the total time. For closer keys, the speeds between them have no significant digits.
 constexpr double closestTimes = 1e-12;
 
-// Largest distance from 0: 1e-6 is still representable there. web/engine/api/option-table.ts has the same.
+// Largest absolute time. A difference of 1e-6 is still representable there. Same limit in
+// web/engine/api/option-table.ts.
 constexpr double farthestTime = 1e9;
 
 }  // namespace

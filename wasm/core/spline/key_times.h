@@ -1,4 +1,4 @@
-// The times of the keys.
+// Validates and creates key times.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace shapespline {
 
-/// Errors: TimeCountMismatch, NotFinite, TooLarge (farther than 1e9 from 0), TimesNotIncreasing (also where two keys
-/// are closer than 1e-12 of the whole time).
+/// Errors: TimeCountMismatch, NotFinite, TooLarge (absolute time above 1e9), TimesNotIncreasing (also if two keys are
+/// closer than 1e-12 of the total time).
 Status validateTimes(const std::vector<double>& times, int keyCount);
 
 /// J times evenly spaced over [0, 1].

@@ -1,9 +1,9 @@
-// What the poses of a shape are to its curve.
+// Roles of a shape's poses for its curve.
 #pragma once
 
 namespace shapespline {
 
-/// The keys come first among the poses, then the shapes that stand for end tangents where there are any.
+/// The keys come first among the poses, followed by the optional shapes for end tangents.
 struct PoseRoles {
   int keys = 0;
   int startTangent = -1;  ///< pose index, or -1

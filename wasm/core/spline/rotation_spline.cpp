@@ -13,8 +13,8 @@ void RotationSplines::finish(KeySteps steps) {
   }
 }
 
-// The reversed keys go from their first key, R_e = R_b prod_s exp(w_s), back by -w_s, each with its share 1 - C_s:
-// B = R_e prod exp((C_s - 1) w_s), the last step first. A tangent's step leads to no key: its share stays.
+// The reversed keys start from their first key, R_e = R_b prod_s exp(w_s), and return by -w_s with shares 1 - C_s:
+// B = R_e prod exp((C_s - 1) w_s), the last step first. A tangent's step does not lead to a key, so its share stays.
 void RotationSplines::at(const CurvePoint& point, std::span<const WholeTurns> turns,
                          std::vector<Quaternion>& rotation) const {
   rotation = key[point.base];

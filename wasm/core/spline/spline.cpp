@@ -14,8 +14,8 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-// Solves a tridiagonal system with a matrix of right-hand sides (Thomas). The spline systems are diagonally dominant,
-// so no pivoting is needed.
+// Solves a tridiagonal system with several right-hand sides (Thomas algorithm). The spline systems are diagonally
+// dominant, so they need no pivoting.
 MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const VectorXd& upper, MatrixXd rhs) {
   const Eigen::Index n = diagonal.size();
   for (Eigen::Index i = 1; i < n; ++i) {
@@ -28,16 +28,16 @@ MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const Vector
   return rhs;
 }
 
-// Keys to either side of a period whose influence on it can be felt: a cubic spline's falls by 0.27 from key to key
-// where they are even, and at least by half.
+// Number of keys on either side of a period with noticeable influence on it. A cubic spline's influence falls by 0.27
+// from key to key for even spacing, and at least by half.
 constexpr int knotsBeyond = 40;
 
 struct Spans {
-  VectorXd h;       // knots - 1
+  VectorXd h;       // interval lengths, knots - 1
   MatrixXd secant;  // difference quotients, (knots - 1) x columns
 };
 
-// columns: the knots and the two tangents.
+// columns: the knots, followed by the two tangents.
 Spans spansOf(const VectorXd& times) {
   const Eigen::Index n = times.size();
   Spans spans{VectorXd(n - 1), MatrixXd::Zero(n - 1, n + 2)};
@@ -49,7 +49,7 @@ Spans spansOf(const VectorXd& times) {
   return spans;
 }
 
-// Slopes of the C2 spline: continuity of the second derivative at inner knots, a boundary row at either end.
+// Slopes of the C2 spline: continuous second derivative at inner knots, a boundary condition at either end.
 MatrixXd openSlopes(const Spans& s, const CurveOptions& options, const RowVectorXd& startSlope,
                     const RowVectorXd& endSlope) {
   const Eigen::Index n = s.h.size() + 1;
@@ -90,10 +90,11 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
   return {};
 }
 
-// Bias and tension at one knot. A share |bias| of the C2 slope is replaced by the one-sided difference, before the knot
-// for a positive bias and after it for a negative one, as in Kochanek and Bartels (1984), whose splines start from the
-// mean of the two; then the slope is scaled. This is linear in the columns, so the weights stay affine. 0 leaves the
-// slope unchanged, bit for bit; other values cost the continuity of the second derivative there, never of the first.
+// Applies bias and tension at one knot. A share |bias| of the C2 slope is replaced by the one-sided difference, before
+// the knot for a positive bias and after it for a negative bias. Kochanek and Bartels (1984) do the same, starting from
+// the mean of the two differences. Then the slope is scaled. Both steps are linear in the columns, so the weights stay
+// affine. 0 leaves the slope unchanged, bit for bit. Other values make the second derivative discontinuous there, but
+// never the first.
 void shapeSlope(MatrixXd& slope, const Spans& s, Eigen::Index knot, double bias, double tension) {
   if (bias != 0) {
     const Eigen::Index before = std::max<Eigen::Index>(knot - 1, 0), after = std::min(knot, s.h.size() - 1);
@@ -166,7 +167,7 @@ void Curve::placeKnots(const std::vector<double>& times, double period) {
     for (int j = 0; j < keys; ++j) knots_.push_back({times[j], j, 0, j});
     return;
   }
-  const int perPeriod = closes_ ? keys : keys - 1;  // the last key is the first one again
+  const int perPeriod = closes_ ? keys : keys - 1;  // the last key repeats the first key
   const int periods = (knotsBeyond + perPeriod - 1) / perPeriod;
   for (int p = -periods; p <= periods; ++p)
     for (int j = 0; j < perPeriod; ++j) {
@@ -229,10 +230,10 @@ Weights Curve::weights(double t, int derivative) const { return addUp(atKnots(t,
 
 namespace {
 
-// Increments whose share is this small turn nothing that can be seen; what is left of a step that is done is as small.
+// Steps with smaller shares have no visible effect. The same limit applies to the remainder of a completed step.
 constexpr double negligibleShare = 1e-12;
 
-// Leaves out what is done and what has not begun. The tangents stand beside the keys that they belong to.
+// Omits completed and future steps. Steps of tangents are placed next to their keys.
 void gatherSteps(CurvePoint& point, const std::vector<StepShare>& steps, double startWeight, double endWeight,
                  KeySteps numbers) {
   std::size_t first = 0;
@@ -250,7 +251,7 @@ CurvePoint blendedPoint(const Weights& weights, Columns columns) {
   CurvePoint point;
   point.weights = weights;
   const double startWeight = weights[columns.startTangent()], endWeight = weights[columns.endTangent()];
-  // An end tangent is the end key plus a difference, so its weight counts for that key too.
+  // An end tangent is the end key plus a difference, so its weight also counts for that key.
   std::vector<StepShare> steps(columns.keys - 1);
   double share = endWeight;
   for (int j = columns.keys - 1; j > 0; --j) {

@@ -1,5 +1,5 @@
-// Cubic splines as weights: the curve at time t is an affine combination of the keys, the same one for every entry of a
-// coordinate vector (paper Eq. 1-2 and 6; section 3.2).
+// Cubic splines as weights: the curve at time t is an affine combination of the keys, with the same weights for every
+// entry of a coordinate vector (paper Eq. 1-2 and 6; section 3.2).
 #pragma once
 
 #include <optional>
@@ -11,29 +11,28 @@
 
 namespace shapespline {
 
-/// What holds at the ends of the curve.
+/// Boundary condition at the ends of the curve.
 enum class BoundaryKind { Natural, Hermite, Periodic };
 
-/// How a periodic curve closes.
+/// Closing of a periodic curve.
 enum class Closing {
-  LastKey,  ///< the last key is the first one again, up to a rigid motion: the period is t_J - t_1
-  Extra,    ///< the curve runs on from the last key to the first over an interval of its own
+  LastKey,  ///< the last key repeats the first, up to a rigid motion: the period is t_J - t_1
+  Extra,    ///< the curve continues from the last key to the first in an additional interval
 };
 
 struct CurveOptions {
   bool linear = false;  ///< piecewise linear instead of cubic
   BoundaryKind boundary = BoundaryKind::Natural;
   double startSpeed = 1, endSpeed = 1;
-  bool startShape = false;  ///< hermite: the start tangent column takes key 2's place in the difference at key 1
-  bool endShape = false;    ///< hermite: the end tangent column takes key J - 1's place in the difference at key J
+  bool startShape = false;  ///< hermite: the start tangent column replaces key 2 in the difference at key 1
+  bool endShape = false;    ///< hermite: the end tangent column replaces key J - 1 in the difference at key J
   Closing closing = Closing::Extra;
   std::optional<double> period = {};
   std::vector<double> tension = {};
   std::vector<double> bias = {};
 };
 
-/// The columns that a weight vector of J keys ranges over: keys 0 to J - 1, then the shapes that stand for end
-/// tangents.
+/// Columns of a weight vector for J keys: keys 0 to J - 1, then the shapes for end tangents.
 struct Columns {
   int keys;
   int startTangent() const { return keys; }
@@ -41,104 +40,104 @@ struct Columns {
   int count() const { return keys + 2; }
 };
 
-using Weights = Eigen::VectorXd;  ///< Columns::count() entries; they sum to 1 (a derivative's to 0)
+using Weights = Eigen::VectorXd;  ///< Columns::count() entries with sum 1 (0 for a derivative)
 
-/// The ways from one pose to the next, each with an increment of every rotation that moves through the keys. Step s
-/// leads from key s to key s + 1; the others have numbers behind those.
+/// Steps between poses. Each has an increment for every rotation spline. Step s leads from key s to key s + 1. The
+/// other steps have the numbers after those.
 struct KeySteps {
   int keys;
-  /// From the last key to the first, where a loop closes over an interval of its own.
+  /// From the last key to the first, if a loop closes in an additional interval.
   int closing() const { return keys - 1; }
-  /// From the second to last key to the first as the last key has it, moved rigidly.
+  /// From the second to last key to a copy of the first key, moved rigidly to the last key.
   int turnedClosing() const { return keys; }
-  /// From the first key to the shape that gives the start tangent.
+  /// From the first key to the shape for the start tangent.
   int startTangent() const { return keys + 1; }
-  /// From the last key to the shape that gives the end tangent.
+  /// From the last key to the shape for the end tangent.
   int endTangent() const { return keys + 2; }
   int count() const { return keys + 3; }
 };
 
-/// What of a step has been taken: its cumulative weight (Kim, Kim and Shin 1995), 0 before and 1 after it but for the
-/// spline's overshoot.
+/// Cumulative weight of a step (Kim, Kim and Shin 1995): 0 before the step and 1 after it, except for the spline's
+/// overshoot.
 struct StepShare {
   int step;
   double share;
-  int period;  ///< of a periodic curve: how many periods after the first one the step lies
+  int period;  ///< period of the step in a periodic curve, relative to the first period
 };
 
-/// A key of a periodic curve, as often as the curve comes to it.
+/// Weight of a key of a periodic curve, separate for each period.
 struct KeyWeight {
   int key, period;
   double weight;
 };
 
-/// What the curve runs through between two neighbouring keys.
+/// The part of the curve between two neighbouring keys.
 struct KeySpan {
   double start, end;
-  int from, to;  ///< keys
+  int from, to;  ///< key indices
 };
 
-/// A point of the curve, for all that is linear in the keys and for all that turns.
+/// A point of the curve: weights for linear quantities, and steps for rotations.
 struct CurvePoint {
   Weights weights;
-  int base = 0;                  ///< key at which products of increments start: every step before it is done
-  int basePeriod = 0;            ///< of a periodic curve: the period of that key
-  std::vector<StepShare> steps;  ///< from there on, in the order of time; steps not begun are left out
-  /// Of a periodic curve: `weights` before they were added up over the periods; else empty.
+  int base = 0;                  ///< start key for products of increments: all earlier steps are complete
+  int basePeriod = 0;            ///< period of the base key in a periodic curve
+  std::vector<StepShare> steps;  ///< steps from the base on, in time order, without future steps
+  /// For a periodic curve: `weights` before summation over the periods; otherwise empty.
   std::vector<KeyWeight> unrolled;
-  bool closes = false;  ///< whether the closing step is among those that the curve takes
-  int beyond = -1;      ///< end key that the curve goes on from beyond the keys, or -1 within them
+  bool closes = false;  ///< whether the closing step is part of the curve
+  int beyond = -1;      ///< end key from which the curve continues beyond the keys, or -1 within them
 };
 
-/// The point whose weights are given: a blend of keys that need not lie on any curve.
+/// The point with the given weights: a blend of keys that may be off any curve.
 CurvePoint blendedPoint(const Weights& weights, Columns columns);
 
-/// A time taken back into one period.
+/// A time mapped into one period.
 struct WrappedTime {
   double time;
-  int periods = 0;  ///< whole periods that were taken off
+  int periods = 0;  ///< number of periods subtracted
 };
 
-/// A fitted curve: knots and the slope at each as a combination of the columns. A periodic curve is a natural spline
-/// over enough periods to either side that its ends have no effect, so every period is a copy of the next. Immutable.
+/// A fitted curve: knots, and the slope at each as a combination of the columns. A periodic curve is a natural spline
+/// over enough periods on either side that its ends have no effect, so all periods are equal. Immutable.
 class Curve {
  public:
-  /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, tensions or biases of another count,
-  /// a bias outside [-1, 1], speeds or numbers that are not finite), TimesNotIncreasing, TimeCountMismatch.
+  /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, wrong number of tensions or biases, a
+  /// bias outside [-1, 1], speeds or other numbers that are not finite), TimesNotIncreasing, TimeCountMismatch.
   static Result<Curve> fit(const std::vector<double>& times, const CurveOptions& options);
 
-  /// Weights of the value (derivative 0) or of its first or second derivative at time t. Outside the knots: linear from
-  /// the end derivative. A periodic curve is only defined on one period: wrap() first.
+  /// Weights of the value (derivative 0) or of its first or second derivative at time t. Beyond the knots, the curve is
+  /// linear with the end derivative. A periodic curve is defined on one period only: wrap() first.
   Weights weights(double t, int derivative = 0) const;
 
-  /// The curve at time t, in the same form.
+  /// The point of the curve at time t.
   CurvePoint at(double t) const;
 
   WrappedTime wrap(double t) const;
 
-  /// From key to key, in the order of time: of an open curve all, of a periodic one those of its first period.
+  /// Spans between keys in time order: all spans of an open curve, or those in the first period of a periodic curve.
   std::vector<KeySpan> spans() const;
 
-  /// The slope at time t as weights of the keys of all periods; those of end tangents are numbered as Columns has them.
+  /// The slope at time t as weights of the keys of all periods. End tangents have their column numbers.
   std::vector<KeyWeight> slopeAt(double t) const;
 
-  /// First and last time: the key range, for a periodic curve one whole period.
+  /// First and last time: the key range, or one period of a periodic curve.
   double start() const { return start_; }
   double end() const { return end_; }
   bool periodic() const { return periodic_; }
-  /// Whether a period ends on the last key, which is the first one again, moved rigidly.
+  /// Whether a period ends at the last key, a rigidly moved copy of the first key.
   bool closesOnLastKey() const { return periodic_ && !closes_; }
 
  private:
-  // The keys in the order in which the curve comes to them.
+  // One passage of the curve through a key.
   struct Knot {
     double time;
     int key, period;
-    int step;  // that leads on from it
+    int step;  // the following step
   };
 
   void placeKnots(const std::vector<double>& times, double period);
-  Weights atKnots(double t, int derivative) const;  // over the knots, then the tangents
+  Weights atKnots(double t, int derivative) const;  // over the knots, followed by the tangents
   Weights addUp(const Weights& atKnots) const;
 
   Columns columns_{0};
@@ -148,8 +147,7 @@ class Curve {
   bool linear_ = false, periodic_ = false, closes_ = false;
 };
 
-/// The period that a periodic curve gets where none is asked for: t_J - t_1 where the last key closes it, otherwise one
-/// mean spacing more.
+/// Default period of a periodic curve: t_J - t_1 if the last key closes it, otherwise longer by the mean spacing.
 double defaultPeriod(const std::vector<double>& times, Closing closing);
 
 }  // namespace shapespline

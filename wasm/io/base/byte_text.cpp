@@ -7,11 +7,11 @@ namespace shapespline {
 namespace {
 
 struct Character {
-  char32_t code;      // 0 if the bytes are not UTF-8
-  std::size_t bytes;  // at least one
+  char32_t code;      // 0 if the bytes are invalid UTF-8
+  std::size_t bytes;  // at least 1
 };
 
-// The first character of a text that is not empty.
+// Decodes the first character of a non-empty text.
 Character characterOf(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
@@ -28,7 +28,7 @@ Character characterOf(std::string_view text) {
   return {code < least[bytes] || isSurrogate || code > 0x10ffff ? 0 : code, bytes};
 }
 
-// No control character, no separator of lines, no mark of the writing direction.
+// Excludes control characters, line separators and marks of the writing direction.
 bool isText(char32_t code) {
   const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
   return !(within(0, 0x1f) || within(0x7f, 0x9f) || code == 0x61c || within(0x200e, 0x200f) || within(0x2028, 0x202e) ||
@@ -62,7 +62,7 @@ std::string extensionOf(std::string_view path) {
 bool isUtf16(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 8) return false;
   if ((bytes[0] == 0xff && bytes[1] == 0xfe) || (bytes[0] == 0xfe && bytes[1] == 0xff)) return true;
-  // Every second byte of an ASCII character is 0; a name in another script may come between.
+  // Every second byte of ASCII in UTF-16 is 0. Names in other scripts may come before the first ASCII character.
   constexpr std::size_t looked = 256;
   const auto isText = [](std::uint8_t c) { return (c >= ' ' && c < 127) || c == '\t' || c == '\r' || c == '\n'; };
   std::size_t pairs = 0, little = 0, big = 0;

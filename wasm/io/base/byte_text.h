@@ -1,4 +1,4 @@
-// Sizes and names as people read them, for error sentences about files.
+// Formats sizes and names for error messages about files.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace shapespline {
 
-/// 812 bytes, 3.1 MB, 2.4 GB.
+/// Examples: 812 bytes, 3.1 MB, 2.4 GB.
 std::string sizeText(std::uint64_t bytes);
 
-/// The part of a path behind its last slash.
+/// The part of a path after its last slash.
 std::string_view baseName(std::string_view path);
 
 /// The lower-case extension without its dot, or "".
 std::string extensionOf(std::string_view path);
 
-/// Completes a sentence about a file.
+/// Completes an error message about a file.
 constexpr const char* utf16 = " is text in UTF-16, which is not supported. Save it as UTF-8.";
 /// Whether the bytes are text in UTF-16, with a byte order mark or without.
 bool isUtf16(std::span<const std::uint8_t> bytes);
@@ -25,8 +25,8 @@ bool isUtf16(std::span<const std::uint8_t> bytes);
 /// A name as UTF-8. Bytes that are not UTF-8 are read as Latin-1, which older programs write.
 std::string asUtf8(std::string_view name);
 
-/// Makes text of a hostile file fit for a sentence: at most 80 characters in UTF-8. Control characters, marks of the
-/// writing direction and invalid bytes become '?'.
+/// Makes text from an untrusted file safe for a message: at most 80 characters in UTF-8. Control characters, marks of
+/// the writing direction and invalid bytes become '?'.
 std::string inQuotes(std::string_view text);
 
 }  // namespace shapespline

@@ -1,4 +1,4 @@
-// Whether a shape can be written at all.
+// Checks that a shape can be written.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-/// `frame`: of a motion, or -1. Error: NotFinite with the frame as `key`, and the vertex.
+/// `frame`: index in a motion, or -1. Error: NotFinite with the frame as `key`, and the vertex.
 Status checkFinite(std::span<const float> positions, int frame);
 
 }  // namespace shapespline

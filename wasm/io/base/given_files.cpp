@@ -9,8 +9,8 @@ namespace shapespline {
 namespace {
 
 struct Path {
-  std::string text;     // segments joined by '/', "." and ".." resolved
-  bool leaves = false;  // true if the path leaves the folder where it starts
+  std::string text;     // segments joined by '/', with "." and ".." resolved
+  bool leaves = false;  // true if the path leaves its start folder
 };
 
 Path normalised(std::string_view path) {

@@ -1,4 +1,4 @@
-// The files that were given, found by their names.
+// Finds given files by name.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace shapespline {
 
-/// Whether `path` leaves the folder where it starts.
+/// Whether `path` leaves its start folder.
 bool leavesItsFolder(std::string_view path);
 
-/// A view of all given files, with an index of their names. The files outlive it.
+/// A view of all given files, indexed by name. The files must outlive it.
 class GivenFiles {
  public:
   explicit GivenFiles(std::span<const NamedBytes> files);
 
   bool empty() const { return byPath_.empty(); }
-  std::uint64_t bytes() const { return bytes_; }  ///< of all files together
+  std::uint64_t bytes() const { return bytes_; }  ///< total size of all files
 
-  /// The file at `path`, relative to the file `from`. A path that stays in its folder also finds the only file of its
-  /// name, because files are often dropped without their folders. Null if there is none.
+  /// Finds the file at `path`, relative to the file `from`, or returns null. If a path stays inside its folder, the
+  /// base name alone suffices when it is unique. Files are often dropped without their folders.
   const NamedBytes* find(std::string_view path, std::string_view from) const;
 
  private:
   std::uint64_t bytes_ = 0;
-  std::unordered_map<std::string, const NamedBytes*> byPath_;           // "." and ".." resolved
-  std::unordered_map<std::string_view, const NamedBytes*> byBaseName_;  // null where several files have the name
+  std::unordered_map<std::string, const NamedBytes*> byPath_;           // keys have "." and ".." resolved
+  std::unordered_map<std::string_view, const NamedBytes*> byBaseName_;  // null if several files have the name
 };
 
 }  // namespace shapespline

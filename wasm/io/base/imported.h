@@ -14,25 +14,25 @@
 namespace shapespline {
 
 struct ImportOptions {
-  std::variant<std::monostate, int, std::string> animation;  ///< default: the first one that moves
-  std::vector<double> sampleTimes;  ///< seconds on the animation's own timeline; wins over sampleCount
-  int sampleCount = 8;       ///< evenly spaced, used when the animation has more than 32 key times or there are several
-  bool sampleAsked = false;  ///< sampleCount was given by the user: use it even for few key times
-  bool everyFrame = false;   ///< each frame of the animation is a key; wins over sampleCount
-  bool posedByActions = false;     ///< poses: as an animation shows them that is the only one and does not move
-  bool withHidden = false;         ///< poses: also show what KHR_node_visibility hides
-  bool oneKeyWillDo = false;       ///< an animation that does not move is a key: the file is one of several
-  std::vector<double> frameTimes;  ///< that the files state for frames of a format without times; seconds
-  std::vector<double> keyTimes;    ///< default: the animation's own times, else evenly over [0, 1]
-  bool zUp = false;                ///< OBJ, PLY and OFF only
-  double unit = 1;                 ///< metres per unit, OBJ, PLY and OFF only
-  /// Faces and a pose of a reference mesh, for adding poses: polygons are cut into its triangles, and with a pose the
-  /// keys use its vertices.
+  std::variant<std::monostate, int, std::string> animation;  ///< default: the first animation that moves
+  std::vector<double> sampleTimes;  ///< seconds on the animation's timeline; overrides sampleCount
+  int sampleCount = 8;              ///< evenly spaced; used for more than 32 key times or several animations
+  bool sampleAsked = false;         ///< the user chose sampleCount: use it even for few key times
+  bool everyFrame = false;          ///< use each frame as a key; overrides sampleCount
+  bool posedByActions = false;      ///< for poses: apply the only animation if it does not move
+  bool withHidden = false;          ///< for poses: include meshes hidden by KHR_node_visibility
+  bool oneKeyWillDo = false;        ///< accept a still animation as one key: the file is one of several
+  std::vector<double> frameTimes;   ///< frame times, in seconds, for formats that store none
+  std::vector<double> keyTimes;     ///< default: the animation's times, or even times over [0, 1]
+  bool zUp = false;                 ///< the file is Z up; OBJ, PLY and OFF only
+  double unit = 1;                  ///< metres per unit; OBJ, PLY and OFF only
+  /// Faces and optional pose of a reference mesh, for adding poses. Polygons are cut into its triangles. With a pose,
+  /// the keys use its vertices.
   std::vector<Triangle> like;
   Positions likePose;
   std::optional<Vec3> offset;            ///< subtracted from all positions (far_offset.h); default: computed
-  std::vector<ObjectFaces> likeObjects;  ///< of these faces; empty if unknown
-  std::vector<std::string> objects;      ///< the objects of each file that are taken; empty for all of them
+  std::vector<ObjectFaces> likeObjects;  ///< objects of the faces in `like`; empty if unknown
+  std::vector<std::string> objects;      ///< names of the objects to import; empty for all
 
   bool animationAsked() const {
     return !std::holds_alternative<std::monostate>(animation) || !sampleTimes.empty() || sampleAsked || everyFrame;
@@ -41,18 +41,18 @@ struct ImportOptions {
 
 struct AnimationInfo {
   std::string name;
-  double start = 0, end = 0;  ///< seconds
+  double start = 0, end = 0;  ///< in seconds
   int keys = 0;               ///< distinct key times
-  bool moves = true;          ///< else it is one pose, however many keys it has
+  bool moves = true;          ///< false: the animation is a single pose, whatever its key count
 };
 
-/// How an object of one pose was found in another.
+/// How an object of one pose was matched with another.
 enum class MatchRule { Name, Shape, Order };
 
 struct MatchedObject {
-  int key = 0;         ///< the first key of the file that holds the other one
-  std::string object;  ///< in the first key
-  std::string found;   ///< there
+  int key = 0;         ///< first key of the other object's file
+  std::string object;  ///< object name in the first key
+  std::string found;   ///< object name in the other file
   MatchRule rule = MatchRule::Order;
 };
 
@@ -60,21 +60,20 @@ struct Import {
   Keyframes keyframes;
   Scene scene;
   std::vector<AnimationInfo> animations;
-  int animation = -1;  ///< which one the keys were taken from
-  std::vector<std::string>
-      objects;  ///< names of objects that may be left out: those of the first file, without duplicates
-  std::vector<MatchedObject> matches;  ///< of files with objects, after the first; at most mostObjects
+  int animation = -1;                  ///< index of the animation that provided the keys, or -1
+  std::vector<std::string> objects;    ///< names of optional objects in the first file, without duplicates
+  std::vector<MatchedObject> matches;  ///< matches in later files with objects; at most mostObjects
   std::vector<Warning> warnings;
-  /// Subtracted from all positions in double precision, in metres with Y up: position + offset is the true position.
-  /// From a reader: the offset of a saved project.
+  /// Offset subtracted from all positions in double precision, in metres with Y up: position + offset is the true
+  /// position. Readers set the offset of a saved project.
   Vec3 offset = Vec3::Zero();
-  double rounding = 0;    ///< how far single precision may have moved the positions that the files store, in metres
-  std::string roundedIn;  ///< the file with the largest rounding, as messages call it
+  double rounding = 0;    ///< largest single-precision rounding of the stored positions, in metres
+  std::string roundedIn;  ///< display name of the file with the largest rounding
 
   void noteRounding(double distance, const std::string& where) {
     if (distance > rounding) rounding = distance, roundedIn = where;
   }
-  /// JSON of extras.shapespline where the keys were taken from a saved project, else empty.
+  /// JSON of extras.shapespline if the keys come from a saved project, else empty.
   std::string project;
 };
 

@@ -1,4 +1,4 @@
-// How much a file may hold.
+// Limits on the contents of a file.
 #pragma once
 
 #include <cstddef>
@@ -6,16 +6,17 @@
 
 namespace shapespline {
 
-/// More vertices than a browser can complete. Also limits counts that a file declares without providing bytes.
+/// The engine cannot process larger meshes in a browser. The limit also bounds declared counts that have no bytes in
+/// the file.
 constexpr std::uint64_t mostElements = 16'000'000;
 
-/// Limits of a JSON document: levels, objects, and values of any kind. Deeper than any tool writes, shallow enough for
-/// recursive functions. An object takes a hundred bytes or more, so a few bytes of a file must not become a kilobyte.
-/// web/engine/api/gltf-json.ts has the same limits.
+/// Limits of a JSON document: nesting depth, objects, and total values. The depth exceeds any real file but is safe for
+/// recursive functions. An object takes 100 bytes or more in memory, so a few file bytes could otherwise become a
+/// kilobyte. Same limits in web/engine/api/gltf-json.ts.
 constexpr int deepestJson = 100;
 constexpr std::uint64_t mostJsonObjects = 250'000, mostJsonValues = 4'000'000;
 
-/// Each has room for dozens of parameters while it is read.
+/// A reader holds dozens of parameters per material.
 constexpr std::size_t mostMaterials = 16'384;
 
 }  // namespace shapespline

@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-/// A file as the user gave it. The name may hold a path relative to the folder that was given.
+/// A file given by the user. The name may contain a path relative to the given folder.
 struct NamedBytes {
   std::string name;
   std::span<const std::uint8_t> bytes;

@@ -1,4 +1,4 @@
-// The objects of a file by their names: which there are, and which are taken.
+// Object names of a file: available and selected.
 #pragma once
 
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace shapespline {
 
-/// More names than anybody would choose from.
+/// A longer list is useless for choosing.
 constexpr std::size_t mostObjects = 1000;
 
-/// Adds a name unless it is in the list.
+/// Appends a name unless the list has it already.
 void addObject(const std::string& name, std::vector<std::string>& names);
 
-/// Whether the name is one of these.
+/// Whether the list contains the name.
 bool holdsObject(const std::vector<std::string>& names, const std::string& name);
 
-/// Whether an object of this name is wanted; an empty list means all.
+/// Whether an object with this name is selected. An empty list selects all.
 bool takesObject(const std::vector<std::string>& wanted, const std::string& name);
 
 /// At most twenty names in quotes, separated by commas, or "none".
 std::string objectList(const std::vector<std::string>& names);
 
-/// Error: UnknownObject with the existing names, if a wanted name does not exist.
+/// Error: UnknownObject, listing the existing names, if a requested name does not exist.
 Status checkObjects(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
                     const std::string& where);
 

@@ -9,9 +9,9 @@ namespace shapespline {
 
 namespace {
 
-// Positions of all keys that fit into a 32-bit address space together with their encoding.
+// Positions of this size still fit a 32-bit address space together with their encoding.
 constexpr std::uint64_t mostKeyVertices = 60'000'000;
-// Keys of one file; more are a recording, not key poses.
+// A file with more keys is a recording, not a set of key poses.
 constexpr std::size_t mostKeys = 10'000;
 
 Status checkTimes(const std::vector<double>& times) {

@@ -1,4 +1,4 @@
-// At which times keys are taken from an animation, whatever holds it.
+// Chooses the times at which keys are sampled from an animation, in any format.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace shapespline {
 
-/// Key times up to which an animation that only shows its own shapes gives these as keys.
+/// Up to this many key times, an animation of stored shapes uses them all as keys.
 constexpr std::size_t mostOwnKeys = 32;
 
-/// The requested times, or evenly spaced ones over the animation, with a warning if some lie outside. `what` is the
-/// name of the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.
+/// Returns the requested times, or evenly spaced times over the animation. Warns about times outside the animation.
+/// `what`: name of the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.
 Result<std::vector<double>> sampleTimes(const ImportOptions& options, double start, double end, const std::string& what,
                                         std::vector<Warning>& warnings);
 
-/// Name of a key taken at this time.
+/// Name of a key sampled at this time.
 std::string sampleName(double seconds);
 
-/// Errors: TooLarge for more keys, or more vertices in all of them, than memory holds.
+/// Error: TooLarge if memory cannot hold this number of keys, or their vertices.
 Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& where);
 
 }  // namespace shapespline

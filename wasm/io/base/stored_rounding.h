@@ -1,12 +1,12 @@
-// How far positions may have been moved when a program stored them in single precision.
+// Estimates rounding of stored single-precision positions.
 #pragma once
 
 #include "core/base/types.h"
 
 namespace shapespline {
 
-/// The largest distance by which rounding to float may have moved a position: along each axis half a unit in the last
-/// place of the largest coordinate. 0 if a coordinate is no float: then the file did not store single precision.
+/// Largest possible displacement by rounding to float: half a unit in the last place of the largest coordinate, along
+/// each axis. 0 if a coordinate is not a float, because the file then stores higher precision.
 double storedRounding(const Positions& positions);
 
 }  // namespace shapespline

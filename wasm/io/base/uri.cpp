@@ -85,7 +85,7 @@ Result<Resource> dataResource(std::string_view uri, const std::string& where) {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// The start of a URI as browsers read it, without leading spaces and line breaks: enough for a scheme.
+// The start of a URI, long enough for a scheme. Leading spaces and line breaks are removed, as in browsers.
 std::string headOf(std::string_view uri) {
   constexpr std::size_t uriHead = 64;
   while (!uri.empty() && static_cast<unsigned char>(uri.front()) <= ' ') uri.remove_prefix(1);
@@ -95,7 +95,7 @@ std::string headOf(std::string_view uri) {
   return head;
 }
 
-// A letter, then letters, digits, +, - and ., then a colon (RFC 3986). One letter alone is a Windows drive.
+// A letter, then letters, digits, +, - and ., then a colon (RFC 3986). A single letter is a Windows drive.
 bool hasScheme(std::string_view uri) {
   const std::size_t colon = uri.find(':');
   if (colon == std::string_view::npos || colon == 0 || !isLetter(uri.front())) return false;

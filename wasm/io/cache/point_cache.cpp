@@ -26,7 +26,7 @@ double floatAt(std::span<const std::uint8_t> bytes, std::size_t at, bool bigEndi
   return std::bit_cast<float>(wordAt(bytes, at, bigEndian));
 }
 
-// `header`: bytes before the points.
+// `header`: number of bytes before the points.
 Status checkSize(const NamedBytes& file, std::uint64_t header, std::uint64_t frames, std::uint64_t points,
                  const std::string& where) {
   if (frames == 0 || points == 0)
@@ -46,7 +46,7 @@ bool increase(const std::vector<double>& times) {
   return true;
 }
 
-// Evenly spaced frames, `step` of them apart.
+// Times of evenly spaced frames, `step` frames apart.
 std::vector<double> frameTimes(std::uint64_t count, double start, double step) {
   std::vector<double> seconds(count);
   for (std::size_t i = 0; i < count; ++i) seconds[i] = (start + static_cast<double>(i) * step) / framesPerSecond;

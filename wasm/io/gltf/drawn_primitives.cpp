@@ -7,7 +7,7 @@ namespace shapespline {
 
 namespace {
 
-// The scene's groups, with those faces that no group names in groups without material, in the order of the faces.
+// The scene's groups in face order. Faces outside all groups get groups without material.
 std::vector<MaterialGroup> completeGroups(const Scene& scene, int faces) {
   std::vector<MaterialGroup> out;
   int next = 0;
@@ -31,7 +31,7 @@ void addUnnamed(const std::vector<Triangle>& faces, std::vector<int>& vertices, 
     if (!named[v]) vertices.push_back(v);
 }
 
-// `place` is scratch: a place for every vertex of the mesh.
+// `place`: scratch, one number per mesh vertex.
 void numberCompactly(DrawnPrimitive& primitive, std::vector<int>& place) {
   std::vector<int>& vertices = primitive.vertices;
   std::sort(vertices.begin(), vertices.end());

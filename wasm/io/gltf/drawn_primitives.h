@@ -1,5 +1,5 @@
-// Primitives of a written mesh, each with its own vertices: players copy all vertices that a primitive refers to, once
-// per primitive.
+// Primitives of a written mesh. Each has its own vertices, because players copy all vertices that a primitive refers
+// to, once per primitive.
 #pragma once
 
 #include <span>
@@ -10,18 +10,18 @@
 
 namespace shapespline {
 
-/// Faces that are drawn with one material, and the vertices that they are made of.
+/// Faces with one material, and their vertices.
 struct DrawnPrimitive {
   int material = -1;            ///< index into Scene::materials, or -1
-  std::vector<int> vertices;    ///< drawn vertices of the mesh, increasing
-  std::vector<Triangle> faces;  ///< of places in `vertices`
+  std::vector<int> vertices;    ///< drawn vertex indices of the mesh, increasing
+  std::vector<Triangle> faces;  ///< faces as indices into `vertices`
 };
 
-/// One per material group, in the order of the faces; faces without a group get no material. `faces` refer to drawn
-/// `vertices`. Unused vertices go into the first primitive, so none is lost.
+/// Returns one primitive per material group, in face order. Faces without a group get no material. `faces` refer to
+/// drawn `vertices`. Unused vertices go into the first primitive, so none is lost.
 std::vector<DrawnPrimitive> drawnPrimitives(const std::vector<Triangle>& faces, int vertices, const Scene& scene);
 
-/// The numbers of a primitive's vertices, `width` each, out of those of the whole mesh.
+/// Selects a primitive's values from those of the whole mesh, `width` numbers per vertex.
 template <class Number>
 std::vector<Number> gathered(std::span<const Number> numbers, std::size_t width, const DrawnPrimitive& primitive) {
   std::vector<Number> out;

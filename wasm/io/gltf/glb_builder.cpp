@@ -9,12 +9,12 @@ namespace shapespline {
 
 namespace {
 
-// gltf_json reads whole numbers up to this; other programs fail there as well.
+// gltf_json reads whole numbers up to this limit. Other programs fail beyond it as well.
 constexpr std::uint64_t mostGlbBytes = 0x7fffffff;
 
 }  // namespace
 
-// The header is inserted in place, so the bytes are held once.
+// Inserts the header in place, so the bytes are held only once.
 Result<std::vector<std::uint8_t>> GlbBuilder::finish() {
   align();
   doc["buffers"] = {{{"byteLength", bin.size()}}};

@@ -1,4 +1,4 @@
-// A GLB in the making.
+// Builds a GLB file.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace shapespline {
 
-/// glTF's codes of component types and buffer view targets.
+/// glTF's codes for component types and buffer view targets.
 constexpr int glFloat = 5126, glUnsignedShort = 5123, glUnsignedInt = 5125;
 constexpr int glArrayBuffer = 34962, glElementArrayBuffer = 34963;
 
-/// The binary chunk and the JSON that describes it, growing together.
+/// The growing binary chunk and its JSON description.
 struct GlbBuilder {
   nlohmann::json doc = {{"asset", {{"version", "2.0"}, {"generator", "shapespline"}}}};
   std::vector<std::uint8_t> bin;
@@ -55,7 +55,7 @@ struct GlbBuilder {
                         {"type", type}});
   }
 
-  /// JSON chunk, then BIN chunk; nothing can be added afterwards. Error: TooLarge.
+  /// Returns the JSON chunk followed by the BIN chunk. Nothing can be added afterwards. Error: TooLarge.
   Result<std::vector<std::uint8_t>> finish();
 };
 

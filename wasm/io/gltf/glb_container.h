@@ -10,7 +10,7 @@
 
 namespace shapespline {
 
-/// The two chunks of a GLB that have a meaning; views into its bytes.
+/// The JSON and BIN chunks of a GLB, as views into its bytes.
 struct GlbChunks {
   std::string_view json;
   std::span<const std::uint8_t> bin;  ///< empty without a BIN chunk

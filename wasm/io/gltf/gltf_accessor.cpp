@@ -57,7 +57,7 @@ std::uint32_t wholeNumber(const std::uint8_t* from, int type) {
   }
 }
 
-// `count` elements of `size` bytes, `stride` apart, all of them inside their buffer.
+// `count` elements of `size` bytes at distance `stride`, all inside their buffer.
 struct Elements {
   const std::uint8_t* first = nullptr;
   std::size_t stride = 0;
@@ -72,7 +72,7 @@ struct Reader {
     return {ErrorCode::MalformedFile, doc.where + ": " + what + " " + problem + ". Export the file again."};
   }
 
-  // All numbers come from JSON checked to be below 2^31, so sums and products fit 64 bits.
+  // All numbers come from JSON and are below 2^31, so sums and products fit 64 bits.
   Result<Elements> elements(int viewIndex, std::uint64_t offset, std::uint64_t count, std::uint64_t size) const {
     const auto& views = doc.model.bufferViews;
     if (viewIndex < 0 || viewIndex >= static_cast<int>(views.size()))
@@ -108,7 +108,7 @@ struct Reader {
     return &a;
   }
 
-  // Element numbers that a sparse accessor replaces, in range.
+  // Indices of the elements that a sparse accessor replaces, checked to be in range.
   Result<std::vector<std::uint32_t>> sparseIndices(const tinygltf::Accessor& a) const {
     const int type = a.sparse.indices.componentType;
     const bool isUnsigned = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
@@ -129,8 +129,8 @@ struct Reader {
     return indices;
   }
 
-  // Hands the bytes of the first `most` elements to `take`, sparse replacements last. Without a buffer view they are
-  // zero.
+  // Passes the bytes of the first `most` elements to `take`, sparse replacements last. Elements without a buffer view
+  // are zero.
   template <class Take>
   Status each(const tinygltf::Accessor& a, int components, std::size_t most, const FractionReport& onProgress,
               Take take) const {
@@ -154,7 +154,7 @@ struct Reader {
     return {};
   }
 
-  // Whether the file has the bytes of the accessor, checked before allocating as much.
+  // Checks that the file contains the accessor's bytes, before allocating memory for them.
   Status fits(const tinygltf::Accessor& a, int components) const {
     if (a.bufferView < 0) return {};
     const auto found =

@@ -19,8 +19,8 @@ namespace {
 using Path = AnimationCurve::Path;
 using Interpolation = AnimationCurve::Interpolation;
 
-// Numbers of all curves together: half a gigabyte. Channels may share accessors, so a small file could declare any
-// amount.
+// Limit of the numbers in all curves together: half a gigabyte. Channels may share accessors, so a small file could
+// declare any amount.
 constexpr std::uint64_t mostNumbers = 64'000'000;
 
 std::optional<Path> pathOf(const std::string& name) {
@@ -47,7 +47,7 @@ int targetsOf(const GltfDocument& doc, int node) {
 struct Target {
   Path path = Path::Translation;
   std::vector<int> nodes{};
-  int weight = -1;  // the only one of the weights, or -1 for all
+  int weight = -1;  // index of a single weight, or -1 for all weights
 };
 
 int widthOf(const GltfDocument& doc, const Target& target) {
@@ -67,7 +67,7 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   curve.first = std::max(target.weight, 0);
   curve.width = widthOf(doc, target);
   if (target.path == Path::Weights && curve.first + curve.width > targetsOf(doc, curve.node))
-    curve.width = 0;  // a weight that is not there
+    curve.width = 0;  // the weight does not exist
   if (curve.width == 0)
     return malformed(doc.where, name + " moves the morph weights of node " + std::to_string(curve.node) +
                                     ", which has no morph targets" + (curve.first > 0 ? " for all of them" : ""));
@@ -100,7 +100,7 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   return curve;
 }
 
-// Nodes that have the mesh's own weights.
+// Nodes whose morph weights come from the mesh.
 std::vector<int> nodesOfMesh(const GltfDocument& doc, int mesh) {
   std::vector<int> nodes;
   for (std::size_t n = 0; n < doc.model.nodes.size(); ++n)
@@ -108,7 +108,7 @@ std::vector<int> nodesOfMesh(const GltfDocument& doc, int mesh) {
   return nodes;
 }
 
-// Takes "/12" off a pointer; -1 if no number follows.
+// Removes a part such as "/12" from a pointer and returns its number, or -1.
 int takeNumber(std::string_view& pointer) {
   int number = -1;
   if (!pointer.starts_with('/')) return -1;
@@ -124,7 +124,7 @@ bool take(std::string_view& pointer, std::string_view start) {
   return true;
 }
 
-// The rest of a pointer to weights: empty for all weights, or the index of one.
+// Parses the rest of a pointer to weights: empty for all weights, or the index of one weight.
 bool takeWeights(std::string_view rest, Target& target) {
   target.path = Path::Weights;
   if (rest.empty()) return true;
@@ -132,7 +132,7 @@ bool takeWeights(std::string_view rest, Target& target) {
   return target.weight >= 0 && rest.empty();
 }
 
-// Nothing where the pointer names something else.
+// Returns nothing if the pointer has any other target.
 std::optional<Target> pointedAt(const GltfDocument& doc, std::string_view pointer) {
   Target target;
   if (take(pointer, "/meshes")) {
@@ -158,7 +158,7 @@ std::optional<Target> pointedAt(const GltfDocument& doc, std::string_view pointe
   return target;
 }
 
-// Pointers into these move vertices; others are of materials, cameras, lights and the like.
+// Pointers with these starts move vertices. Others target materials, cameras, lights and the like.
 bool mayMove(std::string_view pointer) {
   for (const char* start : {"/nodes/", "/meshes/", "/skins/", "/accessors/"})
     if (pointer.starts_with(start)) return pointer.find("/extensions/") == std::string_view::npos;
@@ -175,11 +175,11 @@ std::string pointerOf(const tinygltf::AnimationChannel& channel) {
 struct AnimationReader {
   const GltfDocument& doc;
   std::vector<Warning>& warnings;
-  std::uint64_t numbers = 0;  // of all curves
+  std::uint64_t numbers = 0;  // total of all curves
   int ignoredPointers = 0;
   std::string firstIgnored{};
 
-  // Nothing where a channel moves nothing that is read here.
+  // Returns nothing if the channel's target is not supported here.
   std::optional<Target> targetOf(const tinygltf::AnimationChannel& channel) {
     if (channel.target_path == "pointer") {
       const std::string pointer = pointerOf(channel);
@@ -209,7 +209,7 @@ struct AnimationReader {
     const tinygltf::Animation& source = doc.model.animations[index];
     GltfAnimation out;
     out.name = source.name.empty() ? "animation " + std::to_string(index) : source.name;
-    int lastInput = -1;  // most channels share their times with the one before
+    int lastInput = -1;  // most channels share the time accessor of the previous channel
     for (std::size_t c = 0; c < source.channels.size(); ++c) {
       const tinygltf::AnimationChannel& channel = source.channels[c];
       const std::string name = "animation " + std::to_string(index) + ", channel " + std::to_string(c);
@@ -241,13 +241,13 @@ struct AnimationReader {
   }
 };
 
-// Spherical interpolation, the short way round.
+// Spherical interpolation along the shorter arc.
 void slerp(const double* a, const double* b, double s, double* out) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(a).normalized().slerp(s, Eigen::Quaterniond(b).normalized());
   Eigen::Map<Eigen::Vector4d>(out, 4) = q.coeffs();
 }
 
-// The Hermite form of glTF 2.0, appendix C.4; tangents are per second, so scaled by the segment's length.
+// The Hermite form of glTF 2.0, appendix C.4. Tangents are per second, so they are scaled by the segment's length.
 double hermite(double p0, double m0, double p1, double m1, double s, double length) {
   const double s2 = s * s, s3 = s2 * s;
   return (2 * s3 - 3 * s2 + 1) * p0 + (s3 - 2 * s2 + s) * length * m0 + (3 * s2 - 2 * s3) * p1 +
@@ -286,10 +286,10 @@ bool AnimationCurve::varies() const {
       apart = std::max(apart, std::abs(value[c] - first[c]));
       opposite = std::max(opposite, std::abs(value[c] + first[c]));
     }
-    // A quaternion and its negative are one rotation.
+    // A quaternion and its negative are the same rotation.
     if (apart > near && (path != Path::Rotation || opposite > near)) return true;
   }
-  // A cubic spline moves between equal values if it has slopes.
+  // A cubic spline with nonzero slopes moves between equal values.
   if (interpolation == Interpolation::CubicSpline && times.size() > 1)
     for (std::size_t i = 0; i < times.size(); ++i)
       for (int c = 0; c < width; ++c)

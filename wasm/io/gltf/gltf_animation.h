@@ -1,4 +1,4 @@
-// glTF animations: samplers and their values at a time.
+// Evaluates glTF animations.
 #pragma once
 
 #include <cstdint>
@@ -23,34 +23,35 @@ struct AnimationCurve {
   enum class Path { Translation, Rotation, Scale, Weights, Visibility } path = Path::Translation;
   enum class Interpolation { Step, Linear, CubicSpline } interpolation = Interpolation::Linear;
   int node = -1;
-  int first = 0;               ///< of the node's weights: the first one that moves
-  int width = 3;               ///< numbers a value
+  int first = 0;               ///< first animated morph weight of the node
+  int width = 3;               ///< numbers per value
   std::vector<double> times;   ///< strictly increasing seconds
-  std::vector<double> values;  ///< width a time; for cubic splines in-tangent, value, out-tangent
+  std::vector<double> values;  ///< `width` numbers per time; cubic splines store in-tangent, value, out-tangent
 
-  /// The value at time t, held beyond both ends. `out` has `width` numbers (glTF 2.0, appendix C).
+  /// Writes the value at time t to `out`, which has `width` numbers. Values are constant beyond both ends (glTF 2.0,
+  /// appendix C).
   void sample(double t, double* out) const;
 
-  /// Whether any value differs from the first one, more than by rounding.
+  /// Whether any value differs from the first by more than rounding.
   bool varies() const;
 };
 
 struct GltfAnimation {
   std::string name;
   std::vector<AnimationCurve> curves;
-  std::vector<double> keyTimes;  ///< the distinct times of all curves, increasing
+  std::vector<double> keyTimes;  ///< distinct times of all curves, increasing
   bool weightsOnly = true;
-  bool moves = true;  ///< more than one pose
+  bool moves = true;  ///< false if all poses are equal
 };
 
-/// All animations with a channel that moves a node, by name or by pointer (KHR_animation_pointer). Pointers that move
-/// no vertex are ignored; others that cannot be applied give a warning. Errors: MalformedFile, NotFinite, TooLarge.
+/// Reads all animations with a channel that moves a node, by name or by pointer (KHR_animation_pointer). Pointers that
+/// move no vertex are ignored. Other unsupported pointers give a warning. Errors: MalformedFile, NotFinite, TooLarge.
 Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings);
 
-/// Number of values that applyAnimation writes. Channels may share values, so a small file could ask for any amount.
+/// Number of values written by applyAnimation. Channels may share values, so a small file could demand any amount.
 std::uint64_t animationCost(const GltfAnimation& animation);
 
-/// Writes the animation's values at time t into the state.
+/// Applies the animation's values at time t to the state.
 void applyAnimation(const GltfAnimation& animation, double t, SceneState& state);
 
 }  // namespace shapespline

@@ -39,7 +39,7 @@ Result<Resource> readBuffer(const json& buffer, std::size_t index, const Source&
     if (!found) return found;
     resource = std::move(*found);
   } else {
-    if (index != 0 || !source.chunks.hasBin) return resource;  // a placeholder; an error only if it is read
+    if (index != 0 || !source.chunks.hasBin) return resource;  // a placeholder, an error only when read
     resource.bytes = source.chunks.bin;
   }
   const std::uint64_t declared = whole(buffer, "byteLength", 0);
@@ -64,7 +64,7 @@ Status readBuffers(const json& doc, const Source& source, GltfDocument& out) {
   return {};
 }
 
-// The bytes of a buffer view, or nothing if any part is out of bounds.
+// The bytes of a buffer view, or nothing if a part is out of bounds.
 std::span<const std::uint8_t> viewBytes(const json& doc, std::uint64_t view, const GltfDocument& out) {
   const auto views = doc.find("bufferViews");
   if (views == doc.end() || view >= views->size()) return {};
@@ -77,8 +77,8 @@ std::span<const std::uint8_t> viewBytes(const json& doc, std::uint64_t view, con
   return bytes.subspan(offset, length);
 }
 
-// A missing image costs the texture, not the shape. Images may share bytes, so a small file could declare any amount:
-// together they may have as many bytes as the files.
+// A missing image loses its texture, but not the shape. Images may share bytes, so a small file could declare any
+// amount: their total is limited to the size of the files.
 void readImages(const json& doc, const Source& source, GltfDocument& out) {
   const auto images = doc.find("images");
   if (images == doc.end()) return;
@@ -122,7 +122,7 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
   out.warnings.push_back({"missing-texture", what + first, static_cast<int>(missing)});
 }
 
-// The first line of a message of tinygltf's, fit for the middle of a sentence.
+// The first line of a tinygltf message, formatted for use inside a sentence.
 std::string oneLine(const std::string& message) {
   std::string line = message.substr(0, std::min<std::size_t>(message.find('\n'), 200));
   for (char& c : line)
@@ -131,7 +131,7 @@ std::string oneLine(const std::string& message) {
   return line;
 }
 
-// A file of meshes without any node shows each of them once.
+// A file without nodes shows each mesh once.
 void showBareMeshes(tinygltf::Model& model) {
   if (!model.nodes.empty()) return;
   model.nodes.resize(model.meshes.size());
@@ -139,7 +139,7 @@ void showBareMeshes(tinygltf::Model& model) {
   model.scenes.clear();
 }
 
-// How many primitives each mesh has in the file.
+// Number of primitives of each mesh in the file.
 std::vector<std::size_t> primitiveCounts(const json& doc) {
   std::vector<std::size_t> counts;
   const auto meshes = doc.find("meshes");
@@ -155,7 +155,7 @@ Status loadModel(json doc, GltfDocument& out) {
   for (const char* unread : {"buffers", "images", "cameras", "extensions", "extras"}) doc.erase(unread);
   const std::vector<std::size_t> primitives = primitiveCounts(doc);
   const std::string text = doc.dump();
-  doc = nullptr;  // tinygltf makes its own copy; holding both would double the peak
+  doc = nullptr;  // tinygltf makes a copy; keeping both would double the peak
   tinygltf::TinyGLTF loader;
   std::string error, warning;
   if (!loader.LoadASCIIFromString(&out.model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), ""))

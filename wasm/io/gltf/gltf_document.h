@@ -1,4 +1,4 @@
-// A glTF file whose outer shell has been checked: JSON, version, extensions, buffers, images.
+// A glTF file with verified JSON, version, extensions, buffers and images.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@
 
 namespace shapespline {
 
-/// tinygltf gives the JSON types; buffers and images are resolved here, because tinygltf copies, guesses and opens
-/// where we must check. `model.buffers` and `model.images` are therefore empty.
+/// tinygltf only provides the JSON types. Buffers and images are resolved here, because tinygltf copies, guesses and
+/// opens files without our checks. `model.buffers` and `model.images` are therefore empty.
 struct GltfDocument {
-  std::string where;  ///< how messages call the file
+  std::string where;  ///< display name of the file
   tinygltf::Model model;
-  std::vector<Resource> buffers;  ///< byteLength bytes each, or none for a placeholder
-  std::uint64_t bufferBytes = 0;  ///< of all buffers together
-  std::uint64_t fileBytes = 0;    ///< of all that was given for it: its JSON and buffers, each once
-  std::vector<Image> images;      ///< those that could be had, each once
-  std::vector<int> imageOf;       ///< of the file's images: place in `images`, or -1
+  std::vector<Resource> buffers;  ///< byteLength bytes each, or empty for a placeholder
+  std::uint64_t bufferBytes = 0;  ///< total size of all buffers
+  std::uint64_t fileBytes = 0;    ///< total size of the JSON and the buffers, each counted once
+  std::vector<Image> images;      ///< available images, each once
+  std::vector<int> imageOf;       ///< index into `images` for each image of the file, or -1
   std::string project;            ///< JSON of extras.shapespline, or empty
   std::vector<Warning> warnings;
 };
 
-/// Opens .glb (recognised by its magic) or .gltf. Errors: all of reading; see ErrorCode.
+/// Opens a .glb (detected by its magic number) or .gltf file. Errors: all reading errors of ErrorCode.
 Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where);
 
 }  // namespace shapespline

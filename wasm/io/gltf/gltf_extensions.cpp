@@ -122,11 +122,11 @@ const json* memberOf(const json& object, const char* name) {
   return it == object.end() ? nullptr : &*it;
 }
 
-// Parts of the document whose extensions may change the shape: nodes and similar, with their content.
+// Document parts with extensions that may change the shape: nodes and the like, with their contents.
 constexpr std::array shaping{"nodes",      "meshes",   "skins",    "accessors", "bufferViews", "animations",
                              "primitives", "channels", "samplers", "target",    "targets",     "sparse"};
 
-// Adds the extensions on an object and its content. The parser limits the depth.
+// Adds the names of extensions on an object and its contents. The parser limits the depth.
 void collect(const json& at, std::set<std::string>& names) {
   if (at.is_array())
     for (const json& item : at) collect(item, names);
@@ -158,7 +158,7 @@ Status checkRequiredExtensions(const json& doc, const std::string& where) {
 
 std::vector<Warning> extensionWarnings(const json& doc, const std::string& where) {
   std::set<std::string> onShape, ignored;
-  // The document's own samplers are those of textures.
+  // The document's own samplers belong to textures.
   for (const char* collection : {"nodes", "meshes", "skins", "accessors", "bufferViews", "animations"})
     if (const json* items = memberOf(doc, collection)) collect(*items, onShape);
   for (const std::string& name : onShape)

@@ -16,25 +16,25 @@ namespace shapespline {
 
 enum class ExtensionUse {
   Applied,
-  Decoded,   ///< undone before the core reads the file
-  Harmless,  ///< the shape and its motion are the same without it
-  Ignored,   ///< it may change the shape or its motion, and is not applied
+  Decoded,   ///< decoded before the core reads the file
+  Harmless,  ///< does not affect the shape or its motion
+  Ignored,   ///< may affect the shape or its motion, and is not applied
 };
 
 struct KnownExtension {
-  std::string_view name;  ///< a trailing '*' stands for all names with this start
+  std::string_view name;  ///< a trailing '*' matches all names with this prefix
   ExtensionUse use;
 };
 
-/// All of them; where two fit a name, the first one counts.
+/// All known extensions. If two entries match a name, the first one applies.
 std::span<const KnownExtension> knownExtensions();
 
-/// Error: Unsupported for a required extension that is neither applied nor harmless; MalformedFile for a list that
-/// holds something else than names.
+/// Errors: Unsupported for a required extension that is neither applied nor harmless; MalformedFile for a list with
+/// anything but names.
 Status checkRequiredExtensions(const nlohmann::json& doc, const std::string& where);
 
-/// Names those that are not applied though they may change the shape: known ones that the file uses, and unknown ones
-/// that it puts on nodes, meshes, skins, accessors or animations.
+/// Warns about extensions that are not applied but may change the shape: known extensions in use, and unknown ones on
+/// nodes, meshes, skins, accessors or animations.
 std::vector<Warning> extensionWarnings(const nlohmann::json& doc, const std::string& where);
 
 }  // namespace shapespline

@@ -20,7 +20,7 @@ constexpr std::array collectionNames{"accessors", "animations", "buffers", "buff
                                      "images",    "materials",  "meshes",  "nodes",       "samplers",
                                      "scenes",    "skins",      "textures"};
 
-// Members that hold an index, a count or a size wherever they stand.
+// Members that always hold an index, a count or a size.
 constexpr std::array wholeNumbers{
     "buffer",        "bufferView", "byteLength", "byteOffset", "byteStride", "camera",
     "componentType", "count",      "index",      "indices",    "input",      "inverseBindMatrices",
@@ -28,7 +28,7 @@ constexpr std::array wholeNumbers{
     "scene",         "skeleton",   "skin",       "source",     "texCoord",   "wrapS",
     "wrapT"};
 
-// Lists whose items are indices; `nodes` is one in a scene.
+// Lists whose items are indices. In a scene, `nodes` is such a list.
 constexpr std::array indexLists{"children", "joints", "nodes"};
 
 constexpr std::array readExtensions{"EXT_mesh_gpu_instancing", "EXT_texture_webp",    "KHR_animation_pointer",
@@ -92,7 +92,7 @@ Result<json> parse(std::string_view text, const std::string& where) {
   }
 }
 
-// Walks the document once; returns the problem, or "".
+// Walks the document once. Returns the problem, or "".
 std::string tidy(json& node);
 
 std::string tidyMember(const std::string& name, json& value, bool isIndex) {
@@ -101,13 +101,13 @@ std::string tidyMember(const std::string& name, json& value, bool isIndex) {
     if (std::floor(number) == number && std::abs(number) < 9e15) value = static_cast<std::int64_t>(number);
   }
   if (!isIndex) return tidy(value);
-  // scene.nodes and the like are arrays; "camera", "index" and so on are numbers only.
+  // scene.nodes and the like are arrays. "camera", "index" and so on must be numbers.
   if (value.is_array() || value.is_object()) return tidy(value);
   if (!value.is_number_integer()) return inQuotes(name) + " is not a whole number";
   if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0) return inQuotes(name) + " is negative";
   const auto number = value.get<std::uint64_t>();
   if (number > 0x7fffffffu) return inQuotes(name) + " is " + value.dump() + ", more than is supported";
-  value = number;  // tinygltf wants unsigned
+  value = number;  // tinygltf expects unsigned integers
   return "";
 }
 

@@ -1,4 +1,4 @@
-// glTF's JSON, parsed and made fit for tinygltf, which casts, skips and recurses without looking.
+// Parses glTF's JSON and makes it safe for tinygltf, which casts, skips and recurses without checks.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@
 
 namespace shapespline {
 
-/// Parses and checks: depth and number of values (limits.h) before parsing, syntax, an object with asset.version 2.x,
-/// collections that are arrays of objects, sizes and indices that are whole numbers in [0, 2^31), and no unknown
-/// required extension. Integers written as 3.0 become 3. Unused extensions and extras are dropped, except for the
-/// root's. Extensions that are not applied give warnings.
+/// Checks depth and number of values (limits.h) before parsing. Then checks syntax, asset.version 2.x, collections that
+/// are arrays of objects, sizes and indices that are whole numbers in [0, 2^31), and required extensions. Integers
+/// written as 3.0 become 3. Unused extensions and extras are dropped, except for the root's. Extensions that are not
+/// applied give warnings.
 Result<nlohmann::json> parseGltfJson(std::string_view text, const std::string& where, std::vector<Warning>& warnings);
 
 }  // namespace shapespline

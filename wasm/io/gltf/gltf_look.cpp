@@ -10,15 +10,15 @@ namespace shapespline {
 
 namespace {
 
-// Reads materials and keeps the images that they use, renumbered.
+// Reads materials, and keeps and renumbers the images in use.
 struct LookReader {
   GltfDocument& doc;
   GltfShape& shape;
   Scene scene;
-  std::vector<int> newImage;  // of doc.images; -1 until used
+  std::vector<int> newImage;  // new index of each image in doc.images; -1 until used
   int brokenTextures = 0, otherCoordinates = 0;
 
-  // The place in doc.images of a texture's source, or of an extension's that most browsers decode.
+  // Index into doc.images of a texture's source, or of an extension's source that most browsers decode.
   int sourceImage(int texture) {
     if (texture < 0) return -1;
     if (texture >= static_cast<int>(doc.model.textures.size())) return ++brokenTextures, -1;
@@ -44,7 +44,7 @@ struct LookReader {
     return newImage[image];
   }
 
-  // Only one set of texture coordinates is kept: that of the base colour.
+  // Only the base colour's set of texture coordinates is kept.
   int keepImage(int texture, int coordinates, int kept) {
     if (texture >= 0 && coordinates != kept) return ++otherCoordinates, -1;
     return keepImage(texture);
@@ -75,7 +75,7 @@ struct LookReader {
 
   static float unit(double value) {
     return static_cast<float>(value >= 0 ? std::min(value, 1.0) : 0);
-  }  // NaN becomes 0
+  }  // also turns NaN into 0
   static float finite(double value) { return std::abs(value) < 1e6 ? static_cast<float>(value) : 0; }
 
   Material readMaterial(const tinygltf::Material& source) {
@@ -106,7 +106,7 @@ struct LookReader {
     return out;
   }
 
-  // The texture that decides which coordinates are kept.
+  // Visits textures by priority. The first one present decides which coordinates are kept.
   template <class Visit>
   static void visitTextures(const tinygltf::Material& m, Visit visit) {
     visit(m.pbrMetallicRoughness.baseColorTexture);
@@ -152,7 +152,7 @@ struct LookReader {
     return index >= 0 && index < static_cast<int>(doc.model.materials.size()) ? &doc.model.materials[index] : nullptr;
   }
 
-  // Reads `components` numbers per vertex of an attribute, or nothing if it is missing or broken.
+  // Reads `components` numbers per vertex of an attribute. Returns nothing if it is missing or broken.
   std::vector<double> vertexNumbers(const GltfPart& part, const std::string& name, int components) {
     const auto it = part.primitive->attributes.find(name);
     if (it == part.primitive->attributes.end() || accessorCount(doc, it->second) != part.positions.size()) return {};
@@ -174,7 +174,7 @@ struct LookReader {
     }
   }
 
-  // Some tools write black by default, which would blacken everything.
+  // Some tools write black vertex colours by default, which would blacken the whole shape.
   static bool isAllZero(const std::vector<double>& colors, int components) {
     for (std::size_t i = 0; i < colors.size(); ++i)
       if (static_cast<int>(i % components) < 3 && colors[i] != 0) return false;

@@ -1,4 +1,4 @@
-// Materials, texture coordinates, vertex colours and images of a glTF scene.
+// Reads materials, texture coordinates, vertex colours and images of a glTF scene.
 #pragma once
 
 #include "io/base/scene.h"
@@ -6,8 +6,8 @@
 
 namespace shapespline {
 
-/// Collects the materials and textures of the shape's faces, in its vertex order. A broken texture costs the texture,
-/// not the shape: it is left out with a warning in `shape.warnings`.
+/// Collects the materials and textures of the shape's faces, in its vertex order. A broken texture is omitted with a
+/// warning in `shape.warnings`.
 Scene readLook(GltfDocument& doc, GltfShape& shape);
 
 }  // namespace shapespline

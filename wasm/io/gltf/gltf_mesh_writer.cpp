@@ -22,11 +22,11 @@ int wrapMode(Material::Wrap wrap) {
   return wrap == Material::Wrap::Clamp ? 33071 : wrap == Material::Wrap::Mirror ? 33648 : 10497;
 }
 
-// Materials with their textures; images go into the binary chunk.
+// Writes materials with their textures. Images go into the binary chunk.
 struct LookWriter {
   GlbBuilder& glb;
   const Scene& scene;
-  std::vector<int> imageOf;  // of scene.images; -1 until written
+  std::vector<int> imageOf;  // output index of each image in scene.images; -1 until written
 
   void use(const char* extension, const char* list) {
     json& names = glb.doc[list];
@@ -41,7 +41,7 @@ struct LookWriter {
     return imageOf[index] = static_cast<int>(glb.doc["images"].size()) - 1;
   }
 
-  // A texture per use; null without an image or coordinates.
+  // Writes a texture for each use. Returns null without an image or coordinates.
   json texture(int imageIndex, const Material& m) {
     if (imageIndex < 0 || imageIndex >= static_cast<int>(scene.images.size()) || scene.uvs.empty()) return nullptr;
     const std::string& type = scene.images[imageIndex].mimeType;
@@ -50,7 +50,7 @@ struct LookWriter {
     if (type == "image/webp" || type == "image/ktx2") {
       const char* extension = type == "image/webp" ? "EXT_texture_webp" : "KHR_texture_basisu";
       use(extension, "extensionsUsed");
-      use(extension, "extensionsRequired");  // there is no other source
+      use(extension, "extensionsRequired");  // no fallback source exists
       out["extensions"][extension] = source;
     } else {
       out = source;
@@ -108,7 +108,7 @@ int addIndices(GlbBuilder& glb, const DrawnPrimitive& primitive) {
     for (const Triangle& face : primitive.faces)
       for (int v : face) out.push_back(v);
   };
-  if (primitive.vertices.size() <= 0xffff) {  // 65535 itself would restart a strip
+  if (primitive.vertices.size() <= 0xffff) {  // index 65535 would restart a strip
     std::vector<std::uint16_t> indices;
     collect(indices);
     return glb.addArray(indices, "SCALAR", 1, glUnsignedShort, glElementArrayBuffer);
@@ -120,8 +120,8 @@ int addIndices(GlbBuilder& glb, const DrawnPrimitive& primitive) {
 
 }  // namespace
 
-// A normal map without tangents would look different in every viewer. They do not turn with the morph targets, for
-// which few viewers have a place.
+// Without stored tangents, viewers draw a normal map in different ways. Morph targets leave the tangents unchanged,
+// because few viewers support moving ones.
 void MeshWriter::makeTangents(std::span<const float> positions, std::span<const float> normals) {
   const auto& m = scene.materials;
   const bool wanted = std::any_of(m.begin(), m.end(), [](const Material& one) { return one.normalImage >= 0; });
@@ -129,7 +129,7 @@ void MeshWriter::makeTangents(std::span<const float> positions, std::span<const 
   tangents = tangentsOf(positions, normals, scene.uvs, faces);
 }
 
-// The file then opens again with the mesh's own vertices, even after another program reordered, split or welded them.
+// Lets the file restore the mesh's vertices, even after another program reordered, split or welded them.
 void MeshWriter::makeVertexNumbers() {
   const std::vector<int>& copyOf = scene.seams.copyOf;
   numbers.resize(vertices - copyOf.size());
@@ -159,12 +159,12 @@ json MeshWriter::primitive(const DrawnPrimitive& drawn, json attributes) {
           {"material", drawn.material < 0 ? plain : drawn.material}};
 }
 
-// glTF's default is polished metal, which is black without surroundings, and white is invisible on a white page. So
-// this is the clay of web/viewer/shape.ts: a file looks the same when opened again.
+// glTF's default material is polished metal, which looks black without an environment, and white is invisible on a
+// white page. This material is the clay of web/viewer/shape.ts, so the file looks the same when opened again.
 int MeshWriter::addPlainMaterial() {
   glb.doc["materials"].push_back({{"name", "plain"},
                                   {"pbrMetallicRoughness",
-                                   {{"baseColorFactor", {0.584, 0.462, 0.371, 1}},  // linear
+                                   {{"baseColorFactor", {0.584, 0.462, 0.371, 1}},  // linear RGBA
                                     {"metallicFactor", 0},
                                     {"roughnessFactor", 0.6}}},
                                   {"doubleSided", true}});

@@ -1,4 +1,4 @@
-// The visible content of a written file: primitives with materials and textures.
+// Writes primitives with materials and textures.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,26 @@
 
 namespace shapespline {
 
-/// Values of the mesh's own vertices, `width` each -> those of the drawn ones.
+/// Extends values of the mesh vertices, `width` numbers each, to the drawn vertices.
 void addCopies(const Seams& seams, std::size_t width, std::vector<float>& values);
 
-/// Adds the scene's materials and their textures; images go into the binary chunk.
+/// Writes the scene's materials and their textures. Images go into the binary chunk.
 void writeLook(GlbBuilder& glb, const Scene& scene);
 
-/// The mesh but for its positions and normals.
+/// Writes everything of the mesh except positions and normals.
 class MeshWriter {
  public:
-  /// `faces` are of `vertices` drawn ones. All must outlive the writer.
+  /// `faces`: indices of drawn vertices. `vertices`: number of drawn vertices. All arguments must outlive the writer.
   MeshWriter(GlbBuilder& glb, const std::vector<Triangle>& faces, const Scene& scene, std::size_t vertices)
       : glb(glb), faces(faces), scene(scene), vertices(vertices) {}
 
-  /// Only if a material needs them.
+  /// Computes tangents if a material needs them.
   void makeTangents(std::span<const float> positions, std::span<const float> normals);
 
-  /// From here on, primitives state the mesh vertices of their vertices.
+  /// Makes all further primitives store the mesh vertex of each of their vertices.
   void makeVertexNumbers();
 
-  /// Adds look, faces and material to the given attributes.
+  /// Completes the given attributes with colours, coordinates, faces and material.
   nlohmann::json primitive(const DrawnPrimitive& drawn, nlohmann::json attributes);
 
  private:
@@ -39,8 +39,8 @@ class MeshWriter {
   const std::vector<Triangle>& faces;
   const Scene& scene;
   std::size_t vertices;
-  std::vector<float> tangents, numbers, drawnNumbers;  // per drawn vertex, or empty
-  int plain = -1;                                      // the material of faces that have none
+  std::vector<float> tangents, numbers, drawnNumbers;  // values per drawn vertex, or empty
+  int plain = -1;                                      // material index for faces without material, or -1
 
   int addPlainMaterial();
 };

@@ -51,7 +51,7 @@ Status linkParents(const GltfDocument& doc, NodeGraph& graph) {
   return {};
 }
 
-// Depth first from `roots`, children in the file's order; without recursion, because chains may be long.
+// Depth first from `roots`, children in file order. Not recursive, because chains may be long.
 std::vector<int> depthFirst(const GltfDocument& doc, const std::vector<int>& roots) {
   std::vector<int> order, stack(roots.rbegin(), roots.rend());
   std::vector<char> seen(doc.model.nodes.size(), 0);

@@ -14,31 +14,31 @@ struct NodeTransform {
   Vec3 translation = Vec3::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Vec3 scale = Vec3::Ones();
-  bool isMatrix = false;  ///< `matrix` counts, not the three above
+  bool isMatrix = false;  ///< `matrix` applies instead of the three fields above
   Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
 
   Eigen::Affine3d affine() const;
 
-  /// Turns a matrix into translation, rotation and scale, for nodes whose parts are animated.
+  /// Splits the matrix into translation, rotation and scale, for nodes with animated parts.
   void splitMatrix();
 };
 
-/// The graph, checked to be a forest.
+/// The node graph, checked to be a forest.
 struct NodeGraph {
-  std::vector<int> parent;   ///< -1 for roots
-  std::vector<int> topDown;  ///< every node after its parent
-  std::vector<int> shown;    ///< nodes of the default scene, depth first; without scenes, of all roots
+  std::vector<int> parent;   ///< parent of each node, -1 for roots
+  std::vector<int> topDown;  ///< all nodes, parents before children
+  std::vector<int> shown;    ///< nodes of the default scene (of all roots if there are no scenes), depth first
   std::vector<NodeTransform> rest;
-  std::vector<char> visible;  ///< KHR_node_visibility of each node itself
+  std::vector<char> visible;  ///< KHR_node_visibility of each node, without its ancestors
 };
 
-/// Errors: MalformedFile for missing children, cycles, nodes with two parents, wrong array lengths.
+/// Errors: MalformedFile for missing children, cycles, nodes with two parents, arrays of wrong length.
 Result<NodeGraph> readNodes(const GltfDocument& doc);
 
-/// For each node, whether it and all its ancestors are visible.
+/// Whether each node and all its ancestors are visible.
 std::vector<char> seenNodes(const NodeGraph& graph, const std::vector<char>& visible);
 
-/// Transforms to world space from transforms relative to the parents.
+/// World transforms from transforms relative to the parents.
 std::vector<Eigen::Affine3d> worldTransforms(const NodeGraph& graph, const std::vector<NodeTransform>& local);
 
 }  // namespace shapespline

@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-// Adds weight * target to the values, for one attribute of all targets.
+// Adds weight * target to the values, for one attribute of all morph targets.
 Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* attribute,
                   const std::vector<double>& weights, Positions& values, const FractionReport& onProgress) {
   const auto& targets = part.primitive->targets;
@@ -54,8 +54,8 @@ struct PartTransforms {
   }
 };
 
-// A skin places the mesh by its joints alone; the mesh node's own transform is ignored (glTF 2.0, section 3.7.3.3).
-// `ofPart` places parts without a skin; `ofSkins` keeps each skin's matrices for other parts with the same skin.
+// A skin places the mesh by its joints alone and ignores the mesh node's transform (glTF 2.0, section 3.7.3.3).
+// `ofPart`: transforms of parts without a skin. `ofSkins`: caches each skin's matrices for parts that share the skin.
 PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, const Matrices& world,
                               const Eigen::Affine3d& ofPart, std::vector<Matrices>& ofSkins) {
   if (part.influences == 0) return {part, {&ofPart, 1}};
@@ -67,7 +67,7 @@ PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, cons
   return {part, matrices};
 }
 
-// Normals turn with the cofactor matrix, which is det * inverse transpose and exists for singular matrices too.
+// Normals transform with the cofactor matrix, det * inverse transpose, which exists for singular matrices too.
 Vec3 turnedNormal(const Mat3& m, const Vec3& normal) {
   Mat3 cofactor;
   cofactor.col(0) = m.col(1).cross(m.col(2));

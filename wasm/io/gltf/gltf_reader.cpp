@@ -18,21 +18,21 @@ namespace shapespline {
 
 namespace {
 
-// Share of the progress that goes to the file itself, before its keys.
+// Share of the progress for the file itself, before its keys.
 constexpr double readingShare = 0.4;
 
 void append(std::vector<Warning>& to, std::vector<Warning>&& from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
-// Whether the file assigns joints to its vertices; otherwise its node places the mesh.
+// Whether the file assigns joints to its vertices. Otherwise the mesh's node places the mesh.
 bool hasInfluences(const tinygltf::Mesh& mesh) {
   return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), [](const tinygltf::Primitive& primitive) {
     return primitive.attributes.count("JOINTS_0") > 0 && primitive.attributes.count("WEIGHTS_0") > 0;
   });
 }
 
-// Nodes whose transforms place a vertex: mesh nodes, joints, and everything above them.
+// Nodes with transforms that place a vertex: mesh nodes, joints, and all their ancestors.
 std::vector<char> placingNodes(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes) {
   const int count = static_cast<int>(doc.model.nodes.size());
   std::vector<char> placing(count, 0);
@@ -50,7 +50,7 @@ std::vector<char> placingNodes(const GltfDocument& doc, const NodeGraph& graph, 
   return placing;
 }
 
-// Animations that only move cameras, lights or other meshes are not offered.
+// Excludes animations that only move cameras, lights or other meshes.
 Result<std::vector<GltfAnimation>> movingAnimations(const GltfDocument& doc, const NodeGraph& graph,
                                                     const std::vector<int>& meshNodes, std::vector<Warning>& warnings) {
   auto animations = readAnimations(doc, warnings);
@@ -77,7 +77,7 @@ std::vector<AnimationInfo> infosOf(const std::vector<GltfAnimation>& animations)
   return infos;
 }
 
-// Animations that could pose the file. A broken animation does not reject the pose.
+// Animations that could pose the file. A broken animation is not an error for the pose.
 std::vector<GltfAnimation> animationsOf(const GltfDocument& doc, const NodeGraph& graph,
                                         const std::vector<int>& meshNodes) {
   std::vector<Warning> unsaid;
@@ -95,7 +95,7 @@ Error allHidden(const GltfDocument& doc) {
                                       "with a mesh that is visible."};
 }
 
-// The mesh nodes of these names that are visible. Error: UnknownObject, NoTriangles where all are hidden.
+// The visible mesh nodes with these names. Errors: UnknownObject; NoTriangles if all are hidden.
 Result<std::vector<int>> shownNodes(const GltfDocument& doc, const GltfScene& scene, const std::vector<char>& visible,
                                     const std::vector<std::string>& objects) {
   const std::vector<int> seen = visibleNodes(scene, scene.meshNodes, visible);
@@ -105,16 +105,16 @@ Result<std::vector<int>> shownNodes(const GltfDocument& doc, const GltfScene& sc
   return wanted;
 }
 
-// One key that will be: a state of the scene.
+// A key to compute: a state of the scene.
 struct PlannedKey {
   std::string name;
   double time = 0;
   const GltfAnimation* animation = nullptr;
-  double seconds = 0;  // of the animation
-  int target = -1;     // without an animation: the joined morph target that is on, or -1 for none
+  double seconds = 0;  // time in the animation
+  int target = -1;     // without animation: index of the active joined morph target, or -1
 };
 
-// One file's keys in the making: first which, then their shapes.
+// Reads the keys of one file: plans them, then computes their shapes.
 struct KeyReader {
   GltfDocument& doc;
   const GltfScene& scene;
@@ -123,7 +123,7 @@ struct KeyReader {
   std::vector<GltfAnimation> animations{};
   JoinedTargets targets{};
   std::vector<PlannedKey> plan{};
-  std::size_t keysOfFile = 1;  // that the file asks for, not the user
+  std::size_t keysOfFile = 1;  // number of keys requested by the file, not by the user
   Import out{};
   std::uint64_t work = 0;
 
@@ -133,16 +133,16 @@ struct KeyReader {
     if (progress) progress(stage, fraction);
   }
 
-  // Which keys.
+  // Planning keys.
 
   void planMorphTargets() {
-    // One second apart, like poses in separate files.
+    // Morph targets are one second apart, like poses in separate files.
     for (int t = -1; t < targets.count(); ++t)
       plan.push_back({t < 0 ? "base" : targets.names[t], t + 1.0, nullptr, 0, t});
     keysOfFile = plan.size();
   }
 
-  // The frames that a project file lists as its keys.
+  // Plans the frames listed as keys in a project file.
   void planProject(const Project& project) {
     for (const ProjectKey& key : project.keys)
       plan.push_back({key.name, key.time, key.frame >= 0 ? nullptr : &animations[0], key.seconds, key.frame - 1});
@@ -151,7 +151,7 @@ struct KeyReader {
     out.offset = project.offset;
   }
 
-  // Each animation is a pose.
+  // Plans one pose per animation.
   void planPoses(std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i)
       plan.push_back({animations[i].name, static_cast<double>(i - first), &animations[i], animations[i].keyTimes[0]});
@@ -168,7 +168,7 @@ struct KeyReader {
       chosen = *index;
     } else if (const std::string* name = std::get_if<std::string>(&options.animation)) {
       const auto called = [&](const GltfAnimation& a) { return a.name == *name; };
-      // If several animations have the name, prefer one that moves.
+      // If several animations share the name, prefer one that moves.
       const auto moving = [&](const GltfAnimation& a) { return called(a) && a.moves; };
       auto found = std::find_if(animations.begin(), animations.end(), moving);
       if (found == animations.end()) found = std::find_if(animations.begin(), animations.end(), called);
@@ -193,7 +193,7 @@ struct KeyReader {
     return list + (animations.size() > 20 ? ", and more." : ".");
   }
 
-  // Advice if the requested animation is a single pose.
+  // Advice if the requested animation has a single pose.
   std::string insteadOfPose() const {
     std::string list;
     int count = 0;
@@ -210,7 +210,7 @@ struct KeyReader {
     const bool ownTimes = options.sampleTimes.empty() && lone && animation.weightsOnly && !options.sampleAsked &&
                           animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= mostOwnKeys;
     const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
-    // The file asks for these keys, not the user.
+    // The file requests these keys, not the user.
     if (everyFrame) keysOfFile = animation.keyTimes.size();
     if (ownTimes || everyFrame) return animation.keyTimes;
     return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
@@ -226,7 +226,7 @@ struct KeyReader {
     return {};
   }
 
-  // No animation moves, or one that does not was asked for.
+  // Handles files without a moving animation, and requests for a still one.
   Status planStill(int chosen) {
     if (options.oneKeyWillDo) {
       if (chosen >= 0) planPoses(chosen, 1);
@@ -264,7 +264,7 @@ struct KeyReader {
     return *chosen >= 0 && animations[*chosen].moves ? planAnimation(*chosen) : planStill(*chosen);
   }
 
-  // Their shapes.
+  // Computing shapes.
 
   SceneState stateOf(const PlannedKey& key) const {
     SceneState state = restState(doc, scene.graph);
@@ -291,7 +291,7 @@ struct KeyReader {
     const bool first = out.keyframes.keys.empty();
     const std::uint64_t cost = poseCost(shape, state) + (key.animation ? animationCost(*key.animation) : 0);
     work += cost;
-    // The keys to come will take as much as this one, most likely.
+    // Later keys will probably cost the same as this one.
     const std::uint64_t most = mostPoseCost(doc.fileBytes);
     if (work > most || cost > most / count)
       return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " +
@@ -302,7 +302,7 @@ struct KeyReader {
     return {};
   }
 
-  // `nodes`: the mesh nodes that the first key shows, with the visibility `visible`.
+  // `nodes`: mesh nodes visible in the first key, given the visibility `visible`.
   Status addKeys(const GltfShape& shape, const std::vector<int>& nodes, const std::vector<char>& visible) {
     int changes = 0;
     const std::vector<int> wanted = namedNodes(doc, scene.meshNodes, options.objects);
@@ -319,7 +319,7 @@ struct KeyReader {
     return {};
   }
 
-  // Errors of the mesh take precedence over errors of the keys.
+  // Reports errors of the mesh before errors of the keys.
   Status checkMesh(const std::vector<int>& nodes) const {
     if (Status fits = checkAmount(doc, nodes, {}); !fits) return fits;
     const auto shape = readShape(doc, scene.graph, nodes);
@@ -333,7 +333,7 @@ struct KeyReader {
     animations = std::move(*moving);
     out.animations = infosOf(animations);
     targets = joinTargets(doc, visibleNodes(scene, wanted, scene.graph.visible));
-    // Errors of the objects take precedence over errors of the keys.
+    // Reports errors of the objects before errors of the keys.
     const auto atRest = shownNodes(doc, scene, scene.graph.visible, options.objects);
     if (!atRest && atRest.error().code == ErrorCode::UnknownObject) return atRest.error();
     if (Status planned = planKeys(); !planned) {

@@ -1,4 +1,4 @@
-// glTF -> keys: one pose, morph targets, a sampled animation, or the keys of a saved project.
+// Reads keys from glTF: one pose, morph targets, a sampled animation, or a saved project.
 #pragma once
 
 #include <string>
@@ -14,29 +14,29 @@
 
 namespace shapespline {
 
-/// One pose with everything around it.
+/// One pose with its scene and facts about its file.
 struct PoseFile {
   Positions positions;
   std::vector<Triangle> faces;
-  Positions normals;  ///< n, or empty
+  Positions normals;  ///< n unit normals, or empty
   Scene scene;
   std::vector<Warning> warnings;
-  std::vector<std::string> objects;       ///< names of objects that may be left out, without duplicates
-  std::vector<AnimationInfo> animations;  ///< of the file's own
-  bool isPosed = false;                   ///< by one animation, which does not move
-  std::string action;                     ///< the applied animation, if any
-  bool hides = false;                     ///< some of its meshes are hidden (KHR_node_visibility)
-  bool skinned = false;                   ///< bones pose it
-  bool writtenZUp = false;                ///< its program writes this format with z up
-  Vec3 offset = Vec3::Zero();  ///< stated in the file: its numbers are relative to it; the positions include it
-  double rounding = 0;         ///< as Import::rounding
+  std::vector<std::string> objects;       ///< names of optional objects, without duplicates
+  std::vector<AnimationInfo> animations;  ///< animations in the file
+  bool isPosed = false;                   ///< posed by a still animation
+  std::string action;                     ///< name of the applied animation, or empty
+  bool hides = false;                     ///< some meshes are hidden (KHR_node_visibility)
+  bool skinned = false;                   ///< posed by bones
+  bool writtenZUp = false;                ///< written by a program that uses Z up in this format
+  Vec3 offset = Vec3::Zero();             ///< offset stated in the file, already included in the positions
+  double rounding = 0;                    ///< as in Import::rounding
 };
 
-/// The scene as the file itself poses it. `where` is how messages call the file.
+/// Reads the scene in the pose stored in the file. `where`: display name of the file.
 Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
                               const std::string& where, const FractionReport& onProgress = {});
 
-/// Several keys of one file. Times are set; nothing is validated beyond what reading needs.
+/// Reads several keys from one file and sets their times. Validates only as far as reading requires.
 Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
                             const std::string& where, const StageProgress& progress);
 

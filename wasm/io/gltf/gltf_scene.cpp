@@ -15,18 +15,18 @@ namespace shapespline {
 
 namespace {
 
-// Limits for any file, and per byte of the file; counted in vertices.
+// Cost limit, in vertices: `small` for any file, plus `perByte` for each byte of the file.
 constexpr std::uint64_t small = 1'000'000, perByte = 16;
 
-// Primitives of all mesh nodes, and morph weights of all nodes: many times those of real scenes.
+// Limits for primitives of all mesh nodes and morph weights of all nodes, far above real scenes.
 constexpr std::int64_t mostParts = 100'000, mostWeights = 10'000'000;
 
 // Declared sizes of a mesh.
 struct Amount {
   std::uint64_t vertices = 0, corners = 0, weights = 0;
 
-  // Cost until the first shape is ready, in vertices that are only read: keys are encoded too, and corners enter the
-  // systems.
+  // Cost until the first shape is ready, in units of reading a vertex. Includes encoding the keys and assembling the
+  // systems from corners.
   std::uint64_t inKeys(std::size_t keys) const { return vertices * (4 * keys + 1) + 3 * corners + weights; }
 };
 
@@ -73,7 +73,7 @@ Error tooMuch(const GltfDocument& doc, const Amount& all, std::size_t keys) {
                                    ". Export fewer copies of its meshes, or fewer morph targets."};
 }
 
-// Every node has its own weights for the targets of its mesh.
+// Every node has its own weights for its mesh's targets.
 Status countWeights(const GltfDocument& doc) {
   std::vector<int> targetCounts;
   for (const tinygltf::Mesh& mesh : doc.model.meshes) targetCounts.push_back(targetCount(mesh));
@@ -108,7 +108,7 @@ Result<GltfScene> readScene(const GltfDocument& doc) {
 
 std::string_view shortName(std::string_view name, std::size_t most) {
   if (name.size() <= most) return name;
-  while (most > 0 && (name[most] & 0xc0) == 0x80) --most;  // not within a character
+  while (most > 0 && (name[most] & 0xc0) == 0x80) --most;  // never inside a UTF-8 character
   return name.substr(0, most);
 }
 

@@ -57,7 +57,7 @@ struct ShapeReader {
   int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
   std::int64_t cornerCount = 0, influenceCount = 0;
 
-  // Adds JOINTS_set and WEIGHTS_set to the part's influences.
+  // Adds JOINTS_set and WEIGHTS_set to the influences of the part.
   Status readInfluenceSet(GltfPart& part, int set, std::vector<std::vector<std::uint32_t>>& joints,
                           std::vector<std::vector<double>>& weights) {
     const std::string suffix = "_" + std::to_string(set);
@@ -102,14 +102,14 @@ struct ShapeReader {
       for (std::size_t i = 0; i < 4 * sets; ++i) {
         joint[i] = joints[i / 4][4 * v + i % 4];
         weight[i] = weights[i / 4][4 * v + i % 4];
-        if (joint[i] >= known && weight[i] == 0) joint[i] = 0;  // unused slots may hold anything
+        if (joint[i] >= known && weight[i] == 0) joint[i] = 0;  // unused slots may hold any index
         if (joint[i] >= known)
           return malformed(doc.where, part.name + ": vertex " + grouped(std::int64_t(v)) + " follows joint " +
                                           grouped(joint[i]) + " of " + grouped(std::int64_t(known)));
         sum += std::abs(weight[i]);
       }
       if (known == 0) return malformed(doc.where, part.name + " has a skin without joints");
-      // Weights must sum to 1; others are scaled, as in three.js.
+      // Weights must sum to 1. Others are normalised, as in three.js.
       if (sum > 0)
         for (std::size_t i = 0; i < 4 * sets; ++i) weight[i] /= sum;
       else weight[0] = 1;
@@ -130,7 +130,7 @@ struct ShapeReader {
     const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
     if (position < 0) return malformed(doc.where, name + " has no positions");
     if (shape.vertexCount + accessorCount(doc, position) > mostElements) return tooLarge(doc, mostElements, "vertices");
-    // An accessor may leave out its bytes, for zeros; but no mesh has more vertices than its file has bytes.
+    // An accessor may omit its bytes to declare zeros. But no real mesh has more vertices than its file has bytes.
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
                                             grouped(std::int64_t(accessorCount(doc, position))) +
@@ -199,7 +199,7 @@ struct ShapeReader {
     const bool fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
     for (std::size_t i = 0; i + 2 < n; ++i) {
       const std::uint32_t a = fan ? v[0] : v[i], b = v[i + 1], c = v[i + 2];
-      const bool stitch = a == b || b == c || a == c;  // a degenerate face that joins two strips
+      const bool stitch = a == b || b == c || a == c;  // a degenerate face that connects two strips
       if (!stitch) addFace(a, b, c, offset, turned != (!fan && i % 2 == 1));
     }
   }
@@ -219,7 +219,7 @@ struct ShapeReader {
         continue;
       }
       const std::string name = "mesh " + std::to_string(meshIndex) + ", primitive " + std::to_string(p);
-      // Primitives that share their vertices (one mesh in several materials) share them here too.
+      // Primitives that share vertices (one mesh in several materials) also share them here.
       const auto [place, isNew] = knownPart.try_emplace(&primitive, shape.parts.size());
       const std::size_t part = place->second;
       if (isNew)
@@ -241,7 +241,7 @@ struct ShapeReader {
     if (count > 0) shape.warnings.push_back({code, doc.where + ": " + message, count});
   }
 
-  // All copies of a node's mesh are one object.
+  // All copies of a node's mesh form one object.
   Status readNode(int node, const Eigen::Affine3d& world, const FractionReport& report) {
     const auto instances = readInstances(doc, node);
     if (!instances) return instances.error();
@@ -264,7 +264,7 @@ struct ShapeReader {
     object.count = static_cast<int>(shape.faces.size()) - start;
     object.nodeName = shortName(doc.model.nodes[node].name);
     object.meshName = shortName(doc.model.meshes[doc.model.nodes[node].mesh].name);
-    // The names of ancestors distinguish objects of one name; a few suffice.
+    // The names of a few ancestors suffice to distinguish objects with equal names.
     constexpr int most = 8;
     int above = shape.graph->parent[node];
     for (int i = 0; i < most && above >= 0; ++i, above = shape.graph->parent[above])

@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// One name per target; empty without a name.
+// One name per target, empty if the target has none.
 std::vector<std::string> targetNames(const tinygltf::Mesh& mesh) {
   std::vector<std::string> out(targetCount(mesh));
   if (!mesh.extras.Has("targetNames")) return out;
@@ -21,7 +21,8 @@ std::vector<std::string> targetNames(const tinygltf::Mesh& mesh) {
 
 struct TargetJoining {
   JoinedTargets out;
-  std::map<std::string, std::vector<int>> slotsOf{};  // targets of a name; several if a mesh has it twice
+  // Joined targets of each name. A name has several if one mesh repeats it.
+  std::map<std::string, std::vector<int>> slotsOf{};
 
   int newSlot(const std::string& name) {
     out.names.push_back(name);
@@ -32,7 +33,7 @@ struct TargetJoining {
   void add(int mesh, const std::vector<std::string>& names) {
     std::vector<int>& slots = out.slots[mesh];
     slots.assign(names.size(), -1);
-    std::map<std::string, std::size_t> taken;  // how often a name came up in this mesh
+    std::map<std::string, std::size_t> taken;  // number of occurrences of each name in this mesh
     std::vector<char> used(out.count() + names.size(), 0);
     const auto use = [&](std::size_t t, int slot) { used[slots[t] = slot] = 1; };
     for (std::size_t t = 0; t < names.size(); ++t) {
@@ -65,7 +66,7 @@ JoinedTargets joinTargets(const GltfDocument& doc, const std::vector<int>& meshN
         std::any_of(names.begin(), names.end(), [](const std::string& name) { return !name.empty(); });
     (hasNames ? named : unnamed).push_back(mesh);
   }
-  // Named targets first, so unnamed indices are those of the first mesh without names.
+  // Named targets come first, so unnamed targets have the indices of the first unnamed mesh.
   for (const auto* meshes : {&named, &unnamed})
     for (int mesh : *meshes) joining.add(mesh, targetNames(doc.model.meshes[mesh]));
   for (std::size_t t = 0; t < joining.out.names.size(); ++t)

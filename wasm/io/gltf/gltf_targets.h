@@ -1,4 +1,4 @@
-// Morph targets of several meshes as one list: matched by name if the files have names, otherwise by index.
+// Joins morph targets of several meshes into one list: matched by name if the files have names, otherwise by index.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 namespace shapespline {
 
 struct JoinedTargets {
-  std::vector<std::string> names;       ///< of the joined targets; generated if missing
-  std::vector<std::vector<int>> slots;  ///< of each mesh, of each of its targets: the joined one
+  std::vector<std::string> names;       ///< names of the joined targets, generated if missing
+  std::vector<std::vector<int>> slots;  ///< joined target for each mesh and each of its targets
 
   int count() const { return static_cast<int>(names.size()); }
 };
 
-/// The targets of the meshes that these nodes show. Targets with one name (extras.targetNames) are joined; targets
-/// without a name are joined by index. A mesh without a target does not move with it.
+/// Joins the targets of the meshes of these nodes: by name (extras.targetNames), or by index for targets without a
+/// name. A joined target does not move meshes that lack it.
 JoinedTargets joinTargets(const GltfDocument& doc, const std::vector<int>& meshNodes);
 
 }  // namespace shapespline

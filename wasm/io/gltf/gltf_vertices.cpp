@@ -14,7 +14,7 @@ namespace shapespline {
 
 namespace {
 
-// A whole number for each vertex of the shape; empty where a part has none, or others.
+// Reads a whole number for each vertex of the shape. Returns an empty list if some part has none, or has other numbers.
 std::vector<int> vertexNumbers(const GltfDocument& doc, const GltfShape& shape, std::string_view name) {
   std::vector<int> out;
   out.reserve(shape.vertexCount);
@@ -33,14 +33,14 @@ std::vector<int> vertexNumbers(const GltfDocument& doc, const GltfShape& shape, 
   return out;
 }
 
-// The file's vertices by the mesh's, and those by their drawn ones.
+// Groups the file's vertices by mesh vertex, and then by drawn vertex.
 struct Joining {
   const Scene& scene;
   std::vector<int> order;   // file vertices, sorted by mesh vertex, then by drawn vertex
   std::vector<int> vertex;  // mesh vertex of each file vertex
-  std::vector<int> first;   // file vertex that each mesh vertex is taken from
+  std::vector<int> first;   // representative file vertex of each mesh vertex
   std::vector<int> drawn;   // drawn vertex of each file vertex; empty without coordinates
-  std::vector<int> source;  // file vertex that each drawn vertex is taken from
+  std::vector<int> source;  // representative file vertex of each drawn vertex
   std::vector<int> copyOf;
 
   void numberVertices(const std::vector<int>& numbers, const std::vector<int>& drawnNumbers) {
@@ -61,7 +61,7 @@ struct Joining {
     return true;
   }
 
-  // A vertex has the coordinates of its first file vertex; file vertices elsewhere in the texture become copies.
+  // A vertex gets the coordinates of its first file vertex. File vertices with other coordinates become copies.
   void numberDrawn(const std::vector<int>& drawnNumbers) {
     struct Copy {
       int number, vertex, source;

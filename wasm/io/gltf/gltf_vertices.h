@@ -1,5 +1,5 @@
-// Restores the vertices of the mesh. A glTF file has more: it splits vertices at texture seams, and every primitive has
-// its own. Our files state the mesh vertex of each of their vertices.
+// Restores the mesh's vertices. A glTF file has more: it splits vertices at texture seams, and every primitive has its
+// own. Our files store the mesh vertex of each of their vertices.
 #pragma once
 
 #include <string_view>
@@ -11,17 +11,17 @@
 
 namespace shapespline {
 
-/// A number for each vertex of a primitive: the vertex of the mesh that it is, or is a copy of. A float holds them
-/// exactly up to 16.7 million, which is more than mostElements.
+/// Attribute with the mesh vertex of each vertex of a primitive. A float is exact up to 16.7 million, which exceeds
+/// mostElements.
 inline constexpr std::string_view vertexAttribute = "_SHAPESPLINE_VERTEX";
 
-/// With seams: the number of the drawn vertex. Without this attribute, the first file vertex of a mesh vertex is drawn
-/// as the vertex, others are copies.
+/// Attribute with the drawn vertex, for files with seams. Without it, the first file vertex of a mesh vertex is drawn
+/// as that vertex, and others become copies.
 inline constexpr std::string_view drawnAttribute = "_SHAPESPLINE_DRAWN";
 
-/// Puts the mesh together again: poses, normals, faces and scene get the vertices that the file's numbers say, in their
-/// order, and the scene its seams. Numbers that other programs have left out leave no gaps. Nothing happens where a
-/// primitive has no numbers, or where vertices of one number do not stand at one place in every pose.
+/// Reassembles the mesh: poses, normals, faces and scene get the vertices numbered in the file, in order, and the scene
+/// gets its seams. Numbers removed by other programs leave no gaps. Does nothing if a primitive has no numbers, or if
+/// vertices with equal numbers have different positions in a pose.
 void joinVertices(const GltfDocument& doc, const GltfShape& shape, const std::vector<Positions*>& poses,
                   Positions& normals, std::vector<Triangle>& faces, Scene& scene);
 

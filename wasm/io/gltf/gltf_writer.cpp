@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-// Up to this number of frames the one-hot weight matrix (frames x targets floats, at most 4 MB) is written in full,
-// which every reader understands. Beyond, a sparse accessor grows with the frames instead of their square.
+// Up to this number of frames, the one-hot weight matrix (frames x targets floats, at most 4 MB) is written in full,
+// which every reader understands. For more frames, a sparse accessor grows linearly instead of quadratically.
 constexpr std::size_t mostDenseFrames = 1024;
 
 json boundsOf(const std::vector<float>& values) {
@@ -30,24 +30,24 @@ json boundsOf(const std::vector<float>& values) {
   return {{"min", low}, {"max", high}};
 }
 
-// The frames of one primitive in a buffer view: the base first, then the differences of every target.
+// The frames of one primitive in a buffer view: the base, followed by the differences of every target.
 struct PrimitiveFrames {
   DrawnPrimitive drawn;
-  std::size_t start = 0, next = 0;  // offset in the view of the next frame
+  std::size_t start = 0, next = 0;  // offset in the view, and offset of the next frame
   std::vector<json> positions{}, normals{};
 
   void add(GlbBuilder& glb, std::span<const float> ofMesh, std::vector<json>& accessors, bool bounded) {
     const std::vector<float> values = gathered(ofMesh, 3, drawn);
     json accessor = {
         {"byteOffset", next - start}, {"componentType", glFloat}, {"count", values.size() / 3}, {"type", "VEC3"}};
-    if (bounded) accessor.update(boundsOf(values));  // POSITION must state them
+    if (bounded) accessor.update(boundsOf(values));  // glTF requires bounds for POSITION
     accessors.push_back(std::move(accessor));
     std::memcpy(glb.bin.data() + next, values.data(), values.size() * sizeof(float));
     next += values.size() * sizeof(float);
   }
 };
 
-// Unit normals only: where a shape has none (a vertex of degenerate faces), any will do.
+// Normalises. Where a shape has no normal (a vertex of degenerate faces), any unit vector will do.
 void makeUnit(std::vector<float>& normals) {
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
     const double x = normals[i], y = normals[i + 1], z = normals[i + 2], length = std::sqrt(x * x + y * y + z * z);
@@ -61,8 +61,8 @@ void makeUnit(std::vector<float>& normals) {
 struct AnimationWriter {
   const AnimationSource& source;
   GlbBuilder glb;
-  std::size_t vertices = 0;                         // of the mesh itself
-  std::vector<float> firstShape{}, firstNormals{};  // of drawn vertices
+  std::size_t vertices = 0;                         // number of mesh vertices
+  std::vector<float> firstShape{}, firstNormals{};  // values of drawn vertices
   std::vector<PrimitiveFrames> primitives{};
 
   const Seams& seams() const { return source.scene->seams; }
@@ -105,7 +105,7 @@ struct AnimationWriter {
     return {};
   }
 
-  // Frames arrive one after the other, but the sizes are known, so each primitive's frames are stored contiguously.
+  // Frames arrive one by one, but their sizes are known, so each primitive's frames are stored contiguously.
   void divide() {
     for (DrawnPrimitive& drawn : drawnPrimitives(drawnFaces(), static_cast<int>(drawnVertices()), *source.scene))
       primitives.push_back({std::move(drawn)});
@@ -119,7 +119,7 @@ struct AnimationWriter {
     glb.bin.resize(end);
   }
 
-  // Frames are asked for once and never held.
+  // Requests each frame once and never keeps it.
   Status writeFrames() {
     std::vector<float> p, n;
     for (int k = 0; k < frameCount(); ++k) {
@@ -140,7 +140,7 @@ struct AnimationWriter {
     return {};
   }
 
-  // Attributes of one frame: numbers of accessors into the primitive's view.
+  // Attributes of one frame: accessor indices into the primitive's view.
   json attributesOf(PrimitiveFrames& primitive, std::size_t frame, int view) {
     json out;
     const auto add = [&](const char* name, std::vector<json>& accessors) {
@@ -176,13 +176,13 @@ struct AnimationWriter {
     for (PrimitiveFrames& primitive : primitives) out["primitives"].push_back(addPrimitive(mesh, primitive));
     if (frameCount() == 1) return out;
     out["weights"] = std::vector<int>(frameCount() - 1, 0);
-    // The key for target names in Blender, three.js and Babylon.js.
+    // Blender, three.js and Babylon.js read target names from this key.
     if (source.targetNames.size() + 1 == static_cast<std::size_t>(frameCount()))
       out["extras"]["targetNames"] = source.targetNames;
     return out;
   }
 
-  // Unless the source has its own, frame k shows target k - 1 alone, frame 0 the base.
+  // By default, frame 0 shows the base and frame k shows target k - 1 alone.
   int addWeights(std::size_t frames, std::size_t targets) {
     if (!source.weights.empty()) return glb.addArray(source.weights, "SCALAR", 1, glFloat);
     if (frames <= mostDenseFrames) {
@@ -269,7 +269,7 @@ GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int fr
   size.bytes += perVertex * size.vertices;
   const auto mapped = [](const Material& m) { return m.normalImage >= 0; };
   if (std::any_of(scene.materials.begin(), scene.materials.end(), mapped))
-    size.bytes += 16 * size.vertices;  // tangents
+    size.bytes += 16 * size.vertices;  // size of the tangents
   for (const Image& image : scene.images) size.bytes += image.bytes.size();
   return size;
 }

@@ -1,4 +1,4 @@
-// The error of a glTF file that breaks the format's rules.
+// Error for a file that violates the glTF format.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-/// `where`: how messages call the file.
+/// `where`: display name of the file.
 inline Error malformed(const std::string& where, const std::string& what) {
   return {ErrorCode::MalformedFile, where + ": " + what + ". Export the file again."};
 }

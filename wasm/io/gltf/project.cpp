@@ -29,7 +29,7 @@ const json* list(const json& keys, const char* name, std::size_t size, Test test
 }  // namespace
 
 Result<Project> parseProject(const std::string& text, int morphTargets, bool animated) {
-  // From char*, as everywhere: the library instantiates a parser for each kind of iterator.
+  // Parses from char*, like all code here: the library instantiates a parser for each iterator type.
   const json document = json::parse(text.data(), text.data() + text.size(), nullptr, false);
   const json keys = document.is_object() ? document.value("keys", json()) : json();
   if (!keys.is_object() || !keys.contains("times") || !keys["times"].is_array()) return ignored("it has no keys");

@@ -1,4 +1,4 @@
-// tinygltf as it is used here: types and JSON only. No file system, no image decoding, no network.
+// tinygltf reduced to types and JSON: no file system, no image decoding, no network.
 #pragma once
 
 #define TINYGLTF_NO_FS

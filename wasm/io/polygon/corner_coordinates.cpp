@@ -20,7 +20,7 @@ void placeCoordinates(PolygonMesh& mesh, const std::vector<Coordinate>& coordina
   const std::size_t n = mesh.positions.size();
   std::vector<float>& uvs = mesh.scene.uvs;
   uvs.assign(2 * n, 0);
-  std::vector<int> ofVertex(n, -1), apart;  // corners that lie elsewhere in the texture than their vertex
+  std::vector<int> ofVertex(n, -1), apart;  // corners whose coordinates differ from their vertex's
   for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
     if (ofCorner[c] < 0) continue;
     int& own = ofVertex[mesh.corners[c]];
@@ -29,7 +29,7 @@ void placeCoordinates(PolygonMesh& mesh, const std::vector<Coordinate>& coordina
   }
   if (apart.empty()) return;
 
-  // Corners with the same copy become neighbours; copies are numbered in the order of their vertices.
+  // Makes corners with the same copy adjacent. Copies are numbered in vertex order.
   const auto place = [&](int c) { return std::tie(mesh.corners[c], coordinates[ofCorner[c]]); };
   sortIndices(apart, [&](int a, int b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
   mesh.drawn = mesh.corners;

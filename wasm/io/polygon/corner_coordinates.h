@@ -1,4 +1,4 @@
-// Texture coordinates per corner, as in OBJ and PLY -> per drawn vertex.
+// Converts texture coordinates per corner, as in OBJ and PLY, to coordinates per drawn vertex.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 
 namespace shapespline {
 
-/// In the file's own sense: origin at the lower left.
+/// In file order: origin at the lower left.
 using Coordinate = std::array<float, 2>;
 
-/// Sets uvs, seams.copyOf and drawn corners. `ofCorner`: index into `coordinates` for every corner, -1 for none. A
-/// vertex takes its first corner's coordinates; corners with different coordinates get a copy, corners without any use
-/// the vertex.
+/// Sets uvs, seams.copyOf and drawn corners. `ofCorner`: index into `coordinates` for every corner, or -1. A vertex
+/// takes its first corner's coordinates. Corners with different coordinates get a copy, and corners without coordinates
+/// use the vertex.
 void placeCoordinates(PolygonMesh& mesh, const std::vector<Coordinate>& coordinates, const std::vector<int>& ofCorner);
 
 }  // namespace shapespline

@@ -1,4 +1,4 @@
-// OBJ and PLY, both in the input's own vertices and faces.
+// Writes OBJ and PLY with the input's vertices and faces.
 #include "io/polygon/mesh_writer.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace shapespline {
 
 namespace {
 
-// Appends text and numbers; the shortest text that reads back as the same float.
+// Appends text and numbers. Floats get the shortest text that reads back exactly.
 struct TextSink {
   std::vector<std::uint8_t>& out;
 
@@ -27,8 +27,8 @@ struct TextSink {
     out.insert(out.end(), buffer, end);
   }
 
-  // With this many decimals at most; below 2^53 all digits are exact. A table for the shortest texts of doubles would
-  // be larger than this file.
+  // Writes at most this number of decimals. Below 2^53 all digits are exact. A table for the shortest texts of doubles
+  // would be larger than this file.
   void decimal(double value, int decimals) {
     const double scaled = std::round(std::abs(value) * std::pow(10.0, decimals));
     if (scaled == 0) return text("0");
@@ -49,7 +49,7 @@ struct TextSink {
   }
 };
 
-// Enough decimals to distinguish numbers that differ by `step`, as far as doubles near `largest` can.
+// Decimals needed to distinguish numbers that differ by `step`, within double precision near `largest`.
 int decimalsFor(double step, double largest) {
   const auto most = static_cast<int>(std::floor(std::log10(0x1p53 / largest)));
   return std::max(0, step > 0 ? std::min(static_cast<int>(std::ceil(-std::log10(step))), most) : most);
@@ -70,7 +70,7 @@ void appendBytes(std::vector<std::uint8_t>& out, T value) {
 
 using Edge = std::pair<int, int>;
 
-// The corners of the polygon that these triangles were cut from, in order; empty unless it is simple.
+// The corners of the polygon that was cut into these triangles, in order. Empty unless the polygon is simple.
 std::vector<int> outline(std::span<const Triangle> triangles) {
   if (triangles.size() == 1) return {triangles[0].begin(), triangles[0].end()};
   std::vector<Edge> edges;
@@ -98,7 +98,7 @@ struct ObjWriter {
   const Scene& scene;
   const MaterialLibrary& library;
   bool hasNormals;
-  bool hasNames;  // whether objects have names of the file, not only generated ones
+  bool hasNames;  // whether objects have names from the file
   std::size_t nextGroup = 0, nextObject = 0;
 
   bool hasUvs() const { return !scene.uvs.empty(); }
@@ -139,12 +139,12 @@ struct ObjWriter {
   void coordinates() {
     for (std::size_t i = 0; i + 1 < scene.uvs.size(); i += 2) {
       sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" ");
-      sink.number(1 - scene.uvs[i + 1]);  // counted from below
+      sink.number(1 - scene.uvs[i + 1]);  // OBJ counts v from below
       sink.text("\n");
     }
   }
 
-  // Copies of vertices are numbered behind the mesh's own.
+  // Vertex copies are numbered after the mesh vertices.
   int vertexOf(int drawn) const {
     const int own = static_cast<int>(scene.uvs.size() / 2 - scene.seams.copyOf.size());
     return hasSeams() && drawn >= own ? scene.seams.copyOf[drawn - own] : drawn;
@@ -169,7 +169,7 @@ struct ObjWriter {
     for (const Triangle& triangle : triangles) face(triangle);
   }
 
-  // Before the first face of each group; they come in the order of the faces.
+  // Writes the material before the first face of each group. Groups are in face order.
   void material(std::size_t face) {
     for (; nextGroup < scene.groups.size(); ++nextGroup) {
       const MaterialGroup& group = scene.groups[nextGroup];
@@ -180,7 +180,7 @@ struct ObjWriter {
     }
   }
 
-  // Before the first face of each object; objects are in the order of the faces.
+  // Writes the name before the first face of each object. Objects are in face order.
   void object(std::size_t face) {
     for (; nextObject < scene.objects.size(); ++nextObject) {
       const ObjectFaces& object = scene.objects[nextObject];
@@ -189,7 +189,7 @@ struct ObjWriter {
     }
   }
 
-  // A name of a glTF file may hold anything.
+  // Sanitises a name: glTF allows any text.
   void named(const char* keyword, const std::string& name) {
     sink.text(keyword);
     for (char c : name) sink.out.push_back(static_cast<std::uint8_t>(c >= 0 && c < ' ' ? ' ' : c));

@@ -1,4 +1,4 @@
-// Poses -> OBJ and PLY.
+// Writes poses as OBJ and PLY.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,26 @@
 
 namespace shapespline {
 
-/// A material file for an OBJ: its name in the OBJ and the scene's materials.
+/// A material file for an OBJ: its name in the OBJ, and the scene's materials.
 struct MaterialLibrary {
-  std::string file;                ///< empty: none
-  std::vector<std::string> names;  ///< of every material of the scene, without spaces
+  std::string file;                ///< empty if there is no file
+  std::vector<std::string> names;  ///< a name without spaces for each material of the scene
 };
 
-/// The offset that the positions are relative to (io/far_offset.h).
+/// The offset of the positions (io/far_offset.h).
 struct MeshOffset {
   Vec3 value = Vec3::Zero();
-  bool added = true;  ///< to the numbers that are written; else an OBJ names it in a comment, which its reader knows
+  bool added = true;  ///< add the offset to the written numbers; otherwise an OBJ states it in a comment, which our
+                      ///< reader understands
 };
 
-/// Writes texture coordinates, the polygons of the input, objects, and materials that have a library or that the input
-/// only named. Normals: 3n unit vectors, or empty. Error: NotFinite.
+/// Writes texture coordinates, the input's polygons, objects, and materials that have a library entry or only a name in
+/// the input. Normals: 3n unit vectors, or empty. Error: NotFinite.
 Result<std::vector<std::uint8_t>> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
                                            const Scene& scene, std::span<const float> normals = {},
                                            const MaterialLibrary& library = {}, const MeshOffset& offset = {});
 
-/// Binary little endian, in double precision with an offset. Error: NotFinite.
+/// Writes binary little endian; with an offset in double precision. Error: NotFinite.
 Result<std::vector<std::uint8_t>> writePly(std::span<const float> positions, const std::vector<Triangle>& faces,
                                            const MeshOffset& offset = {});
 

@@ -1,5 +1,5 @@
-// Wavefront OBJ. Our own reader: the common library triangulates polygons by each key's geometry, so two keys can get
-// different triangles, and it reads through streams.
+// Wavefront OBJ. We use our own reader because the common library reads through streams and triangulates polygons by
+// each key's geometry, so two keys can get different triangles.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,9 +24,9 @@ float linear(double srgb) {
   return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
-// More warnings would add nothing.
+// A longer list of warnings would not help.
 constexpr std::size_t mostWarnings = 100;
-// Material libraries of one file, and words of a name that one is looked for by.
+// Limits for material libraries of one file, and for words tried when searching a name with spaces.
 constexpr std::size_t mostLibraries = 256;
 constexpr int mostWords = 8;
 
@@ -42,17 +42,17 @@ void warnOfMaterials(const std::string& why, PolygonMesh& mesh) {
 
 // The materials of an MTL file: colour, opacity and colour texture.
 struct MtlReader {
-  std::string from;  // its own path: images are named as seen from there
+  std::string from;  // path of the MTL file; image names are relative to it
   const GivenFiles& files;
   const std::string& where;
   PolygonMesh& mesh;
   std::map<std::string, int, std::less<>>& materialOf;
-  std::map<std::string, int, std::less<>>& imageOf;  // by name; -1 if missing
-  std::map<const std::uint8_t*, int>& imageAt;       // by bytes: a file may be named in many ways, and is held once
+  std::map<std::string, int, std::less<>>& imageOf;  // image index by name; -1 if missing
+  std::map<const std::uint8_t*, int>& imageAt;       // image index by bytes, because one file may have many names
 
   void readImage(std::string_view text, Material& material) {
     std::string_view name = trimmed(text);
-    while (name.starts_with('-')) {  // options such as -s 1 1 1 and -clamp on
+    while (name.starts_with('-')) {  // skips options such as -s 1 1 1 and -clamp on
       const std::string_view option = takeWord(name);
       double number;
       while (takeNumber(name, number)) {
@@ -121,28 +121,28 @@ struct MtlReader {
   }
 };
 
-// The material of polygons without a name.
+// Material name for polygons without one.
 constexpr const char* unnamed = "default";
 
-// The polygons from one name on belong to it, up to the next one.
+// A range of polygons with one name, up to the start of the next range.
 struct NamedRun {
-  int start;  // polygon
+  int start;  // first polygon
   std::string name;
 };
 
 struct ObjReader {
   const NamedBytes& file;
   const GivenFiles& files;
-  const std::vector<std::string>& wanted;  // objects, none for all
+  const std::vector<std::string>& wanted;  // names of the selected objects; empty for all
   const std::string& where;
   const FractionReport& onProgress;
   PolygonMesh mesh;
   std::vector<Vec3> colors, normals;
   std::vector<Coordinate> coordinates;
-  std::vector<int> cornerNormal, cornerCoordinate;  // -1 where a corner has none
+  std::vector<int> cornerNormal, cornerCoordinate;  // -1 if a corner has none
   std::map<std::string, int, std::less<>> materialOf, imageOf;
   std::map<const std::uint8_t*, int> imageAt;
-  std::set<std::string, std::less<>> libraries;  // read already
+  std::set<std::string, std::less<>> libraries;  // names of libraries already read
   std::set<const std::uint8_t*> librariesAt;
   std::vector<NamedRun> objects{}, groups{};
   std::int64_t line = 0;
@@ -169,7 +169,7 @@ struct ObjReader {
     return {};
   }
 
-  // 1-based, or counted back from the last one so far; 0-based in the result, -1 for none.
+  // Reads a 1-based index, or a negative one relative to the end. The result is 0-based, or -1 for none.
   Status readIndex(std::string_view& text, std::size_t count, int& index) {
     std::int64_t number = 0;
     if (!takeInteger(text, number) || number == 0)
@@ -234,7 +234,7 @@ struct ObjReader {
     runs.push_back({mesh.polygonCount(), std::string(name.empty() ? std::string_view(unnamed) : name)});
   }
 
-  // Groups serve as objects if there are none. Only polygons create one.
+  // Groups serve as objects if the file has none. An object exists only if it has polygons.
   Status takeObjects() {
     const std::vector<NamedRun>& runs = objects.empty() ? groups : objects;
     for (const NamedRun& run : runs)
@@ -261,7 +261,7 @@ struct ObjReader {
     }
   }
 
-  // Polygons that are not taken go, and the vertices that only they had.
+  // Removes polygons that are not selected, and vertices used only by them.
   void keepPolygons(const std::vector<char>& taken) {
     std::vector<int> vertexOf(mesh.positions.size(), -1), ends;
     std::vector<int> polygonsBefore(taken.size() + 1, 0);
@@ -289,7 +289,7 @@ struct ObjReader {
     keepVertices(vertexOf);
   }
 
-  // `vertexOf` is -1 for those that go.
+  // `vertexOf` is -1 for removed vertices.
   void keepVertices(std::vector<int>& vertexOf) {
     if (!colors.empty()) colors.resize(mesh.positions.size(), Vec3::Ones());
     int count = 0;
@@ -306,7 +306,7 @@ struct ObjReader {
 
   bool isFile(std::string_view name) const { return bool(resolveUri(name, file.name, files, where)); }
 
-  // In "./a.mtl ./b.mtl" the text after the last slash may be a file of its own.
+  // In "./a.mtl ./b.mtl" the text after the last slash may name a separate file.
   bool beginsWithLibrary(std::string_view text) const {
     std::string_view rest = text;
     for (std::string_view word = takeWord(rest); !rest.empty(); word = takeWord(rest))
@@ -314,7 +314,7 @@ struct ObjReader {
     return false;
   }
 
-  // One name, which may contain spaces, or several: a name ends if it is a file, or in .mtl.
+  // Reads one name, which may contain spaces, or several. A name ends where a given file matches, or at .mtl.
   void readLibraries(std::string_view text) {
     if (!beginsWithLibrary(text) && isFile(text)) return readLibrary(text);
     int words = 0;
@@ -339,7 +339,7 @@ struct ObjReader {
     warnOfMaterials(found.error().message, mesh);
   }
 
-  // "# shapespline offset X Y Z" in an OBJ for a point cache (mesh_writer.h).
+  // Reads "# shapespline offset X Y Z" from an OBJ for a point cache (mesh_writer.h).
   void readComment(std::string_view text) {
     Vec3 offset;
     if (takeWord(text) != "shapespline" || takeWord(text) != "offset") return;
@@ -383,8 +383,8 @@ struct ObjReader {
       line = lines.lineNumber();
       reportLine(onLine, lines, file.bytes.size());
       const std::string_view line = trimmed(text);
-      if (!joined.empty() && line.empty() && !lines.rest().empty()) continue;    // as where ends of line were doubled
-      if (line.ends_with('\\') && !(joined.empty() && line.starts_with('#'))) {  // continues on the next line
+      if (!joined.empty() && line.empty() && !lines.rest().empty()) continue;    // as in files with doubled line ends
+      if (line.ends_with('\\') && !(joined.empty() && line.starts_with('#'))) {  // the line continues on the next one
         joined.append(line.substr(0, line.size() - 1)).push_back(' ');
         continue;
       }
@@ -395,7 +395,7 @@ struct ObjReader {
     return {};
   }
 
-  // A vertex's normal is the mean of its corners'. Only where every corner has one.
+  // A vertex's normal is the mean of its corners' normals. Requires a normal at every corner.
   void keepNormals() {
     const auto known = [&](int n) { return n >= 0 && n < static_cast<int>(normals.size()) && normals[n].allFinite(); };
     if (cornerNormal.empty() || !std::all_of(cornerNormal.begin(), cornerNormal.end(), known)) return;
@@ -404,7 +404,7 @@ struct ObjReader {
     for (Vec3& normal : mesh.normals) normal.normalize();
   }
 
-  // A corner whose coordinates are not there, or no numbers, does without.
+  // Ignores coordinates that are missing or not numbers.
   void keepCoordinates() {
     const auto usable = [&](int t) {
       return t < static_cast<int>(coordinates.size()) && std::isfinite(coordinates[t][0]) &&

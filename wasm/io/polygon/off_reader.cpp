@@ -24,7 +24,7 @@ struct OffReader {
             where + ", line " + grouped(lines.lineNumber()) + ": " + what + ". Export the file again."};
   }
 
-  // The next line that holds anything but a comment.
+  // The next line that is neither empty nor a comment.
   bool nextLine(std::string_view& line) {
     while (lines.next(line)) {
       const std::size_t end = std::min(line.find('#'), line.size());
@@ -42,7 +42,7 @@ struct OffReader {
                                           ". Copy or export it again."};
   }
 
-  // The keyword, with the counts behind it or in the next line.
+  // Reads the keyword and the counts, which follow on the same line or the next.
   Status readHeader(std::int64_t& vertices, std::int64_t& faces) {
     std::string_view line;
     if (!nextLine(line)) return malformed("there is no header");

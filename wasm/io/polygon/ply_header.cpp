@@ -87,7 +87,7 @@ struct HeaderReader {
   Result<PlyHeader> read() {
     bool hasFormat = false;
     std::string_view line;
-    lines.next(line);  // "ply", seen already
+    lines.next(line);  // skips "ply", checked before
     while (lines.next(line)) {
       const std::string_view word = takeWord(line);
       Status status;

@@ -1,4 +1,4 @@
-// The header of a PLY file: which elements follow, with which properties.
+// Parses the header of a PLY file: its elements and their properties.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Ascii;
   std::vector<PlyElement> elements;
-  bool byBlender = false;  ///< says a comment
+  bool byBlender = false;  ///< according to a comment
 };
 
 /// Reads up to and including end_header. Errors: MalformedFile, TruncatedFile.

@@ -1,4 +1,5 @@
-// Stanford PLY. Our own reader: packaged libraries read through streams and allocate as much as the header declares.
+// Stanford PLY. We use our own reader because packaged libraries read through streams and allocate whatever size the
+// header declares.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace shapespline {
 
 namespace {
 
-// The values after the header in sequence, in any format.
+// Reads the values after the header in sequence, in any format.
 class ValueReader {
  public:
   ValueReader(PlyFormat format, std::string_view rest) : format_(format), rest_(rest) {}
@@ -26,12 +27,12 @@ class ValueReader {
 
   std::size_t left() const { return rest_.size(); }
 
-  // Whether the last value could not be read because of a decimal comma.
+  // Whether reading the last value stopped at a decimal comma.
   bool stoppedAtComma() const {
     return format_ == PlyFormat::Ascii && hasDecimalComma(rest_.substr(0, rest_.find_first_of("\r\n")));
   }
 
-  // Bytes that any value takes at least.
+  // Minimum number of bytes of a value.
   std::size_t least(PlyType type) const { return format_ == PlyFormat::Ascii ? 1 : plyTypeBytes(type); }
 
  private:
@@ -76,7 +77,7 @@ class ValueReader {
   std::string_view rest_;
 };
 
-// Destination of a vertex property: position, normal, coordinates, colour; -1 for none.
+// Destination of a vertex property: position, normal, coordinates or colour; -1 for none.
 enum Slot { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, slotCount };
 
 int slotOf(const std::string& name) {
@@ -94,7 +95,7 @@ struct PlyReader {
   ValueReader values;
   const FractionReport& onProgress;
   PolygonMesh mesh;
-  std::size_t size = values.left();  // before anything is read
+  std::size_t size = values.left();  // measured before reading
   int leftOut = 0;
 
   Error cutOff(const PlyElement& element, std::int64_t have) const {
@@ -109,7 +110,7 @@ struct PlyReader {
       reportFraction(onProgress, 1 - static_cast<double>(values.left()) / static_cast<double>(size));
   }
 
-  // Refuses counts that the rest of the file cannot hold, before anything is allocated for them.
+  // Rejects counts larger than the rest of the file, before allocating memory.
   Status checkCount(const PlyElement& element) const {
     std::uint64_t least = 0;
     for (const PlyProperty& p : element.properties) least += values.least(p.isList ? p.countType : p.type);
@@ -123,7 +124,7 @@ struct PlyReader {
     return {};
   }
 
-  // Reads one property and hands its value, or each of a list's, to `take`.
+  // Reads one property and passes its value, or each value of a list, to `take`.
   template <class Take>
   bool readProperty(const PlyProperty& p, Take take) {
     double value = 0;
@@ -141,7 +142,7 @@ struct PlyReader {
     return true;
   }
 
-  // Integer colours run to the largest value of their type, and are sRGB as everywhere.
+  // Integer colours range up to the largest value of their type and are sRGB by convention.
   static double colorOf(const PlyProperty& p, double value) {
     if (p.type == PlyType::UInt8) return value / 255;
     return p.type == PlyType::UInt16 ? value / 65535 : value;
@@ -158,7 +159,7 @@ struct PlyReader {
     if (has[U] && has[V]) {
       const auto finite = [](double value) { return std::abs(value) < 1e6 ? static_cast<float>(value) : 0; };
       mesh.scene.uvs.push_back(finite(slot[U]));
-      mesh.scene.uvs.push_back(finite(1 - slot[V]));  // counted from below
+      mesh.scene.uvs.push_back(finite(1 - slot[V]));  // PLY counts v from below
     }
     if (!has[Red] || !has[Green] || !has[Blue]) return;
     for (int c = Red; c <= Blue; ++c) mesh.scene.colors.push_back(linear(slot[c]));
@@ -166,7 +167,7 @@ struct PlyReader {
   }
 
   Status readVertices(const PlyElement& element) {
-    if (!mesh.positions.empty())  // others might have other properties
+    if (!mesh.positions.empty())  // a second vertex element might have other properties
       return Error{ErrorCode::MalformedFile, where + " declares its vertices twice. Export the file again."};
     bool has[slotCount] = {};
     std::vector<int> slots;
@@ -231,13 +232,13 @@ struct PlyReader {
     return {};
   }
 
-  // Every corner of a strip from the third on makes a triangle with the two before it.
+  // Every corner of a strip from the third on forms a triangle with the two corners before it.
   struct Strip {
     int length = 0;
     int before[2] = {-1, -1};
   };
 
-  // -1 ends a strip; types without it write their largest number.
+  // -1 ends a strip. Unsigned types use their largest number instead.
   bool endsStrip(PlyType type, double value) const {
     if (value == -1) return true;
     const double largest = type == PlyType::UInt32   ? 0xffffffff
@@ -247,7 +248,7 @@ struct PlyReader {
     return value == largest && value >= static_cast<double>(mesh.positions.size());
   }
 
-  // Every other triangle is turned over. Those that name a vertex twice only lead from one part to the next.
+  // Reverses every other triangle. Triangles that repeat a vertex only connect two parts.
   void addToStrip(Strip& strip, int vertex) {
     const auto [a, b] = strip.before;
     if (++strip.length >= 3 && (vertex < 0 || (a != b && b != vertex && vertex != a))) {
@@ -285,7 +286,8 @@ struct PlyReader {
 
   Result<PolygonMesh> read(const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
-      if (element.properties.empty() && element.name != "vertex") continue;  // any number of nothing
+      // Elements without properties have no bytes, whatever their count.
+      if (element.properties.empty() && element.name != "vertex") continue;
       if (Status count = checkCount(element); !count) return count.error();
       Status status = element.name == "vertex"      ? readVertices(element)
                       : element.name == "face"      ? readFaces(element)

@@ -8,7 +8,7 @@ namespace shapespline {
 
 namespace {
 
-// Ears are looked for in polygons up to this size, because that takes cubic time; larger ones become fans.
+// Larger polygons are cut into fans, because finding ears takes cubic time.
 constexpr int mostEarCorners = 32;
 
 struct Polygon {
@@ -18,19 +18,20 @@ struct Polygon {
 
   Polygon(const PolygonMesh& mesh, int index)
       : mesh(mesh), start(mesh.firstCorner(index)), size(mesh.ends[index] - start) {
-    for (int c = 0; c < size; ++c) normal += point(c).cross(point((c + 1) % size));  // Newell: twice the area vector
+    // Newell's method: twice the area vector.
+    for (int c = 0; c < size; ++c) normal += point(c).cross(point((c + 1) % size));
   }
 
   const Vec3& point(int corner) const { return mesh.positions[mesh.corners[start + corner]]; }
 
-  // Twice the triangle's area, negative if it is oriented against the polygon.
+  // Twice the triangle's area, negative if its orientation opposes the polygon's.
   double area(int a, int b, int c) const { return (point(b) - point(a)).cross(point(c) - point(a)).dot(normal); }
 
   double diagonal(int a, int b) const { return (point(a) - point(b)).squaredNorm(); }
 };
 
 void cutQuad(const Polygon& p, PolygonCuts& cuts) {
-  // The better of both diagonals: first of all neither triangle may be turned over, then the shorter one.
+  // Chooses a diagonal: first, neither triangle may be reversed; then the shorter one is better.
   const double first = std::min(p.area(0, 1, 2), p.area(0, 2, 3)), second = std::min(p.area(1, 2, 3), p.area(1, 3, 0));
   const bool firstInside = first > 0, secondInside = second > 0;
   const bool takeSecond = firstInside == secondInside ? p.diagonal(1, 3) < p.diagonal(0, 2) : secondInside;
@@ -45,7 +46,7 @@ bool isEar(const Polygon& p, const std::vector<int>& ring, int a, int b, int c) 
   });
 }
 
-// Cuts the ear with the shortest diagonal until a triangle is left.
+// Repeatedly cuts the ear with the shortest diagonal.
 void cutEars(const Polygon& p, PolygonCuts& cuts) {
   std::vector<int> ring(p.size);
   std::iota(ring.begin(), ring.end(), 0);
@@ -58,7 +59,7 @@ void cutEars(const Polygon& p, PolygonCuts& cuts) {
       const double length = p.diagonal(a, c);
       if ((best < 0 || length < shortest) && isEar(p, ring, a, b, c)) best = i, shortest = length;
     }
-    if (best < 0) best = 1;  // self-intersecting or flat: any cut works if it is the same in every key
+    if (best < 0) best = 1;  // for self-intersecting or flat polygons, any cut works if all keys share it
     cuts.push_back({ring[(best + n - 1) % n], ring[best], ring[(best + 1) % n]});
     ring.erase(ring.begin() + best);
   }
@@ -85,7 +86,7 @@ std::vector<Triangle> fans(const PolygonMesh& mesh, const std::vector<int>& corn
   return out;
 }
 
-// The number of triangles of each polygon follows from its size, and with it where each polygon's cuts begin.
+// Checks the number of triangles of each polygon, which also locates the polygon's cuts.
 bool fits(const PolygonMesh& mesh, const PolygonCuts& cuts) {
   if (mesh.corners.size() - 2 * mesh.ends.size() != cuts.size()) return false;
   std::size_t next = 0;

@@ -1,4 +1,4 @@
-// OBJ, PLY and OFF -> one pose of polygons.
+// Reads one pose of polygons from OBJ, PLY and OFF.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@
 namespace shapespline {
 
 /// Wavefront OBJ with its MTL and textures if given: v (with colours), vt, vn, f, usemtl, mtllib. Lines, points and
-/// curves are left out. Coordinates belong to corners; a vertex gets the mean of its normals. With `objects`, only
-/// their faces (o, or g without any o). Errors: MalformedFile, IndexOutOfRange, NoTriangles, TooLarge, which name the
-/// line; InvalidOption for an unknown object.
+/// curves are ignored. Coordinates belong to corners; a vertex gets the mean of its normals. `objects` selects faces by
+/// object (o, or g in files without o). Errors, with the line number: MalformedFile, IndexOutOfRange, NoTriangles,
+/// TooLarge. InvalidOption for an unknown object.
 Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,
                             const std::string& where, const FractionReport& onProgress = {});
 
@@ -26,13 +26,13 @@ Result<PolygonMesh> readPly(const NamedBytes& file, const std::string& where, co
 /// Errors: MalformedFile, TruncatedFile, IndexOutOfRange, NoTriangles, TooLarge, Unsupported.
 Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where, const FractionReport& onProgress = {});
 
-/// Checks that every corner refers to a vertex and that there is a face; the last step of every reader.
+/// Checks that every corner refers to a vertex and that a face exists. Every reader ends with this check.
 Status checkPolygons(const PolygonMesh& mesh, const std::string& where);
 
-/// Error for a number with a decimal comma; `place`: the file, and the line if known.
+/// Error for a number with a decimal comma. `place`: the file, and the line if known.
 Error decimalComma(const std::string& place);
 
-/// Warns if faces with fewer than three corners were left out.
+/// Warns if faces with fewer than three corners were omitted.
 void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where);
 
 }  // namespace shapespline

@@ -15,7 +15,7 @@ constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Everything that the short path below leaves: many digits, large exponents, nan, inf.
+// Handles all cases outside the fast path below: many digits, large exponents, nan, inf.
 bool slowNumber(std::string_view word, double& value) {
   char buffer[128];
   if (word.empty() || word.size() >= sizeof buffer) return false;
@@ -52,8 +52,8 @@ std::string_view takeWord(std::string_view& text) {
   return word;
 }
 
-// A mantissa below 2^53 times or over a power of ten up to 22 is correctly rounded in one step (Clinger 1990); C++'s
-// from_chars for floating point is still missing in some libraries, and strtod is slow where long double is emulated.
+// A mantissa below 2^53 times or over a power of ten up to 22 is correctly rounded in one step (Clinger 1990). Some
+// libraries still lack C++'s from_chars for floating point, and strtod is slow where long double is emulated.
 bool parseNumber(std::string_view word, double& value) {
   std::size_t at = 0;
   const bool negative = !word.empty() && word[0] == '-';
