@@ -1,18 +1,19 @@
-/** What each method interpolates, and its options. */
+/** Interpolated quantity and options of each method. */
 import { MOTION } from './option-table.ts';
 import type { Method } from './types.ts';
 
 export interface MethodFacts {
   /**
-   * Interpolated quantity: shapes in LRI space, which has stretches, a ghost mesh and a plane; positions; or faces of
-   * the whole shape: how each rotates by itself (rotation-strain coordinates) or against its neighbours (RIMD).
+   * Interpolated quantity. 'lri': shapes in LRI space, with stretches, ghost mesh and shape plane. 'vertices':
+   * positions. 'rotation-strain' and 'rimd': faces of the whole shape, with each rotation absolute or relative to the
+   * neighbours.
    */
   space: 'lri' | 'vertices' | 'rotation-strain' | 'rimd';
-  /** Straight from key to key, a polygon has no end derivatives, no tension and no bias. */
+  /** A polygon is straight between keys and has no end derivatives, tension or bias. */
   curve: 'spline' | 'polygon';
   /** Supports holding and pins. */
   holds: boolean;
-  /** Whole turns can be added on the way to a key. */
+  /** Supports added full turns before a key. */
   turns: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** A shape on the caller's side: its worker, the queue of its requests, and the data to encode it again. */
+/** A shape on the caller's side: its worker, its request queue, and the data to encode it again. */
 import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
 import { cancelled, disposed, untilAborted } from '../api/errors.ts';
 import { METHOD } from '../api/methods.ts';
@@ -16,11 +16,11 @@ import type { CoreWorker, WorkerCall } from './worker-client.ts';
 export interface ShapeParts {
   keys: KeyData;
   encoding: EncodingOptions;
-  /** Starts a worker that no other shape uses, with one thread. */
+  /** Starts a worker for this shape alone, with one thread. */
   freshWorker(): CoreWorker;
-  /** Finds the elimination order in parallel if the shape is large enough; or null. */
+  /** For large shapes, finds the elimination order in parallel; null otherwise. */
   workerBeside: (() => CoreWorker) | null;
-  /** For exports. */
+  /** Used by exports. */
   filesWorker: ExportSource['filesWorker'];
   glbSize: ExportSource['glbSize'];
   onDispose(shape: ShapeClient): void;
@@ -37,7 +37,7 @@ export class ShapeClient implements Shape {
     private client: CoreWorker,
   ) {}
 
-  /** Encodes it in `client`, which is the shape's own from here on. */
+  /** Encodes the shape in `client`, which belongs to it from now on. */
   static async encode(parts: ShapeParts, client: CoreWorker, call: WorkerCall): Promise<ShapeClient> {
     await client.call('encode', encodeRequest(parts), call);
     return new ShapeClient(parts, client);
@@ -55,7 +55,7 @@ export class ShapeClient implements Shape {
     return new MotionClient(this, spec, await untilAborted(call?.signal, made));
   }
 
-  /** A motion that no worker has yet. */
+  /** A motion that no worker has made yet. */
   spec(options: MotionOptions, keyTimes: readonly number[]): MotionSpec {
     return { number: ++this.motions, options, keyTimes };
   }
@@ -67,7 +67,7 @@ export class ShapeClient implements Shape {
 
   /** The motion is no longer needed. */
   drop(motion: MotionSpec): void {
-    // A worker that ended holds nothing to release.
+    // A worker that has ended has nothing to release.
     if (!this.over && this.client.alive) this.client.call('drop', { motion }).catch(() => undefined);
   }
 
@@ -99,15 +99,15 @@ export class ShapeClient implements Shape {
     if (this.over) throw disposed('shape');
   }
 
-  /** A question in its turn. */
+  /** Sends a question through the queue. */
   async question<N extends QuestionName>(name: N, request: () => RequestOf<N>): Promise<ResultOf<N>> {
     this.checkAlive();
     return this.scheduler.run(urgency[QUESTIONS[name].urgency], () => this.ask(name, request()));
   }
 
   /**
-   * One request; a worker that died before is replaced first, and the shape encoded again from the same keys. If the
-   * second thread was the reason, it would be again: the new worker has one thread.
+   * Sends one request. Replaces a dead worker first, encoding the same keys again. The new worker has one thread, in
+   * case the second thread caused the failure.
    */
   async ask<K extends CoreCallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
     this.checkAlive();
@@ -120,8 +120,7 @@ export class ShapeClient implements Shape {
   }
 
   /**
-   * The first motion in LRI space creates that space. Cancelling ends the worker; a new one encodes on the next
-   * request.
+   * The first motion in LRI space creates that space. Cancelling ends the worker; the next request starts a new one.
    */
   private async makeWithLri(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
     const { workerBeside } = this.parts;
