@@ -1,4 +1,4 @@
-/** The weights of a blend of keys: a row with a bar for each key, and the same in one sentence for screen readers. */
+/** The weights of a blend of keys: a bar per key, and a sentence for screen readers. */
 import { keyLabel } from '../model/key-names.ts';
 import { h, memo, setHidden, setStyle, setText } from './dom.ts';
 
@@ -8,7 +8,7 @@ export interface BlendWeightsProps {
   keys: readonly { name: string }[];
 }
 
-/** The sentence follows when the weights have rested for so long. */
+/** The sentence is updated when the weights have not changed for this time. */
 const REST_MS = 400;
 
 export function createBlendWeights(): { element: HTMLElement; update(props: BlendWeightsProps): void } {

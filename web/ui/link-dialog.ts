@@ -1,4 +1,4 @@
-/** The link to the present state, as a QR code for an audience. */
+/** The link to the current state, as a QR code for an audience. */
 import { button, dialog } from './controls.ts';
 import { h, setAttribute, setHidden, setText, svg } from './dom.ts';
 import { QUIET, qrPath } from './qr.ts';

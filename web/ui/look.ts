@@ -1,4 +1,4 @@
-/** Display options: colours, surroundings, and further shapes. */
+/** Display options: colours, surroundings, and additional shapes. */
 import type { Colouring, View } from '../model/state.ts';
 import { LEAST_FILM_SHAPES, LEAST_ONION_SPACING, MOST_FILM_SHAPES } from '../model/state.ts';
 import { MOST_ONION_SKINS, ONION_COLOURS } from '../model/state.ts';
@@ -8,12 +8,12 @@ import type { Component } from './dom.ts';
 import { h, setField, setHidden } from './dom.ts';
 
 export interface LookEvents {
-  /** Two motions on either side of a divider, or not. */
+  /** Turns the divider between two motions on or off. */
   onSplit(on: boolean): void;
   onView(change: Partial<View>): void;
-  /** The shape alone, in large type. */
+  /** Starts the presentation. */
   onPresent(): void;
-  /** The link as a QR code. */
+  /** Shows the link as a QR code. */
   onQr(): void;
 }
 

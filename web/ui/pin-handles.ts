@@ -9,9 +9,9 @@ export interface Place {
 }
 
 export interface PinHandleEvents {
-  /** Later moves of the pin are relative to its present position. */
+  /** Later moves of the pin are relative to its current position. */
   onStart(index: number): void;
-  /** To a position in the viewport. */
+  /** Moves the pin to a position in the viewport. */
   onMove(index: number, to: Place): void;
   onRemove(index: number): void;
 }
@@ -29,7 +29,7 @@ export interface PinHandles {
   element: HTMLElement;
   /** null: the position is outside the viewport. `paths`: x and y along each pin's path. */
   update(places: readonly (Place | null)[], paths: readonly Float32Array[]): void;
-  /** Marks where a pin would be placed; null: nowhere. */
+  /** Marks the vertex that would be pinned; null removes the mark. */
   mark(place: Place | null): void;
 }
 

@@ -5,7 +5,7 @@ import type { Bounds } from './stage.ts';
 const POINTS_PER_POSE = 1500;
 
 /**
- * The extent that a view shows: the box, and some vertices of every pose, xyz interleaved, including the extreme ones
+ * The extent for fitting a view: the box, and some vertices of every pose, xyz interleaved, including the extreme ones
  * along each axis.
  */
 export interface Extent {

@@ -39,7 +39,7 @@ export function changesBetween(before: AppState, after: AppState): StateChanges 
     time: after.time !== before.time,
     started: after.play.playing && !before.play.playing,
     stopped: !after.play.playing && before.play.playing,
-    // Adding files to a project does not open another one.
+    // Adding files to a project does not open a new one.
     opened: after.source !== before.source && (after.project === null || after.project !== before.project),
   };
 }

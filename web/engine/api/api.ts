@@ -138,7 +138,7 @@ export interface Motion {
 
 /** A shape with one changeable motion. */
 export interface Sequence extends Motion, Omit<Shape, 'options' | 'motion'> {
-  /** Replaces the motion by another one of the same shape. */
+  /** Replaces the motion by a new one of the same shape. */
   update(change: MotionChange): Promise<void>;
   /** Also disposes of the shape. Idempotent. */
   dispose(): void;

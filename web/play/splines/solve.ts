@@ -1,4 +1,4 @@
-/** Small linear systems: rows of numbers, solved for one right-hand side. */
+/** Small linear systems with one right-hand side. */
 
 export type Matrix = number[][];
 
@@ -10,8 +10,8 @@ export interface System {
 }
 
 /**
- * Elimination down and substitution up through the three diagonals (Thomas): one pass each way. For diagonally dominant
- * systems, which need no pivoting.
+ * Tridiagonal elimination and substitution (Thomas), one pass each. For diagonally dominant systems, which need no
+ * pivoting.
  */
 export function solveTridiagonal({ matrix, rhs }: System): number[] {
   const n = rhs.length;
@@ -27,7 +27,7 @@ export function solveTridiagonal({ matrix, rhs }: System): number[] {
   return x;
 }
 
-/** Gaussian elimination with partial pivoting, of any regular system. */
+/** Gaussian elimination with partial pivoting, for any regular system. */
 export function solveDense({ matrix, rhs }: System): number[] {
   const n = rhs.length;
   const rows = matrix.map((row, i) => [...row, rhs[i]!]);
