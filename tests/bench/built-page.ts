@@ -1,4 +1,4 @@
-/** The page as `npm run build` made it, and the browser that it is measured in. */
+/** The page made by `npm run build`, and the browser that measures it. */
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -8,7 +8,7 @@ import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 // Relative to the bundle, build/node/bench.mjs.
 export const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 
-/** If it does not exist, prints what to do and exits with a failure. */
+/** If the page does not exist, prints instructions and exits with a failure. */
 export function isPageBuilt(): boolean {
   if (existsSync(path.join(dist, 'index.html'))) return true;
   console.error('The page is not built yet: npm run build.');

@@ -8,7 +8,7 @@ import type { Motion, MotionRun } from './whole-sequences.ts';
 export const PAPER_MACHINE = 'Intel Core i7-3770 at 3.40 GHz, C/C++';
 
 interface Times {
-  /** Interpolation and reconstruction on the ghost mesh; deformation transfer; without a ghost. */
+  /** Interpolation and reconstruction on the ghost mesh; deformation transfer; total without a ghost. */
   ir: number;
   ts: number;
   o: number;
@@ -27,12 +27,14 @@ const TABLE_1: readonly ({ model: string; faces: number } & Times)[] = [
 
 export interface Table2Row extends Motion {
   model: string;
-  /** Seconds, as printed: of the paper's reference method and of its own; NaN if that failed. */
+  /** Seconds, as printed, for the paper's reference method and its own; NaN if the method failed. */
   other: Times;
   paper: Times;
 }
 
-/** The paper does not say how many faces the horse has: one of its shapes takes a little longer than the cactus'. */
+/**
+ * The paper does not give the horse's number of faces; one of its shapes takes slightly longer than one of the cactus.
+ */
 export const TABLE_2: readonly Table2Row[] = [
   {
     model: 'Cactus',
@@ -80,7 +82,7 @@ export function timesFaster(paperMs: number, ourMs: number): string {
   return ourMs < CLOCK_MS ? `> ${short(paperMs / CLOCK_MS)}` : short(paperMs / ourMs);
 }
 
-/** Milliseconds of one shape, for the paper's sizes; null for others. */
+/** Milliseconds per shape for the paper's sizes; null without any. */
 export function table1(runs: Run[]): string | null {
   const columns = TABLE_1.flatMap((row) => {
     const run = runs.find(({ faces }) => Math.abs(faces - row.faces) < 0.03 * row.faces);
@@ -115,7 +117,7 @@ export function table1(runs: Run[]): string | null {
   );
 }
 
-/** Whole motions. Milliseconds. */
+/** Whole motions, in milliseconds. */
 export function table2(results: { row: Table2Row; run: MotionRun }[]): string {
   const three = ({ ir, ts, o }: Times): string[] => [ir, ts, o].map(msText);
   return table(

@@ -1,4 +1,4 @@
-/** Effects of a page's style and a user's settings, and the events of a loop. */
+/** Effects of the page's style and the user's settings, and the events of a loop. */
 import { expect, it } from 'vitest';
 import { KEYS, on, openElements, picture, seek, told, useElements, when } from './support/element.ts';
 
@@ -60,7 +60,7 @@ it('the timeline is there in forced colours', async () => {
 it('a page that zooms gets as many pixels as the screen has for the shape', async () => {
   const page = await openElements(ONE, CALM);
   await when(page, 'load');
-  /** Pixels across that are drawn, and that are there. */
+  /** Widths in drawn pixels and in page pixels. */
   const across = (): Promise<[number, number]> =>
     on(page, (shape) => [
       shape.shadowRoot!.querySelector('canvas')!.width,

@@ -40,7 +40,8 @@ const BOTTOM = 16;
 /** Smallest distance between key numbers. */
 const KEY_NUMBERS = 13;
 /**
- * Beyond the keys, curves may extend the axis by this factor of their span between the keys, or of the highest value.
+ * Beyond the keys, curves extend the axis at most by their span between the keys, or by this share of the highest value
+ * if larger.
  */
 const FOLLOWED = 0.2;
 

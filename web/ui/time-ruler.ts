@@ -6,7 +6,7 @@ import { h, memo, setAttribute } from './dom.ts';
 
 /** Width of a number in pixels. */
 const NUMBER_PX = 72;
-/** Half the width around the knob's centre in which a number is hidden. */
+/** A number closer than this to the knob's centre, in pixels, is hidden. */
 const COVERED_PX = 26;
 
 export interface TimeRulerProps {

@@ -5,7 +5,7 @@ const SHARE = 0.99;
 /** Minimum upper end, in percent, of a scale that clips values. Smaller differences are invisible. */
 const LEAST = 1;
 
-/** For non-negative amounts in percent; `largest` is their maximum. Clips only if slivers dominate. */
+/** The upper end for non-negative amounts in percent; `largest` is their maximum. */
 export function robustLargest(values: Float32Array, largest: number): number {
   return Math.min(largest, Math.max(2 * quantile(values, SHARE), LEAST));
 }

@@ -39,8 +39,7 @@ export function withNote(format: string, bytes: Uint8Array, times: readonly numb
   const note = new TextEncoder().encode(
     [MARK, ...(said === null ? [] : [said])].map((line) => `${start}${line}\n`).join(''),
   );
-  const at = format === 'obj' ? 0 : endOfLine(bytes, endOfLine(bytes, 0)); // a PLY begins with its mark and format
-                                                                           // format
+  const at = format === 'obj' ? 0 : endOfLine(bytes, endOfLine(bytes, 0)); // after a PLY's mark and format
   const result = new Uint8Array(bytes.length + note.length);
   result.set(bytes.subarray(0, at));
   result.set(note, at);
