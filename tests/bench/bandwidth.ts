@@ -13,7 +13,7 @@ export async function bandwidthReader(bytes: BufferSource): Promise<ReadBandwidt
   const { instance } = await WebAssembly.instantiate(bytes, {});
   const { size, fill, readAll } = instance.exports as unknown as Exports;
   fill();
-  readAll(); // gets the code out of the baseline compiler
+  readAll(); // the first pass gets the code out of the baseline compiler
   return () => {
     const start = performance.now();
     readAll();

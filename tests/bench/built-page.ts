@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium, type Browser } from '@playwright/test';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 
-// Relative to the bundle, build/node/bench.mjs.
+// The path is relative to the bundle, build/node/bench.mjs.
 export const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 
 /** If the page does not exist, prints instructions and exits with a failure. */
@@ -16,7 +16,7 @@ export function isPageBuilt(): boolean {
   return false;
 }
 
-/** For Chromium that draws in software. */
+/** Options of Chromium for software drawing. */
 export const browserOptions = () => ({
   executablePath: findBrowser(chromium) ?? undefined,
   args: [

@@ -16,14 +16,14 @@ import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
 const DEFAULT_SIZES: Size[] = [{ faces: 10_000, keys: null }];
 const SECONDS = 5;
 const WAIT_MS = 300_000;
-/** Relative to the bundle, build/node/bench.mjs. */
+/** The path is relative to the bundle, build/node/bench.mjs. */
 const build = fileURLToPath(new URL('..', import.meta.url));
 const folder = path.join(build, 'bench-embed');
 
 interface Rates {
   computed: number;
   drawn: number;
-  /** For elements out of view. */
+  /** Frames of elements out of view. */
   unseen: { computed: number; drawn: number };
   /** Milliseconds per frame in the worker: the median over the elements' last frames. */
   ms: number;

@@ -23,9 +23,9 @@ export interface Round {
   bandwidth: number;
 }
 
-/** Milliseconds. */
+/** Frame times in milliseconds. */
 export interface ExactFrames {
-  /** For the first build, with cold caches. */
+  /** Time of the first build's first frame, with cold caches. */
   firstMs: number;
   frames: Spread;
   faces: Spread;
@@ -38,9 +38,9 @@ export interface ExactFrames {
   rounds: RoundMedians[];
 }
 
-/** Milliseconds; bytes per second. The factorisation is that of the round's build. */
+/** Medians in milliseconds and bytes per second. The factorisation is that of the round's build. */
 export interface RoundMedians {
-  /** From the keys to the first frame. */
+  /** Time from the keys to the first frame. */
   untilFrameMs: number;
   factorMs: number;
   solveMs: number;

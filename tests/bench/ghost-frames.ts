@@ -24,12 +24,12 @@ export interface GhostFrames {
   tsMs: number;
 }
 
-/** Evenly spaced over the range. */
+/** Evenly spaced times over the range. */
 export function evenTimes([first, last]: readonly [number, number], count: number): number[] {
   return Array.from({ length: count }, (_, k) => first + (k / Math.max(count - 1, 1)) * (last - first));
 }
 
-/** Milliseconds for all times: the median of five passes. */
+/** The median time of five passes over all times, in milliseconds. */
 async function passes(times: readonly number[], ask: (t: number) => Promise<number>): Promise<number> {
   const totals: number[] = [];
   for (let pass = 0; pass < REPEATS; ++pass) {

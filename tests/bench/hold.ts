@@ -30,7 +30,7 @@ const MOTIONS = {
 type Name = keyof typeof MOTIONS;
 const NAMES = Object.keys(MOTIONS) as Name[];
 
-/** In percent; `sliding` of the diagonal, NaN if no vertex rests. */
+/** Errors in percent; `sliding` in percent of the diagonal, NaN if no vertex rests. */
 interface Errors {
   raw: number;
   aligned: number;
@@ -53,9 +53,9 @@ interface Costs {
 interface Captured {
   title: string;
   faces: Uint32Array;
-  /** Seconds. */
+  /** Times in seconds. */
   times: readonly number[];
-  /** 3 x vertices at each time. */
+  /** Shape at each time, 3 x vertices. */
   shapes: Float32Array[];
 }
 

@@ -16,7 +16,7 @@ const MOST_MS = 2000,
 /** A process is ended after this time. */
 const GIVEN_UP_MS = 60_000;
 
-/** Two triangles, to measure the process itself. */
+/** An input of two triangles, to measure the process itself. */
 const LITTLE: SmallInput = {
   name: 'two small triangles',
   files: ['a.obj', 'b.obj'].map((name, pose) => ({

@@ -12,7 +12,7 @@ const ROUNDS = 5;
 /** Frame steps per round. */
 const FRAMES = 12;
 
-/** Milliseconds; bytes. */
+/** Costs in milliseconds and bytes. */
 export interface KeysCost {
   keys: number;
   buildMs: number;
@@ -37,7 +37,7 @@ interface Measured {
   keys: number;
   faces: number;
   buildMs: number;
-  /** Indexed by round. */
+  /** Frame times by round, in milliseconds. */
   ms: number[][];
   stats: SequenceStats[];
 }

@@ -26,7 +26,7 @@ import { benchStart } from './start.ts';
 import type { Family } from './tables.ts';
 import { threadsLine } from './threads.ts';
 
-// Relative to the bundle, build/node/bench.mjs.
+// The path is relative to the bundle, build/node/bench.mjs.
 const repository = fileURLToPath(new URL('../../', import.meta.url));
 const folder = path.join(repository, 'build/bench');
 const generator = path.join(repository, 'build/cmake-wasm/shapespline_meshes.js');

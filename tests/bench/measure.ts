@@ -11,7 +11,7 @@ import { createWithGhost, ghostFrames, type GhostFrames } from './ghost-frames.t
 const GHOST_FACES = 2000,
   GHOST_SHAPES = 12;
 
-/** Milliseconds and bytes. */
+/** Measurements in milliseconds and bytes. */
 export interface Run {
   faces: number;
   vertices: number;

@@ -8,7 +8,7 @@ import type { NativeRound, RunNative } from './native-round.ts';
 import { REFERENCE } from './runner.ts';
 import { SWEEP } from './sweep.ts';
 
-// Relative to the bundle, build/node/bench.mjs.
+// The path is relative to the bundle, build/node/bench.mjs.
 const program = fileURLToPath(new URL('../cmake-release/shapespline_bench_native', import.meta.url));
 /** CHOLMOD's BLAS would use all cores. */
 const ONE_THREAD = { OPENBLAS_NUM_THREADS: '1', OMP_NUM_THREADS: '1' };

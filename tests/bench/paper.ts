@@ -14,7 +14,7 @@ interface Times {
   o: number;
 }
 
-/** Seconds, as printed. */
+/** Times in seconds, as printed. */
 const TABLE_1: readonly ({ model: string; faces: number } & Times)[] = [
   { model: 'Cactus (10K)', faces: 10_000, ir: 0.013, ts: 0.014, o: 0.25 },
   { model: 'Handstand (20K)', faces: 20_000, ir: 0.016, ts: 0.022, o: 0.6 },
@@ -70,7 +70,7 @@ export const TABLE_2: readonly Table2Row[] = [
   },
 ];
 
-/** Milliseconds per shape. */
+/** The times per shape, in milliseconds. */
 function partsOf({ irMs, tsMs }: GhostFrames, shapes: number): Pick<Times, 'ir' | 'ts'> {
   return { ir: irMs / shapes, ts: tsMs / shapes };
 }
@@ -82,7 +82,7 @@ export function timesFaster(paperMs: number, ourMs: number): string {
   return ourMs < CLOCK_MS ? `> ${short(paperMs / CLOCK_MS)}` : short(paperMs / ourMs);
 }
 
-/** Milliseconds per shape for the paper's sizes; null without any. */
+/** The paper's Table 1 with our times per shape in milliseconds; null without any of its sizes. */
 export function table1(runs: Run[]): string | null {
   const columns = TABLE_1.flatMap((row) => {
     const run = runs.find(({ faces }) => Math.abs(faces - row.faces) < 0.03 * row.faces);

@@ -9,12 +9,12 @@ import { developmentGuards, serve } from '../../wasm/toolchain/serve.mjs';
 import type { Loaded } from './load-babylon.ts';
 import { residentOf } from './process-memory.ts';
 
-/** Relative to the bundle, build/node/bench.mjs. */
+/** The path is relative to the bundle, build/node/bench.mjs. */
 const babylonProgram = fileURLToPath(new URL('load-babylon.mjs', import.meta.url));
 const WAIT_MS = 300_000;
 
 export interface InThree {
-  /** Until the scene is loaded, and from then until its first drawing. */
+  /** Seconds until the scene is loaded, and from then until its first drawing. */
   seconds: number;
   /** A message if nothing was drawn. */
   firstFrame: number | string;

@@ -12,7 +12,7 @@ export const boundMs = (run: Run, bandwidth: number): number => (2000 * run.fact
 
 export const solveOverBound: OfRound = (run, { solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth);
 export const frameOverSolve: OfRound = (_, { frameMs, solveMs }) => frameMs / solveMs;
-/** From the file's bytes to the first frame. */
+/** Time from the file's bytes to the first frame. */
 export const untilFrameMs: OfRound = ({ importMs }, round) => importMs + round.untilFrameMs;
 export const factorMs: OfRound = (_, round) => round.factorMs;
 export const solveMs: OfRound = (_, round) => round.solveMs;

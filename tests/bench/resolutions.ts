@@ -8,7 +8,7 @@ const SHAPES = 13;
 export interface Resolutions {
   coarseFaces: number;
   fineFaces: number;
-  /** Over common vertices and the whole range. */
+  /** Distance over common vertices and the whole range. */
   distance: Distance;
 }
 

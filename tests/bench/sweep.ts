@@ -15,14 +15,14 @@ export const SWEEP: readonly number[] = [
   ...Array.from({ length: BESIDE }, (_, k) => 1 + (MARGIN * (k + 1)) / BESIDE),
 ];
 
-/** At one time of the sweep. */
+/** A distance at one time of the sweep. */
 export interface DistanceAt extends Distance {
   t: number;
 }
 
-/** Over several times; shares of the diagonal. */
+/** Distances over several times, as shares of the diagonal. */
 export interface Swept {
-  /** Over all vertices at all times. */
+  /** Mean over all vertices at all times. */
   mean: number;
   /** Mean of the shape with the largest mean. */
   largestMean: number;

@@ -153,7 +153,7 @@ const sweptCells = ({ mean, largestMean, worst, at }: Swept): string[] => [
   at.toFixed(2),
 ];
 
-/** In % of the diagonal. */
+/** A table of errors in % of the diagonal. */
 export function errorTable(results: Result[]): string {
   const four = ['of one shape', 'worst', 'at t'];
   const titles = ['mesh', 'the exact frame and', 'between the keys: mean', ...four, 'in the margins: mean', ...four];

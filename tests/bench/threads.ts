@@ -15,7 +15,7 @@ const FRAMES = 61;
 /** Medians in milliseconds, with one thread and with a second available. */
 export interface ThreadsRun {
   vertices: number;
-  /** From the keys to the sequence. */
+  /** Time from the keys to the sequence. */
   builtByOne: number;
   builtByTwo: number;
   one: number;

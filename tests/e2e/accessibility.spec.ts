@@ -206,7 +206,7 @@ test.describe('with a service worker', () => {
       return (await Promise.all(caches.map((cache) => cache.keys()))).flat().map(({ url }) => url);
     });
     expect(kept.filter((url) => /shapespline-[^/]*\.wasm$/.test(url))).toHaveLength(1);
-    expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]); // used only in the repository
+    expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]); // only the repository uses these files
     await context.setOffline(true);
     await app.open();
     expect((await app.positions()).length).toBeGreaterThan(0);

@@ -60,7 +60,7 @@ test('a shape that its side does not show is out of view, unless the divider was
   await app.by('divider').press('End');
   await app.settled();
   await expect(hint).toBeHidden();
-  // Only a different URL is opened.
+  // Only a changed URL is opened.
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('split=0.98');
   await app.open({ hash: SPLIT });
   const { x, y, width, height } = (await app.by('viewport').boundingBox())!;
@@ -103,7 +103,7 @@ test('is dragged by pointer and touch, and told to who cannot see it', async ({ 
   });
   expect(await share(app)).toBeCloseTo(0.24, 2);
   await divider.press('ArrowLeft');
-  // Touch input.
+  // The same drag with touch input.
   const session = await app.page.context().newCDPSession(app.page);
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x: number): Promise<unknown> =>
     session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });

@@ -102,7 +102,7 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   const [x, y] = await app.page.evaluate(() => {
     const all = window.__shapespline!.positions();
     const places = window.__shapespline!.project(all);
-    // the middle of the visible part
+    // find the middle of the visible part
     let [sx, sy] = [0, 0];
     for (let i = 0; i < places.length; i += 2) [sx, sy] = [sx + places[i]!, sy + places[i + 1]!];
     return [(2 * sx) / places.length, (2 * sy) / places.length] as const;
@@ -138,7 +138,7 @@ test('the shape goes on moving when another face is marked, and when none is', {
     for (const number of numbers) {
       await app.by('face-number').fill(number);
       await app.by('face-number').press('Enter');
-      await app.picture(); // draws it
+      await app.picture(); // taking the image draws it
     }
     const first = await app.picture();
     await app.setTime(1);
@@ -276,7 +276,7 @@ test('coordinates are reached and read with the keyboard alone', async ({ app })
   await app.page.keyboard.type('3');
   await app.page.keyboard.press('Enter');
   await expect(app.by('plot-face-rotation').locator('path.curve').first()).toBeVisible();
-  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // screen readers read it out too
+  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // screen readers also read it out
   const summary = app.by('face-rotation-values').locator('summary');
   for (let i = 0; i < 8 && !(await summary.evaluate((one) => one === document.activeElement)); i += 1)
     await app.page.keyboard.press('Tab');

@@ -16,7 +16,7 @@ import type { App } from './support.ts';
 test.use({ sharpness: 1 });
 
 const folder = fileURLToPath(new URL('./figures', import.meta.url));
-/** Stored at half their size. */
+/** The images are stored at half their size. */
 const KEPT = 2;
 
 const PARTS = { guide: '.guide', stage: 'main', options: '.side', timeline: '[data-testid="timeline"]' };

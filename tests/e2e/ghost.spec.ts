@@ -125,7 +125,7 @@ test('the difference to no ghost is shown as colours, with its range', { tag: '@
   const [largest, most] = [Math.max(...percent), Math.max(...shown)];
   expect(most).toBeGreaterThan(0.05);
   expect(most).toBeLessThan(20);
-  // The same numbers, in percent of one diagonal.
+  // The page shows the same numbers, in percent of one diagonal.
   const factor = most / largest;
   expect(shown.filter((value, v) => Math.abs(value - factor * percent[v]!) > 1e-3 * most)).toEqual([]);
   const top = parseFloat((await app.by('colour-bar').locator('.ramp-ticks span').first().textContent())!);

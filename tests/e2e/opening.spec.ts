@@ -34,7 +34,7 @@ async function held(app: App): Promise<(task: Task) => void> {
   return (task) => void free.push(task);
 }
 
-/** In a worker: only for data larger than the samples. */
+/** Runs in a worker and affects only data larger than the samples. */
 function waitAtReport(): void {
   const post = self.postMessage.bind(self) as (message: { type: string }, options: object) => void;
   let task = '';

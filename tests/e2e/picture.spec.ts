@@ -55,7 +55,7 @@ function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
   return result;
 }
 
-/** Only the shape, entirely in the phase colour. */
+/** A link to the shape alone, entirely in the phase colour. */
 const COLOURED = '#sample=cactus&colour=phase&floor=0';
 
 test('the drawn silhouette is that of the engine’s vertices', async ({ app }) => {
@@ -111,7 +111,7 @@ test('onion skins lie behind the shape, as many as are asked for, before and aft
     Uint8Array.from(before!, (colour) => (saturation(colour) > 36 ? 0 : 1)),
     alone.width,
     2,
-  ); // 0 inside the shape
+  ); // the distance is 0 inside the shape
   const changed = (other: typeof before, inside: boolean): number =>
     before!.filter(
       (colour, i) => (shape[i] === 0) === inside && colour.some((value, k) => Math.abs(value - other![i]![k]!) > 8),

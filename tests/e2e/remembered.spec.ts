@@ -110,7 +110,7 @@ const names = async (app: App): Promise<string[] | null> => {
   return source.kind === 'files' ? source.names : null;
 };
 
-/** Longer than the delay before a change is written. */
+/** Waits longer than the delay before a change is written. */
 const untilWritten = (app: App): Promise<void> => app.page.waitForTimeout(700);
 
 /** The next visit, with an empty URL fragment. */

@@ -86,7 +86,7 @@ test('a path that is drawn plays', { tag: '@all' }, async ({ app }) => {
   await app.page.mouse.move(...at(0.7, 0.5), { steps: 5 });
   await app.page.mouse.up();
   await app.settled();
-  // with reduced motion, it waits at its start
+  // with reduced motion, the path waits at its start
   const start = await weights(app);
   await app.by('plane-play').click();
   await expect(app.by('plane-play')).toHaveText('Stop');

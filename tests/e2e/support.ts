@@ -23,7 +23,7 @@ export function realFile(name: string): string | null {
 }
 
 export interface OpenOptions {
-  /** As on a first visit, on a separate page. */
+  /** Opens the page as on a first visit, on a separate page. */
   first?: boolean;
   search?: string;
   hash?: string;
@@ -289,7 +289,7 @@ async function drawnAt(sharpness: number, context: BrowserContext): Promise<Page
   return page;
 }
 
-/** As for the first test: the open page is reopened or reset. */
+/** Prepares the page as for the first test: the open page is reopened or reset. */
 async function sharedPage(shared: Shared, sharpness: number): Promise<Page> {
   if (!shared.page || shared.sharpness !== sharpness || shared.page.isClosed()) {
     await shared.page?.close();

@@ -86,7 +86,7 @@ function squares(bend: number): string {
   ].join('\n');
 }
 
-/** Along both squares and close to both sides of their common edge. */
+/** Points along both squares and close to both sides of their common edge. */
 const PLACES = [-0.9, -0.5, -0.03, 0.03, 0.5, 0.9].flatMap((x) => [x, 0.1, 0]);
 const SIDES: Channel[] = ['red', 'red', 'red', 'blue', 'blue', 'blue'];
 
@@ -137,7 +137,7 @@ async function sampledSquare(sampler: { wrap: 10497 | 33071 | 33648; image: Buff
 
 test('a texture repeats, stops or is mirrored as its sampler says', { tag: '@all' }, async ({ app }) => {
   await app.open();
-  const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // at u = 0.25, 0.75, 1.25, 1.75
+  const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // these points have u = 0.25, 0.75, 1.25, 1.75
   const ways: [10497 | 33071 | 33648, Channel[]][] = [
     [10497, ['red', 'blue', 'red', 'blue']],
     [33071, ['red', 'blue', 'blue', 'blue']],

@@ -119,7 +119,7 @@ test('an isolated page that was opened once works without a network, with two th
 });
 
 test.describe('with files that are changed or stopped on their way', () => {
-  test.use({ serviceWorkers: 'block' }); // its requests cannot be intercepted
+  test.use({ serviceWorkers: 'block' }); // a service worker's requests cannot be intercepted
 
   test('on an isolated page two threads work on a large shape where that is faster, and make the frames of a page without', {
     tag: '@all',

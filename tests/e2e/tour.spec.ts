@@ -112,7 +112,7 @@ test('left while its page is still being opened, it gives back what was open, an
   await expect(title(app)).toHaveText(TOUR[1]!.title);
   await expect.poll(() => asked).toBeGreaterThan(0);
   await app.page.keyboard.press('Escape');
-  await app.page.keyboard.press('Escape'); // quick key presses
+  await app.page.keyboard.press('Escape'); // the user presses keys quickly
   await expect(app.by('guide')).toHaveCount(0);
   await expect(app.by('help')).toBeFocused();
   arrive();
@@ -356,7 +356,7 @@ test('at 360 px a student goes from the first step to the last, by hand and by k
     if (index < 3) await app.by('guide-next').click();
     else if (index < TOUR.length - 3) await app.page.keyboard.press('Enter');
   }
-  // Quick key presses; there is no next page then.
+  // After quick key presses there is no next page.
   await app.page.keyboard.press('Enter');
   await app.page.keyboard.press('Enter');
   await expectStep(app, 9);

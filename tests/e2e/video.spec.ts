@@ -288,7 +288,7 @@ test.describe('with code that is loaded when it is needed', () => {
     for (const [frame, picture] of frames.entries())
       if (frame > 0) expect(changedShare(frames[frame - 1]!, picture), `frame ${frame}`).toBeGreaterThan(0.005);
 
-    // The same frame as a PNG of the same size.
+    // The video frame is compared with a PNG of the same size.
     await app.setTime(7 / 15);
     const { bytes: picture } = await exported(app, async () => {
       await app.by('export-kind-picture').check();
@@ -394,7 +394,7 @@ test('a picture has the size that was chosen, and each of its pixels is drawn', 
   expect(text).toBe('A picture of 3840 × 2160 pixels');
   const picture = decode(bytes);
   expect([picture.width, picture.height]).toEqual([3840, 2160]);
-  // Only the shape, without grid and shadow. Edges are not smoothed in these tests.
+  // The image shows only the shape, without grid and shadow. Edges are not smoothed in these tests.
   const ends = Array.from({ length: 2160 }, (_, y) => leftEnd(picture, y)).filter((x) => x >= 0);
   expect(ends.length).toBeGreaterThan(800);
   expect(ends.length).toBeLessThan(1800);

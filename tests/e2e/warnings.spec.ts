@@ -58,7 +58,7 @@ async function markedShare(app: App): Promise<number> {
   return matching(await app.picture(), ([r, g, b]) => r - g > 60 && b - g > 25).share;
 }
 
-/** More than the colour sample on a button. */
+/** A share above that of the colour sample on a button. */
 const SEEN = 0.0006;
 
 async function expectWithin(inner: Locator, outer: Locator): Promise<void> {

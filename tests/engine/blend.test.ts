@@ -78,7 +78,7 @@ describe('the discretised minimisation', () => {
       return Math.max(...curve.map((value, index) => Math.abs(value - plane[index]!)));
     };
     const [coarse, fine] = [await off(21), await off(81)];
-    expect(fine).toBeLessThan(coarse / 14); // second order: 16
+    expect(fine).toBeLessThan(coarse / 14); // the order is two, so the ideal ratio is 16
   });
 
   it('refuses counts that cannot work', async () => {

@@ -74,7 +74,7 @@ describe.skipIf(!hasData)('charts of real keys with large turns', () => {
     expect(await jumpLeft(plane, from, to), 'plane').toBeLessThan(4 / PARTS);
     for (const patch of [0, 0.3, 0.6, 0.9].map((share) => patches[Math.floor(share * patches.length)]!)) {
       const turns = async (times: number[]): Promise<Row[]> => {
-        // Includes the reference, relative to which rotations are counted.
+        // The reference is included, because rotations are counted from it.
         const all = [reference, ...times];
         const curve = await sequence.patchCurve(patch, all);
         const { neighbours, stretch } = patchCurves(curve, curve.numbers, 0);

@@ -19,7 +19,7 @@ const angles = [0, 50, 20];
 
 type Place = readonly [number, number, number];
 
-/** In double precision. */
+/** Absolute positions in double precision. */
 const at = (place: Place, positions: Float32Array): number[] =>
   Array.from(positions, (value, i) => value + place[i % 3]!);
 const poseAt = (place: Place, degrees: number): number[] => at(place, bent(mesh, degrees, 2));

@@ -43,7 +43,7 @@ describe('objects in another order', () => {
         { key: 1, object: 'EyeR', found: 'EyeR', by: 'name' },
       ],
     });
-    // As an added pose of the open mesh.
+    // The file is also read as an added pose of the open mesh.
     const [pose] = await readPoses(engine, [second], keys);
     expect(pose!.positions).toEqual(b);
   });

@@ -124,7 +124,7 @@ describe('memory is bounded by the file:', () => {
     // The numbers of vertices and faces follow the header and the encoding method.
     expect(new TextDecoder().decode(bin.subarray(0, 5))).toBe('DRACO');
     const ends = (at: number): number => (bin[at]! < 128 ? at + 1 : ends(at + 1));
-    const many = [0xff, 0xff, 0xff, 0x7f]; // 268 million
+    const many = [0xff, 0xff, 0xff, 0x7f]; // encodes 268 million
     const rest = bin.subarray(ends(ends(12)));
     const changed = Uint8Array.from([...bin.subarray(0, 12), ...many, ...many, ...rest]);
     const { bufferViews } = json as unknown as { bufferViews: { byteLength: number }[] };

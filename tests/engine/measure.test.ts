@@ -120,7 +120,7 @@ describe('shapespline measure', () => {
     }, async () => {
       const folder = await folderOf(KEYS.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
       expect((await runCli(folder, 'complete', ...KEYS, '--output', 'c.pc2', '--frames', '25')).code).toBe(0);
-      // As written by another program, without our comments.
+      // The file as another program would write it, without our comments.
       const obj = await readFile(path.join(folder, 'c.obj'), 'utf8');
       await writeFile(path.join(folder, 'c.obj'), obj.replace(/^#.*\n/gm, ''));
       const cache = ['--against', 'c.pc2', '--against', 'c.obj'];

@@ -24,7 +24,7 @@ beforeAll(async () => {
   sequence = await engine.createSequence(keys);
 });
 
-/** Between the keys, beyond both ends, and at the keys. */
+/** Times between the keys, beyond both ends, and at the keys. */
 const asked = [...Array.from({ length: 120 }, (_, i) => -0.8 + i * 0.031), ...times];
 
 const cases: [string, Partial<SequenceOptions>, CurveKind, Partial<FitOptions>][] = [

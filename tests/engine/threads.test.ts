@@ -15,7 +15,7 @@ import { bar } from './support/shapes.ts';
 const faultyWorker = new URL('./support/faulty-worker.mjs', import.meta.url);
 const TIMES = [-0.3, 0, 0.2, 0.5, 0.9, 1.4];
 
-/** On Linux: one folder per thread. */
+/** Linux has one folder per thread here. */
 const THREADS_OF_PROCESS = '/proc/self/task';
 
 const secondThreads: Worker[] = [];
@@ -119,7 +119,7 @@ describe('a large sequence', () => {
         engine.createSequence((await bendKeys(engine, large)).keys, { patches: 201 }),
       ),
     );
-    // Without a reply, it would wait for a minute.
+    // Without a reply, the worker would wait for a minute.
     expect(performance.now() - began).toBeLessThan(60_000);
     expect(bytes(await frameAt(two!, 0.3)).equals(bytes(await frameAt(one!, 0.3)))).toBe(true);
   });

@@ -273,7 +273,7 @@ it('lives in a frame, in a shadow root, in a dialog, without a size and with a n
   const outcome = await page.evaluate(async (keys) => {
     const shape = document.getElementById('a') as ShapeSplineElement;
     const pixels = (one: ShapeSplineElement): number => one.shadowRoot!.querySelector('canvas')!.width;
-    /** Drawn in its new place at its new size. */
+    /** The element is drawn in its new place at its new size. */
     const drawn = async (t: number, done: () => boolean): Promise<void> => {
       for (let i = 0; i < 300 && !done(); i += 1) {
         await new Promise((later) => setTimeout(later, 100));
@@ -425,7 +425,7 @@ it('two hundred that come and go leave nothing behind', { timeout: 600_000 }, as
       },
       [KEYS, times] as const,
     );
-  /** Once the last content is disposed of. */
+  /** The heap once the last content is disposed of. */
   const kept = async (): Promise<Heap> => {
     await expect.poll(() => page.workers().length, { timeout: 60_000 }).toBeLessThanOrEqual(idle);
     return heapOf(client);

@@ -419,7 +419,7 @@ it('every row of the table makes a round trip, from the attribute and from the p
     });
   }, rows);
   expect(wrong).toEqual([]);
-  // As for HTMLMediaElement.
+  // Invalid times are handled as by HTMLMediaElement.
   const times = await page.evaluate(async () => {
     const shape = document.createElement('shape-spline');
     shape.setAttribute('current-time', '3');

@@ -36,7 +36,7 @@ it('says that the policy refuses the worker where it does', async () => {
   expect(message).toMatch(/The page's policy refuses it: put worker\.js .* or allow blob: in its worker-src\./);
 });
 
-/** Required by a page without an origin. */
+/** A page without an origin requires these headers. */
 const CORS = { 'access-control-allow-origin': '*' };
 let open: Page | null = null;
 afterEach(async () => {

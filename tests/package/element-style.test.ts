@@ -71,7 +71,7 @@ it('a page that zooms gets as many pixels as the screen has for the shape', asyn
   for (const [text, width, expected] of [
     ['', '', 600],
     ['2', '', 600],
-    // The same number of page pixels as before, each twice as large.
+    // The element has as many page pixels as before, each twice as large.
     ['', '200px', 200],
     ['2', '200px', 400],
     ['0.5', '200px', 100],
@@ -128,7 +128,7 @@ it('one source alone and the files of an input are lists, too', async () => {
     const wrong = await shape.seek(0).catch((error: { code: string }) => error.code);
     return [...seen, wrong];
   });
-  // One pose makes no motion.
+  // A single pose is no motion.
   expect(shown).toEqual([true, true, 'too-few-keys', 'not-a-model']);
 });
 

@@ -65,7 +65,7 @@ async function babylon(bytes: Uint8Array): Promise<Player> {
   return { off };
 }
 
-/** Read from the file for each primitive, because Babylon.js drops unknown attributes. */
+/** The vertex numbers, read from the file because Babylon.js drops unknown attributes. */
 function vertexNumbers(bytes: Uint8Array): number[][] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const length = view.getUint32(12, true);

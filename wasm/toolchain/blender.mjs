@@ -26,7 +26,7 @@ export function findBlender() {
   return existsSync(ready) && readFileSync(ready, 'utf8') === VERSION ? python : null;
 }
 
-// Includes venv and pip, which Debian packages separately.
+// Whether a Python has venv and pip, which Debian packages separately.
 function isUsable(program) {
   const asked = 'import ensurepip, sys, venv; print("%d.%d" % sys.version_info[:2])';
   return capture(program, ['-c', asked])?.trim() === PYTHON;
@@ -52,7 +52,7 @@ async function install() {
   writeFileSync(ready, VERSION);
 }
 
-/** Installs it if possible, otherwise prints the reason. Returns the Python with the module, or null. */
+/** Installs Blender's module if possible, otherwise prints the reason. Returns the Python with the module, or null. */
 export async function installBlender() {
   return findBlender() ?? whileHolding(path.join(toolchainDir, 'blender.lock'), installOnce);
 }

@@ -126,7 +126,7 @@ export const page = guarded(
   },
 );
 
-// Bundled for Node, which cannot run the TypeScript sources.
+// Bundles programs for Node, which cannot run the TypeScript sources.
 async function bundle(entries) {
   const { build } = await import('esbuild');
   const { metafile } = await build({

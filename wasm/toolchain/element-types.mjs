@@ -1,6 +1,6 @@
 // Types of the custom element for TypeScript markup, generated from its manifest.
 
-/** For `document.querySelector('shape-spline')`. */
+/** Declares the type of `document.querySelector('shape-spline')`. */
 export const elementTypes = `import type { ShapeSplineElement } from './element-class.js';
 
 declare global {

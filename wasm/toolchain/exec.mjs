@@ -71,7 +71,7 @@ export function which(program, searchPath = process.env.PATH ?? '') {
       accessSync(candidate, constants.X_OK);
       if (folder && statSync(candidate).isFile()) return candidate;
     } catch {
-      // not in this folder
+      // the program is not in this folder
     }
   }
   return null;

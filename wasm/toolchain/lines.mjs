@@ -37,7 +37,7 @@ export const languageOf = (file) => (path.basename(file) === 'CMakeLists.txt' ? 
 /** Counts lines except blank ones and pure comments. */
 export function codeLines(text, language) {
   let count = 0;
-  let until = ''; // end mark of the comment or template that continues on a line
+  let until = ''; // end mark of a comment or template that continues from the previous line
   let inText = false;
   for (const line of text.split('\n')) {
     let isCode = false;
@@ -65,7 +65,7 @@ export function codeLines(text, language) {
   return count;
 }
 
-/** npm run lines: counts all files that git tracks. */
+/** Counts all files that git tracks, for `npm run lines`. */
 export function printLines() {
   const files = execFileSync('git', ['ls-files', '-z'], { cwd: root, encoding: 'utf8' }).split('\0').filter(languageOf);
   const sums = {};

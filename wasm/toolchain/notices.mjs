@@ -81,7 +81,7 @@ WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEM
 COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
 OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.`;
 
-/** From the distribution's package, or else from the header itself. */
+/** A library's notice from the distribution's package, or else from the header itself. */
 function ofLibrary({ name, source, package: debian, headers }) {
   const document = firstThere([headersDir, '/'].map((root) => path.join(root, `usr/share/doc/${debian}/copyright`)));
   const folders = [`${headersDir}/usr/include`, '/usr/include', '/usr/local/include', '/opt/homebrew/include'];

@@ -53,7 +53,7 @@ export interface TestHookParts {
   /** Stops playback and draws the exact shape at a time. */
   seekExactly(t: number): Promise<void>;
   reset(fragment: string): Promise<void>;
-  /** One round of waiting. Work that ends may start new work. */
+  /** Resolves after one round of waiting. Work that ends may start new work. */
   idle(): Promise<void>;
   busy(): boolean;
 }

@@ -5,9 +5,9 @@ const OTHER_SIZE = 3;
 const BETTER = 0.25;
 /** Share of the shape's size within which positions are equal. */
 const SAME_PLACE = 0.01;
-/** Fewer frames cannot judge a motion. */
+/** A comparison with fewer frames is not meaningful. */
 const FEW_FRAMES = 5;
-/** Relative to the range of the keys. */
+/** Tolerance of equal ranges, relative to the range of the keys. */
 const SAME_SPAN = 1e-3;
 
 export interface Spans {

@@ -15,7 +15,7 @@ interface Flag {
   name: string;
   flag: string;
   option: Option;
-  /** null for an option without a value. */
+  /** Parses the option's text; null for an option without a value. */
   read: Read | null;
 }
 
@@ -43,7 +43,7 @@ function readNumber({ whole, above, least = -Infinity, zero }: NumberOption): Re
 }
 
 function readOption(option: Option): Read | null {
-  if (option.kind === 'shape') return readKind.shape; // a file name until the command reads the file
+  if (option.kind === 'shape') return readKind.shape; // the text is a file name until the command reads the file
   if (option.kind === 'choice') return (text, flag) => read.oneOf(...option.choices)(choiceNow(option, text), flag);
   const reader = option.kind === 'number' ? readNumber(option) : readKind[option.kind];
   return reader && inBounds(reader, (value) => wrongWith(option, value));
@@ -238,7 +238,7 @@ const OF_A_MOTION: readonly string[] = [
   'bounce',
 ];
 
-/** For `measure`: the methods to compare. */
+/** The methods that `measure` compares. */
 export function measuredMethods(args: Arguments): Method[] {
   const text = args.values.get('methods');
   if (text === undefined) return [MOTION.method.default];
@@ -246,7 +246,7 @@ export function measuredMethods(args: Arguments): Method[] {
   return [...new Set(methods)];
 }
 
-/** For `measure`: axis and unit of the animation. */
+/** Axis and unit of the animation for `measure`. */
 export function againstOptions(args: Arguments): Pick<ImportOptions, 'up' | 'unit'> {
   const [up, unit] = ['against-up', 'against-unit'].map((name) => args.values.get(name));
   return {
@@ -255,7 +255,7 @@ export function againstOptions(args: Arguments): Pick<ImportOptions, 'up' | 'uni
   };
 }
 
-/** For `measure`: the times. */
+/** The times for `measure`. */
 export function measuredTimes(args: Arguments): Partial<ExportOptions> {
   return given(args, momentFlags);
 }

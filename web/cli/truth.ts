@@ -19,9 +19,9 @@ export interface TruthOptions {
 }
 
 export interface Truth {
-  /** Per frame, on the timeline of the keys. */
+  /** Time of each frame, on the timeline of the keys. */
   times: number[];
-  /** 3 x vertices. */
+  /** Positions of a frame, 3 x vertices. */
   frame(index: number): Float32Array;
   /** Describes how the frames were mapped to the timeline. */
   placed: string;

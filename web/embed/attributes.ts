@@ -247,7 +247,7 @@ function rowOf(name: string, option: Option): Row {
   if (option.kind === 'animation') return { ...described, kind: 'text', default: '' };
   if (option.kind !== 'number' || name in SHAPED) return { ...described, kind: 'numbers', default: null };
   const { above, most, default: usual = null, zero, whole = false } = option;
-  // 0 here corresponds to "off" on the command line.
+  // The value 0 here corresponds to "off" on the command line.
   const least = zero === undefined ? option.least : 0;
   return { ...described, kind: 'number', default: usual, above, least, most, whole };
 }

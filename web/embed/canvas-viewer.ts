@@ -171,7 +171,7 @@ export class CanvasViewer {
     this.run();
   }
 
-  /** Nothing is computed or drawn while out of view. */
+  /** Reports whether the viewer is visible. Nothing is computed or drawn while it is out of view. */
   setSeen(seen: boolean): void {
     if (seen === this.seen) return;
     this.seen = seen;

@@ -52,7 +52,7 @@ export class Frame {
     this.timeline.addEventListener('click', to);
   }
 
-  /** Also called for another document. */
+  /** Applies the style sheet; called again for another document. */
   restyle(): void {
     const sheet = styleSheet(this.root.ownerDocument);
     if (sheet) this.root.adoptedStyleSheets = [sheet];

@@ -17,7 +17,7 @@ interface Held<T> {
 
 export interface Stage {
   stage: string;
-  /** In [0, 1]. */
+  /** Completed share in [0, 1]. */
   fraction: number;
 }
 

@@ -14,10 +14,10 @@ export const AUTO_ORBIT: Readonly<CameraOrbit> = { theta: 0, phi: (75 * Math.PI)
 
 const ANGLES: Readonly<Record<string, number>> = { rad: 1, deg: Math.PI / 180, turn: 2 * Math.PI };
 const LENGTHS: Readonly<Record<string, number>> = { m: 1, cm: 0.01, mm: 0.001 };
-/** At 0 the eye would look straight down, without an up direction. */
+/** Least polar angle. At 0 the eye would look straight down, without an up direction. */
 const LEAST_PHI = 0.01;
 
-/** null if invalid; each value may be `auto`. */
+/** Parses an orbit, in which each value may be `auto`; null if invalid. */
 export function orbitOf(words: string): CameraOrbit | null {
   const [theta, phi, radius, ...more] = wordsOf(words);
   if (theta === undefined || phi === undefined || radius === undefined || more.length > 0) return null;

@@ -41,13 +41,13 @@ export interface ExportRequest {
   pose: PoseFormat;
   picture: PictureFormat;
   numbers: NumbersFormat;
-  /** null: the first that the browser can write. */
+  /** Video format; null: the first that the browser can write. */
   video: VideoFormat | null;
   targets: Targets;
-  /** In percent of the diagonal. */
+  /** Tolerance in percent of the diagonal. */
   tolerance: number;
   compression: Compression;
-  /** null: determined by the rate. At most one of the two is set. */
+  /** Number of frames; null: determined by the rate. At most one of the two is set. */
   frames: number | null;
   /** Export frames per second; null: the timeline's whole frames, or the default rate without them. */
   rate: number | null;
@@ -67,7 +67,7 @@ export interface ExportRequest {
   /** Size of a video; null: as on the screen, or small for a GIF. */
   videoSize: SizeName | null;
   own: PictureSize;
-  /** Only for a PNG. */
+  /** Removes the background of a PNG. */
   transparent: boolean;
   crop: boolean;
 }
@@ -198,7 +198,7 @@ export function shareOf(frame: number, frames: number, bounce: boolean): number 
   return frame <= half ? frame / half : (frames - frame) / half;
 }
 
-/** null: the size of the view on the screen. */
+/** Size of the image; null: the size of the view on the screen. */
 export function sizeOf(request: ExportRequest, video: VideoFormat | null): PictureSize | null {
   const name = sizeName(request, video);
   if (name === 'window') return null;

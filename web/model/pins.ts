@@ -118,7 +118,7 @@ export function pinsText(pins: Pins, shortest: (value: number) => string): strin
     .join(';');
 }
 
-/** undefined if invalid. */
+/** Parses the pins of a link; undefined if invalid. */
 export function pinsFromText(text: string): Pin[] | undefined {
   const pins = text.split(';').map((part): Pin => {
     const [vertex, radius, stay = '', path] = part.split(':');

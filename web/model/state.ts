@@ -84,7 +84,7 @@ export interface View {
   /** Number of shapes in a film strip; null: chosen from the keys. */
   filmShapes: number | null;
   /** Methods shown beside the main one. */
-  /** At most MOST_COMPARED. */
+  /** At most MOST_COMPARED methods. */
   compare: Method[];
   /** Position of the divider between two motions, relative to the width; null: side by side. */
   split: number | null;
@@ -97,11 +97,11 @@ export interface View {
   ghostDifference: boolean;
   /** Also show ghost meshes with two and four times the faces, side by side. */
   ghostSizes: boolean;
-  /** null: fitted to the shape. */
+  /** The camera; null: fitted to the shape. */
   camera: CameraPose | null;
   /** The visible part of the timeline; null: the default. */
   window: [number, number] | null;
-  /** null: the page with all its controls. */
+  /** The presented content; null: the page with all its controls. */
   present: Presented | null;
 }
 
@@ -117,13 +117,13 @@ export interface AppState {
 
 /** In addition to the motion itself: a page has room for four views. */
 export const MOST_COMPARED = 3;
-/** On either side of the current time. */
+/** Limit for onion skins on either side of the current time. */
 export const MOST_ONION_SKINS = 6;
-/** In units of time. */
+/** Least spacing of onion skins, in units of time. */
 export const LEAST_ONION_SPACING = 0.001;
 /** Colours of shapes before and after the current time. */
 export const ONION_COLOURS = { before: '#8a5cd6', after: '#d9622b' } as const;
-/** For a film strip. */
+/** Limits for the shapes of a film strip. */
 export const [LEAST_FILM_SHAPES, MOST_FILM_SHAPES] = [4, 24];
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
 /** Default number of ghost mesh faces, as in the paper. */
@@ -181,7 +181,7 @@ export function referenceKey(doc: Doc): number {
 /** Target of an end tangent of a Hermite motion: the neighbouring key, or a separate shape. */
 export type Towards = 'neighbour' | 'shape';
 
-/** null if the boundary has no tangents. */
+/** Targets of the end tangents; null if the boundary has no tangents. */
 export function endTangents({ motion, encoding }: Doc): { start: Towards; end: Towards } | null {
   const towards = (pose: number | null): Towards => (pose === null ? 'neighbour' : 'shape');
   if (motion.boundary !== 'hermite') return null;

@@ -19,7 +19,7 @@ export interface Derived {
   times: number[];
   /** Times of the first and last key. */
   range: readonly [number, number];
-  /** For all layers except the samples, shown or not. */
+  /** Curves of all layers except the samples, shown or not. */
   curves: Record<CurveKind, Curves>;
   /** The direct minimiser, one per coordinate; empty if it needs more than MOST_SAMPLES. */
   samples: Data[];
@@ -29,13 +29,13 @@ export interface Derived {
   sampleCount: number;
   /** Total bending of each layer between the first and last key; NaN for omitted layers. */
   bending: Record<Layer, number>;
-  /** For the curve of the values with the chosen ends. */
+  /** The system of the value curve with the chosen ends. */
   system: System;
   slopes: number[];
   weights: Curve[];
 }
 
-/** Input of the figures. */
+/** The input of the figures. */
 export interface Shown {
   state: PlayState;
   derived: Derived;

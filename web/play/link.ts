@@ -39,7 +39,7 @@ export function writeLink(state: PlayState): string {
   return params.toString();
 }
 
-/** null if the fragment is empty. */
+/** Reads a link; null if the fragment is empty. */
 export function readLink(hash: string): Linked | null {
   const params = new URLSearchParams(hash.replace(/^#/, ''));
   if ([...params.keys()].length === 0) return null;
@@ -89,7 +89,7 @@ function readKeys(text: string): PlayKey[] | undefined {
   return keys.every((key) => Object.values(key).every(Number.isFinite)) ? keys : undefined;
 }
 
-/** undefined if one of them is unknown. */
+/** Reads the layers; undefined if one of them is unknown. */
 function readLayers(text: string): Layer[] | undefined {
   const words = text.split(' ', LAYERS.length + 1).filter((word) => word !== '');
   return words.every((word) => oneOf(word, LAYERS)) ? LAYERS.filter((layer) => words.includes(layer)) : undefined;

@@ -24,7 +24,7 @@ const page = createPlayPage({
   onLeftOut: (message) => problem.offer(message === null ? null : { message }),
 });
 themeButton.update(theme.theme());
-// Inside another page it leaves out the parts that this page has.
+// Inside another page, the playground leaves out parts that this page has.
 if (window !== window.parent) document.documentElement.dataset['framed'] = '';
 document.getElementById('play')?.replaceChildren(page.element);
 registerServiceWorker({

@@ -25,7 +25,7 @@ export interface Panel {
   update(state: PlayState): void;
 }
 
-/** Above the curve: dimensions, keys, times. */
+/** Controls above the curve: dimensions, keys, times. */
 export function createTools(events: PanelEvents): Panel {
   const dimensions = segments(
     'Dimensions',
@@ -79,7 +79,7 @@ export function createTools(events: PanelEvents): Panel {
   };
 }
 
-/** Below the list of curves: options of the shown curves. */
+/** Controls below the list of curves: options of the shown curves. */
 export function createCurveControls(events: PanelEvents): Panel {
   const samples = slider({
     label: 'Samples of the brute force, K',
@@ -140,7 +140,7 @@ export function createCurveControls(events: PanelEvents): Panel {
   };
 }
 
-/** Above the system and the weights: their end conditions. */
+/** Controls above the system and the weights: their end conditions. */
 export function createEndsChoice(events: PanelEvents): Panel {
   const { element, update } = segments<Ends>(
     'Ends',

@@ -8,9 +8,11 @@ export interface PlayKey {
   value: number;
   /** The second coordinate, drawn to the right in two dimensions. */
   across: number;
-  /** 0 keeps the slope, 1 makes it zero. */
+  /** Tension: 0 keeps the slope, 1 makes it zero. */
   tension: number;
-  /** From -1 to 1. Negative values bias the slope towards the next step, positive ones towards the previous step. */
+  /**
+   * Bias from -1 to 1. Negative values bias the slope towards the next step, positive ones towards the previous step.
+   */
   bias: number;
 }
 
@@ -34,14 +36,14 @@ export interface CoordinateSource {
 export interface PlayState {
   keys: PlayKey[];
   layers: Layer[];
-  /** For the system, the weights, and the curve with tensions and biases. */
+  /** Ends of the system, the weights, and the curve with tensions and biases. */
   ends: Ends;
   speeds: [number, number];
   /** Number K of samples in the direct minimisation. */
   samples: number;
   selected: number;
   time: number;
-  /** Two dimensions. */
+  /** Whether the playground has two dimensions. */
   plane: boolean;
   spacing: Spacing | 'hand';
   taken: CoordinateSource | null;

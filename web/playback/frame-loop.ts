@@ -155,7 +155,10 @@ export class FrameLoop {
     }
   }
 
-  /** null if the sequence was replaced meanwhile. Its successor must be asked for the same time. */
+  /**
+   * Requests the frames of a time; null if the sequence was replaced meanwhile. Its successor must be asked for the
+   * same time.
+   */
   private async ask({ t, blend }: Wanted): Promise<FrameSet | null> {
     const sequences = this.demand.sequences();
     try {

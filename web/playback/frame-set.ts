@@ -27,7 +27,7 @@ export interface FrameSet {
   release(): void;
 }
 
-/** null if another request replaced one of a sequence. Throws a sequence's error after all have answered. */
+/** Collects the frames; null if a newer request replaced one. Throws a sequence's error after all have answered. */
 export async function gather(
   sequences: readonly RunningMotion[],
   t: number,

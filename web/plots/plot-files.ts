@@ -82,7 +82,7 @@ function standing(element: SVGSVGElement, heading: Heading): SVGSVGElement {
   return copy;
 }
 
-/** In plot units. */
+/** A box in plot units. */
 interface Box {
   left: number;
   right: number;

@@ -57,7 +57,7 @@ export function createReadOut(room: Room): ReadOut {
       const size = { width: width + 2 * PAD, height: LINE * (curves.length + 1) + PAD };
       box.setAttribute('width', String(size.width));
       box.setAttribute('height', String(size.height));
-      // Beside the line, on the side with more room.
+      // The text is beside the line, on the side with more room.
       const isRight = place - room.left < room.right - place;
       const from = isRight ? place + PAD : place - PAD - size.width;
       const kept = Math.min(Math.max(from, room.left), Math.max(room.right - size.width, room.left));

@@ -21,7 +21,7 @@ export function logScale(domain: readonly [number, number], from: number, to: nu
 
 /** On a linear axis, a curve below this share of the highest one looks flat. */
 const FLAT = 1 / 30;
-/** Relative to the highest value; smaller values are rounding errors. */
+/** Values below this share of the highest one are rounding errors. */
 const ROUNDING = 1e-9;
 /** Number of decades shown below the peak of the lowest curve. */
 const BELOW = 2;

@@ -26,7 +26,7 @@ export interface ShapePlaneData {
   /** The first curve is the shown motion; its parts outside the range are drawn as extrapolated. */
   curves: readonly PlaneCurve[];
   range: readonly [number, number];
-  /** null: no handles at the ends of the curve. */
+  /** End tangents; null hides the handles at the ends of the curve. */
   tangents: Readonly<Record<End, PlaneTangent>> | null;
 }
 

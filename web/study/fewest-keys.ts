@@ -17,7 +17,7 @@ export interface FewestKeys {
 }
 
 export interface FewestKeysOptions extends CallOptions {
-  /** As a share of the diagonal. */
+  /** Tolerance as a share of the diagonal. */
   tolerance: number;
   most: number;
   /** Options of the motion between the keys. */

@@ -9,9 +9,9 @@ import { leadingEigenvector } from './symmetric-eigen.ts';
 
 export interface KeyCoordinate {
   kind: 'angle' | 'stretch';
-  /** 0-based: two patches of an angle, one of a stretch. */
+  /** Indices of the patches, 0-based: two for an angle, one for a stretch. */
   patches: number[];
-  /** One per key: degrees, or edge length relative to the reference. */
+  /** One value per key: degrees, or edge length relative to the reference. */
   values: number[];
 }
 

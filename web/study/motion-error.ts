@@ -2,7 +2,7 @@
 import { KgError } from './kg-error.ts';
 
 export interface ErrorsOverTime {
-  /** Per time, in percent of the diagonal; NaN without a reference. */
+  /** Largest distance per time, in percent of the diagonal; NaN without a reference. */
   largest: number[];
   mean: number[];
 }

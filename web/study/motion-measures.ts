@@ -10,7 +10,7 @@ export interface MotionName {
 }
 
 export interface MotionMeasures extends MotionName {
-  /** In cubic and square units of the positions. */
+  /** Volume and area, in cubic and square units of the positions. */
   volume: number[];
   area: number[];
   /**
@@ -34,7 +34,7 @@ export async function measureMotion(sequence: Motion, name: MotionName, times: n
   return { method, ...(plain && { plain }), volume, area, bending, sliding, plane };
 }
 
-/** For a range of length 1. The bending of a straight motion is rounding error. */
+/** Bending energy below this, for a range of length 1, is rounding error of a straight motion. */
 const NO_BENDING = 1e-12;
 
 /** One value per time; NaN if undefined. */

@@ -16,7 +16,7 @@ export interface TimedShapes {
 }
 
 export interface ReferenceMotion extends TimedShapes {
-  /** One key per sample. */
+  /** Keys of the animation, one per sample. */
   readonly keys: Keys;
   dispose(): void;
 }

@@ -1,10 +1,10 @@
 /** Rotation vectors: axis times angle in radians. */
 
-/** w, x, y, z. */
+/** A unit quaternion w, x, y, z. */
 export type Quaternion = readonly [number, number, number, number];
 export type Vector = [number, number, number];
 
-/** log(a^-1 b), of at most 180 degrees. */
+/** The rotation vector log(a^-1 b), of at most 180 degrees. */
 export function rotationVector([a, b, c, d]: Quaternion, [w, x, y, z]: Quaternion): Vector {
   const real = a * w + b * x + c * y + d * z;
   const sign = real < 0 ? -1 : 1;

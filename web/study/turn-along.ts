@@ -6,7 +6,7 @@ import type { Quaternion, Vector } from './rotation-vectors.ts';
 export interface TurnAlong {
   /** Number of patches on the path, including both ends. */
   patches: number;
-  /** Degrees per time. */
+  /** Total rotation in degrees, per time. */
   total: number[];
   /** Largest rotation between two neighbours on the path at any time, in degrees. */
   largest: number;
@@ -40,7 +40,7 @@ export async function turnAlong(
   };
 }
 
-/** Per neighbour, its rotation vector at each time. */
+/** The rotation vectors of each neighbour over time. */
 function turnsOf({ neighbours, numbers }: PatchCurve, count: number): Turns {
   const width = 1 + 4 * neighbours.length;
   const turnAt = (time: number, place: number): Vector => {

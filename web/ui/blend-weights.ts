@@ -3,7 +3,7 @@ import { keyLabel } from '../model/key-names.ts';
 import { h, memo, setHidden, setStyle, setText } from './dom.ts';
 
 export interface BlendWeightsProps {
-  /** One per key, sum 1; null hides the list. */
+  /** One weight per key, sum 1; null hides the list. */
   weights: readonly number[] | null;
   keys: readonly { name: string }[];
 }

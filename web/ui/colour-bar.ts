@@ -15,7 +15,7 @@ export interface ColourBarProps {
   /** Left edge and middle of its view, in CSS pixels. */
   x: number;
   y: number;
-  /** Shown along the upper edge instead. */
+  /** The bar is shown along the upper edge instead. */
   along: boolean;
 }
 

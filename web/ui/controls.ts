@@ -12,7 +12,7 @@ export interface ButtonOptions {
   text?: string;
   /** Key of the same command, shown in the tooltip. */
   shortcut?: string;
-  /** Default: plain with text, quiet without. */
+  /** Look of the button; default: plain with text, quiet without. */
   kind?: 'plain' | 'primary' | 'quiet';
   onClick: (event: MouseEvent) => void;
 }

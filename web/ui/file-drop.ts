@@ -73,7 +73,7 @@ export function createDropZone(
   return { element };
 }
 
-/** In natural order of name, with each zip replaced by its files. */
+/** Sorts files in natural order of name and replaces each zip by its files. */
 const ordered = async (picked: PickedFile[] | Promise<PickedFile[]>): Promise<PickedFile[]> =>
   inNaturalOrder(await unzipped(await picked));
 

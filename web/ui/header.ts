@@ -22,7 +22,7 @@ export interface HeaderEvents extends GalleryEvents {
   onTheme(): void;
 }
 
-/** After the gallery, in the history, and at the end. */
+/** Buttons after the gallery, in the history, and at the end. */
 export interface HeaderButtons {
   start: readonly HTMLElement[];
   history: readonly HTMLElement[];

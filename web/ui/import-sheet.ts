@@ -56,7 +56,7 @@ export function createImportSheet(parts: ImportSheetParts): ImportSheet {
     event.stopPropagation();
     onEscape();
   });
-  // On click, because the pressed element must not move earlier.
+  // Closes on click, because the pressed element must not move earlier.
   document.addEventListener('click', (event) => {
     if (!element.hidden && !(event.target as Element).closest(GOES_ON)) onClose();
   });

@@ -21,7 +21,7 @@ export interface KeyTicksProps {
   /** The visible range of time. */
   part: Range;
   fps: number | null;
-  /** In pixels. */
+  /** Width of the timeline in pixels. */
   width: number;
   disabled: boolean;
 }

@@ -2,7 +2,7 @@
 import { h } from './dom.ts';
 
 export interface Lazy<T> {
-  /** null until loaded. */
+  /** The loaded code; null until loaded. */
   readonly now: T | null;
   /** Tries again after a failure. */
   get(): Promise<T>;

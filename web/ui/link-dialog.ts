@@ -5,7 +5,7 @@ import { QUIET, qrPath } from './qr.ts';
 
 export interface LinkDialog {
   element: HTMLDialogElement;
-  /** null: the open shape has no link. */
+  /** Opens the dialog; null: the open shape has no link. */
   open(link: string | null): Promise<void>;
 }
 

@@ -1,6 +1,6 @@
 /** A text setting stored by the browser on this machine. If storage is forbidden, nothing is stored. */
 
-/** For all visits, or for this tab until it is closed. */
+/** A setting is stored for all visits, or for this tab until it is closed. */
 const STORAGE = { browser: () => localStorage, tab: () => sessionStorage };
 type Keeper = keyof typeof STORAGE;
 

@@ -37,7 +37,7 @@ const SHADINGS: readonly Choice<View['shading']>[] = [
 
 export function createLook(events: LookEvents): Component<View> {
   const colouring = segments('Colour', 'colouring', COLOURINGS, (value) => events.onView({ colouring: value }));
-  // Two rows of three.
+  // The choices form two rows of three.
   colouring.element.classList.add('colourings');
   const shading = segments('Shading', 'shading', SHADINGS, (value) => events.onView({ shading: value }));
   const wireframe = checkbox('Wireframe', 'wireframe', (on) => events.onView({ wireframe: on }), 'W');

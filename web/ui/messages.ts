@@ -5,7 +5,7 @@ import { icon } from './icons.ts';
 
 export interface Working {
   stage: string;
-  /** In [0, 1]. */
+  /** Completed share in [0, 1]. */
   fraction: number;
 }
 
@@ -64,7 +64,7 @@ export function createFitHint(onFit: () => void): { element: HTMLElement; update
 export interface ErrorMessage {
   /** One sentence: the problem, its location, and the remedy. */
   message: string;
-  /** For experts. */
+  /** Details for experts. */
   details: string;
   /** Reloading the page may help. */
   retry?: boolean;
@@ -179,7 +179,7 @@ const WELCOME_SPLIT = ['Blended, a shape collapses between its poses. Here it ke
 
 export interface WelcomeProps {
   wanted: boolean;
-  /** Hidden, because another message needs its position. */
+  /** The welcome is hidden because another message needs its position. */
   givesWay: boolean;
   /** A divider compares two motions. */
   split: boolean;

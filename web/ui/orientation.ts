@@ -13,7 +13,7 @@ const UNITS: readonly [number, string][] = [
 
 export interface OrientationControl {
   element: HTMLElement;
-  /** null hides it. */
+  /** Shows the orientation; null hides it. */
   update(orientation: Orientation | null): void;
 }
 

@@ -13,7 +13,7 @@ interface LostFaces {
 }
 
 export interface PhaseLabelProps {
-  /** null: no phase is shown. */
+  /** The phase; null shows none. */
   phase: Phase | null;
   lost: LostFaces;
 }

@@ -2,7 +2,7 @@
 import { h, setAttribute, setHidden, setStyle, svg } from './dom.ts';
 import { drag, focusPressed, isPress } from './pointer.ts';
 
-/** From the top left corner of the viewport, in CSS pixels. */
+/** A position in CSS pixels from the top left corner of the viewport. */
 export interface Place {
   x: number;
   y: number;
@@ -27,7 +27,7 @@ const ARROWS: Readonly<Record<string, readonly [x: number, y: number]>> = {
 
 export interface PinHandles {
   element: HTMLElement;
-  /** null: the position is outside the viewport. `paths`: x and y along each pin's path. */
+  /** Updates the pins' positions; null for positions outside the viewport. `paths`: x and y along each pin's path. */
   update(places: readonly (Place | null)[], paths: readonly Float32Array[]): void;
   /** Marks the vertex that would be pinned; null removes the mark. */
   mark(place: Place | null): void;

@@ -18,7 +18,7 @@ const TAKE_DELAY_MS = 300;
 const NO_ANIMATION: AnimationInfo = { name: '', start: 0, end: 1, keys: 0, moves: false };
 
 export interface SamplingProps {
-  /** null: no animation. */
+  /** Information on the keys; null without an animation. */
   info: KeysInfo | null;
   /** Result for this error. */
   fewest: { keys: number; percent: number } | null;

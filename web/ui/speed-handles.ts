@@ -33,7 +33,7 @@ export const SPEED_WORDS: Record<End, { label: string; verb: string; neighbour: 
 };
 
 export interface SpeedHandlesProps {
-  /** null if the boundary has no speeds. */
+  /** End speeds; null if the boundary has none. */
   speeds: Speeds | null;
   /** The largest offered speeds. */
   most: Speeds;

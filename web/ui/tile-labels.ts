@@ -6,7 +6,7 @@ export interface TileLabel {
   title: string;
   /** Measures in percent of the first key's; empty if unknown. */
   detail: string;
-  /** Only the volume, in whole percent. */
+  /** The volume alone, in whole percent. */
   volume: string;
   x: number;
   y: number;

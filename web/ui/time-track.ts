@@ -13,7 +13,7 @@ export interface TimeTrackProps {
   /** The playing range; null: the range of the keys. */
   between: Range | null;
   periodic: boolean;
-  /** null if not known yet. */
+  /** The speed curve; null if not known yet. */
   speedCurve: SpeedCurve | null;
 }
 
@@ -45,7 +45,7 @@ export function createTimeTrack(): { element: HTMLElement; update(props: TimeTra
   };
 }
 
-/** From longest to shortest. The style sheet shows the longest that fits. */
+/** Texts for a margin from longest to shortest. The style sheet shows the longest that fits. */
 type MarginWords = readonly [string, string, string];
 const REPEATS: MarginWords = ['Repeats', 'Repeats', 'Repeats'];
 

@@ -41,7 +41,7 @@ export class Contents {
   private of: KeysInfo | null = null;
   private topology: Topology | null = null;
   private shapes: Shape[] = [];
-  /** Indexed by view. */
+  /** Additional shapes, indexed by view. */
   private extras: Shape[][] = [];
   private ghost: GhostView | null = null;
   private warming: Shape | null = null;

@@ -16,9 +16,9 @@ export const directionOf = (view: ViewName): Vector3 => new Vector3(...DIRECTION
 
 /** The extent that a fitted view must show. */
 export interface Extent {
-  /** xyz interleaved: a sample of the vertices. */
+  /** A sample of the vertices, xyz interleaved. */
   points: Float32Array;
-  /** Positive. */
+  /** Radius of the box, always positive. */
   radius: number;
 }
 

@@ -47,7 +47,7 @@ export class GhostView {
   private readonly beside = new Group();
   private readonly lines = new Group();
 
-  /** For one mesh; `fits` checks whether a picture has this mesh. */
+  /** Draws one mesh; `fits` checks whether a picture has this mesh. */
   constructor({ faces, positions, vertexOf }: GhostPicture, studio: Studio, layer: number) {
     studio.install(this.clay, new Rim());
     this.faces = faces;
@@ -128,7 +128,7 @@ function bringForward(material: Material): void {
   };
 }
 
-/** Both ends of each edge, listing each edge once. */
+/** Both ends of each edge, each edge once. */
 function edgesOf(faces: Uint32Array): Uint32Array {
   const count = faces.reduce((most, v) => Math.max(most, v), 0) + 1;
   const edges = new Set<number>();

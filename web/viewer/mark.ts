@@ -14,8 +14,8 @@ import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
 
 /**
- * Same as --mark in the style sheet. It contrasts with blue, green, yellow and grey on light and dark backgrounds, and
- * in lightness with blue.
+ * The colour of --mark in the style sheet. It contrasts with blue, green, yellow and grey on light and dark
+ * backgrounds, and in lightness with blue.
  */
 const COLOUR = 0xd6217e;
 
@@ -38,7 +38,7 @@ export class Mark {
     depthWrite: false,
   });
 
-  /** index: 3 drawn vertices per face. */
+  /** index: 3 drawn vertices per marked face. */
   constructor(index: Uint32Array, shape: BufferGeometry, studio: Studio, layer: number) {
     this.geometry.setIndex(new BufferAttribute(index, 1));
     shareBuffers(shape, this.geometry);

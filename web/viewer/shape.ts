@@ -30,7 +30,7 @@ export interface Topology {
   uv: BufferAttribute | null;
   /** The file's own colours without opacity, 3 x vertices. */
   tint: Float32Array | null;
-  /** Per material; empty while textures are being decoded. */
+  /** One texture per material; empty while textures are being decoded. */
   textures: (Texture | null)[];
 }
 
@@ -159,7 +159,7 @@ export class Shape {
     this.rim.set(colour, this.rimmed ? RIM : 0);
   }
 
-  /** Transparent, without writing depth. */
+  /** Makes the shape transparent, without writing depth. */
   setOpacity(opacity: number): void {
     this.plain.transparent = opacity < 1;
     this.plain.opacity = opacity;

@@ -17,7 +17,7 @@ export interface Extra {
   positions: Float32Array;
   normals: Float32Array;
   colour: string;
-  /** 1: opaque. */
+  /** Opacity from 0 to 1. */
   opacity: number;
   /** Displacement along x. */
   offset: number;
@@ -46,7 +46,7 @@ export interface GhostPicture {
   offset: number | null;
 }
 
-/** In the shapes' coordinates. */
+/** A ray in the shapes' coordinates. */
 export interface Ray {
   origin: readonly [number, number, number];
   direction: readonly [number, number, number];

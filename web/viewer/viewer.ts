@@ -105,7 +105,7 @@ export class Viewer {
       () => {
         events.onContextRestored();
         this.stage.restore();
-        this.started ||= this.starting !== null; // the program is gone
+        this.started ||= this.starting !== null; // the lost context has no programs
         this.floored ||= this.flooring !== null;
         // The first drawing after this has no floor and no transparent background. The second drawing is complete.
         this.draw();
@@ -481,7 +481,7 @@ export class Viewer {
     } while (this.rig.turning || (this.flooring !== null && !this.floored));
   }
 
-  /** As `drawn`, but also waits for the graphics card. */
+  /** Resolves like `drawn`, but also waits for the graphics card. */
   async finished(): Promise<void> {
     await this.drawn();
     const context = this.renderer.getContext() as WebGL2RenderingContext;

@@ -7,7 +7,7 @@ export interface Player {
   duration: number;
   /** Times of the weight animation's key frames, in seconds. */
   times: number[];
-  /** In double precision, because nodes may be far away. */
+  /** Positions in double precision, because nodes may be far away. */
   positionsAt(seconds: number): Float64Array;
 }
 

@@ -19,7 +19,7 @@ const TYPES: Record<string, string> = {
 
 const servers: Server[] = [];
 
-/** Longer than any step on a busy machine. */
+/** A time limit longer than any step on a busy machine. */
 const WAIT_MS = 90_000;
 
 async function listen(server: Server, name: string): Promise<string> {
@@ -44,7 +44,7 @@ export function host(
         const type = TYPES[path.extname(wanted)] ?? 'text/plain';
         return void response.writeHead(200, { 'content-type': type, ...headers }).end(content);
       } catch {
-        // try the next folder
+        // the next folder may have the file
       }
     }
     if (spare) response.writeHead(200, { 'content-type': 'text/html', ...headers }).end(spare);

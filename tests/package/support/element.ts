@@ -37,7 +37,7 @@ export interface Setting extends BrowserContextOptions {
   library?: string;
 }
 
-/** As in the package's README. */
+/** The policy in the package's README. */
 export const POLICY =
   "default-src 'none'; script-src 'self' LIBRARY 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
   "connect-src 'self' LIBRARY; worker-src blob: LIBRARY; frame-src 'self'";

@@ -18,7 +18,7 @@ declare module 'vitest' {
 const packageFolder = fileURLToPath(new URL('../../../build/package', import.meta.url));
 
 export default function setup({ provide }: TestProject): () => void {
-  // Outside the repository, so the repository's packages cannot be found from it.
+  // The folder is outside the repository, so the repository's packages cannot be found from it.
   const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-package-'));
   const npm = (...args: string[]): string =>
     execFileSync('npm', args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });

@@ -7,7 +7,7 @@ describe('shared order', () => {
     const order = sharedOrder(5);
     provideOrder(order, () => Int32Array.of(2, 0, 1));
     expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
-    giveUpOrder(order); // too late
+    giveUpOrder(order); // the order is given up too late
     expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
   });
 

@@ -16,7 +16,7 @@ export interface Compared {
 
 export interface MotionDistances {
   times: number[];
-  /** null means the animation. */
+  /** The reference motion's method; null means the animation. */
   from: Method | null;
   /** Mean distance in percent of the diagonal at each time; the KG error of all times in percent. */
   motions: (MotionName & { mean: number[]; largest: number[]; kg: number })[];
@@ -28,7 +28,10 @@ const MOST_TIMES = 97;
 /** Number of shapes held in memory at a time. */
 const AT_ONCE = 8;
 
-/** null without a reference. Covers only the keys' range, because the animation does not extend beyond it. */
+/**
+ * Distances of the motions over the keys' range, because the animation does not extend beyond it; null without a
+ * reference.
+ */
 export async function motionDistances(
   { sequences, keyTimes, range, ms }: AnalysisInput,
   { original, diagonal }: Compared,

@@ -10,7 +10,7 @@ export interface PatchNeighbour {
 }
 
 export interface PatchCurves {
-  /** Sorted by largest rotation, descending. */
+  /** The neighbours, sorted by largest rotation, descending. */
   neighbours: PatchNeighbour[];
   stretch: number[];
 }
@@ -40,7 +40,7 @@ export function patchCurves({ neighbours }: PatchCurve, rows: readonly number[],
   };
 }
 
-/** Degrees, including full turns. */
+/** The rotation angle in degrees, including full turns. */
 export function angleOf(turn: Vector): number {
   return Math.hypot(...turn);
 }

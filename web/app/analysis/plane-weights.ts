@@ -15,7 +15,7 @@ export interface PlaneShapes {
 }
 
 export interface PlaneMixture {
-  /** One per key; they sum to 1. */
+  /** One weight per key; they sum to 1. */
   weights: number[];
   /** Its point in the plane: the requested point, unless all keys are collinear. */
   at: Point;

@@ -43,7 +43,7 @@ export function roundTop(largest: number): number {
   return Number((factor * power).toPrecision(3));
 }
 
-/** 3 x vertices, linear RGB; fills `colours` if given. */
+/** The colour of each vertex, 3 x vertices, linear RGB; fills `colours` if given. */
 export function heatColours(
   { percent }: Pick<Difference, 'percent'>,
   top: number,

@@ -70,8 +70,8 @@ export class FaceHeat {
   }
 
   /**
-   * For one face. `rotation`: the angle of R_f in degrees. `stretch`: the principal stretch furthest from 1, as the
-   * ratio of the longer to the shorter length minus 1, in percent. 0 for faces without area in the reference.
+   * The amount of one face. `rotation`: the angle of R_f in degrees. `stretch`: the principal stretch furthest from 1,
+   * as the ratio of the longer to the shorter length minus 1, in percent. 0 for faces without area in the reference.
    */
   amountOf(positions: Float32Array, face: number, kind: FaceAmount): number {
     const { faces, frames } = this;

@@ -31,7 +31,7 @@ export class HeatMap {
   /** The difference that the first view's colours show, if they do. */
   difference: Difference | null = null;
   private heat: Heat | null = null;
-  /** One array per view, reused for every frame. */
+  /** The amounts of each view, in arrays reused for every frame. */
   private values: Float32Array[] = [];
   private colours: Float32Array[] = [];
   private faces: { pool: PosePool; pose: number; heat: FaceHeat } | null = null;

@@ -3,7 +3,7 @@ import type { TimedShapes } from '../../study/reference-motion.ts';
 import { vertexNormals } from './vertex-normals.ts';
 
 export interface OriginalFrame {
-  /** 3 x vertices; the arrays are reused for every time. */
+  /** The animation's vertices, 3 x vertices. The arrays are reused for every time. */
   positions: Float32Array;
   normals: Float32Array;
 }

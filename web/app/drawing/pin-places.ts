@@ -38,7 +38,7 @@ function sameMoment(range: Range): number {
   return Math.max(length(range) / 1000, Math.min(length(range) / 200, 1 / 60));
 }
 
-/** null if the pin is not drawn. The pin moves parallel to the screen. */
+/** Starts a drag, which moves the pin parallel to the screen; null if the pin is not drawn. */
 export function startPinDrag(viewer: Viewer, { doc, time }: AppState, range: Range, index: number): PinDrag | null {
   const pin = doc.motion.pins[index];
   const from = pin ? viewer.vertex(pin.vertex) : [];

@@ -42,7 +42,7 @@ const BESIDE = 1.12;
 const NARROW_PX = 220;
 /** Height of the names under a film strip, including spacing. */
 const NAMES_PX = 24;
-/** Distinct from the colours of keys, interpolated and extrapolated shapes. */
+/** This colour differs from those of keys, interpolated and extrapolated shapes. */
 const ORIGINAL_COLOUR = '#8f8f8f';
 const THUMBNAIL = { width: 88, height: 60 };
 const TIME_PICTURE = { width: 132, height: 90 };
@@ -65,7 +65,7 @@ interface Film {
 export class SceneController {
   readonly viewer: Viewer;
   labels: TileLabel[] = [];
-  /** Loaded with the first use of heat colours. */
+  /** The heat map, loaded with the first use of heat colours. */
   private heatMap: HeatMap | null = null;
   /** The animation beside the motions, or null. */
   private original: Original | null = null;
@@ -255,7 +255,7 @@ export class SceneController {
     this.place();
   }
 
-  /** For images of the shape alone. */
+  /** Hides or shows the floor, for images of the shape alone. */
   setFloorless(floorless: boolean): void {
     this.floorless = floorless;
     this.applyLook();

@@ -25,9 +25,9 @@ export interface TimePictures {
 /** Times closer than this share of the range share one image. */
 const STEP = 1 / 200;
 const MOST_KEPT = 64;
-/** Longest drawing time of an image, in milliseconds, while the motion plays, */
+/** Longest drawing time of an image, in milliseconds, while the motion plays. */
 const PLAYING_MS = 8;
-/** or while the pointer has not rested for REST_MS. */
+/** Longest drawing time of an image, in milliseconds, before the pointer has rested for REST_MS. */
 const MOVING_MS = 24;
 const REST_MS = 160;
 

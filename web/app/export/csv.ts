@@ -28,7 +28,7 @@ function preamble(doc: Doc, version: string): string[] {
 }
 
 function keyText({ name, time, shaping }: KeyRef): string {
-  // 12 digits, as in the table.
+  // Numbers have 12 digits, as in the table.
   const numbers = JSON.stringify({ time: Number(time.toPrecision(12)), ...shaping });
   return `{"name":${tableJson(name)},${numbers.slice(1)}`;
 }

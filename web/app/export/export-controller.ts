@@ -26,7 +26,7 @@ export interface ExportParts {
   titleOf(source: AppState['source']): string;
 }
 
-/** Loaded when the dialog first opens. */
+/** The export code is loaded when the dialog first opens. */
 const exporting = () => import('./export-job.ts');
 
 export class ExportController {

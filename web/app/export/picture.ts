@@ -7,7 +7,7 @@ import { withSheet } from './sheet.ts';
 import { pageColour } from './title.ts';
 
 export interface PictureOptions {
-  /** null: size of the view on the screen. */
+  /** Size of the image; null: size of the view on the screen. */
   size: PictureSize | null;
   /** Only the shape on a transparent background; otherwise with floor, on the page's background. */
   transparent: boolean;

@@ -43,13 +43,16 @@ interface ProjectRecord extends Changing {
 }
 
 export interface Shelf {
-  /** Sorted by last change, newest first. */
+  /** The projects, sorted by last change, newest first. */
   projects: ProjectOnShelf[];
   /** Number of unreadable projects that were set aside. */
   setAside: number;
 }
 
-/** Increment when older projects become unreadable. Formats 1 and 2 stored one project, under keys without an id. */
+/**
+ * Increment the format when older projects become unreadable. Formats 1 and 2 stored one project, under keys without an
+ * id.
+ */
 const FORMAT = 3;
 const PROJECT = 'project ';
 /** Files have a separate record, because they can be large and do not change. Its key contains the project's id. */

@@ -7,7 +7,7 @@ export interface Snapshot extends StoredProject {
   history: History;
 }
 
-/** null if nothing is open. */
+/** A snapshot of the open content; null if nothing is open. */
 export function currentSnapshot(store: Store, workspace: Workspace): Snapshot | null {
   const { options, pool, input } = workspace;
   if (!pool) return null;

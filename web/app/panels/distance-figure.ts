@@ -19,7 +19,7 @@ export interface DistanceFigureProps {
   /** Colours show the distance. */
   shown: boolean;
   cursor: number;
-  /** Increases when the motions change. */
+  /** A number that increases when the motions change. */
   version: number;
 }
 

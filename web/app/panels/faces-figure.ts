@@ -27,7 +27,7 @@ export interface FacesFigureEvents extends ChartEvents {
 export interface FacesFigureProps {
   cursor: number;
   colouring: Colouring;
-  /** Increases when the motions may have changed. */
+  /** A number that increases when the motions may have changed. */
   version: number;
 }
 

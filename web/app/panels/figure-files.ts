@@ -35,7 +35,7 @@ export interface FigureNumbers {
 export interface FigureFilesOptions {
   plot: Plot;
   title: string;
-  /** null before the first drawing. */
+  /** The figure's values; null before the first drawing. */
   numbers(): FigureNumbers | null;
   onError(error: unknown): void;
 }

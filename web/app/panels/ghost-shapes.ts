@@ -20,7 +20,7 @@ export function chosenSamples(samples: readonly Sample[]): Sample[] {
 export interface ShapeErrors {
   id: string;
   title: string;
-  /** In percent, for the first sizes. A ghost has fewer faces than its shape. */
+  /** KG errors in percent, for the first sizes. A ghost has fewer faces than its shape. */
   kg: number[];
 }
 

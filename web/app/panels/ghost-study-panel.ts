@@ -70,7 +70,7 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
     }
   };
 
-  /** null while the study is running. */
+  /** Shows the result; `done` is null while the study is running. */
   const show = (done: boolean | null): void => {
     if (done === null) result.replaceChildren();
     setHidden(working.element, done !== null);

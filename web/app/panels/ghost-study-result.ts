@@ -26,7 +26,7 @@ type SizesChart = Omit<GhostChartData, 'sizes'> & { faces: readonly (number | nu
 type Measured = Pick<GhostRow, 'kg' | 'ms'>;
 
 export interface SizeRow {
-  /** null: without a ghost mesh. */
+  /** Size of the ghost mesh; null without a ghost mesh. */
   size: number | null;
   measured: Record<Transfer, Measured>;
 }

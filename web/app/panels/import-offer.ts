@@ -3,7 +3,7 @@ import type { Offer } from '../../ui/messages.ts';
 import { isClosed } from '../sources/closed-motion.ts';
 import type { OpenResult, Opener } from '../sources/opener.ts';
 
-/** null without a suitable action. `onLoop` makes the motion periodic. */
+/** The offer for opened files; null without a suitable action. `onLoop` makes the motion periodic. */
 export function importOffer(opened: OpenResult, files: Opener, onLoop: () => void): Offer | null {
   const { info, orientation, source, doc, pool } = opened;
   const message = (code: string): string | undefined => info.warnings.find((warning) => warning.code === code)?.message;

@@ -9,7 +9,7 @@ export type Part = 'face' | 'patch';
 
 export interface PickedPartEvents {
   input(): AnalysisInput | null;
-  /** null: none. */
+  /** Reports the shown part; null for none. */
   onShow(index: number | null): void;
   /** Reports the text about the part. */
   onWords(words: string): void;

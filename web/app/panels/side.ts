@@ -132,7 +132,7 @@ function createShape(context: Context, commands: Commands, connect: Connect): HT
     disabled,
   }));
   connect(ghostStudy, ({ viewState }) => {
-    // Loaded after the first shape, which does not need it.
+    // The study is loaded after the first shape, which does not need it.
     if (viewState.ms !== null) void ghostStudy.need();
   });
   return shapePanel.element;

@@ -131,7 +131,7 @@ export class Animation {
     return this.other?.pool === this.parts.workspace.pool ? this.other : null;
   }
 
-  /** Cached for the same files. */
+  /** The animation of the keys, cached for the same files. */
   private async referenceOf(animation: number, signal: AbortSignal): Promise<ReferenceMotion | null> {
     const { engine, workspace } = this.parts;
     const { input, info, options } = workspace;

@@ -24,9 +24,9 @@ export interface Permalink {
   sample: string;
   /** [pose, time] of each key; null for the sample's own. */
   keys: [number, number][] | null;
-  /** One value per key. */
+  /** Each list has one value per key. */
   shaping: Record<ShapingNumber, number[]>;
-  /** For the whole shape, one value per key. */
+  /** Added turns of the whole shape, one value per key. */
   turns: number[];
   partTurns: Required<AddedTurns>[];
   motion: Partial<Motion>;

@@ -71,7 +71,7 @@ export interface ViewState {
   original: boolean;
   /** The sheet for choosing keys of an animation is open. */
   opening: boolean;
-  /** Shown instead of the motion until the time changes. */
+  /** The blend shown instead of the motion until the time changes. */
   blend: Blend | null;
   /** Formats that the browser can write; null until the export dialog has requested them. */
   videoFormats: readonly VideoFormat[] | null;

@@ -54,7 +54,7 @@ export interface Engine {
 /** An import: its poses as arrays independent of any worker, so any number of sequences can use them. */
 export interface Keys {
   readonly info: KeysInfo;
-  /** 3 x vertices of one key. */
+  /** Positions of one key, 3 x vertices. */
   positions(key: number): Float32Array;
   /** 3 x vertices of the first imported key, from the file; null without normals. */
   normals(): Float32Array | null;
@@ -122,7 +122,7 @@ export interface Motion {
   /** Speed and overshoot over time. Has lower priority than shown frames and frames fetched ahead. */
   motionSpeed(times: number[]): Promise<MotionSpeed>;
   bendingEnergy(times: number[]): Promise<number[]>;
-  /** 3 x ghost vertices at t; code 'invalid-option' without a ghost mesh. */
+  /** Positions of the ghost mesh at t, 3 x ghost vertices; code 'invalid-option' without a ghost mesh. */
   ghostPositions(t: number): Promise<Float32Array>;
   /**
    * Times, size, error and warnings of an export, without writing it. For a GLB, the error is evaluated at its frames
@@ -130,7 +130,7 @@ export interface Motion {
    */
   planExport(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportPlan>;
   export(options?: Partial<ExportOptions>, call?: CallOptions): Promise<ExportedFile[]>;
-  /** The same files one by one, each made on request. */
+  /** The files of the plan, each made on request. */
   exportFiles(options?: Partial<ExportOptions>, call?: CallOptions): AsyncIterable<ExportedFile>;
   /** Refuses further calls; running calls, such as an export, continue. Idempotent. */
   dispose(): void;

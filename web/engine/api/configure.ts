@@ -2,7 +2,7 @@
 import { invalidOption } from './errors.ts';
 
 export interface FileUrls {
-  /** shapespline.wasm; default: next to the engine's script. */
+  /** URL of shapespline.wasm; default: next to the engine's script. */
   wasmUrl?: string | URL | undefined;
   /**
    * shapespline_files.wasm, fetched when files are first read or written; default: next to `wasmUrl` if given,
@@ -19,7 +19,7 @@ export interface FileUrls {
    * more than one processor); null: none. Default: next to the engine's script.
    */
   threadsUrl?: string | URL | null | undefined;
-  /** draco_decoder_gltf.wasm, for files with Draco compression; default: next to the engine's script. */
+  /** URL of draco_decoder_gltf.wasm, for files with Draco compression; default: next to the engine's script. */
   dracoUrl?: string | URL | undefined;
 }
 

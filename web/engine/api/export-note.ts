@@ -16,7 +16,7 @@ const HEAD = 1 << 16;
 const EVEN = 1e-9;
 
 export interface ExportNote {
-  /** On the timeline of the keys; null if not specified. */
+  /** Frame times on the timeline of the keys; null if not specified. */
   times: number[] | null;
 }
 
@@ -65,7 +65,7 @@ export function noteOf(files: readonly InputFile[]): ExportNote | null {
   return { times: times.length === notes.length ? times : null };
 }
 
-/** null if the file has no such note. */
+/** Reads the note of a file; null if it has none. */
 export function readNote(bytes: Uint8Array): ExportNote | null {
   if (!new TextDecoder().decode(bytes.subarray(0, BEFORE_MARK)).includes(MARK)) return null;
   const lines = new TextDecoder()
@@ -83,5 +83,5 @@ export function readNote(bytes: Uint8Array): ExportNote | null {
   return { times: times?.every(Number.isFinite) ? times : null };
 }
 
-/** More than the frames of any export. */
+/** Limit for even frames, above the frames of any export. */
 const MOST_EVEN = 100_000;

@@ -29,7 +29,7 @@ function canBeHeld(text: string): boolean {
   return true;
 }
 
-/** undefined if broken or too large. The core reads the same text and reports the error. */
+/** The parsed JSON; undefined if broken or too large. The core reads the same text and reports the error. */
 export function parseGltf(text: string): unknown {
   if (!canBeHeld(text)) return undefined;
   try {

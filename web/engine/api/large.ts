@@ -1,4 +1,7 @@
-/** In vertices. For smaller shapes, neither a second thread nor showing the first key early pays off. */
+/**
+ * Number of vertices from which a shape is large. For smaller shapes, neither a second thread nor showing the first key
+ * early pays off.
+ */
 export const LARGE = 40_000;
 /** Least bytes per vertex in an uncompressed file. */
 const VERTEX_BYTES = 12;

@@ -20,7 +20,7 @@ const MOST_SLOPE = 1000;
  * Full turns added between a key and the previous one: of the whole shape, or of a component relative to its parent.
  */
 export interface AddedTurns {
-  /** 0-based, at least 1. */
+  /** Index of the key, 0-based and at least 1. */
   key: number;
   /** Negative numbers turn in the opposite direction. */
   turns: number;
@@ -37,11 +37,11 @@ export interface PathKey {
 
 /** Vertices held by the user, around one vertex of the mesh. They follow their own splines unless `stay` is set. */
 export interface Pin {
-  /** 0-based index in the file. */
+  /** Index of the vertex in the file, 0-based. */
   vertex: number;
   /** Radius of the held ball, relative to the size of the shape; 0: the patch at the vertex. */
   radius: number;
-  /** 0-based key whose positions the vertices keep. */
+  /** Index of the key whose positions the vertices keep, 0-based. */
   stay?: number;
   /** Offsets over time, in increasing order. */
   path?: PathKey[];
@@ -73,7 +73,7 @@ interface Values {
   turns: AddedTurns[];
   pins: Pin[];
   numbers: number[];
-  /** One per key, sum 1. */
+  /** One weight per key, sum 1. */
   weights: number[];
   /** First and last number of a range. */
   range: [number, number];
@@ -230,7 +230,7 @@ export const MOTION = {
     page: 'period',
     undo: 'period',
   },
-  /** Only with the method 'lri' and without whole turns. */
+  /** This option requires the method 'lri' and no added turns. */
   ownPaths: {
     kind: 'choice',
     choices: ['off', 'absolute', 'root'],
@@ -302,7 +302,7 @@ export const PER_KEY = {
 
 /** Options that change the encoding and require a new sequence. */
 export const ENCODING = {
-  /** 0-based key that deformation gradients are measured from. */
+  /** Index of the key that deformation gradients are measured from, 0-based. */
   reference: {
     kind: 'key',
     default: 0,
@@ -335,7 +335,8 @@ export const ENCODING = {
     undo: 'stretch',
   },
   /**
-   * 0 = off, otherwise at least 4. The splines run on a ghost mesh of about this many faces, and the shape follows it.
+   * Number of faces of a ghost mesh, at least 4, or 0 for none. The splines run on the ghost mesh, and the shape
+   * follows it.
    */
   ghostFaces: {
     kind: 'number',
@@ -350,7 +351,7 @@ export const ENCODING = {
     page: 'ghostFaces',
     undo: 'ghost faces',
   },
-  /** Only with a ghost mesh. */
+  /** This option requires a ghost mesh. */
   transfer: {
     kind: 'choice',
     choices: ['exact', 'paper'],

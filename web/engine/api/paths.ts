@@ -24,7 +24,7 @@ const nameStart = (path: string): number => Math.max(path.lastIndexOf('/'), path
 /** The path without folders. */
 export const fileName = (path: string): string => path.slice(nameStart(path));
 
-/** In lower case, without the dot; '' without an extension. */
+/** The extension in lower case without the dot; '' without an extension. */
 export const extensionOf = (path: string): string => /\.([^./\\]*)$/.exec(path)?.[1]?.toLowerCase() ?? '';
 
 /** Files that operating systems leave in folders, even with model extensions: ._walk.obj, Thumbs.db. */
@@ -72,7 +72,7 @@ function headOf(uri: string): string {
 }
 const HEAD = 64;
 
-/** Another host or scheme; a single letter is a Windows drive. */
+/** Whether the URI has another host or scheme; a single letter is a Windows drive. */
 const isElsewhere = (uri: string): boolean => /^([a-z][a-z0-9+.-]+:|\/\/)/i.test(headOf(uri));
 
 const isAbsolute = (path: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(headOf(path));
@@ -110,7 +110,7 @@ export function resourceUris(json: unknown): { buffers: string[]; images: string
 /** Target of a URI in a file. */
 export type UriTarget =
   | { kind: 'file'; file: InputFile }
-  /** On another host, or with another scheme. */
+  /** The URI has another host or scheme. */
   | { kind: 'external' }
   /** A path outside the given files. */
   | { kind: 'outside' }

@@ -62,7 +62,7 @@ export interface Warning {
   patches: number[];
 }
 
-/** For a warning without a location. */
+/** The location of a warning without a location. */
 export const NO_PLACE: Readonly<Pick<Warning, 'key' | 'face' | 'patches'>> = { key: -1, face: -1, patches: [] };
 
 /** Location and kind of a failure, for programs; the error's message is for users. */
@@ -100,7 +100,7 @@ export interface Material {
   doubleSided: boolean;
   alphaMode: 'OPAQUE' | 'MASK' | 'BLEND';
   alphaCutoff: number;
-  /** Drawn without lighting. */
+  /** Whether the material is drawn without lighting. */
   unlit: boolean;
   /** Linear RGB. */
   emissive: [number, number, number];
@@ -153,7 +153,7 @@ export interface MeshReport {
 
 export interface AnimationInfo {
   name: string;
-  /** Seconds. */
+  /** Start of the animation in seconds. */
   start: number;
   end: number;
   /** Number of distinct key times. */
@@ -195,7 +195,7 @@ export interface KeyMesh {
   faces: Uint32Array;
   poses: readonly {
     name: string;
-    /** Increasing. */
+    /** Times must increase. */
     time: number;
     /** 3 x vertices. */
     positions: Float32Array;
@@ -255,7 +255,7 @@ export interface SequenceStats {
   patches: number;
   weldedVertices: number;
   components: number;
-  /** 0 without a ghost mesh. */
+  /** Number of ghost faces; 0 without a ghost mesh. */
   ghostFaces: number;
   ghostVertices: number;
   /** Number of components too small for a separate ghost. */
@@ -301,7 +301,7 @@ export interface Frame {
   normals: Float32Array;
   /** Computing time in the worker, in milliseconds. */
   ms: number;
-  /** As in SequenceStats, for this frame. */
+  /** Threads of this frame, as in SequenceStats. */
   threads: 1 | 2;
   /** Faces whose interpolated stretch is not positive definite. */
   indefiniteFaces: number;
@@ -331,7 +331,7 @@ export interface MeasuresAt {
 
 /** Distances between keys in shape space, and tensions that bound the slope. */
 export interface KeySpacing {
-  /** Between each key and the next; dimensionless. */
+  /** Distance between each key and the next; dimensionless. */
   distance: number[];
   /** Per key, in [0, 1]: the least tension that keeps the slope within three times that of either adjacent chord. */
   tension: number[];
@@ -339,7 +339,7 @@ export interface KeySpacing {
 
 /** Motion through shape space: one number per requested time. */
 export interface MotionSpeed {
-  /** In the unit of KeySpacing.distance, per unit of time. */
+  /** Speed in the unit of KeySpacing.distance per unit of time. */
   speed: number[];
   /**
    * Overshoot beyond either adjacent key along the line between them, relative to the mean distance of neighbouring
@@ -365,7 +365,7 @@ export interface ShapePlane {
 /** Samples that minimise the bending energy with fixed keys (Fig. 2), evenly spaced in time. */
 export interface DiscretePath {
   times: number[];
-  /** Per sample, as in ShapePlane.weights. */
+  /** Weights of each sample, as in ShapePlane.weights. */
   weights: number[];
   /** 2 numbers per sample, in the shape plane. */
   plane: number[];
@@ -382,7 +382,7 @@ export interface FaceCurve {
   /** Patch of the face; -1 without area, with empty lists. */
   patch: number;
   numbers: number[];
-  /** As `numbers`, for the natural spline through the same keys. */
+  /** Coordinates like `numbers`, for the natural spline through the same keys. */
   natural: number[];
 }
 
@@ -395,7 +395,7 @@ export interface PatchCurve {
   /** Adjacent patches, and patches of attached components. */
   neighbours: number[];
   numbers: number[];
-  /** As `numbers`, for the natural spline through the same keys. */
+  /** Coordinates like `numbers`, for the natural spline through the same keys. */
   natural: number[];
 }
 

@@ -30,7 +30,7 @@ const MOST_GLB_BYTES = 2 ** 31 - 1;
 const SAME_TIME = 1e-9;
 
 export interface Frames {
-  /** In the sequence's unit of time. */
+  /** Frame times in the sequence's unit of time. */
   times: number[];
   /** Time of each frame on the exported animation's timeline, in float32; the first is 0. */
   seconds: number[];
@@ -183,7 +183,7 @@ export function frameWarnings(
 /** Formats that store vertex positions separately from the faces. */
 export const isPointCache = ({ format }: ExportOptions): boolean => format === 'pc2' || format === 'mdd';
 
-/** In single precision, a cache must be near the origin. */
+/** Warnings about single precision, in which a cache must be near the origin. */
 export function localWarnings(options: ExportOptions, offset: Point): Warning[] {
   if (!isPointCache(options) || offset.every((value) => value === 0)) return [];
   const message =

@@ -2,7 +2,7 @@
 import type { FrameBuffers, FrameData } from '../wire/protocol.ts';
 import type { Frame } from '../api/types.ts';
 
-/** Enough for the look-ahead and the shown frames. The garbage collector takes further buffers. */
+/** Enough buffers for the look-ahead and the shown frames. The garbage collector takes further buffers. */
 const MOST_SPARES = 12;
 
 export class FramePool {

@@ -51,7 +51,7 @@ function described(material: Material, name: string, imageNames: readonly string
   ].join('\n');
 }
 
-/** Empty if the scene has no materials. */
+/** The files of materials and textures; empty if the scene has no materials. */
 export function materialFiles(stem: string, scene: Scene): ExportedFile[] {
   const { file, names } = materialLibrary(stem, scene);
   if (file === '') return [];

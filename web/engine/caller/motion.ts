@@ -45,7 +45,7 @@ type MotionQuestion = {
 /** Longest delay of a frame by measures, unless a single measure takes longer. */
 const AT_ONCE_MS = 10;
 
-/** Loaded with the first export, because most visits make none. */
+/** The export code is loaded with the first export, because most visits make none. */
 const exporting = () => import('./export.ts');
 
 export class MotionClient implements Motion {
@@ -209,7 +209,7 @@ export class MotionClient implements Motion {
     return this.shape.question(name, () => ({ ...asked, motion: this.spec }) as RequestOf<N>);
   }
 
-  /** null if a newer request replaces it. */
+  /** Requests a frame; null if a newer request replaces it. */
   private async latest(make: () => Promise<Frame>): Promise<Frame | null> {
     this.supersede();
     return new Promise<Frame | null>((resolve, reject) => {

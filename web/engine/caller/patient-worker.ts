@@ -57,7 +57,7 @@ export class PatientWorker implements StartedWorker {
     try {
       this.worker = way?.() ?? null;
     } catch {
-      return this.start(); // refused immediately
+      return this.start(); // the browser refused it immediately
     }
     // The caller has to set its handlers first, and the browser has to report a policy violation first.
     if (!this.worker) return void setTimeout(() => this.fail(NOT_STARTED), REPORT_MS);

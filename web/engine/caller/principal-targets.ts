@@ -19,9 +19,9 @@ export interface PrincipalTargets {
 /** Residuals of frames in their leading components: `WasmFiles.principalOffsets`. */
 export interface Offsets {
   count: number;
-  /** count x 3 x vertices. */
+  /** The components, count x 3 x vertices. */
   offsets: Float32Array;
-  /** frames x count. */
+  /** The weights, frames x count. */
   weights: Float32Array;
   largest: number;
 }

@@ -18,9 +18,9 @@ export interface ShapeParts {
   encoding: EncodingOptions;
   /** Starts a worker for this shape alone, with one thread. */
   freshWorker(): CoreWorker;
-  /** For large shapes, finds the elimination order in parallel; null otherwise. */
+  /** Starts a worker that finds the elimination order of a large shape in parallel; null for small shapes. */
   workerBeside: (() => CoreWorker) | null;
-  /** Used by exports. */
+  /** Starts a worker for exports. */
   filesWorker: ExportSource['filesWorker'];
   glbSize: ExportSource['glbSize'];
   onDispose(shape: ShapeClient): void;
@@ -139,7 +139,7 @@ export class ShapeClient implements Shape {
   }
 }
 
-/** Input of an encoding. */
+/** The input of an encoding. */
 function encodeRequest({ keys, encoding }: ShapeParts): RequestOf<'encode'> {
   const { info, positions, normals } = keys;
   return { names: info.names, faces: info.faces, times: info.times, positions, normals, encoding };

@@ -14,7 +14,7 @@ function named(name: string, at: string): string {
 
 const time = (t: number): string => `t=${Number(t.toFixed(4))}`;
 
-/** For all shapes except the first, which is the mesh itself. */
+/** Names of all shapes except the first, which is the mesh itself. */
 export function targetNames(
   names: readonly string[],
   keyTimes: readonly number[],

@@ -48,7 +48,7 @@ export const QUESTIONS = {
   ghostPositions: ofMotion<{ t: number }, { positions: Float32Array }>('_shapespline_ghost_positions'),
   /** Measures at least one of these times, and more of them within `mostMs`. */
   measure: ofMotion<{ times: number[]; mostMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
-  /** Per face; -1 without area. */
+  /** The component of each face; -1 without area. */
   components: ofShape<object, { componentOf: Int32Array }>('_shapespline_components'),
   patches: ofShape<object, { patchOf: Int32Array }>('_shapespline_patches'),
   ghost: ofShape<object, Ghost>('_shapespline_ghost'),

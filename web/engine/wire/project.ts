@@ -9,7 +9,7 @@ import type { Point, SequenceOptions } from '../api/types.ts';
 const VERSION = 1;
 
 export interface ProjectKeys {
-  /** In the user's unit of time. */
+  /** Key times in the user's unit of time. */
   times: readonly number[];
   names: readonly string[];
   /** Frame of each key: 0 is the mesh itself, k its morph target k - 1. */
@@ -50,7 +50,7 @@ export function writeProject(
   });
 }
 
-/** null if missing, as in files of earlier versions. */
+/** Reads the mesh; null if missing, as in files of earlier versions. */
 export function readMesh(text: string): ProjectMesh | null {
   try {
     const { vertices, faces, error } = record(record(JSON.parse(text))['mesh']);
@@ -61,7 +61,7 @@ export function readMesh(text: string): ProjectMesh | null {
   }
 }
 
-/** null if missing, as in files of earlier versions. */
+/** Reads the playback speed; null if missing, as in files of earlier versions. */
 export function readSpeed(text: string): number | null {
   try {
     const { speed } = record(JSON.parse(text));
@@ -71,7 +71,7 @@ export function readSpeed(text: string): number | null {
   }
 }
 
-/** null if missing, as in files of earlier versions. */
+/** Reads the played range; null if missing, as in files of earlier versions. */
 export function readPlayed(text: string): [start: number, end: number] | null {
   try {
     const { start, end } = record(JSON.parse(text));
@@ -82,7 +82,7 @@ export function readPlayed(text: string): [start: number, end: number] | null {
   }
 }
 
-/** null if the text has another version, or is broken or invalid. */
+/** Reads the options; null if the text has another version, or is broken or invalid. */
 export function readOptions(text: string): SequenceOptions | null {
   try {
     const { version, options } = record(JSON.parse(text));

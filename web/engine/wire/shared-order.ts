@@ -11,7 +11,7 @@ const COUNT = 1;
 const HEADER = 2;
 const state = { notBegun: 0, begun: 1, made: 2, failed: 3 } as const;
 
-/** Milliseconds: far more than the largest order takes. */
+/** Longest wait in milliseconds, far more than the largest order takes. */
 const PATIENCE = 60_000;
 
 export function sharedOrder(vertices: number): SharedOrder {

@@ -15,7 +15,7 @@ export function holdLock(name: string, taken: () => void): void {
   try {
     hold(name, taken);
   } catch {
-    // see above
+    // The worker has no lock, as described above.
   }
 }
 
@@ -25,7 +25,7 @@ function hold(name: string, taken: () => void): void {
       taken();
       return new Promise(() => undefined);
     });
-    ended.catch(() => undefined); // refused on pages without storage access
+    ended.catch(() => undefined); // Pages without storage access refuse the request.
     return;
   }
   const opening = indexedDB.open(name);

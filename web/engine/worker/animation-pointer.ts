@@ -11,7 +11,7 @@ export function animationPointer({ Extension: Base }: Pick<Core, 'Extension'>): 
   return class AnimationPointer extends Base {
     static override readonly EXTENSION_NAME = NAME;
     override readonly extensionName = NAME;
-    /** Per animation, per channel. */
+    /** The targets per animation and channel. */
     #targets: GLTF.IAnimationChannelTarget[][] = [];
 
     override read({ jsonDoc }: ReaderContext): this {

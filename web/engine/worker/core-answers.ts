@@ -12,7 +12,7 @@ import type { WasmCore } from './wasm-core.ts';
 type Asked = Exclude<QuestionName, 'stats'>;
 
 export class CoreAnswers {
-  /** Set once a second thread exists. */
+  /** The choice of threads, set once a second thread exists. */
   private choice: ThreadChoice | null = null;
   private shape = 0;
   private motions = new Motions();
@@ -30,7 +30,7 @@ export class CoreAnswers {
       ...this.questions(),
       report: (request) => ({ report: core.report(request) }),
       encode: (request, report) => {
-        report('welding', 0); // large keys take time to copy and check
+        report('welding', 0); // copying and checking large keys takes time
         this.shape = core.encode(request, report);
         this.motions = new Motions();
         return null;

@@ -16,7 +16,7 @@ import type { InputFile } from '../api/types.ts';
 
 const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
 const BIN_CHUNK = 0x004e4942;
-/** glTF-Transform's name of the binary chunk. */
+/** The name of the binary chunk in glTF-Transform. */
 const GLB_BUFFER = '@glb.bin';
 
 /** Working memory of Draco, in addition to its output. */

@@ -23,7 +23,7 @@ export function imageSize(bytes: Uint8Array): Size | null {
     const size = pngSize(view) ?? jpegSize(view) ?? webpSize(view);
     return size && size.width > 0 && size.height > 0 ? size : null;
   } catch {
-    return null; // truncated in its header
+    return null; // the image is truncated in its header
   }
 }
 

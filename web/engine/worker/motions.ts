@@ -2,7 +2,10 @@
 import type { MotionSpec, MotionState } from '../wire/protocol.ts';
 import type { NewSpace, WasmCore } from './wasm-core.ts';
 
-/** More than any page shows. The least recently used motions are dropped, and recreated on request. */
+/**
+ * Limit for kept motions, more than any page shows. The least recently used motions are dropped, and recreated on
+ * request.
+ */
 const MOST = 16;
 
 export class Motions {

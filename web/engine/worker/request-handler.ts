@@ -32,7 +32,7 @@ export interface HandlerHost {
   startSecondThread(start: SecondThreadStart, onReady: () => void): void;
   /** Decodes mesh compression that the core does not support, before the core reads the files. */
   decode: Decode;
-  /** Used by compressed exports. */
+  /** Libraries for compressed exports. */
   codecs: Codecs;
 }
 

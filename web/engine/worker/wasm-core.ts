@@ -16,13 +16,13 @@ interface FrameResult {
   indefiniteFace?: number;
 }
 
-/** For a motion that may be the first in its space. */
+/** Progress and elimination order for a motion that may be the first in its space. */
 export interface NewSpace {
   order?: SharedOrder | null;
   report?: OnProgress;
 }
 
-/** In bytes: many times the need of a frame's kernels. */
+/** Stack size of the second thread in bytes, many times the need of a frame's kernels. */
 const SECOND_STACK = 1 << 18;
 
 export class WasmCore extends WasmCalls<CoreModule> {

@@ -24,7 +24,7 @@ export interface WasmModule extends JsImports {
 }
 
 export interface CoreModule extends WasmModule {
-  /** Only with shared memory. */
+  /** The module's memory, present only if shared. */
   readonly wasmMemory?: WebAssembly.Memory;
   _shapespline_encode(request: Address): Address;
   _shapespline_order(request: Address): Address;
@@ -35,7 +35,7 @@ export interface CoreModule extends WasmModule {
   _shapespline_set_threads(shape: number, threads: number): void;
   _shapespline_helped(): number;
   _shapespline_is_help_lost(): number;
-  /** Only for the second thread's instance (second-thread.ts). */
+  /** Entry point of the second thread's instance (second-thread.ts). */
   _shapespline_help(): void;
   _shapespline_help_lost(): void;
 }

@@ -2,7 +2,7 @@
 
 type Point = readonly [number, number];
 
-/** In pixels; larger than any plot. */
+/** Clipping distance in pixels, larger than any plot. */
 export const FARTHEST = 5000;
 const GAP: Point = [NaN, NaN];
 

@@ -17,13 +17,13 @@ export interface Part<E extends Element> {
 }
 
 export interface FigureOptions {
-  /** Used in test ids and file names. */
+  /** The figure's id in test ids and file names. */
   id: FigureId;
   title: string;
   body: Part<HTMLElement | SVGSVGElement>;
   /** Controls between title and plot. */
   tools?: Panel;
-  /** One or two sentences. */
+  /** Returns one or two sentences. */
   notice(shown: Shown): string;
   numbers(shown: Shown): NumbersTable;
   onError(error: unknown): void;

@@ -4,7 +4,7 @@ export interface Curve {
   /** Strictly increasing. For a closed curve: one period, whose last value equals the first. */
   times: readonly number[];
   values: readonly number[];
-  /** One per knot; null: straight between knots. */
+  /** One slope per knot; null: straight between knots. */
   slopes: readonly number[] | null;
   closed: boolean;
 }
@@ -56,8 +56,8 @@ function beyond({ times, values, slopes }: Curve, end: number, t: number, deriva
 }
 
 /**
- * Total bending: the integral of the squared second derivative (paper Eq. 1) over the first `intervals` intervals;
- * default: all. Infinite for a corner.
+ * Total bending: the integral of the squared second derivative (paper Eq. 1) over the first `intervals` intervals, by
+ * default all. Corners have infinite bending.
  */
 export function totalBending(curve: Curve, intervals = curve.times.length - 1): number {
   let sum = 0;

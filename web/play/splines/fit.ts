@@ -7,7 +7,7 @@ export type CurveKind = 'linear' | 'natural' | 'hermite' | 'periodic' | 'catmull
 
 export interface FitOptions {
   speeds: Speeds;
-  /** For the curve with tensions and biases. */
+  /** Ends of the curve with tensions and biases. */
   ends: Ends;
   shaping: readonly Shaping[];
 }

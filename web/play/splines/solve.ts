@@ -3,9 +3,9 @@
 export type Matrix = number[][];
 
 export interface System {
-  /** n x n. */
+  /** The matrix, n x n. */
   matrix: Matrix;
-  /** n. */
+  /** The right-hand side, n numbers. */
   rhs: number[];
 }
 
