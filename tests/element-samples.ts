@@ -1,4 +1,4 @@
-/** For every row of the table of <shape-spline>: values other than the default. */
+/** Values other than the default, for every row of the table of <shape-spline>. */
 import type { Row } from '../web/embed/attributes.ts';
 
 export function samples(row: Row): unknown[] {

@@ -1,4 +1,4 @@
-/** Unpacks a zip by another library than the one that writes it, and has it check every sum. */
+/** Unpacks a zip with another library than the one that writes it, and checks all checksums. */
 import { BlobReader, Uint8ArrayWriter, ZipReader } from '@zip.js/zip.js';
 import type { ExportedFile } from '../web/engine/api/types.ts';
 

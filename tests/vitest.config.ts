@@ -3,11 +3,11 @@ import { defineConfig } from 'vitest/config';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
-// `unit` needs no wasm, `engine` runs the built module in Node, `tools` hands what it makes to the programs that people
-// use, `package` is a page author with the tarball.
+// `unit` needs no wasm, `engine` runs the built module in Node, `tools` opens our files in common programs, and
+// `package` tests the tarball like a page author.
 const project = (name: string, testTimeout: number, more: { globalSetup?: string } = {}) => ({
   extends: true as const,
-  // What is prepared before tests, such as a browser that starts, may take as long as a test.
+  // Preparation before tests, such as starting a browser, may take as long as a test.
   test: { name, include: [`tests/${name}/**/*.test.ts`], testTimeout, hookTimeout: testTimeout, ...more },
 });
 

@@ -22,7 +22,7 @@ const forReaders: Plugin = {
   },
 };
 
-/** The npm packages in the page and in its workers, which are bundled before it. */
+/** Npm packages in the page and in its workers, which are bundled before the page. */
 const bundled = new Set<string>();
 const collectsPackages = (): Plugin => ({
   name: 'shapespline-collects-packages',
@@ -47,7 +47,7 @@ export default defineConfig({
   cacheDir: `${repository}build/vite`,
   // Relative URLs: the built page works from any sub-path of any static host.
   base: './',
-  // The example in React imports the element as a page does that has the package.
+  // The React example imports the element like a page that uses the package.
   resolve: { alias: { ...withoutPixels, 'shapespline/element': `${here}embed/register.ts` } },
   plugins: [preload(), unusedShaders(), collectsPackages(), carriesNotices, manual(), forReaders, offline()],
   build: {
@@ -61,7 +61,7 @@ export default defineConfig({
     },
   },
   worker: { format: 'es', plugins: () => [collectsPackages()] },
-  // The worker's packages, too, are bundled before the first request: finding one later would reload the page.
+  // Also bundles the workers' packages before the first request, because finding one later would reload the page.
   optimizeDeps: { entries: ['**/*.html', 'engine/worker/*.worker.ts'] },
   server: { fs: { allow: [repository] }, headers: developmentGuards },
 });

@@ -1,4 +1,6 @@
-/** Bytes a second that one thread of wasm reads from memory, in one pass over 256 MB: some ten milliseconds. */
+/**
+ * Bytes per second that one wasm thread reads from memory, in one pass over 256 MB that takes about ten milliseconds.
+ */
 export type ReadBandwidth = () => number;
 
 interface Exports {
@@ -11,7 +13,7 @@ export async function bandwidthReader(bytes: BufferSource): Promise<ReadBandwidt
   const { instance } = await WebAssembly.instantiate(bytes, {});
   const { size, fill, readAll } = instance.exports as unknown as Exports;
   fill();
-  readAll(); // leaves the baseline compiler
+  readAll(); // the first pass gets the code out of the baseline compiler
   return () => {
     const start = performance.now();
     readAll();

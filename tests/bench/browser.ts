@@ -34,7 +34,7 @@ async function bundle(repository: string): Promise<void> {
     platform: 'browser',
     target: 'es2022',
     format: 'esm',
-    // The decoders of compressed meshes are loaded when a file needs them, and the generated ones do not.
+    // Decoders are loaded only when a file needs them, and generated files do not.
     packages: 'external',
     plugins: [secondThreadAddress, wasmStaysOutside],
     logLevel: 'warning',
@@ -51,7 +51,7 @@ export async function browserRunner(repository: string): Promise<Runner> {
   page.on('pageerror', (error) => process.stderr.write(`${error.message}\n`));
   await page.goto(`${url}tests/bench/page.html`);
   const addressOf = (file: string): string => url + path.relative(repository, file).split(path.sep).join('/');
-  // Functions among the words, such as runNative, run here when the page calls them.
+  // Functions among the arguments, such as runNative, run here when the page calls them.
   const call = <T>(name: string, ...words: unknown[]): Promise<T> =>
     page.evaluate(
       ([program, exported, args]) =>

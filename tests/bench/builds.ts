@@ -1,4 +1,4 @@
-/** The same sequence built again and again: its stages, its silences, and whether memory grows. */
+/** Builds the same sequence repeatedly: its stages, silences, and memory growth. */
 import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { Progress, SequenceStats } from '../../web/engine/api/types.ts';
 import { quantile } from './quantile.ts';
@@ -7,13 +7,13 @@ const BUILDS = 5;
 const REFITS = 10;
 const STAGES = ['weldMs', 'joinMs', 'encodeMs', 'orderMs', 'factorMs', 'arrangeMs', 'finishMs'] as const;
 
-/** The longest time without a sign of progress, and the stage that was reported after it. */
+/** The longest time without a progress report, and the stage reported next. */
 export interface Silence {
   ms: number;
   stage: string;
 }
 
-/** Milliseconds: medians of five builds; the silence is that of the median build. */
+/** Milliseconds, medians of five builds; the silence is that of the median build. */
 export interface Builds {
   weldMs: number;
   joinMs: number;
@@ -28,15 +28,17 @@ export interface Builds {
   silence: Silence;
   /** Bytes of the largest wasm heap after a build. */
   heapBytes: number;
-  /** The second build's largest heap, without files, over the heap in use at its end. */
+  /** The second build's peak heap, without files, over the heap in use at its end. */
   peakOverKept: number;
-  /** The heap after the last build over that after the second: the first one's worker had read the file, too. */
+  /**
+   * The heap after the last build over that after the second, because the first build's worker had also read the file.
+   */
   heapGrowth: number;
   /** Growth of the whole process from the second build to the last; NaN if unknown. */
   processGrowth: number;
 }
 
-/** Listens to one call's progress. */
+/** Records the progress of one call. */
 export class Listener {
   silence: Silence = { ms: 0, stage: '' };
   private last = performance.now();
@@ -73,7 +75,7 @@ async function build(
   };
 }
 
-/** `use` is asked to work with each of them. Returns the last of them alive. */
+/** Calls `use` with each build. Returns the last one, still alive. */
 export async function buildRepeatedly(
   engine: Engine,
   keys: Keys,
@@ -113,7 +115,7 @@ export async function buildRepeatedly(
   };
 }
 
-/** Heap after many refits, each with a frame, over the heap after the first. */
+/** Heap after many refits, each with a frame, over the heap after the first refit. */
 export async function refitGrowth(sequence: Sequence): Promise<number> {
   let first = 0;
   for (let k = 0; k <= REFITS; ++k) {

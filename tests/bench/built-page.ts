@@ -1,14 +1,14 @@
-/** The page as `npm run build` made it, and the browser that it is measured in. */
+/** The page made by `npm run build`, and the browser that measures it. */
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium, type Browser } from '@playwright/test';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 
-// Relative to the bundle, build/node/bench.mjs.
+// The path is relative to the bundle, build/node/bench.mjs.
 export const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 
-/** If it does not exist, prints what to do and exits with a failure. */
+/** If the page does not exist, prints instructions and exits with a failure. */
 export function isPageBuilt(): boolean {
   if (existsSync(path.join(dist, 'index.html'))) return true;
   console.error('The page is not built yet: npm run build.');
@@ -16,7 +16,7 @@ export function isPageBuilt(): boolean {
   return false;
 }
 
-/** For Chromium that draws in software. */
+/** Options of Chromium for software drawing. */
 export const browserOptions = () => ({
   executablePath: findBrowser(chromium) ?? undefined,
   args: [

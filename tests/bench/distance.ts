@@ -1,10 +1,10 @@
-/** How far two shapes are apart, over the diagonal of the second's bounding box. */
+/** Distance of two shapes, relative to the diagonal of the second's bounding box. */
 export interface Distance {
   mean: number;
   worst: number;
 }
 
-/** 3 numbers per vertex; where the first has more vertices, those that both have are compared. */
+/** 3 numbers per vertex. If the first shape has more vertices, only common ones are compared. */
 export function distanceOf(positions: ArrayLike<number>, reference: ArrayLike<number>): Distance {
   if (positions.length < reference.length) throw new Error('the reference belongs to another mesh');
   const low = [Infinity, Infinity, Infinity],
@@ -27,7 +27,7 @@ export function distanceOf(positions: ArrayLike<number>, reference: ArrayLike<nu
   return { mean: sum / (reference.length / 3) / diagonal, worst: largest / diagonal };
 }
 
-/** The larger of both, each on its own: what several pairs of shapes stay below. */
+/** The larger mean and the larger maximum: an upper bound for several pairs of shapes. */
 export function worse(a: Distance, b: Distance): Distance {
   return { mean: Math.max(a.mean, b.mean), worst: Math.max(a.worst, b.worst) };
 }

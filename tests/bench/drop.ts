@@ -1,7 +1,7 @@
 /**
- * npm run bench -- drop [FACES,...]: the built page in Chromium, from a file that is given to it until its motion is
- * there: when it was read, when its first key is shown, when its motion is made, when its shape is drawn, and when the
- * graphics card has finished that; and for how long the page does not answer then.
+ * npm run bench -- drop [FACES,...]: the built page in Chromium, from opening a file until its motion is drawn. Reports
+ * when the file was read, the first key was shown, the motion was made, its shape was drawn, and the graphics card
+ * finished; and the page's longest unresponsive time.
  */
 import type { Page } from '@playwright/test';
 import { serve } from '../../wasm/toolchain/serve.mjs';
@@ -30,7 +30,7 @@ function watch(): Promise<Times> {
     const look = (): void => {
       const isOpen = window.__shapespline!.state.source.kind === 'files' && !Number.isNaN(after('made'));
       if (!isOpen) return void requestAnimationFrame(look);
-      // Its first shape was drawn in the frame after this one.
+      // The shape was first drawn in the frame after this one.
       const end = (): void => {
         const drawn = performance.now() - begin;
         const gl = document.querySelector('canvas')!.getContext('webgl2')!;

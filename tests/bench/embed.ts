@@ -1,7 +1,7 @@
 /**
- * npm run bench -- embed [FACES,...]: one, three and ten playing elements <shape-spline> on a page, each with a motion
- * of its own, from the package's one-file build: frames computed and drawn in a second, of all together; then ten, of
- * which one is seen.
+ * npm run bench -- embed [FACES,...]: one, three and ten playing elements <shape-spline> on a page, each with its own
+ * motion, from the package's one-file build. Reports the total frames computed and drawn per second; then for ten
+ * elements with one in view.
  */
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -16,20 +16,20 @@ import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
 const DEFAULT_SIZES: Size[] = [{ faces: 10_000, keys: null }];
 const SECONDS = 5;
 const WAIT_MS = 300_000;
-/** Relative to the bundle, build/node/bench.mjs. */
+/** The path is relative to the bundle, build/node/bench.mjs. */
 const build = fileURLToPath(new URL('..', import.meta.url));
 const folder = path.join(build, 'bench-embed');
 
 interface Rates {
   computed: number;
   drawn: number;
-  /** The same of those that are out of view. */
+  /** Frames of elements out of view. */
   unseen: { computed: number; drawn: number };
-  /** Milliseconds of a frame in the worker: the last one's median over the elements. */
+  /** Milliseconds per frame in the worker: the median over the elements' last frames. */
   ms: number;
 }
 
-/** `seen` of the `count` elements are in the first window of the page. */
+/** Of `count` elements, `seen` are in the first screen of the page. */
 function writePage(faces: number, count: number, seen: number): string {
   const elements = Array.from(
     { length: count },
@@ -58,7 +58,7 @@ async function ratesOf(page: Page, url: string, count: number, seen: number): Pr
     count,
     { timeout: WAIT_MS },
   );
-  // The first frames compile shaders and make room.
+  // The first frames compile shaders and allocate memory.
   await page.waitForTimeout(2000);
   return page.evaluate(
     async ([seconds, visible]) => {

@@ -1,4 +1,4 @@
-/** The same sweep of times by several ways: how far each is from the exact frame of the default precision. */
+/** Compares several methods with the exact frame of the default precision over a sweep of times. */
 import type { Sequence } from '../../web/engine/api/api.ts';
 import type { Frame } from '../../web/engine/api/types.ts';
 import { distanceOf } from './distance.ts';
@@ -6,9 +6,9 @@ import { frameOf } from './frames.ts';
 import { SWEEP, sweptParts, type DistanceAt, type SweptParts } from './sweep.ts';
 
 export interface Errors {
-  /** From the shape computed in double. */
+  /** Distance from the shape computed in double. */
   double: SweptParts;
-  /** For the shape led by a ghost; null without one. */
+  /** Distance from the shape led by a ghost; null without one. */
   ghost: SweptParts | null;
 }
 

@@ -1,4 +1,4 @@
-/** Generated motions to export: one closed body, or the same in bands of a material each. */
+/** Generated motions to export: one closed body, whole or in bands with one material each. */
 import type { Engine, Keys } from '../../web/engine/api/api.ts';
 import type { InputFile } from '../../web/engine/api/types.ts';
 
@@ -8,7 +8,7 @@ export interface ExportShape {
   parts: number;
 }
 
-/** Faces in the order of their height in the first key, so parts of equal size are bands. */
+/** Faces sorted by height in the first key, so parts of equal size form bands. */
 function byHeight(keys: Keys): Uint32Array {
   const first = keys.positions(0);
   const { faces } = keys.info;
@@ -24,7 +24,7 @@ const rows = (word: string, values: ArrayLike<number>, add = 0): string[] =>
     (_, i) => `${word} ${values[3 * i]! + add} ${values[3 * i + 1]! + add} ${values[3 * i + 2]! + add}`,
   );
 
-/** The keys as OBJ files; `parts`: in how many bands of a material each. */
+/** The keys as OBJ files; `parts`: number of bands with one material each. */
 function objFiles(keys: Keys, parts: number): InputFile[] {
   const encode = (lines: string[]): Uint8Array => new TextEncoder().encode(lines.join('\n'));
   const faces = rows('f', byHeight(keys), 1);
@@ -40,7 +40,7 @@ function objFiles(keys: Keys, parts: number): InputFile[] {
   ];
 }
 
-/** Keys whose faces come band by band; with the materials of their parts, or as one. */
+/** Keys with faces sorted by band; with the materials of their parts, or as a single part. */
 export async function keysOf(engine: Engine, mesh: Uint8Array, parts: number): Promise<{ asParts: Keys; asOne: Keys }> {
   const whole = await engine.importKeyframes([{ name: 'bench.glb', bytes: mesh }]);
   if (parts === 1) return { asParts: whole, asOne: whole };

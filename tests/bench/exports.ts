@@ -1,7 +1,7 @@
 /**
- * npm run bench -- exports [FACES,... --save]: what an exported animation takes of a file, and of three.js and
- * Babylon.js that open it: as it was written before (every frame a target, one vertex buffer for all primitives), as it
- * is unless told otherwise, and compressed.
+ * npm run bench -- exports [FACES,... --save]: file size of an exported animation, and its cost in three.js and
+ * Babylon.js. Compares the old layout (every frame a target, one vertex buffer for all primitives), the default, and
+ * compression.
  */
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -23,18 +23,18 @@ interface Row {
   shape: ExportShape;
   frames: number;
   how: string;
-  /** A sentence if there is no file. */
+  /** A message if there is no file. */
   written: { targets: number; bytes: number } | string;
   three: Played<InThree>;
   babylon: Played<Loaded>;
 }
 
-/** This number of whole frames from the first key, at 0, to the last, at 1. */
+/** Whole frames from the first key, at 0, to the last, at 1. */
 const few = (frames: number): Partial<ExportOptions> => ({ fps: frames - 1 });
 
 interface Way {
   how: string;
-  /** Whether each material has a primitive with vertices of its own. */
+  /** Whether each material has a primitive with separate vertices. */
   compact: boolean;
   options(frames: number): Partial<ExportOptions>;
 }
@@ -45,7 +45,7 @@ const WAYS: Way[] = [
   { how: 'meshopt', compact: true, options: (frames) => ({ ...few(frames), compression: 'meshopt' }) },
 ];
 
-/** Folders of the repository and of the files, and the maker of meshes. */
+/** Folders of the repository and the files, and the mesh generator. */
 export interface Place {
   repository: string;
   folder: string;

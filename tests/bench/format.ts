@@ -9,16 +9,16 @@ export function short(value: number): string {
   return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
 }
 
-/** Milliseconds that every clock here can tell apart: an isolated page's has steps of 5 microseconds. */
+/** Shortest duration that every clock here can resolve; an isolated page's clock has steps of 5 microseconds. */
 export const CLOCK_MS = 0.01;
 
-/** Milliseconds that were measured. */
+/** Formats measured milliseconds. */
 export const msText = (ms: number): string => (ms < CLOCK_MS ? `< ${CLOCK_MS}` : short(ms));
 
 /** Median / 95th percentile, in milliseconds. */
 export const both = ({ median, slow }: Spread): string => `${msText(median)} / ${msText(slow)}`;
 
-/** Its columns are as wide as their longest cell. */
+/** Columns are as wide as their longest cell. */
 export function table(titles: string[], rows: string[][]): string {
   const widths = titles.map((title, i) => Math.max(title.length, ...rows.map((row) => row[i]!.length)));
   const line = (cells: string[]): string => `| ${cells.map((cell, i) => cell.padStart(widths[i]!)).join(' | ')} |`;

@@ -1,18 +1,18 @@
-/** Single frames of one sequence: their time and their stages. */
+/** Single frames of one sequence: total time and stages. */
 import type { Sequence } from '../../web/engine/api/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/api/types.ts';
 import type { ReadBandwidth } from './bandwidth.ts';
 import type { NativeRound, RunNative } from './native-round.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
-/** Steps from frame to frame, of either kind, from each build. */
+/** Frame steps of each kind per build. */
 const FRAMES = 12;
-/** Passes before a round's frames, and as many after them. */
+/** Bandwidth passes before a round's frames, and again after them. */
 const BANDWIDTH_PASSES = 3;
 
 /**
- * Single frames of one build, with native solvers and the bandwidth (bytes per second) at the same time, because the
- * load of a shared machine changes.
+ * Single frames of one build, with native solvers and the bandwidth (bytes per second) measured at the same time,
+ * because the load of a shared machine changes.
  */
 export interface Round {
   buildMs: number;
@@ -23,9 +23,9 @@ export interface Round {
   bandwidth: number;
 }
 
-/** Milliseconds. */
+/** Frame times in milliseconds. */
 export interface ExactFrames {
-  /** Of the first build, with cold caches. */
+  /** Time of the first build's first frame, with cold caches. */
   firstMs: number;
   frames: Spread;
   faces: Spread;
@@ -38,9 +38,9 @@ export interface ExactFrames {
   rounds: RoundMedians[];
 }
 
-/** Milliseconds; bytes per second. The factorisation is that of the round's build. */
+/** Medians in milliseconds and bytes per second. The factorisation is that of the round's build. */
 export interface RoundMedians {
-  /** From the keys to the first frame. */
+  /** Time from the keys to the first frame. */
   untilFrameMs: number;
   factorMs: number;
   solveMs: number;
@@ -53,13 +53,13 @@ export interface RoundMedians {
 export const fromFramesMs = ({ facesMs, solveMs, positionsMs, normalsMs }: SequenceStats): number =>
   facesMs + solveMs + positionsMs + normalsMs;
 
-/** All its stages. */
+/** Total time of all stages. */
 export const stagesMs = (stats: SequenceStats): number => stats.localFramesMs + fromFramesMs(stats);
 
-/** The k-th of `count` steps from well before the first key to well after the last. */
+/** Step k of `count`, from well before the first key to well after the last. */
 export const timeOf = (k: number, count: number): number => -0.2 + (1.4 * k) / count;
 
-/** One frame that is never overtaken. */
+/** One frame whose request is never replaced. */
 export async function frameOf(pending: Promise<Frame | null>): Promise<Frame> {
   const frame = await pending;
   if (!frame) throw new Error('a frame was overtaken although none else was asked for');
@@ -72,7 +72,7 @@ export async function msOf(pending: Promise<Frame | null>): Promise<number> {
   return frame.ms;
 }
 
-/** Native solvers come between the build, which ends with the factorisation, and the frames, which solve. */
+/** Native solvers run after the build, which ends with the factorisation, and before the frames, which solve. */
 export async function roundOf(
   sequence: Sequence,
   buildMs: number,

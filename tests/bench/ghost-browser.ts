@@ -1,6 +1,6 @@
 /**
- * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces on the built page in Chromium:
- * the response to each move of the slider, the main thread's long tasks, and the tab's peak memory.
+ * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces, on the built page in
+ * Chromium. Reports the response to each move of the slider, the main thread's long tasks, and the tab's peak memory.
  */
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdtemp, rm } from 'node:fs/promises';
@@ -121,7 +121,7 @@ async function measure(page: Page, url: string, file: string, pid: number): Prom
   };
 }
 
-/** The largest resident set that any renderer of the browser ever had, where the system tells (Linux). */
+/** The largest resident set of any renderer of the browser so far, if the system reports it (Linux). */
 function peakOf(pid: number): number | null {
   const processes = residentOf(pid);
   return processes && Math.round(Math.max(0, ...processes.map(({ peak }) => peak)));

@@ -1,4 +1,4 @@
-/** A sequence led by a ghost mesh, in the paper's two parts, each by the core's own clock. */
+/** A sequence led by a ghost mesh: the paper's two stages, timed by the core. */
 import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/api/types.ts';
 import { fromFramesMs, msOf, stagesMs } from './frames.ts';
@@ -16,20 +16,20 @@ export interface GhostFrames {
   ghostFaces: number;
   buildMs: number;
   /**
-   * t_ir: interpolation and reconstruction of the ghost's own shape with its vertices, as in the paper; a frame needs
+   * t_ir: interpolation and reconstruction of the ghost's own shape with its vertices, as in the paper. A frame needs
    * only the rotations of its faces.
    */
   irMs: number;
-  /** t_ts: from there to the shape: the stages of a frame after those rotations. */
+  /** t_ts: the stages of a frame after those rotations, until the shape. */
   tsMs: number;
 }
 
-/** Evenly over the range. */
+/** Evenly spaced times over the range. */
 export function evenTimes([first, last]: readonly [number, number], count: number): number[] {
   return Array.from({ length: count }, (_, k) => first + (k / Math.max(count - 1, 1)) * (last - first));
 }
 
-/** Milliseconds for all times: the median of five passes. */
+/** The median time of five passes over all times, in milliseconds. */
 async function passes(times: readonly number[], ask: (t: number) => Promise<number>): Promise<number> {
   const totals: number[] = [];
   for (let pass = 0; pass < REPEATS; ++pass) {
@@ -40,20 +40,20 @@ async function passes(times: readonly number[], ask: (t: number) => Promise<numb
   return quantile(totals);
 }
 
-/** All stages of this many exact frames: t_o without a ghost, in milliseconds. */
+/** All stages of this many exact frames, in milliseconds: t_o without a ghost. */
 export function stagesOf(sequence: Sequence, shapes: number): Promise<number> {
   return passes(evenTimes(sequence.range, shapes), async (t) =>
     stagesMs(await statsOf(sequence, sequence.evaluate(t))),
   );
 }
 
-/** Known once a frame is ready. */
+/** The stages are known once a frame is ready. */
 async function statsOf(sequence: Sequence, pending: Promise<Frame | null>): Promise<SequenceStats> {
   await msOf(pending);
   return sequence.stats();
 }
 
-/** To be disposed of by the caller. */
+/** The caller disposes of the result. */
 export async function createWithGhost(engine: Engine, keys: Keys, ghostFaces: number): Promise<WithGhost> {
   const start = performance.now();
   const sequence = await engine.createSequence(keys, { ghostFaces });

@@ -98,7 +98,7 @@ function linesOf({ rows, ms, buildMs }: GhostStudy): Line[] {
   return [...lines, ['none', '-', '0', ms.toFixed(2), '-', '-', '-', '-', buildMs.toFixed(0)]];
 }
 
-/** Every stage of one ghost, the longest wait between two reports of progress, and the heap. */
+/** Every stage of one ghost, the longest time between two progress reports, and the heap. */
 async function large(engine: Engine, keys: Keys): Promise<void> {
   const lines: Line[] = [];
   for (const ghostFaces of [GHOST_FACES, 0]) {

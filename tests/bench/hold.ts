@@ -1,7 +1,7 @@
 /**
- * npm run bench -- hold FILE... [--save]: captured animations against what is made of every n-th of their frames: by
- * the method as published, with what rests held, and by the cubic of the vertices; then what a
- * frame costs with these and with pins. In the place of an animation, a folder of single poses: its costs alone.
+ * npm run bench -- hold FILE... [--save]: compares captured animations with motions through every n-th frame: as
+ * published, with holding, and as a vertex cubic. Then measures frame times of these methods and of pins. For a folder
+ * of single poses instead of an animation, only frame times.
  */
 import { readFile, readdir, stat } from 'node:fs/promises';
 import path from 'node:path';
@@ -16,10 +16,10 @@ import { short, table } from './format.ts';
 import { quantile } from './quantile.ts';
 import { aligned, Sliding, walkedOn } from './truth.ts';
 
-/** Frames of the animation from key to key. */
+/** Frames of the animation between keys. */
 const STEPS = [5, 8, 10];
 const FEWEST_KEYS = 4;
-/** Frames of each motion, in turn. */
+/** Frames per motion, alternating. */
 const ROUNDS = 60;
 
 const MOTIONS = {
@@ -30,7 +30,7 @@ const MOTIONS = {
 type Name = keyof typeof MOTIONS;
 const NAMES = Object.keys(MOTIONS) as Name[];
 
-/** In percent; `sliding` of the diagonal, NaN if no vertex rests. */
+/** Errors in percent; `sliding` in percent of the diagonal, NaN if no vertex rests. */
 interface Errors {
   raw: number;
   aligned: number;
@@ -42,20 +42,20 @@ interface Run {
   errors: Record<Name, Errors>;
 }
 
-/** Milliseconds of a frame over those of the plain one's, and its own. */
+/** Frame time in milliseconds, and relative to the plain motion. */
 interface Costs {
   name: string;
   plainMs: number;
   ratios: Record<string, number>;
 }
 
-/** A dense sequence of shapes. */
+/** A densely sampled sequence of shapes. */
 interface Captured {
   title: string;
   faces: Uint32Array;
-  /** Seconds. */
+  /** Times in seconds. */
   times: readonly number[];
-  /** 3 x vertices at each time. */
+  /** Shape at each time, 3 x vertices. */
   shapes: Float32Array[];
 }
 
@@ -80,7 +80,7 @@ export async function holdTables(files: readonly string[], say: (what: string) =
   return [errorTable(runs), meansOf(runs), costTable(costs)].join('\n\n');
 }
 
-/** A file, or those of a folder in the order of their numbers. */
+/** A file, or the files of a folder in numerical order. */
 async function filesOf(file: string): Promise<InputFile[]> {
   const isFolder = (await stat(file)).isDirectory();
   const paths = isFolder ? (await readdir(file)).map((name) => path.join(file, name)) : [file];
@@ -90,7 +90,7 @@ async function filesOf(file: string): Promise<InputFile[]> {
   );
 }
 
-/** Every animation, and after one that walks in place the same as it walks on. */
+/** All animations. An animation that walks in place is followed by the same one walking forwards. */
 async function readAll(engine: Engine, input: InputFile[]): Promise<Captured[]> {
   const { info } = await engine.importKeyframes(input);
   const { vertices, diagonal } = info.report;
@@ -175,7 +175,7 @@ function errorTable(runs: readonly Run[]): string {
   return `KG error in %, the same with every frame aligned, sliding in % of the diagonal:\n\n${table(['', ...NAMES], rows)}`;
 }
 
-/** Geometric mean, least and largest of the ratios to the plain motion. */
+/** Geometric mean, minimum and maximum of the ratios to the plain motion. */
 function meansOf(runs: readonly Run[]): string {
   const text = (ratios: number[]): string => {
     const known = ratios.filter((ratio) => Number.isFinite(ratio) && ratio > 0);

@@ -1,6 +1,6 @@
 /**
- * `npm run bench -- inputs`: small files that ask for much work (`small-inputs`), each through the engine in a process
- * of its own, from bytes to the first shape between the keys. What takes too long is ended.
+ * `npm run bench -- inputs`: small files that require much work (`small-inputs`). Each runs through the engine in a
+ * separate process, from bytes to the first shape between the keys, with a time limit.
  */
 import { spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
@@ -10,13 +10,13 @@ import { ownPeak } from './process-memory.ts';
 import { SMALL_INPUTS } from './small-inputs.ts';
 import type { SmallInput } from './small-inputs.ts';
 
-/** Limits of time and memory for every input. */
+/** Time and memory limits for every input. */
 const MOST_MS = 2000,
   MOST_MB = 200;
-/** After so long a process is ended. */
+/** A process is ended after this time. */
 const GIVEN_UP_MS = 60_000;
 
-/** Two triangles, to measure the process itself. */
+/** An input of two triangles, to measure the process itself. */
 const LITTLE: SmallInput = {
   name: 'two small triangles',
   files: ['a.obj', 'b.obj'].map((name, pose) => ({
@@ -30,7 +30,7 @@ interface InputRun {
   ms: number;
   /** The largest resident set of the process. */
   mb: number;
-  /** The outcome in a few words. */
+  /** Short description of the outcome. */
   outcome: string;
 }
 
@@ -51,7 +51,7 @@ async function run({ files }: SmallInput): Promise<InputRun> {
   return { ms: (user + system) / 1000, mb: ownPeak(), outcome };
 }
 
-/** In a process of its own; the one before the first is the little one. */
+/** Runs an input in a separate process; 0 is the minimal input. */
 function measured(index: number): InputRun {
   const { stdout, error } = spawnSync(process.execPath, [fileURLToPath(import.meta.url), 'inputs', String(index)], {
     encoding: 'utf8',
@@ -64,7 +64,7 @@ function measured(index: number): InputRun {
 
 const shortened = (text: string): string => (text.length > 90 ? `${text.slice(0, 87)}...` : text);
 
-/** All of them as a table, or with its number one of them as a line of JSON. */
+/** All inputs as a table, or one by its number as a line of JSON. */
 export async function benchInputs([number]: readonly string[], say: (text: string) => void): Promise<string> {
   if (number !== undefined) {
     const input = number === '0' ? LITTLE : SMALL_INPUTS[Number(number) - 1];

@@ -1,23 +1,23 @@
-/** Frame cost with few and with many keys: the same mesh, in turn, so both see the same load. */
+/** Frame cost with few and with many keys of the same mesh, measured alternately under the same load. */
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import type { SequenceStats } from '../../web/engine/api/types.ts';
 import { msOf, timeOf } from './frames.ts';
 import { quantile, spread, type Spread } from './quantile.ts';
 
-/** The reference key count, and the others. */
+/** The reference number of keys, and the compared ones. */
 export const FEW_KEYS = 3;
 export const MANY_KEYS = [8, 25, 100] as const;
 
 const ROUNDS = 5;
-/** Steps from frame to frame in a round. */
+/** Frame steps per round. */
 const FRAMES = 12;
 
-/** Milliseconds; bytes. */
+/** Costs in milliseconds and bytes. */
 export interface KeysCost {
   keys: number;
   buildMs: number;
   frame: Spread;
-  /** Patch rotations; the splined faces and their right-hand side: the stages that know of keys. */
+  /** The stages that depend on keys: patch rotations; splined faces and their right-hand side. */
   frames: Spread;
   faces: Spread;
   heapBytes: number;
@@ -37,12 +37,12 @@ interface Measured {
   keys: number;
   faces: number;
   buildMs: number;
-  /** By round. */
+  /** Frame times by round, in milliseconds. */
   ms: number[][];
   stats: SequenceStats[];
 }
 
-/** A mesh with this many keys; by default an import samples fewer of them. */
+/** A mesh with this many keys; by default an import samples fewer. */
 async function build(engine: Engine, mesh: Uint8Array, wanted: number): Promise<Measured> {
   const keys = await engine.importKeyframes([{ name: 'bench.glb', bytes: mesh }], { sample: wanted });
   const count = keys.info.times.length;
@@ -80,7 +80,7 @@ function costOf({ keys, buildMs, ms, stats }: Measured): KeysCost {
   };
 }
 
-/** Median over the rounds of how much longer a frame takes: each of them has both. */
+/** Median over the rounds of the ratio of frame times; every round has both. */
 export function ratioOf(few: readonly number[][], many: readonly number[][]): number {
   return quantile(few.map((ms, k) => quantile(many[k]!) / quantile(ms)));
 }

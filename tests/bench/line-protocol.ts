@@ -1,14 +1,14 @@
-/** A program that stays and replies to each empty line with a line of JSON, one at a time. */
+/** A program that keeps running and replies to each empty line with a line of JSON. */
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 
 export interface LineProtocol {
-  /** Unrequested output. */
+  /** Reads the program's next line without a request. */
   next(): Promise<unknown>;
   ask(): Promise<unknown>;
 }
 
-/** The program ends with the work. A reply that never comes because it has ended before is an error. */
+/** Ends the program after the work. Reports an error if the program ends before a reply. */
 export async function withProgram<T>(
   program: string,
   args: string[],
@@ -16,7 +16,7 @@ export async function withProgram<T>(
   work: (lines: LineProtocol) => Promise<T>,
 ): Promise<T> {
   const child = spawn(program, args, { stdio: ['pipe', 'pipe', 'inherit'], env: { ...process.env, ...env } });
-  child.stdin.on('error', () => undefined); // one that has ended is noticed by its missing reply
+  child.stdin.on('error', () => undefined); // an ended program is noticed by its missing reply
   const ended = new Promise((end) => child.once('close', end));
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
   const next = async (): Promise<unknown> => {

@@ -1,4 +1,4 @@
-/** A program of its own: loads a GLB with Babylon.js (NullEngine), and prints what that took. */
+/** A separate program that loads a GLB with Babylon.js (NullEngine) and prints the time and memory. */
 import { readFileSync } from 'node:fs';
 import '@babylonjs/loaders/glTF/index.js';
 import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js';
@@ -15,7 +15,7 @@ export interface Loaded {
   targets: number;
 }
 
-// As in a worker, where Babylon.js imports the decoder from its own server.
+// Set as in a worker, where Babylon.js would import the decoder from its own server.
 Object.assign(globalThis, {
   importScripts: () => {},
   MeshoptDecoder: { ...MeshoptDecoder, useWorkers: () => {} },

@@ -1,6 +1,6 @@
 /**
  * npm run bench [-- FACES,FACES,... --browser --save]: every stage over generated meshes, with native solvers and the
- * paper's numbers. Machines differ: compare numbers of one run.
+ * paper's numbers. Machines differ, so compare numbers of one run only.
  */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -26,14 +26,14 @@ import { benchStart } from './start.ts';
 import type { Family } from './tables.ts';
 import { threadsLine } from './threads.ts';
 
-// Relative to the bundle, build/node/bench.mjs.
+// The path is relative to the bundle, build/node/bench.mjs.
 const repository = fileURLToPath(new URL('../../', import.meta.url));
 const folder = path.join(repository, 'build/bench');
 const generator = path.join(repository, 'build/cmake-wasm/shapespline_meshes.js');
 const reader = path.join(repository, 'build/cmake-wasm/shapespline_bench_read.wasm');
 
 const DEFAULT_FACES = [10_000, 32_000, 80_000, 332_000, 1_300_000];
-/** Larger meshes are not made in parts, or with many keys. */
+/** Size limits for meshes in parts, and with many keys. */
 const LARGEST_PARTS = 400_000,
   LARGEST_MANY_KEYS = 100_000;
 
@@ -60,7 +60,7 @@ function machine(): string {
   return `${cpus().length} x ${model.trim()}${clock}`;
 }
 
-/** The smallest and the largest. */
+/** The smallest and the largest size. */
 const endsOf = (sizes: number[]): number[] => [
   ...new Set(sizes.length > 0 ? [Math.min(...sizes), Math.max(...sizes)] : []),
 ];
@@ -86,7 +86,7 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
     say(`${row.model}, ${row.shapes} shapes`);
     results.motions.push({ row, run: await runner.motion(meshOf(row.faces), row) });
   }
-  // If the list has a size of about four times the faces.
+  // Requires a size of about four times the faces in the list.
   for (const faces of sizes.filter((one) => sizes.some((other) => Math.abs(other - 4 * one) < 0.05 * other))) {
     say(`${faces} faces and each of them split into four`);
     results.resolutions.push(await runner.resolutions(meshOf(faces), meshOf(faces, { kind: '-split' })));

@@ -1,6 +1,4 @@
-/**
- * One generated mesh through the engine: every stage of building its sequence, then single frames. Browser and Node.
- */
+/** Measures one generated mesh: every stage of building its sequence, then single frames. Runs in browser and Node. */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { bandwidthReader } from './bandwidth.ts';
 import { buildRepeatedly, Listener, refitGrowth, type Builds, type Silence } from './builds.ts';
@@ -9,11 +7,11 @@ import { errorsOf, type Errors, type Reference } from './errors.ts';
 import { exactFrames, roundOf, type ExactFrames, type Round } from './frames.ts';
 import { createWithGhost, ghostFrames, type GhostFrames } from './ghost-frames.ts';
 
-/** The paper's ghost, and shapes to take its time from. */
+/** Size of the paper's ghost, and number of shapes to time it with. */
 const GHOST_FACES = 2000,
   GHOST_SHAPES = 12;
 
-/** Milliseconds and bytes. */
+/** Measurements in milliseconds and bytes. */
 export interface Run {
   faces: number;
   vertices: number;
@@ -21,7 +19,7 @@ export interface Run {
   importSilence: Silence;
   builds: Builds;
   exact: ExactFrames;
-  /** For GHOST_SHAPES shapes, with how many that is; null where the mesh is hardly larger than the ghost. */
+  /** For `shapes` shapes; null if the mesh is hardly larger than the ghost. */
   withGhost: (GhostFrames & { shapes: number }) | null;
   /** Heap after many refits over the heap after one. */
   refitGrowth: number;
@@ -34,7 +32,7 @@ export interface Input {
   name: string;
   mesh: Uint8Array;
   reference: Reference;
-  /** The module that reads memory. */
+  /** The module that measures memory bandwidth. */
   reader: BufferSource;
   runNative: RunNative;
   /** Bytes of the whole process, or NaN. */

@@ -1,15 +1,15 @@
-/** Our own solver and others, native, on the same system: run in each round between the engine's runs. */
+/** Our native solver and others on the same system, run in each round between the engine's measurements. */
 
-/** Milliseconds: the analysis once; the factorisation and a solve of three columns, medians of up to five. */
+/** Milliseconds: one analysis; medians of up to five factorisations and solves of three columns. */
 export interface SolverRound {
   orderMs: number;
   factorMs: number;
   solveMs: number;
-  /** Of the triangular factor. */
+  /** Entries of the triangular factor. */
   entries: number;
   /** Size of the stored factor, indices included. */
   bytes: number;
-  /** Largest distance over the bounding box's diagonal, of a system with a known solution. */
+  /** Largest distance from the known solution of a system, relative to the bounding box's diagonal. */
   error: number;
 }
 

@@ -1,6 +1,5 @@
 /**
- * Our own solver and others on the same system, native, on the same machine, and the double solutions that frames are
- * compared with.
+ * Our native solver and others on the same system and machine, and double-precision solutions to compare frames with.
  */
 import { rm } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
@@ -9,12 +8,15 @@ import type { NativeRound, RunNative } from './native-round.ts';
 import { REFERENCE } from './runner.ts';
 import { SWEEP } from './sweep.ts';
 
-// Relative to the bundle, build/node/bench.mjs.
+// The path is relative to the bundle, build/node/bench.mjs.
 const program = fileURLToPath(new URL('../cmake-release/shapespline_bench_native', import.meta.url));
-/** CHOLMOD's BLAS would take all cores. */
+/** CHOLMOD's BLAS would use all cores. */
 const ONE_THREAD = { OPENBLAS_NUM_THREADS: '1', OMP_NUM_THREADS: '1' };
 
-/** The double-precision solutions are next to the mesh during `work`, which may request rounds on the mesh's system. */
+/**
+ * The double-precision solutions are stored beside the mesh during `work`, which may request rounds on the mesh's
+ * system.
+ */
 export async function withNative<T>(
   mesh: string,
   work: (unknowns: number, runNative: RunNative) => Promise<T>,

@@ -9,10 +9,10 @@ import { compareResolutions } from './resolutions.ts';
 import { compareThreads } from './threads.ts';
 import { runMotion } from './whole-sequences.ts';
 
-/** The goals are those of one thread; `threads` measures two. */
+/** Targets are for one thread; `threads` measures two. */
 const ONE_THREAD = { threadsUrl: null };
 
-/** `reader`: the module that reads memory. */
+/** `reader`: the module that measures memory bandwidth. */
 export function nodeRunner(reader: string): Runner {
   const bytesOf = (file: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(file));
   return {

@@ -1,6 +1,6 @@
 /**
- * How animations were written before each primitive had vertices of its own: all primitives share one vertex buffer,
- * targets and all. Made of a GLB of ours with one primitive, whose faces come part by part.
+ * The old layout of exported animations: all primitives share one vertex buffer, including targets. Made from one of
+ * our GLBs with one primitive, whose faces are sorted by part.
  */
 
 interface Primitive {
@@ -16,7 +16,7 @@ interface Document {
 
 const INDEX_BYTES: Record<number, number> = { 5123: 2, 5125: 4 };
 
-/** The mesh in this many primitives of equal size, each with its own material. */
+/** The mesh in this many primitives of equal size, each with a separate material. */
 export function sharingVertices(glb: Uint8Array, parts: number): Uint8Array {
   const view = new DataView(glb.buffer, glb.byteOffset, glb.byteLength);
   const length = view.getUint32(12, true);
@@ -36,7 +36,7 @@ export function sharingVertices(glb: Uint8Array, parts: number): Uint8Array {
   return withJson(json, glb.subarray(20 + length));
 }
 
-/** `rest`: the binary chunk, with its head. */
+/** `rest`: the binary chunk with its header. */
 function withJson(json: object, rest: Uint8Array): Uint8Array {
   const text = new TextEncoder().encode(JSON.stringify(json));
   const padded = Math.ceil(text.length / 4) * 4;

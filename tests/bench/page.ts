@@ -1,4 +1,4 @@
-/** Runs in the benchmark's page: the engine in the browser's own worker. Files are URLs. */
+/** Runs in the benchmark's page: the engine in the browser's worker. Files are URLs. */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { EngineClient, onlyOnce } from '../../web/engine/caller/engine.ts';
 import { endedWorker, type Spawn } from '../../web/engine/caller/worker-client.ts';
@@ -30,7 +30,7 @@ const meshOf = async (url: string): Promise<Uint8Array> => new Uint8Array(await 
 const compile = async (name: string): Promise<WebAssembly.Module> =>
   WebAssembly.compile(await fetchBytes(beside(`wasm/${name}.wasm`)));
 
-/** The goals are those of one thread. */
+/** Targets are for one thread. */
 async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 2 = 1): Promise<T> {
   const threaded = threads === 2 ? onlyOnce(() => compile('shapespline_threads')) : null;
   const filesModule = onlyOnce(() => compile('shapespline_files'));
@@ -51,7 +51,7 @@ export function measureFile(mesh: string, runNative: RunNative): Promise<Run> {
       reference: async (k) => new Float64Array(await fetchBytes(mesh + REFERENCE + k)),
       reader: await fetchBytes(beside('cmake-wasm/shapespline_bench_read.wasm')),
       runNative,
-      // No page can tell.
+      // A page cannot measure this.
       processBytes: () => NaN,
     }),
   );

@@ -8,13 +8,13 @@ import type { Motion, MotionRun } from './whole-sequences.ts';
 export const PAPER_MACHINE = 'Intel Core i7-3770 at 3.40 GHz, C/C++';
 
 interface Times {
-  /** Interpolation and reconstruction on the ghost mesh; deformation transfer; without a ghost. */
+  /** Interpolation and reconstruction on the ghost mesh; deformation transfer; total without a ghost. */
   ir: number;
   ts: number;
   o: number;
 }
 
-/** Seconds, as printed. */
+/** Times in seconds, as printed. */
 const TABLE_1: readonly ({ model: string; faces: number } & Times)[] = [
   { model: 'Cactus (10K)', faces: 10_000, ir: 0.013, ts: 0.014, o: 0.25 },
   { model: 'Handstand (20K)', faces: 20_000, ir: 0.016, ts: 0.022, o: 0.6 },
@@ -27,12 +27,14 @@ const TABLE_1: readonly ({ model: string; faces: number } & Times)[] = [
 
 export interface Table2Row extends Motion {
   model: string;
-  /** Seconds, as printed: of the paper's reference method and of its own; NaN if that failed. */
+  /** Seconds, as printed, for the paper's reference method and its own; NaN if the method failed. */
   other: Times;
   paper: Times;
 }
 
-/** The paper does not say how many faces the horse has: one of its shapes takes a little longer than the cactus'. */
+/**
+ * The paper does not give the horse's number of faces; one of its shapes takes slightly longer than one of the cactus.
+ */
 export const TABLE_2: readonly Table2Row[] = [
   {
     model: 'Cactus',
@@ -68,7 +70,7 @@ export const TABLE_2: readonly Table2Row[] = [
   },
 ];
 
-/** Milliseconds per shape. */
+/** The times per shape, in milliseconds. */
 function partsOf({ irMs, tsMs }: GhostFrames, shapes: number): Pick<Times, 'ir' | 'ts'> {
   return { ir: irMs / shapes, ts: tsMs / shapes };
 }
@@ -80,7 +82,7 @@ export function timesFaster(paperMs: number, ourMs: number): string {
   return ourMs < CLOCK_MS ? `> ${short(paperMs / CLOCK_MS)}` : short(paperMs / ourMs);
 }
 
-/** Milliseconds of one shape, for the paper's sizes; null for others. */
+/** The paper's Table 1 with our times per shape in milliseconds; null without any of its sizes. */
 export function table1(runs: Run[]): string | null {
   const columns = TABLE_1.flatMap((row) => {
     const run = runs.find(({ faces }) => Math.abs(faces - row.faces) < 0.03 * row.faces);
@@ -115,7 +117,7 @@ export function table1(runs: Run[]): string | null {
   );
 }
 
-/** Whole motions. Milliseconds. */
+/** Whole motions, in milliseconds. */
 export function table2(results: { row: Table2Row; run: MotionRun }[]): string {
   const three = ({ ir, ts, o }: Times): string[] => [ir, ts, o].map(msText);
   return table(

@@ -1,4 +1,4 @@
-/** Cost of opening a GLB in the engines that play it, each time in a new process. */
+/** Cost of opening a GLB in other engines, each time in a new process. */
 import { execFile } from 'node:child_process';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,22 +9,22 @@ import { developmentGuards, serve } from '../../wasm/toolchain/serve.mjs';
 import type { Loaded } from './load-babylon.ts';
 import { residentOf } from './process-memory.ts';
 
-/** Relative to the bundle, build/node/bench.mjs. */
+/** The path is relative to the bundle, build/node/bench.mjs. */
 const babylonProgram = fileURLToPath(new URL('load-babylon.mjs', import.meta.url));
 const WAIT_MS = 300_000;
 
 export interface InThree {
-  /** Until the scene is there, and from there until it was drawn once. */
+  /** Seconds until the scene is loaded, and from then until its first drawing. */
   seconds: number;
-  /** A note if there was none. */
+  /** A message if nothing was drawn. */
   firstFrame: number | string;
-  /** Bytes of the textures with the morph targets. */
+  /** Bytes of the morph target textures. */
   textureMB: number;
   /** Growth of all browser processes, including the textures of a software GPU. */
   memoryMB: number;
 }
 
-/** A sentence if it failed. */
+/** A message if it failed. */
 export type Played<T> = T | string;
 
 type InPage = Omit<InThree, 'memoryMB'> & { graphicsError: string | null };
@@ -51,7 +51,7 @@ async function loadInThree(page: Page, url: string): Promise<Played<InPage>> {
   return errors[0]?.slice(0, 100) ?? result;
 }
 
-/** `file` lies below `repository`, which is served. */
+/** `file` is below `repository`, which is served. */
 export async function inThree(repository: string, file: string): Promise<Played<InThree>> {
   const { url, server } = await serve(repository, { port: 4275, headers: developmentGuards });
   const args = [

@@ -9,12 +9,12 @@ const statusOf = (id: string): string => {
   }
 };
 
-/** The largest resident set in MB that this process ever had; NaN where no system tells. */
+/** Peak resident set of this process in MB; NaN if the system does not report it. */
 export function ownPeak(): number {
   return Number(/^VmHWM:\s+(\d+)/m.exec(statusOf('self'))?.[1] ?? Number.NaN) / 1024;
 }
 
-/** Peak and present resident sets in MB of all children of `pid`; null if the system does not report them. */
+/** Peak and current resident sets in MB of all children of `pid`; null if the system does not report them. */
 export function residentOf(pid: number): { peak: number; now: number }[] | null {
   if (!existsSync('/proc/self/status')) return null;
   const parentOf = new Map(

@@ -1,4 +1,4 @@
-/** The middle of some values, or another quantile. */
+/** The median of values, or another quantile. */
 export function quantile(values: readonly number[], q = 0.5): number {
   const sorted = [...values].sort((a, b) => a - b);
   return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN;

@@ -7,12 +7,12 @@ import { quantile } from './quantile.ts';
 
 export type OfRound = (run: Run, round: RoundMedians) => number;
 
-/** Milliseconds that reading the factor twice takes at that many bytes per second: no solve can be faster. */
+/** Milliseconds to read the factor twice at this bandwidth, a lower bound for any solve. */
 export const boundMs = (run: Run, bandwidth: number): number => (2000 * run.factorBytes) / bandwidth;
 
 export const solveOverBound: OfRound = (run, { solveMs, bandwidth }) => solveMs / boundMs(run, bandwidth);
 export const frameOverSolve: OfRound = (_, { frameMs, solveMs }) => frameMs / solveMs;
-/** All from the file's bytes to the first frame. */
+/** Time from the file's bytes to the first frame. */
 export const untilFrameMs: OfRound = ({ importMs }, round) => importMs + round.untilFrameMs;
 export const factorMs: OfRound = (_, round) => round.factorMs;
 export const solveMs: OfRound = (_, round) => round.solveMs;
@@ -23,7 +23,7 @@ export const ofNative =
   (_, { native }) =>
     native[solver]?.[value] ?? Number.NaN;
 
-/** A native solver's time over ours in wasm. */
+/** Ratio of a native solver's time to ours in wasm. */
 export const over =
   (solver: keyof NativeRound, step: 'factorMs' | 'solveMs'): OfRound =>
   (run, round) =>
@@ -33,7 +33,7 @@ const values = (run: Run, of: OfRound): number[] => run.exact.rounds.map((round)
 
 export const ofRounds = (run: Run, of: OfRound): number => quantile(values(run, of));
 
-/** The median, and the lowest and highest: how steady the machine was. */
+/** Median, lowest and highest value, to show the machine's variation. */
 export function steady(run: Run, of: OfRound): string {
   return `${short(ofRounds(run, of))} (${short(Math.min(...values(run, of)))} to ${short(Math.max(...values(run, of)))})`;
 }

@@ -1,4 +1,4 @@
-/** The same motion at two resolutions (the paper's Fig. 10): a mesh, and the same with every face split into four. */
+/** The same motion at two resolutions (the paper's Fig. 10): a mesh, and the mesh with every face split into four. */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { distanceOf, NO_DISTANCE, worse, type Distance } from './distance.ts';
 import { evenTimes } from './ghost-frames.ts';
@@ -8,11 +8,11 @@ const SHAPES = 13;
 export interface Resolutions {
   coarseFaces: number;
   fineFaces: number;
-  /** Over the vertices of both, and the whole range. */
+  /** Distance over common vertices and the whole range. */
   distance: Distance;
 }
 
-/** The split mesh begins with the vertices of the other. */
+/** The split mesh begins with the other mesh's vertices. */
 export async function compareResolutions(engine: Engine, coarse: Uint8Array, fine: Uint8Array): Promise<Resolutions> {
   const few = await shapesOf(engine, coarse, Infinity);
   const many = await shapesOf(engine, fine, few.shapes[0]!.length);

@@ -1,4 +1,4 @@
-/** Runs the engine for measurements: in Node, or in a page. Meshes are files; `mesh` is a path. */
+/** Runs the engine for measurements, in Node or in a page. Meshes are files; `mesh` is a path. */
 import type { RunNative } from './native-round.ts';
 import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
@@ -19,5 +19,5 @@ export interface Runner {
   close(): Promise<void>;
 }
 
-/** Added to the mesh's path, before the number of the time in the sweep. */
+/** Suffix of the mesh's path for references, followed by the number of the time in the sweep. */
 export const REFERENCE = '.reference';

@@ -1,6 +1,6 @@
 /**
- * Files of at most 100 kB together that ask for much work: everything equal, everything at one place, one of
- * everything, thousands of everything. Made here, the same every time.
+ * Files of at most 100 kB in total that require much work: many equal elements, coincident points, single huge
+ * elements, thousands of small ones. Generated deterministically.
  */
 import type { InputFile } from '../../web/engine/api/types.ts';
 
@@ -11,7 +11,7 @@ export interface SmallInput {
   files: InputFile[];
 }
 
-/** As many lines as fit. */
+/** Collects as many lines as fit. */
 class Text {
   private readonly parts: string[] = [];
   private size = 0;
@@ -47,7 +47,7 @@ function obj(name: string, start: (pose: number) => string, line: (index: number
   return { name: `OBJ: ${name}`, files };
 }
 
-/** Points on a circle, of which the second pose has some higher up. */
+/** Points on a circle; the second pose raises some of them. */
 const circle = (count: number, pose: number): string =>
   Array.from({ length: count }, (_, i) => {
     const angle = (2 * Math.PI * i) / count;
@@ -381,7 +381,7 @@ function gltf(name: string, json: object, bin: Uint8Array): SmallInput {
   return { name: `GLB: ${name}`, files: [{ name: 'shape.glb', bytes }] };
 }
 
-/** Points as floats, a moved target, and faces as bytes. */
+/** Points as floats, one morph target, and faces as bytes. */
 function mesh(
   pointCount: number,
   indices: readonly number[],

@@ -1,8 +1,7 @@
 /**
- * npm run bench -- start: the built page's first visit in Chromium, from a local server. How long after the navigation
- * the scripts run, the sample is read, its motion is made, its shape is drawn, and the graphics card has finished that;
- * in a browser that runs, and in one that has just been started. The processor time of its processes tells the work
- * where other programs disturb.
+ * npm run bench -- start: the built page's first visit in Chromium, from a local server. Reports the times after
+ * navigation when scripts run, the sample is read, its motion is made, its shape is drawn, and the graphics card has
+ * finished. Measures a running browser and a freshly started one. Processor times are less affected by other programs.
  */
 import type { Browser } from '@playwright/test';
 import type { Wanted } from '../../wasm/toolchain/bench-arguments.mjs';
@@ -12,12 +11,12 @@ import { quantile } from './quantile.ts';
 
 const RUNS = 7;
 const MARKS = ['scripts', 'read', 'made', 'seen', 'finished'] as const;
-/** A browser that runs has opened its window before; that takes it as long. */
+/** A running browser has already opened its window, which takes about this long. */
 const WINDOW_MS = 1200;
 
 type Times = Record<(typeof MARKS)[number] | 'cpu', number>;
 
-/** Runs in the page: the mark of the first picture says that it was asked for; this one, that it is there. */
+/** Runs in the page. The first mark says that the image was requested, this one that it was finished. */
 function markFinished(): void {
   const mark = performance.mark.bind(performance);
   performance.mark = (name, options) => {
@@ -33,7 +32,7 @@ function markFinished(): void {
   };
 }
 
-/** Nothing of an earlier visit is kept: neither files nor settings. */
+/** Nothing from an earlier visit is stored, neither files nor settings. */
 async function visit(browser: Browser, url: string, windowMs = 0): Promise<Times> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
   const page = await context.newPage();

@@ -1,33 +1,33 @@
-/** How far shapes are apart over a sweep of times: between the keys, and in the margins that the slider reaches. */
+/** Distances of shapes over a sweep of times: between the keys, and in the slider's margins. */
 import type { Distance } from './distance.ts';
 
 /** Reach of the slider beyond the first and last key, as a share of the range. */
 const MARGIN = 0.4;
 /** An even number, so no time is the middle key's. */
 const INSIDE = 12;
-/** In each margin, the slider's end among them. */
+/** Number of times in each margin, including the slider's end. */
 const BESIDE = 4;
 
-/** Generated meshes have their keys evenly from 0 to 1. */
+/** Generated meshes have evenly spaced keys from 0 to 1. */
 export const SWEEP: readonly number[] = [
   ...Array.from({ length: BESIDE }, (_, k) => -MARGIN + (MARGIN * k) / BESIDE),
   ...Array.from({ length: INSIDE }, (_, k) => (k + 0.5) / INSIDE),
   ...Array.from({ length: BESIDE }, (_, k) => 1 + (MARGIN * (k + 1)) / BESIDE),
 ];
 
-/** At one time of the sweep. */
+/** A distance at one time of the sweep. */
 export interface DistanceAt extends Distance {
   t: number;
 }
 
-/** Over several times; shares of the diagonal. */
+/** Distances over several times, as shares of the diagonal. */
 export interface Swept {
-  /** Over all vertices at all times. */
+  /** Mean over all vertices at all times. */
   mean: number;
-  /** Of the shape with the largest mean. */
+  /** Mean of the shape with the largest mean. */
   largestMean: number;
   worst: number;
-  /** The time of the worst. */
+  /** Time of the largest distance. */
   at: number;
 }
 
@@ -49,7 +49,7 @@ function over(distances: readonly DistanceAt[]): Swept {
   };
 }
 
-/** Of distances on both sides of the first and last key. */
+/** Separates distances between the keys from distances in the margins. */
 export function sweptParts(distances: readonly DistanceAt[]): SweptParts {
   return {
     inside: over(distances.filter(({ t }) => isInside(t))),

@@ -25,7 +25,7 @@ const FAMILY_WORDS: Record<Family, string> = { smooth: '', 'eight keys': ' with 
 export interface Result {
   family: Family;
   run: Run;
-  /** Of the second system. */
+  /** Size of the system. */
   unknowns: number;
 }
 
@@ -153,7 +153,7 @@ const sweptCells = ({ mean, largestMean, worst, at }: Swept): string[] => [
   at.toFixed(2),
 ];
 
-/** In % of the diagonal. */
+/** A table of errors in % of the diagonal. */
 export function errorTable(results: Result[]): string {
   const four = ['of one shape', 'worst', 'at t'];
   const titles = ['mesh', 'the exact frame and', 'between the keys: mean', ...four, 'in the margins: mean', ...four];
@@ -222,7 +222,7 @@ export function solverTable(results: Result[]): string {
   );
 }
 
-/** Each mesh with few keys, and with more and more of them. */
+/** Each mesh with few keys, then with increasing numbers of keys. */
 export function keysTable(runs: KeysRun[]): string {
   const titles = ['mesh', 'keys', 'build', 'patches', 'faces', 'frame', 'frame / with few', 'keys / few', 'heap MB'];
   const row = (faces: number, cost: KeysCost, ratio: number, keys: number): string[] => [

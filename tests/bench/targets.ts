@@ -1,4 +1,4 @@
-/** Promises to users, and whether they were kept. Other numbers are in the tables only. */
+/** Targets for users, and whether they were met. Other numbers are in the tables only. */
 import { short, table } from './format.ts';
 import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
@@ -10,19 +10,19 @@ export interface Target {
   mesh: string;
   what: string;
   value: number;
-  /** The value must not be above or, for `atLeast`, below it. */
+  /** Upper limit or, for `atLeast`, lower limit. */
   limit: number;
   atLeast: boolean;
   met: boolean;
 }
 
 const GB = 2 ** 30;
-/** Most faces for 60 frames per second, and for 30; larger shapes for 10. */
+/** Largest sizes for 60 and for 30 frames per second; larger shapes have 10. */
 const SIXTY_A_SECOND = 100_000,
   THIRTY_A_SECOND = 400_000;
-/** The heap of a smaller mesh is too small to matter, whatever is kept of it. */
+/** The heap of a smaller mesh is too small to matter. */
 const LEAST_FACES_FOR_HEAP = 80_000;
-/** Heaps grow in steps; rounding aside, a further sequence must not need one. */
+/** Heaps grow in steps. Up to rounding, another sequence must not need another step. */
 const SAME_MEMORY = 1.02;
 
 function target(mesh: string, what: string, value: number, limit: number, atLeast = false): Target {
@@ -57,7 +57,7 @@ export function targetsOf(mesh: string, run: Run): Target[] {
   if (faces >= LEAST_FACES_FOR_HEAP) add('heap / what is kept of it', builds.peakOverKept, 1.3);
   add('heap, fifth sequence / second', builds.heapGrowth, SAME_MEMORY);
   add('heap after ten refits / one', run.refitGrowth, SAME_MEMORY);
-  // One heap that is not given back each time would make it three.
+  // A heap that is leaked each time would make the ratio three.
   if (Number.isFinite(builds.processGrowth))
     add('process, second sequence to fifth, heaps', builds.processGrowth / builds.heapBytes, 1);
   return targets;
@@ -67,7 +67,7 @@ export function resolutionTarget({ fineFaces, distance }: Resolutions): Target {
   return target(`${fineFaces} faces`, 'two resolutions at worst, % of the diagonal', 100 * distance.worst, 0.5);
 }
 
-/** Less than linear: a frame takes less than as many times longer as there are more keys. */
+/** Less than linear: the frame time must grow by a smaller factor than the number of keys. */
 export function keysTarget({ faces, few, many, ratio }: KeysRun): Target {
   return target(`${faces} faces`, `frame with ${many.keys} keys / with ${few.keys}`, ratio, many.keys / few.keys);
 }

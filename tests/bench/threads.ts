@@ -1,26 +1,26 @@
 /**
- * npm run bench -- threads [FACES,... --browser]: builds and frames with one thread and with two, in turn, so both
- * see the same load.
+ * npm run bench -- threads [FACES,... --browser]: builds and frames with one thread and with two, measured alternately
+ * under the same load.
  */
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import { short } from './format.ts';
 import { frameOf } from './frames.ts';
 import { quantile } from './quantile.ts';
 
-/** The choice between one thread and two that the first frames make is over by then. */
+/** Number of first frames after which the choice between one and two threads is settled. */
 const WARM_UP = 15;
 const BUILDS = 5;
 const FRAMES = 61;
 
-/** Medians, in milliseconds, with one thread and with a second at hand. */
+/** Medians in milliseconds, with one thread and with a second available. */
 export interface ThreadsRun {
   vertices: number;
-  /** From the keys to the sequence. */
+  /** Time from the keys to the sequence. */
   builtByOne: number;
   builtByTwo: number;
   one: number;
   two: number;
-  /** That were found to be faster. */
+  /** The number of threads found to be faster. */
   threads: 1 | 2;
 }
 

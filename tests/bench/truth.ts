@@ -23,7 +23,7 @@ export function aligned(shape: Float32Array, target: Float32Array): Float32Array
     [zx! - xz!, xy! + yx!, yy! - xx! - zz!, yz! + zy!],
     [xy! - yx!, zx! + xz!, yz! + zy!, zz! - xx! - yy!],
   ].flat();
-  // Its largest eigenvalue must also be the largest in size.
+  // The largest eigenvalue must also be the largest in magnitude.
   const shift = matrix.reduce((sum, value) => sum + Math.abs(value), 0);
   const [w, x, y, z] = leadingEigenvector(
     matrix.map((value, index) => value + (index % 5 === 0 ? shift : 0)),
@@ -41,14 +41,14 @@ export function aligned(shape: Float32Array, target: Float32Array): Float32Array
   return result;
 }
 
-/** Share of the diagonal: vertices up to this height above the lowest one are on the ground. */
+/** Share of the diagonal: vertices up to this height above the lowest count as on the ground. */
 const ON_GROUND = 0.015;
 /** Share of the diagonal: less movement is not walking. */
 const WALKS = 0.5;
 
 /**
- * Turns a walk in place (Y up) into a real one: frame by frame, moves the shape so that vertices on the ground stay
- * there in the mean; null if that gives no movement. 3 x vertices each.
+ * Turns a walk in place (Y up) into a real one: moves each frame so that vertices on the ground stay in place on
+ * average. null if this gives no movement. 3 x vertices each.
  */
 export function walkedOn(shapes: readonly Float32Array[], diagonal: number): Float32Array[] | null {
   const way = { x: 0, z: 0 };
@@ -83,7 +83,7 @@ function groundStep(before: Float32Array, after: Float32Array, height: number): 
 const RESTS = 0.005;
 
 /**
- * How far vertices that rest are from where they truly are, root of the mean square over all of them, in percent of the
+ * Distance of resting vertices from their true positions, root mean square over all of them, in percent of the
  * diagonal.
  */
 export class Sliding {
@@ -94,7 +94,7 @@ export class Sliding {
 
   constructor(private readonly diagonal: number) {}
 
-  /** The next frame of both, 3 x vertices; whether it is a key, which the first and the last are. */
+  /** Adds the next frame of both, 3 x vertices. `isKey`: whether it is a key, as the first and last frames are. */
   add(truth: Float32Array, shape: Float32Array, isKey: boolean): void {
     this.frames.push({ truth: truth.slice(), shape: shape.slice() });
     if (!isKey) return;
@@ -108,7 +108,7 @@ export class Sliding {
       Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
     for (let i = 0; i < start.length; i += 3) {
       if (this.frames.some(({ truth }) => far(truth, start, i) > RESTS * this.diagonal)) continue;
-      // The last frame is a key, which every motion meets.
+      // The last frame is a key, which every motion matches.
       for (const { truth, shape } of this.frames.slice(0, -1)) this.squares += far(shape, truth, i) ** 2;
       this.count += this.frames.length - 1;
     }

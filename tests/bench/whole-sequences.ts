@@ -1,11 +1,11 @@
-/** Whole motions as in the paper's Table 2: numbers of shapes, without a ghost mesh and led by one. */
+/** Whole motions as in the paper's Table 2: several numbers of shapes, with and without a ghost mesh. */
 import type { Engine } from '../../web/engine/api/api.ts';
 import { createWithGhost, ghostFrames, stagesOf, type GhostFrames } from './ghost-frames.ts';
 
 export interface Motion {
   faces: number;
   shapes: number;
-  /** Over the vertices that the ghost keeps. */
+  /** Share of vertices that the ghost keeps. */
   fraction: number;
 }
 

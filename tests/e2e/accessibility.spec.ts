@@ -1,4 +1,4 @@
-/** For everyone and everywhere: keyboard alone, 360 px, contrast themes, nothing fetched from elsewhere, offline. */
+/** Accessibility: keyboard only, 360 px, contrast themes, no requests to other hosts, offline. */
 import { matching } from './png.ts';
 import { difference, expect, test } from './support.ts';
 
@@ -8,7 +8,7 @@ test('works with the keyboard alone, and the focus can always be seen', async ({
   const focused = (): Promise<{ id: string; outline: boolean }> =>
     page.evaluate(() => {
       const element = document.activeElement as HTMLElement;
-      // The visible part of a radio button is the label's text after it.
+      // The visible part of a radio button is its label's text.
       const shown =
         element instanceof HTMLInputElement && element.type === 'radio' ? element.nextElementSibling! : element;
       const style = getComputedStyle(shown);
@@ -29,12 +29,12 @@ test('works with the keyboard alone, and the focus can always be seen', async ({
     throw new Error(`Tab does not reach ${id}.`);
   };
 
-  // From the top the keys are two presses away.
+  // From the top of the page, the keys are two Tab presses away.
   await page.keyboard.press('Tab');
   await expect(page.getByRole('button', { name: 'Go to the keys' })).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(app.by('key-0-go')).toBeFocused();
-  // The keys are one stop, and arrow keys go along them.
+  // The keys are one tab stop; arrow keys move among them.
   await page.keyboard.press('ArrowRight');
   await expect(app.by('key-0-edit')).toBeFocused();
   await page.keyboard.press('End');
@@ -134,7 +134,7 @@ test('at 360 px a message covers no half of a line', async ({ app }) => {
   const [status, message] = [(await app.by('status').boundingBox())!, (await app.by('error').boundingBox())!];
   expect(status.y + status.height).toBeLessThanOrEqual(message.y + 1);
   await app.by('error-close').click();
-  await app.by('timeline').click(); // the welcome goes, too
+  await app.by('timeline').click(); // the welcome disappears too
   await expect(app.by('status-ms')).toBeVisible();
 });
 
@@ -175,7 +175,7 @@ test('contrast themes keep the timeline, the choices and what is chosen', async 
   const canvas = await background('.deck');
   expect(await background('.key-range')).not.toBe(canvas);
   expect(await background('.diamond')).not.toBe(canvas);
-  // As it is seen: between the keys, beyond them, and the keys.
+  // The three visible parts: between the keys, beyond them, and the keys.
   const drawn = await app.by('timeline').screenshot();
   const share = (of: (rgb: readonly [number, number, number]) => boolean): number => matching(drawn, of).share;
   expect(share(([r, g, b]) => g > r + 60 && g > b + 20)).toBeGreaterThan(0.05);
@@ -199,14 +199,14 @@ test.describe('with a service worker', () => {
     test.skip(info.project.name === 'dev', 'the development server has no service worker');
     await app.open();
     await app.page.evaluate(() => navigator.serviceWorker.ready);
-    // The worker of a first visit takes the page over once its files are kept.
+    // On a first visit, the service worker takes control of the page once its files are stored.
     await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     const kept = await app.page.evaluate(async () => {
       const caches = await Promise.all((await window.caches.keys()).map((name) => window.caches.open(name)));
       return (await Promise.all(caches.map((cache) => cache.keys()))).flat().map(({ url }) => url);
     });
     expect(kept.filter((url) => /shapespline-[^/]*\.wasm$/.test(url))).toHaveLength(1);
-    expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]); // for readers of the repository
+    expect(kept.filter((url) => /\/picture\.png$|\.md$/.test(url))).toEqual([]); // only the repository uses these files
     await context.setOffline(true);
     await app.open();
     expect((await app.positions()).length).toBeGreaterThan(0);

@@ -1,6 +1,4 @@
-/**
- * An animated file from the drop to the export and back: its animation chosen, keys taken at times of its own timeline.
- */
+/** An animated file from drop to export and back: choice of animation, and keys at times of its own timeline. */
 import { rigFile } from '../engine/support/rig.ts';
 import { exported, statedBytes, type } from './exporting.ts';
 import { bytesOf, diagonal, difference, expect, realFile, test } from './support.ts';
@@ -160,7 +158,7 @@ test('another animation and number of keys are taken at once, and undone', { tag
   await app.by('sample-count').press('Enter');
   await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
   await app.settled();
-  // The settings of the motion are not of the keys.
+  // Motion settings do not depend on the keys.
   expect((await app.state()).doc.motion.boundary).toBe('periodic');
   await app.by('undo').click();
   await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
@@ -179,7 +177,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   test.slow();
   await app.open();
   await dropped(app, upload('CesiumMan.glb', bytesOf(file!)));
-  // Escape in the sheet ends the work that it shows, and nothing else.
+  // Escape in the sheet ends the sheet's running work, and nothing else.
   const untouched = await keyTimes(app);
   await app.by('sample-tolerance').fill('0.1');
   await app.by('sample-tolerance').press('Enter');
@@ -192,7 +190,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   await app.by('sample-tolerance').fill(String(percent));
   await app.by('sample-tolerance').press('Enter');
   await expect(app.by('sample-fewest')).toBeChecked();
-  // Asked for while that works, it waits and takes nothing back.
+  // A request during this work waits and cancels nothing.
   await app.by('sample-original').check();
   const found = (pattern: RegExp) => async (): Promise<number> =>
     Number((await app.by('sample-found').innerText()).match(pattern)?.[1] ?? Infinity);
@@ -212,7 +210,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   const off = difference(await app.positions(1), between) / diagonal(between);
   expect(off).toBeGreaterThan(1e-4);
   expect(off).toBeLessThan(0.03);
-  // The keyboard goes on under the sheet, which leaves.
+  // Keyboard focus that moves below the sheet closes it.
   await app.by('method').focus();
   await app.page.keyboard.press('Shift');
   await expect(app.by('opening')).toBeHidden();
@@ -227,7 +225,7 @@ test('one sheet asks how to take the animation, and goes back into its panel', a
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));
   const sheet = app.by('opening');
   await expect(sheet.getByTestId('sampling')).toBeVisible();
-  // It takes neither the keyboard nor room of the shape.
+  // The sheet takes neither the focus nor room from the shape.
   expect(await app.page.evaluate(() => document.activeElement === document.body)).toBe(true);
   const [box, picture] = [(await sheet.boundingBox())!, (await app.by('viewport').boundingBox())!];
   expect(box.x).toBeGreaterThanOrEqual(picture.x + picture.width);
@@ -260,7 +258,7 @@ test('on a phone the sheet leaves room for the shape, upright and sideways', asy
   await expect(sheet).toBeVisible();
   expect((await app.by('viewport').boundingBox())!.height).toBeGreaterThanOrEqual(370);
   expect((await sheet.boundingBox())!.y).toBeGreaterThanOrEqual(370);
-  // Held sideways, all that it asks is seen at once, and the buttons hide little of a wide shape.
+  // On a phone in landscape, the whole sheet is visible and the buttons cover little of a wide shape.
   const height = 375;
   await app.page.setViewportSize({ width: 667, height });
   await expect.poll(async () => (await app.by('viewport').boundingBox())!.height).toBeGreaterThan(300);

@@ -1,4 +1,4 @@
-/** The first five seconds: a shape is shown, it moves, and the page explains itself. */
+/** The first five seconds: a shape is shown, it moves, and the page introduces itself. */
 import { colours, decode, matching, saturation } from './png.ts';
 import { expect, test } from './support.ts';
 
@@ -14,7 +14,7 @@ test('shows the first sample with its counts and a picture that is not flat', { 
   expect(positions.every(Number.isFinite)).toBe(true);
 
   const picture = await app.picture();
-  // A lit shape has many shades of its colour and fills a good part of the picture.
+  // A lit shape has many shades of its colour and fills a large part of the image.
   expect(new Set(Array.from(colours(decode(picture)), String)).size).toBeGreaterThan(100);
   expect(matching(picture, (colour) => saturation(colour) > 40).share).toBeGreaterThan(0.02);
   await app.expectNoProblems();
@@ -37,7 +37,7 @@ test('where motion is welcome the sample is moving by itself until the slider is
   expect((await app.state()).play.playing).toBe(true);
   const opened = (await app.state()).time;
   await expect.poll(async () => (await app.state()).time).not.toBe(opened);
-  // The URL no longer names a sample, though the motion plays.
+  // The URL no longer names a sample, even during playback.
   await expect.poll(() => app.page.url()).not.toContain('sample');
   await app.expectNoProblems();
 });

@@ -1,12 +1,12 @@
 /**
- * One walk with axe through the states of the page: a wide page, a phone, dialogs, charts, the guide, a lecture.
- * Checking the whole page takes a second, so only the new part of a state is checked.
+ * One walk with axe through the page's states: a wide page, a phone, dialogs, charts, the guide, a lecture. Checking
+ * the whole page takes a second, so only a state's new parts are checked.
  */
 import { expectAccessible } from './axe.ts';
 import type { App } from './support.ts';
 import { expect, test } from './support.ts';
 
-/** All rules in the light theme, and once more in the dark one what may differ there. */
+/** Checks all rules in the light theme, and again those that may differ in the dark theme. */
 async function expectAccessibleInBoth(app: App, parts: string[] = []): Promise<void> {
   await app.page.emulateMedia({ colorScheme: 'light' });
   await expectAccessible(app, { parts });

@@ -5,7 +5,7 @@ import type { App } from './support.ts';
 
 interface Looked {
   rules?: string[];
-  /** Selectors; without any, the whole page. */
+  /** Selectors; default: the whole page. */
   parts?: string[];
 }
 

@@ -1,4 +1,4 @@
-/** Time controls for animators: play a range, count whole frames, zoom the timeline. */
+/** Time controls for animators: a playing range, whole frames, timeline zoom. */
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
@@ -11,7 +11,7 @@ async function windowOf(app: App): Promise<[number, number]> {
   return (await app.state()).view.window ?? [-0.4, 1.4];
 }
 
-/** Page x of a time in the window that is shown. */
+/** Page x of a time in the visible window. */
 async function xOf(app: App, t: number): Promise<number> {
   const { left, width } = await track(app);
   const [low, high] = await windowOf(app);
@@ -43,7 +43,7 @@ test('two handles are dragged to what plays', async ({ app }) => {
   expect(between![1]).toBeCloseTo(1.2, 2);
   expect((await app.state()).doc.keys.map((key) => key.time)).toEqual([0, 0.5, 1]);
   await expect(app.by('loop-start')).toHaveAttribute('aria-valuetext', /^0\.3/);
-  // Nothing of this is an edit of the motion.
+  // None of this edits the motion.
   await expect(app.by('undo')).toBeDisabled();
   await app.expectNoProblems();
 });
@@ -89,7 +89,7 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await expect.poll(async () => (await windowOf(app))[1] - (await windowOf(app))[0]).toBeLessThan(1.3);
   const [low, high] = await windowOf(app);
   await app.nextFrame();
-  // The key under the pointer stays there, the distances grow by the zoom.
+  // The key under the pointer stays in place, and distances grow by the zoom factor.
   expect(await centreOf(app, '[data-testid="tick-1"]')).toBeCloseTo(x, 0);
   expect(await gap()).toBeCloseTo((0.5 / (high - low)) * width, 0);
   expect((await app.page.locator('.margin.before').boundingBox())!.width).toBeCloseTo(
@@ -104,7 +104,7 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await expect(app.by('tick-1')).toBeVisible();
   await expect(page.locator('.margin.before')).toBeHidden();
   const { time } = await app.state();
-  // Panned, not moved in time.
+  // The window is panned; the time does not change.
   const before = await windowOf(app);
   await page.keyboard.down('Shift');
   await page.mouse.wheel(0, 100);

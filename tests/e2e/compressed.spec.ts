@@ -1,6 +1,4 @@
-/**
- * Files with compressed meshes: their decoders are loaded by the worker, and only when they are needed.
- */
+/** Files with compressed meshes: the worker loads their decoders only when needed. */
 import { draco, meshopt } from '../engine/support/compress.ts';
 import { poseFiles } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';
@@ -17,10 +15,10 @@ for (const [name, compress, decoder] of [
   ['Draco', draco, /draco_decoder.*\.wasm/],
   ['meshopt', meshopt, /meshopt(imizer)?_decoder/],
 ] as const) {
-  // One of them on the development server, too: both are loaded in the same way.
+  // One of them also on the development server, because both are loaded in the same way.
   test(`poses compressed with ${name} open`, { tag: name === 'Draco' ? '@server' : [] }, async ({ app }) => {
     const files = await compress(plain);
-    // A shape that is made in the browser; the other samples are compressed themselves.
+    // A sample made in the browser, because other samples are compressed.
     await app.open({ sample: 'column' });
     expect(app.requests.filter((url) => decoder.test(url))).toEqual([]);
     const upload = files.map((file) => ({

@@ -1,4 +1,4 @@
-/** A new build of the page is published while a tab is open. */
+/** Publishing a new build of the page while a tab is open. */
 import { cpSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { Server } from 'node:http';
@@ -48,7 +48,7 @@ class Host {
     return `http://localhost:${(this.#server.address() as AddressInfo).port}/`;
   }
 
-  /** The next build: every file with a digest in its name has another name, and those of the last build are gone. */
+  /** The next build: every file with a digest in its name is renamed, and files of the last build are gone. */
   deploy(mark: string): void {
     const assets = path.join(this.folder, 'assets');
     const names = readdirSync(assets).map((name) => [name, name.replace(/\.(\w+)$/, `${mark}.$1`)] as const);
@@ -90,7 +90,7 @@ const askForUpdate = (app: App): Promise<void> =>
     await (await navigator.serviceWorker.ready).update();
   });
 
-/** Needs a worker's script and decoders that the page has not loaded so far. */
+/** Requires a worker script and decoders that the page has not loaded so far. */
 async function opensAnotherSample(app: App): Promise<void> {
   const before = await app.positions();
   await app.pick('octopus');
@@ -124,13 +124,13 @@ test(
       await expect.poll(() => entry(app).catch(() => first)).not.toBe(first);
       const second = await entry(app);
       await expect(app.by('new-version')).toBeHidden();
-      // The other tab runs on, by the new service worker and the old files.
+      // The other tab continues, with the new service worker and the old files.
       await opensAnotherSample(other);
       expect(await entry(other)).toBe(first);
       expect(await kept(other)).toEqual(expect.arrayContaining([first, second]));
       await app.expectNoProblems();
 
-      // The old files go when no page uses them.
+      // The old files are removed when no page uses them.
       await other.page.close();
       await open(app, url);
       await expect.poll(async () => (await kept(app)).includes(first)).toBe(false);
@@ -153,7 +153,7 @@ test('nothing is kept under a file name but that file', { tag: '@all' }, async (
       return response.headers.get('content-type');
     });
     expect(wrong).toBe('text/html');
-    // A build that is published file by file: its list is there before a file of it.
+    // A build published file by file: its file list appears before its files.
     host.deploy('C');
     rmSync(path.join(host.folder, 'assets', readdirSync(path.join(host.folder, 'assets'))[0]!));
     await askForUpdate(app).catch(() => undefined);
@@ -186,7 +186,7 @@ test('nothing is kept under a file name but that file', { tag: '@all' }, async (
   }
 });
 
-/** Only a browser has a service worker, its cache and scripts that come from there. */
+/** Only a browser has a service worker with its cache and cached scripts. */
 test('what is damaged in the cache is fetched again, with a word', { tag: '@all' }, async ({ app }, info) => {
   test.skip(info.project.name === 'dev', 'the development server has no service worker');
   const host = new Host();

@@ -1,6 +1,6 @@
 /**
- * The moving image of the main README, as the page draws it: a twisted bar on either side of the divider, from key to
- * key and back. To retake it: `npm test -- e2e divider-picture --update-snapshots=all`.
+ * The animated image of the main README, drawn by the page: a twisted bar on both sides of the divider, from key to key
+ * and back. To retake it: `npm test -- e2e divider-picture --update-snapshots=all`.
  */
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -19,7 +19,7 @@ const file = fileURLToPath(new URL('../../public/divider.gif', import.meta.url))
 const FINER = 2;
 const SIZE = { width: FINER * 640, height: FINER * 400 };
 const STATE = '#sample=twisted-bar&compare=linear&split=0.5';
-/** Times from the first key to the last; playing back repeats those between. */
+/** Number of times from the first key to the last; the way back repeats the times in between. */
 const TIMES = 18;
 const DELAY_MS = 80;
 const MOST_BYTES = 1e6;
@@ -44,7 +44,7 @@ async function drawn(app: App, index: number): Promise<Buffer> {
   return shrink(await app.page.screenshot(), FINER);
 }
 
-/** One palette for all frames keeps still pixels the same, which packs well. */
+/** One palette for all frames keeps still pixels equal, which compresses well. */
 function gifOf(pictures: readonly Buffer[]): Uint8Array {
   const frames = pictures.map((picture) => decode(picture));
   const { width, height } = frames[0]!;
@@ -59,7 +59,7 @@ function gifOf(pictures: readonly Buffer[]): Uint8Array {
   return gif.bytes();
 }
 
-/** A frame of the stored image as PNG, and the number of its frames. */
+/** A frame of the stored image as PNG, and the number of frames. */
 async function stored(app: App, index: number): Promise<{ count: number; picture: Buffer }> {
   const { count, url } = await app.page.evaluate(
     async ({ text, frameIndex }) => {

@@ -12,7 +12,7 @@ async function pictureOf(app: App): Promise<Picture> {
   return decode(await app.picture());
 }
 
-/** Share of pixels that differ between two pictures in a stretch of their width. */
+/** Share of different pixels between two images, in a range of their width. */
 function changed(a: Picture, b: Picture, from: number, to: number): number {
   expect([a.width, a.height]).toEqual([b.width, b.height]);
   const [left, right] = [Math.ceil(from * a.width), Math.floor(to * a.width)];
@@ -41,12 +41,12 @@ test('each side shows its own motion, as much of it as the divider leaves', asyn
   await app.by('divider').press('End');
   expect(await share(app)).toBeCloseTo(0.98, 6);
   const left = await pictureOf(app);
-  // Next to the grip, only the motion differs.
+  // Beside the grip, only the motion differs.
   expect(changed(both, left, 0.03, 0.47)).toBeLessThan(1e-4);
   expect(changed(both, right, 0.53, 0.97)).toBeLessThan(1e-4);
   expect(changed(left, right, 0.03, 0.97)).toBeGreaterThan(0.02);
   expect(changed(both, left, 0.53, 0.97)).toBeGreaterThan(0.02);
-  // The drawn shapes are the two motions'.
+  // The two views draw the two motions.
   expect(difference(await app.positions(0), await app.positions(1))).toBeGreaterThan(0.3);
   await app.expectNoProblems();
 });
@@ -60,7 +60,7 @@ test('a shape that its side does not show is out of view, unless the divider was
   await app.by('divider').press('End');
   await app.settled();
   await expect(hint).toBeHidden();
-  // Only a different URL is opened.
+  // Only a changed URL is opened.
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('split=0.98');
   await app.open({ hash: SPLIT });
   const { x, y, width, height } = (await app.by('viewport').boundingBox())!;
@@ -96,14 +96,14 @@ test('is dragged by pointer and touch, and told to who cannot see it', async ({ 
   expect(await share(app)).toBeCloseTo(0.22, 2);
   await expect(divider).toHaveAttribute('aria-valuenow', '22');
   expect((await app.state()).time).toBe(0.25);
-  // Several keys can come before the page is drawn again.
+  // Several key presses can arrive before the page is redrawn.
   await divider.evaluate((element) => {
     for (const key of ['ArrowRight', 'ArrowRight', 'ArrowLeft', 'ArrowRight', 'ArrowLeft'])
       element.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
   });
   expect(await share(app)).toBeCloseTo(0.24, 2);
   await divider.press('ArrowLeft');
-  // A finger.
+  // The same drag with touch input.
   const session = await app.page.context().newCDPSession(app.page);
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x: number): Promise<unknown> =>
     session.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });
@@ -151,7 +151,7 @@ test('S puts it between any motion and a blend, and takes away what came with it
   await app.by('compare-geodesic').check();
   await app.settled();
   await expect(app.by('divider')).toHaveAttribute('aria-valuetext', /Geodesic/);
-  // Three views have no two sides.
+  // Three views have no divider.
   await app.by('compare-linear').check();
   await expect(app.by('divider')).toBeHidden();
   await app.by('compare-linear').uncheck();

@@ -1,4 +1,4 @@
-/** <shape-spline> on the built page of examples, and the path to it from the app. */
+/** <shape-spline> on the built examples page, and the path to it from the app. */
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -7,7 +7,7 @@ import { difference, diagonal, expect, test } from './support.ts';
 import { unzip } from '../unzip.ts';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
 
-// Another page than the app.
+// The test uses another page than the app.
 test.use({ fresh: true });
 
 async function open(page: Page): Promise<string[]> {
@@ -132,7 +132,7 @@ test('what is open in the app is shown by the zip that it gives, and opens again
   const zip = readFileSync(await download.path());
   await app.expectNoProblems();
 
-  // A server that knows nothing of types, on another port, and nothing else to be had.
+  // A server without content types on another port; all other hosts are blocked.
   const files = new Map((await unzip(new Blob([zip]))).map(({ name, bytes }) => [`/${name}`, bytes]));
   const server = createServer((request, response) => {
     const bytes = files.get(request.url === '/' ? '/index.html' : request.url!);

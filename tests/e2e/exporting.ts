@@ -1,4 +1,4 @@
-/** Shared by tests of exports: from opening the dialog to the file. */
+/** Helpers of export tests, from opening the dialog to the file. */
 import { readFileSync } from 'node:fs';
 import type { Download } from '@playwright/test';
 import { expect } from './support.ts';
@@ -11,7 +11,7 @@ export interface Exported {
   stated: string;
 }
 
-/** Opens the dialog and makes choices; resolves when it describes the export. */
+/** Opens the dialog and makes choices; resolves when the export's description is complete. */
 export async function stated(app: App, choose: () => Promise<void>): Promise<string> {
   await app.by('export').click();
   await choose();
@@ -22,7 +22,7 @@ export async function stated(app: App, choose: () => Promise<void>): Promise<str
 
 export async function exported(app: App, choose: () => Promise<void>): Promise<Exported> {
   const text = await stated(app, choose);
-  // By key: words that come above may move the button away from under the mouse.
+  // Pressed by key, because text above may move the button away from the mouse.
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').press('Enter')]);
   const bytes = readFileSync(await download.path());
   return { download, bytes, stated: text };
@@ -34,7 +34,7 @@ export async function type(app: App, field: string, value: string): Promise<void
   await app.by(field).press('Enter');
 }
 
-/** The size that the dialog names. */
+/** The size in the dialog's description. */
 export function statedBytes(text: string): number {
   const [, value, unit] = /about ([\d.]+) (B|kB|MB)/.exec(text)!;
   return Number(value) * { B: 1, kB: 1e3, MB: 1e6 }[unit as 'B' | 'kB' | 'MB'];

@@ -1,4 +1,4 @@
-/** Heat maps on the surface, and the coordinates of a face that is clicked. */
+/** Heat maps on the surface, and the coordinates of a clicked face. */
 import { writeFileSync } from 'node:fs';
 import { bar as barMesh, bent } from '../engine/support/shapes.ts';
 import { changedShare, decode } from './png.ts';
@@ -7,11 +7,11 @@ import { type App, diagonal, difference, expect, realFile, test } from './suppor
 
 test.use({ sharpness: 1 });
 
-/** The largest amount now. */
+/** The current largest amount. */
 const now = async (app: App): Promise<number> =>
   Number(/at most ([\d.]+)/.exec(await app.by('colour-bar-now').innerText())![1]);
 
-/** How far up the map a colour is, whatever the light on it. */
+/** Position of a colour in the map, regardless of lighting. */
 function shareOf([r, g, b]: readonly [number, number, number]): number {
   const size = Math.hypot(r, g, b) || 1;
   const alike = (share: number): number => {
@@ -22,7 +22,7 @@ function shareOf([r, g, b]: readonly [number, number, number]): number {
   return shares.reduce((best, share) => (alike(share) > alike(best) ? share : best));
 }
 
-/** Places in their order; alike are those of the same value. */
+/** Ranks of the places; equal values have equal ranks. */
 const ranksOf = (values: number[]): number[] =>
   values.map((value) => values.filter((other) => other < value).length + values.filter((o) => o === value).length / 2);
 
@@ -48,7 +48,7 @@ test('pixels follow the numbers: where vertices are further off, the colour is f
     return { places: Array.from(window.__shapespline!.project(b)), far: apart };
   });
   const { data, width } = decode(await app.picture());
-  // The second view, under the same camera.
+  // The same point in the second view, which has the same camera.
   const offset = width / 2;
   const cells = new Map<string, { far: number; count: number; x: number; y: number }>();
   far.forEach((distance, v) => {
@@ -88,7 +88,7 @@ test('a few slivers do not set the scale of stretch, and the bar says that there
   const top = Number(/\d+/.exec((await end.textContent())!)![0]);
   expect(top).toBeLessThan(1000);
   expect(await now(app)).toBeGreaterThan(2 * top);
-  // At the reference there is nothing, and nothing beyond.
+  // At the reference all amounts are zero.
   await app.setTime(first);
   await app.settled();
   await expect(end).toHaveText(`${top} %`);
@@ -102,7 +102,7 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   const [x, y] = await app.page.evaluate(() => {
     const all = window.__shapespline!.positions();
     const places = window.__shapespline!.project(all);
-    // the middle of the visible part
+    // find the middle of the visible part
     let [sx, sy] = [0, 0];
     for (let i = 0; i < places.length; i += 2) [sx, sy] = [sx + places[i]!, sy + places[i + 1]!];
     return [(2 * sx) / places.length, (2 * sy) / places.length] as const;
@@ -138,7 +138,7 @@ test('the shape goes on moving when another face is marked, and when none is', {
     for (const number of numbers) {
       await app.by('face-number').fill(number);
       await app.by('face-number').press('Enter');
-      await app.picture(); // draws it
+      await app.picture(); // taking the image draws it
     }
     const first = await app.picture();
     await app.setTime(1);
@@ -202,7 +202,7 @@ test('amounts colour the surface from Display, too, and the panel follows', asyn
   await app.settled();
   await expect(app.by('colour-bar')).toContainText('Rotation');
   expect(await now(app)).toBeGreaterThan(60);
-  // There is none at the reference.
+  // The amount is zero at the reference.
   await app.setTime((await app.state()).doc.keys[0]!.time);
   await app.settled();
   expect(await now(app)).toBeLessThan(1);
@@ -276,7 +276,7 @@ test('coordinates are reached and read with the keyboard alone', async ({ app })
   await app.page.keyboard.type('3');
   await app.page.keyboard.press('Enter');
   await expect(app.by('plot-face-rotation').locator('path.curve').first()).toBeVisible();
-  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // said by screen readers, too
+  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // screen readers also read it out
   const summary = app.by('face-rotation-values').locator('summary');
   for (let i = 0; i < 8 && !(await summary.evaluate((one) => one === document.activeElement)); i += 1)
     await app.page.keyboard.press('Tab');
@@ -305,7 +305,7 @@ test(
       return at;
     };
     const obj = (pose: Float32Array): string => rows('v', pose) + rows('f', mesh.indices, 1);
-    // Straight from the one pose to the other: the linear blend is the truth.
+    // The animation is straight between the poses, so the linear blend has no error.
     const count = 24;
     const head = Buffer.alloc(32);
     head.write('POINTCACHE2\0', 'latin1');
@@ -323,7 +323,7 @@ test(
     await app.by('method').selectOption('linear');
     await app.by('heat-distance').check({ force: true });
     const drop = async (...files: string[]): Promise<void> => {
-      // Like a hand: it releases where the page describes the drop, and content above may grow until then.
+      // Releases where the page describes the drop, like a user; content above may grow until then.
       let at = { x: 0, y: 0 };
       await expect(async () => {
         await app.by('truth-pick').scrollIntoViewIfNeeded();
@@ -331,7 +331,7 @@ test(
         at = { x: x + width / 2, y: y + height / 2 };
         await app.dragOver(files, at);
         await expect(app.by('drop-zone')).toHaveText(/is compared with the motion$/, { timeout: 500 });
-        // Plots above it have come to rest.
+        // Plots above are complete.
         await app.settled();
         expect(await app.by('truth-pick').boundingBox()).toEqual({ x, y, width, height });
       }).toPass();
@@ -351,7 +351,7 @@ test(
     expect(difference(await app.positions(1), halfway)).toBeLessThan(1e-3 * diagonal(shape));
     expect((await app.state()).doc.keys).toHaveLength(2);
 
-    // A file without an animation is refused, and nothing is lost.
+    // A file without an animation is refused without losing anything.
     await drop(file('alone.obj', obj(last)));
     await expect(app.by('error-message')).toBeVisible();
     await app.by('error-close').click();

@@ -1,7 +1,7 @@
 /**
- * Each figure of the paper as its preset shows it, compared with the stored image in `figures/`: the guide, the stage
- * and the panels separately. After an intended change: `SHAPESPLINE_ALL=1 npm test -- e2e figure-pictures
- * --update-snapshots=all`, and look at the differences.
+ * Each of the paper's figures as its preset shows it, compared with the stored image in `figures/`: the guide, the
+ * stage and the panels separately. After an intended change: `SHAPESPLINE_ALL=1 npm test -- e2e figure-pictures
+ * --update-snapshots=all`, and check the differences.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -16,16 +16,16 @@ import type { App } from './support.ts';
 test.use({ sharpness: 1 });
 
 const folder = fileURLToPath(new URL('./figures', import.meta.url));
-/** Kept at half their size. */
+/** The images are stored at half their size. */
 const KEPT = 2;
 
 const PARTS = { guide: '.guide', stage: 'main', options: '.side', timeline: '[data-testid="timeline"]' };
-/** Their charts hold times of this machine, or as many points as it has time for. */
+/** Their charts show measured times, or as many points as the machine has time for. */
 const TIMED = ['figure=8', 'figure=9'];
-/** Fig. 2a is a page of its own. */
+/** Fig. 2a is a separate page. */
 const PLAYGROUND = 'figure=2a';
 
-/** The stored time of each figure, and the required content. */
+/** The time of each stored figure, and the content it waits for. */
 const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<void> }>> = {
   'figure=1': { t: 0.56 },
   'figure=2a': { t: 0.4 },
@@ -61,7 +61,7 @@ async function pictureOf(app: App, { link, panel, part, beside }: GuidePage): Pr
     await app.settled();
     await ready?.(app);
     await expect(app.by('speed-curve')).toBeVisible();
-    // Plots above the one in sight, and their legend, come later.
+    // Plots above the visible one, and their legend, are loaded later.
     if (panel === 'analysis') await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
     if (part) await app.by(part).evaluate((one) => one.scrollIntoView());
   }

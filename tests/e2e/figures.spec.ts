@@ -1,4 +1,4 @@
-/** Every figure of the panels is enlarged, read as numbers and saved in one way. */
+/** Every figure of the panels can be enlarged, read as numbers and saved. */
 import { readFileSync } from 'node:fs';
 import { type App, expect, test } from './support.ts';
 
@@ -11,16 +11,16 @@ async function choosePart(app: App, part: string, number: string): Promise<void>
   await app.by(`${part}-number`).press('Enter');
 }
 
-/** By key: charts that are still drawn may move a button away from under the mouse. */
+/** Pressed by key, because charts being drawn may move a button away from the mouse. */
 async function saved(app: App, testId: string): Promise<{ name: string; bytes: Buffer }> {
   const [file] = await Promise.all([app.page.waitForEvent('download'), app.by(testId).press('Enter')]);
   return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };
 }
 
-/** Its text, except names under the mouse. */
+/** The plot's text, except tooltips. */
 const wordsOf = (svg: string): string[] => [...svg.matchAll(/<text[^>]*>([^<]*)/g)].map(([, words]) => words!);
 
-/** As a program that knows no style sheet and no newer colours opens it: its size, and how many colours it has. */
+/** The plot in a program without style sheets and newer colour notations: its size and number of colours. */
 async function opened(
   app: App,
   svg: string,
@@ -74,7 +74,7 @@ async function readAndSave(app: App, plot: string): Promise<void> {
   const svg = await saved(app, `${plot}-svg`);
   expect(svg.name).toBe(`shapespline-${plot}.svg`);
   const { width, height, colours } = await opened(app, svg.bytes.toString());
-  // 85 mm of a browser's pixels.
+  // 85 mm in browser pixels.
   expect([width, height > 80, colours > 8], plot).toEqual([321, true, true]);
   expect(svg.bytes.toString(), plot).toMatch(/^<svg[^>]* width="85mm"/);
   await expectWhole(app, svg.bytes.toString(), plot);
@@ -115,7 +115,7 @@ test('no plot of the shape before is seen beside the one that has taken its plac
   await choosePart(app, 'face', '3');
   const plots = ['plane', 'bending', 'face-rotation'];
   for (const plot of plots) await expect(app.by(`plot-${plot}`).locator('.curve').first()).toBeVisible();
-  /** The plots that still show the earlier shape, at any time until all are drawn again. */
+  /** Plots that still show the earlier shape at any time before all are redrawn. */
   const late = await app.page.evaluate(async (names) => {
     const figureOf = (name: string): Element => document.querySelector(`[data-testid="plot-${name}"]`)!;
     const drawnIn = (name: string): string =>
@@ -153,10 +153,10 @@ test('an image that is saved names its curves, on the background of the theme', 
         words.filter((one) => one === word),
         `${plot}: ${word}`,
       ).toHaveLength(1);
-    // The peaks of the geodesic would leave the others flat.
+    // On a linear axis, the geodesic's peaks would flatten the other curves.
     if (plot === 'bending') expect(words.join(' ')).toMatch(/logarithmic.* 10[⁰¹²³⁴⁵⁶⁷⁸⁹]/);
     expect(Math.min(...(await opened(app, svg)).ground), plot).toBeGreaterThan(200);
-    // Nothing of it depends on the time on the screen.
+    // The file does not depend on the current time.
     const { time } = await app.state();
     await app.setTime(0.3);
     expect((await saved(app, `${plot}-svg`)).bytes.toString(), plot).toBe(svg);

@@ -1,4 +1,4 @@
-/** Files of the user: real ones where they are, broken ones, dropped and picked. */
+/** Files of the user: real (if available), broken, dropped and picked. */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { columns } from './png.ts';
@@ -70,7 +70,7 @@ test('a folder is dropped: the poses in it and in its folders are opened, with t
   mkdirSync(path.join(folder, 'materials', 'images'), { recursive: true });
   const pose = (bend: number): string =>
     `mtllib materials/paint.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 ${bend}\nv 0 1 ${bend}\nvt 0 0\nusemtl paint\nf 1/1 2/1 3/1 4/1\n`;
-  // More than a browser hands out at once; with names that are not those of an animation's frames.
+  // More than a browser returns at once, with names unlike an animation's frames.
   const names = Array.from({ length: 120 }, (_, i) => `pose-${i + 1}${i % 2 ? 'b' : 'a'}`);
   names.forEach((name, i) => writeFileSync(path.join(folder, `${name}.obj`), pose((i + 1) / names.length)));
   writeFileSync(path.join(folder, 'materials', 'paint.mtl'), 'newmtl paint\nmap_Kd images/red.png\n');
@@ -152,7 +152,7 @@ test('a shape is stood up between two edits, and undo goes back over the three i
   await app.by('stand-up').click();
   const height = async (t: number): Promise<number> => (await app.positionsAt(t))[7]!;
   await expect.poll(() => height(0)).toBeCloseTo(1, 5);
-  // The key that was taken from the shape as it lay stands, too.
+  // The key made from the lying shape is stood up too.
   expect(await height(0.5)).toBeCloseTo(1, 2);
   await app.by('boundary-periodic').check();
   await app.settled();

@@ -1,4 +1,6 @@
-/** A smoke test in the system's Firefox ESR: the page starts, draws, moves, keeps its keys, refuses a broken file. */
+/**
+ * A smoke test in the system's Firefox ESR: the page starts, draws, moves, keeps its keys, and refuses a broken file.
+ */
 import { expect, test } from '@playwright/test';
 import type { Page } from 'puppeteer-core';
 import type {} from '../../web/app/test-hook.ts';
@@ -54,7 +56,7 @@ async function motionIn(page: Page) {
   });
 }
 
-/** Share of the canvas that has a strong colour, between two keys. */
+/** Share of strongly coloured canvas pixels at a time between two keys. */
 function colouredShare(page: Page): Promise<number> {
   return page.evaluate(async () => {
     await window.__shapespline!.setTime(0.25);

@@ -1,4 +1,4 @@
-/** The Firefox of the system, driven by WebDriver BiDi. */
+/** The system's Firefox, controlled by WebDriver BiDi. */
 import { spawn } from 'node:child_process';
 import { accessSync, constants } from 'node:fs';
 import path from 'node:path';
@@ -53,7 +53,7 @@ async function startDisplay(): Promise<Display | null> {
   return number === null ? null : { name: `:${number}`, stop: () => server.kill() };
 }
 
-/** Runs `use` in a page of a fresh profile and ends the browser whatever happens. */
+/** Runs `use` in a page of a new profile and always ends the browser. */
 export async function inFirefox(program: string, use: (page: Page) => Promise<void>): Promise<void> {
   const display = await startDisplay();
   try {

@@ -1,6 +1,6 @@
 /**
- * The images of the gallery: each sample in motion, as the page draws it, its frames next to each other in one file.
- * After an intended change: `npm test -- e2e gallery-pictures --update-snapshots=all`, and look at the differences.
+ * The gallery's images: each sample in motion, drawn by the page, with all frames side by side in one file. After an
+ * intended change: `npm test -- e2e gallery-pictures --update-snapshots=all`, and check the differences.
  */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -10,7 +10,7 @@ import { changedShare, shrink } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-// All but the shape is hidden for good.
+// The test hides everything except the shape permanently.
 test.use({ sharpness: 1, fresh: true });
 
 const folder = fileURLToPath(new URL('../../public/gallery', import.meta.url));
@@ -19,12 +19,12 @@ const FINER = 2;
 const COMPARED = 4;
 const LEVELS = 40;
 
-/** The shape alone, on nothing. */
+/** The shape alone on a transparent background. */
 const ALONE = `
   *, *::before { background: none !important; }
   body *:not(:has(canvas)):not(canvas) { visibility: hidden !important; }`;
 
-/** Evenly, from the first key to the last, or once round; never at a key, whose colour would flash. */
+/** Evenly spaced from the first key to the last, or over one period; never at a key, whose colour would flash. */
 async function momentsOf(app: App): Promise<number[]> {
   const { keys, motion } = (await app.state()).doc;
   const [first, last] = [keys[0]!.time, keys.at(-1)!.time];
@@ -51,7 +51,7 @@ async function drawn(app: App, t: number): Promise<Buffer> {
   return app.page.screenshot({ omitBackground: true });
 }
 
-/** Joins the frames next to each other, as WebP. */
+/** Joins the frames side by side, as WebP. */
 async function strip(app: App, pictures: readonly Buffer[]): Promise<Buffer> {
   const url = await app.page.evaluate(
     async ({ texts, width, height }) => {

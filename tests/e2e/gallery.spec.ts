@@ -1,4 +1,4 @@
-/** The samples: cards that move, reached by pointer and keyboard, and every one of them opens and moves. */
+/** The samples: animated cards, usable by pointer and keyboard; every sample opens and moves. */
 import { MOMENTS, PICTURE } from '../../web/ui/gallery.ts';
 import { changedShare } from './png.ts';
 import { diagonal, difference, expect, test } from './support.ts';
@@ -24,7 +24,7 @@ test('every sample opens without a complaint, and moves', { tag: '@all' }, async
     expect(keys.length, id).toBeGreaterThanOrEqual(3);
     const [first, second] = [await app.positionsAt(keys[0]!.time), await app.positionsAt(keys[1]!.time)];
     expect(first.every(Number.isFinite)).toBe(true);
-    // Halfway it is neither of the two, nor far from both.
+    // Halfway, the shape equals neither key and is not far from both.
     const between = await app.positionsAt((keys[0]!.time + keys[1]!.time) / 2);
     const size = diagonal(first);
     for (const key of [first, second]) {

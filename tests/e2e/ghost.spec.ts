@@ -125,7 +125,7 @@ test('the difference to no ghost is shown as colours, with its range', { tag: '@
   const [largest, most] = [Math.max(...percent), Math.max(...shown)];
   expect(most).toBeGreaterThan(0.05);
   expect(most).toBeLessThan(20);
-  // The same numbers, in percent of one diagonal.
+  // The page shows the same numbers, in percent of one diagonal.
   const factor = most / largest;
   expect(shown.filter((value, v) => Math.abs(value - factor * percent[v]!) > 1e-3 * most)).toEqual([]);
   const top = parseFloat((await app.by('colour-bar').locator('.ramp-ticks span').first().textContent())!);
@@ -204,7 +204,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
     .split('\n');
   expect(head).toContain('"Faces, empty without a ghost mesh"');
   expect(rows.at(-1)).toMatch(/^,[\d.]+,[\d.]+$/);
-  // Measurements belong to the motion: a different motion removes them.
+  // Measurements belong to one motion; a different motion removes them.
   await app.by('stretch-log').check();
   await app.settled();
   await expect(app.by('study')).toBeHidden();
@@ -213,7 +213,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
 
 test('a comparison can be cancelled, and so can a ghost that is being made', { tag: '@all' }, async ({ app }) => {
   await app.open();
-  await app.openGenerated(80_000); // a sample's ghost may be there before the page has drawn that it is being made
+  await app.openGenerated(80_000); // a sample's ghost may be ready before the page has drawn its progress
   const before = await app.positionsAt(0.2);
   await app.by('study-start').click();
   await app.by('study-cancel').click();

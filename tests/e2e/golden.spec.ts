@@ -1,6 +1,6 @@
 /**
  * Compares the page's main states with stored images: the stage and each panel separately. After an intended change:
- * `npm test -- e2e golden --update-snapshots=all`, and look at the differences.
+ * `npm test -- e2e golden --update-snapshots=all`, and check the differences.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -54,7 +54,7 @@ test.describe('looks as it did', () => {
       await app.open();
       await reach(app);
       await app.settled();
-      // The speed of the motion is asked for when frames leave time.
+      // The motion's speed is requested when frames leave time.
       await expect(app.by('speed-curve')).toBeVisible();
       if ('keys' in selectors) await expect(app.page.locator('.key-list img[src]')).toHaveCount(3);
       // The frame time differs every time.

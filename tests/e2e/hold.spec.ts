@@ -1,8 +1,10 @@
-/** "Hold still parts": feet that stand between two keys stay, and the choice is undone, kept and linked. */
+/**
+ * "Hold still parts": feet that rest between two keys stay in place, and the choice can be undone, stored and linked.
+ */
 import { writeFileSync } from 'node:fs';
 import { diagonal, difference, expect, test, type App } from './support.ts';
 
-/** A wall on its foot: below height 2 it rests, above it bends to either side. As OBJ. */
+/** A wall, as OBJ: it rests below height 2 and bends to either side above. */
 function pose(bend: number): string {
   const lines: string[] = [];
   for (let row = 0; row <= 12; row++) {
@@ -27,7 +29,7 @@ function pose(bend: number): string {
   return [...lines, 'f 1 3 4 2', 'f 49 50 52 51', ''].join('\n');
 }
 
-/** How far the foot's vertices are from where they stand, over the diagonal. */
+/** Largest distance of the foot's vertices from their rest positions, relative to the diagonal. */
 async function slide(app: App): Promise<number> {
   const standing = await app.positionsAt(0);
   let most = 0;
@@ -61,7 +63,7 @@ test('a foot that rests stays where it stands', async ({ app }, testInfo) => {
   for (const [index, key] of keys.entries())
     expect(difference(await app.positionsAt(index + 1), key)).toBeLessThan(1e-5 * diagonal(key));
   await app.setTime(1.5);
-  // Plots are computed where they are seen.
+  // Plots are computed only while visible.
   const value = async (): Promise<number> => {
     await app.by('plot-bending').scrollIntoViewIfNeeded();
     await expect(app.by('plot-sliding')).toBeVisible();
@@ -83,7 +85,7 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   await app.open({ hash: '#sample=gymnast&hold=contact&t=0.3' });
   await expect(app.by('hold')).toBeChecked();
   const held = await app.positionsAt(0.3);
-  // Next to the method as published, which is hidden when nothing is held.
+  // Compared with the published method, which is not offered when nothing is held.
   await app.by('compare-lri').check();
   await app.settled();
   await expect(app.page.getByText('LRI), nothing held').first()).toBeVisible();
@@ -130,7 +132,7 @@ test('the paws of the sample that strolls stay where they stand, beside the same
   expect(planted).toBeGreaterThan(100);
   expect(plain / planted).toBeGreaterThan(0.001 * size);
   expect(held).toBeLessThan(0.6 * plain);
-  // A link to it holds, unless it says that it does not.
+  // A link holds by default, unless it says otherwise.
   await app.by('hold').uncheck();
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('hold=off');
 });

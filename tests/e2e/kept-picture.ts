@@ -1,6 +1,6 @@
 /**
- * Pictures of the page that are kept, each part of it compared by itself: the stage, and each panel. They are shrunk to
- * a quarter first, so other software renderers pass.
+ * Stored images of the page. The stage and each panel are compared separately, scaled to a quarter so other software
+ * renderers pass.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -12,7 +12,7 @@ import { expect } from './support.ts';
 export type Part = Box & { name: string };
 
 export const SHRUNK = 4;
-/** Levels of 255 by which a shrunk pixel may differ, and the share of a part's pixels that may differ by more. */
+/** Allowed difference of a scaled pixel, in levels of 255, and the share of a part's pixels that may exceed it. */
 const LEVELS = 28;
 const SHARE = 0.01;
 
@@ -34,7 +34,7 @@ export async function partsOf(app: App, selectors: Readonly<Record<string, strin
   return parts;
 }
 
-/** The parts in which two pictures differ. */
+/** The parts that differ between two images. */
 export function changedParts(kept: Buffer, now: Buffer, parts: readonly Part[]): string[] {
   const [before, after] = [decode(kept), decode(now)];
   return parts
@@ -42,12 +42,12 @@ export function changedParts(kept: Buffer, now: Buffer, parts: readonly Part[]):
     .map(({ name }) => name);
 }
 
-/** The page on the screen, shrunk. */
+/** The page on the screen, scaled down. */
 export async function shrunk(app: App): Promise<Buffer> {
   return shrink(await app.page.screenshot({ animations: 'disabled' }), SHRUNK);
 }
 
-/** Compares the picture with the one in the file, part by part, or retakes it. */
+/** Compares the image with the stored one, part by part, or retakes it. */
 export function expectAsKept(file: string, now: Buffer, parts: readonly Part[], anew: boolean): void {
   if (anew) {
     mkdirSync(path.dirname(file), { recursive: true });

@@ -1,4 +1,4 @@
-/** The strip of keys: pictures, order, names, times, adding and removing, undo and redo; methods side by side. */
+/** The key strip: thumbnails, order, names, times, adding and removing, undo and redo; methods side by side. */
 import { diagonal, difference, expect, test } from './support.ts';
 
 test('a key is moved in the order, and undo and redo step through it', async ({ app }) => {
@@ -38,7 +38,7 @@ test('a key is renamed, retimed and removed; two always stay', async ({ app }) =
   await app.settled();
   expect((await app.state()).doc.keys[1]).toMatchObject({ name: 'upright', time: 0.3 });
   await expect(app.by('key-1-go')).toHaveAccessibleName(/upright, at 0\.300/);
-  // A refused time is said, and the field shows what holds.
+  // A refused time is reported, and the field shows the time in effect.
   for (const [refused, why] of [
     ['1', 'Key 3 is at this time already.'],
     ['2e300', 'A key is at most 1,000,000,000 s away.'],
@@ -85,10 +85,10 @@ test('the editor goes to its key and stays with it when another time gives it an
   const { keys } = (await app.state()).doc;
   expect(keys[0]).toMatchObject({ pose: second!.pose, time: -1 });
   expect(keys[2]).toMatchObject({ pose: third!.pose, time: third!.time });
-  // The picture goes with it.
+  // The playhead moves with the key.
   expect((await app.state()).time).toBe(-1);
   await expect(app.by('phase')).toContainText('At key 1');
-  // It lies over no words on a smaller screen, either.
+  // The editor covers no text on a smaller screen either.
   await app.page.setViewportSize({ width: 1024, height: 768 });
   const [words, editor] = [(await app.by('phase').boundingBox())!, (await app.by('key-editor').boundingBox())!];
   expect(words.x + words.width).toBeLessThanOrEqual(editor.x);
@@ -106,7 +106,7 @@ test('the editor of a key has the keyboard wherever the focus is, and gives way 
   await app.page.locator('.side-nav button').nth(1).click();
   await expect(app.by('key-editor')).toBeHidden();
   await app.expectNoProblems();
-  // It is of this shape's key, not of the next one's.
+  // The editor shows this shape's key, not the next one's.
   await app.by('key-1-edit').click();
   await expect(app.by('key-editor')).toBeVisible();
   await app.page.evaluate(() => (location.hash = '#sample=twisted-bar'));
@@ -141,7 +141,7 @@ test('keys are spaced by how different they are, and overshoot is taken away', a
   await expect.poll(times).toEqual(before);
   await app.by('tightness-auto').click();
   await expect(app.by('toast')).toContainText('within the bound at every key');
-  // Nearly equal times in a row ask for more than the spline can do without overshoot.
+  // Several nearly equal times make the spline overshoot.
   await app.by('key-1-edit').click();
   await app.by('key-time').fill(String(before[0]! + 0.02 * (before.at(-1)! - before[0]!)));
   await app.by('key-time').press('Enter');
@@ -163,9 +163,10 @@ test('the motion runs backwards through the same keys', { tag: '@all' }, async (
   await app.setTime(1.2);
   await app.by('reverse').click();
   await app.settled();
-  // The shape on the screen has stayed.
+  // The shape on the screen has not changed.
   expect((await app.state()).time).toBeCloseTo(both - 1.2, 9);
-  // At its keys it is the same; between them turns that follow each other do not quite add up alike both ways.
+  // At its keys the reverse motion is equal. Between keys it differs slightly, because successive rotations do not
+  // commute.
   for (const [index, t] of moments.entries())
     expect(difference(await app.positionsAt(both - t), before[index]!), `${t}`).toBeLessThan(
       (t === second!.time ? 1e-5 : 0.02) * diagonal(before[index]!),
@@ -210,7 +211,7 @@ test('methods stand side by side with one camera and one clock', async ({ app })
 test('the plots follow the motion and the cursor', async ({ app }) => {
   await app.open();
   const curve = app.by('plot-volume').locator('path.curve').first();
-  // Plots are drawn once they are seen.
+  // Plots are drawn once they are visible.
   await app.by('plot-volume').scrollIntoViewIfNeeded();
   await expect(curve).toHaveAttribute('d', /^M[\d.]+ [\d.]+L/);
   const before = await curve.getAttribute('d');
@@ -226,7 +227,7 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   await plot.scrollIntoViewIfNeeded();
   await plot.click({ position: { x: 60, y: 40 } });
   expect((await app.state()).time).not.toBe(0.8);
-  // The number of the curve is next to the title.
+  // The value of the curve is next to the title.
   await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+$/);
 });
 

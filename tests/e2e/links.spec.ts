@@ -1,4 +1,4 @@
-/** Links come from anywhere: with any link the sample opens, and drawings use valid numbers only. */
+/** Links are untrusted: with any link, the sample opens and drawings use valid numbers only. */
 import { expect, test } from './support.ts';
 
 test('a number out of bounds in a link is left out, with a word about it', { tag: '@all' }, async ({ app }) => {
@@ -20,7 +20,7 @@ test('a camera inside the shape of its moment is left out of a link, also where 
 }) => {
   await app.open({ sample: 'cactus' });
   const bent = await app.positionsAt(0);
-  // The middle of the vertices farthest to the side: within the bent trunk, far from the upright one.
+  // The centre of the vertices farthest to the side: inside the bent trunk, far from the upright one.
   const points = Array.from({ length: bent.length / 3 }, (_, vertex) => bent.slice(3 * vertex, 3 * vertex + 3));
   const tip = points.sort((a, b) => b[0]! - a[0]!).slice(0, 300);
   const middle = [0, 1, 2].map((axis) => tip.reduce((sum, point) => sum + point[axis]! / tip.length, 0));

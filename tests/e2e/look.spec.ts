@@ -1,4 +1,4 @@
-/** How a shape looks first: its own material or clay, with the phase on the floor and along its outline. */
+/** Default look of a shape: its own material or clay, with the phase on the floor and along its outline. */
 import { colours, decode, matching, saturation } from './png.ts';
 import type { Colour } from './png.ts';
 import { expect, test } from './support.ts';
@@ -13,7 +13,7 @@ const PHASES = {
   beyond: { t: 1.3, colour: [230, 159, 0] },
 } as const;
 
-/** Pixels of a picture within some levels of a colour. */
+/** Number of image pixels within some levels of a colour. */
 const near = (picture: Buffer, colour: Colour, levels = 34): number =>
   matching(picture, (seen) => seen.every((level, channel) => Math.abs(level - colour[channel]!) <= levels)).count;
 
@@ -34,13 +34,13 @@ for (const scheme of ['light', 'dark'] as const) {
     }
     await app.page.keyboard.press('g');
     await app.nextFrame();
-    // The outline has the colour, too.
+    // The outline has the colour too.
     expect(near(await app.picture(), PHASES.beyond.colour)).toBeLessThan(ringed / 2);
     await app.expectNoProblems();
   });
 }
 
-/** Mean colour of the pixels where vertices of the shape are drawn. */
+/** Mean colour of the pixels at the shape's vertices. */
 async function meanOnShape(app: App): Promise<number[]> {
   const picture = decode(await app.picture());
   const places = await app.page.evaluate(() =>
@@ -102,7 +102,7 @@ test('the outline has the colour of the phase', async ({ app }) => {
   expect(beyond).toBeLessThan(atKey / 10);
 });
 
-/** A cube that stands on the floor, or floats over it. */
+/** A cube standing on the floor or floating above it. */
 function cube(height: number): string {
   const corners = [0, 1].flatMap((y) =>
     ['-1 # -1', '1 # -1', '1 # 1', '-1 # 1'].map((xz) => xz.replace('#', `${2 * y + height}`)),

@@ -1,11 +1,11 @@
-/** Each option shows in the numbers and on the screen; those that refit only neither encode nor factor. */
+/** Each option changes the numbers and the screen; options that only refit neither encode nor factor. */
 import { writeFileSync } from 'node:fs';
 import type { TestInfo } from '@playwright/test';
 import { changedShare } from './png.ts';
 import { diagonal, difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-/** How far they are apart, over the diagonal. */
+/** Distance relative to the diagonal. */
 const apart = (a: number[], b: number[]): number => difference(a, b) / diagonal(a);
 
 test('the boundary changes the motion between the keys and the picture, not the keys', async ({ app }) => {
@@ -19,13 +19,13 @@ test('the boundary changes the motion between the keys and the picture, not the 
   expect(apart(natural, await app.positionsAt(0.2))).toBeGreaterThan(1e-3);
   await app.by('boundary-hermite').check();
   await app.settled();
-  // Ends that ease come to rest, until another speed is chosen.
+  // Easing ends come to rest, until another speed is chosen.
   expect((await app.state()).doc.motion).toMatchObject({ boundary: 'hermite', startSpeed: 0, endSpeed: 0 });
   const hermite = await app.positionsAt(0.2);
   expect(apart(natural, hermite)).toBeGreaterThan(1e-3);
   expect(changedShare(picture, await app.picture())).toBeGreaterThan(2e-4);
   expect(apart(key, await app.positionsAt(0.5))).toBeLessThan(1e-5);
-  // A key can be the shape that it leads towards.
+  // A key can be the tangent shape.
   await app.by('start-tangent').selectOption({ index: 3 });
   await app.settled();
   expect(apart(hermite, await app.positionsAt(0.2))).toBeGreaterThan(1e-3);
@@ -62,7 +62,7 @@ test('a method whose shapes are fitted runs beside others, and offers only what 
   await app.expectNoProblems();
 });
 
-/** A strip of a length, or bent by this many radians. */
+/** A strip with a given length, or bent by an angle in radians. */
 function strip(bend: number, long: number): string {
   const rings = Array.from({ length: 9 }, (_, i) => {
     const [x, z] = [Math.sin((bend * i) / 8) * 4, Math.cos((bend * i) / 8) * 4];
@@ -82,7 +82,7 @@ const filesIn =
     return path;
   };
 
-/** Two own keys, with Hermite ends. */
+/** Two keys of our own, with Hermite ends. */
 async function openTwo(app: App, file: MakeFile): Promise<void> {
   await app.open();
   await app.by('file-input').setInputFiles([file('a.obj', 0), file('b.obj', 0.6)]);
@@ -107,7 +107,7 @@ test(
     const towards = await app.positionsAt(0.3);
     expect(difference(towards, before)).toBeGreaterThan(0.005 * diagonal(before));
     expect((await app.state()).doc.keys).toHaveLength(2);
-    // It lies in the shape plane, which two keys alone do not span.
+    // The tangent shape is shown in the shape plane, which two keys alone do not span.
     await app.by('plot-plane').scrollIntoViewIfNeeded();
     await expect(app.by('plane-start-tangent')).toBeAttached();
     await expect(app.by('plane-end-tangent')).toHaveCount(0);
@@ -125,7 +125,7 @@ test(
     await app.settled();
     expect(difference(await app.positionsAt(0.3), towards)).toBeLessThan(1e-6);
 
-    // Several poses, or a different mesh, are refused as a tangent; nothing is lost.
+    // Several poses, or a different mesh, are refused as a tangent without losing anything.
     await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);
     await expect(app.by('error-message')).toContainText('These files hold 2 poses, but a tangent is one shape.');
     await app.by('error-close').click();
@@ -188,7 +188,7 @@ test('each method moves otherwise between the keys, refits only, and has Hermite
   await expect(app.by('boundary-hermite')).toBeEnabled();
   await expect(app.by('boundary-reason')).toBeHidden();
   const after = await app.stats();
-  // A new encoding would have taken another time.
+  // Another encoding would have taken a different time.
   expect([after.encodeMs, after.factorMs]).toEqual([counters.encodeMs, counters.factorMs]);
 });
 

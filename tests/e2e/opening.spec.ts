@@ -1,4 +1,4 @@
-/** The view while large files open: their first key, then the motion, or the earlier content. */
+/** The view while large files open: their first key, then the motion, or the earlier content on failure. */
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -21,7 +21,7 @@ test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 type Task = 'import' | 'encode';
 
-/** The work on the large mesh stops where a task reports, until that is let go. */
+/** Work on the large mesh pauses at a task's report until the test releases it. */
 async function held(app: App): Promise<(task: Task) => void> {
   const free: Task[] = [];
   await app.page.route(/engine\.worker.*\.js$/, async (route) => {
@@ -34,7 +34,7 @@ async function held(app: App): Promise<(task: Task) => void> {
   return (task) => void free.push(task);
 }
 
-/** In a worker: only for data larger than the samples. */
+/** Runs in a worker and affects only data larger than the samples. */
 function waitAtReport(): void {
   const post = self.postMessage.bind(self) as (message: { type: string }, options: object) => void;
   let task = '';
@@ -53,7 +53,7 @@ function waitAtReport(): void {
   }) as typeof self.postMessage;
 }
 
-/** Counts what workers are asked to import. */
+/** Counts import requests to workers. */
 function countImports(): void {
   const post = Worker.prototype.postMessage;
   Object.assign(window, { imports: 0 });
@@ -68,7 +68,7 @@ const camera = (app: App): Promise<number[]> =>
   app.page.evaluate(() => Array.from(window.__shapespline!.project([0, 0, 0, 1, 1, 1])));
 const opacity = (app: App): Promise<string> =>
   app.page.locator('.picture canvas').evaluate((canvas) => getComputedStyle(canvas).opacity);
-/** Until the first key is on the screen, with a number of vertices that no sample has. */
+/** Waits until the first key is on the screen, with a number of vertices that no sample has. */
 const whenShown = async (app: App): Promise<void> => {
   await app.page.waitForFunction(() => window.__shapespline!.positions().length > 3 * 40_000);
 };
@@ -111,7 +111,7 @@ test('what is open is dimmed and rests until then, and comes back on Cancel', as
   await expect.poll(async () => (await app.positions()).length).toBe(vertices);
   expect(await camera(app)).toEqual(before);
   expect(await opacity(app)).toBe('1');
-  // It continues playing.
+  // Playback continues.
   await expect.poll(async () => (await app.state()).time).not.toBe(time);
   expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
   const t = 0.4;

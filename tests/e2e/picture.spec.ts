@@ -1,4 +1,4 @@
-/** The drawn picture against the engine's numbers, and the ways to look at it. */
+/** The drawn image against the engine's numbers, and the display options. */
 import { changedShare, colours, decode, saturation } from './png.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
@@ -6,9 +6,9 @@ import type { App } from './support.ts';
 test.use({ sharpness: 1 });
 
 interface Overlap {
-  /** Share of the engine's vertices that fall on drawn pixels of the shape. */
+  /** Share of the engine's vertices that project onto drawn pixels of the shape. */
   verticesOnShape: number;
-  /** Share of the shape's pixels that have a projected vertex near. */
+  /** Share of the shape's pixels close to a projected vertex. */
   shapeNearVertices: number;
   shapePixels: number;
 }
@@ -22,7 +22,7 @@ async function overlap(app: App, t: number, drawn = t): Promise<Overlap> {
     return Array.from(hook.project(await hook.evaluate(time)));
   }, t);
   const { width, height } = picture;
-  // The shape is the only thing with a strong colour; floor, shadow and background are grey.
+  // Only the shape has a strong colour; floor, shadow and background are grey.
   const shape = Uint8Array.from(colours(picture), (colour) => (saturation(colour) > 36 ? 1 : 0));
   const dots = new Uint8Array(width * height);
   const nearShape = grown(shape, width, 2);
@@ -41,7 +41,7 @@ async function overlap(app: App, t: number, drawn = t): Promise<Overlap> {
   return { verticesOnShape: inside / seen, shapeNearVertices: covered / shapePixels, shapePixels };
 }
 
-/** All pixels within a square round one that is set. */
+/** All pixels within a square around any set pixel. */
 function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
   const height = mask.length / width;
   const result = new Uint8Array(mask.length);
@@ -55,7 +55,7 @@ function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
   return result;
 }
 
-/** The shape alone, all of it in the colour of the phase. */
+/** A link to the shape alone, entirely in the phase colour. */
 const COLOURED = '#sample=cactus&colour=phase&floor=0';
 
 test('the drawn silhouette is that of the engine’s vertices', async ({ app }) => {
@@ -111,7 +111,7 @@ test('onion skins lie behind the shape, as many as are asked for, before and aft
     Uint8Array.from(before!, (colour) => (saturation(colour) > 36 ? 0 : 1)),
     alone.width,
     2,
-  ); // 0 inside of the shape
+  ); // the distance is 0 inside the shape
   const changed = (other: typeof before, inside: boolean): number =>
     before!.filter(
       (colour, i) => (shape[i] === 0) === inside && colour.some((value, k) => Math.abs(value - other![i]![k]!) > 8),
@@ -158,7 +158,7 @@ test('a film strip has names under its shapes, as many shapes as are asked for, 
     /^0\.83/,
     /^1\.16/,
   ]);
-  // They stand under their shapes, and follow them.
+  // The labels are below their shapes and follow them.
   const left = async (): Promise<number> => (await names.nth(0).boundingBox())!.x;
   const before = await left();
   await app.by('look-toggle').click();
@@ -300,7 +300,7 @@ test.describe('with what is drawn into counted', () => {
   test.use({ fresh: true });
 
   test('thumbnails show the keys as the picture does, and are drawn beside the canvas', async ({ app }) => {
-    // The widths of all parts of the canvas that are cleared to be drawn into.
+    // The widths of all canvas regions that are cleared for drawing.
     await app.page.addInitScript(() => {
       const widths = new Set<number>();
       Object.assign(window, { widths });

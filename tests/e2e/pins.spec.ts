@@ -1,4 +1,6 @@
-/** Pins: a foot of the walking dachshund is held by hand, and stays held wherever the work goes. */
+/**
+ * Pins: a foot of the walking dachshund is pinned by the user, and stays pinned in links, exports and after reopening.
+ */
 import { exported, type } from './exporting.ts';
 import { diagonal, difference, expect, test, type App } from './support.ts';
 
@@ -31,10 +33,10 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.page.keyboard.press('Space');
   await expect.poll(async () => (await app.state()).play.playing).toBe(true);
   await app.by('pin-place').click();
-  // A playing shape cannot be hit.
+  // A playing shape is hard to click, so playback stops.
   expect((await app.state()).play.playing).toBe(false);
   await app.setTime(t0);
-  // Before it is placed, a mark shows the vertex under the pointer.
+  // Before the click, a mark shows the vertex under the pointer.
   await app.page.mouse.move(at.x, at.y - 4);
   await expect(app.by('pin-mark')).toBeVisible();
   const mark = (await app.by('pin-mark').boundingBox())!;
@@ -48,7 +50,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   const vertex = pin!.vertex;
   const size = diagonal(plain);
 
-  // It stays where the first key has it.
+  // The pinned foot stays at its position in the first key.
   const home = point(await app.positionsAt(t0), vertex);
   await app.by('pin-0-mode').selectOption({ index: 1 });
   await app.settled();
@@ -56,7 +58,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   expect(distance(point(held, vertex), home)).toBeLessThan(0.2 * distance(point(plain, vertex), home) + 1e-3 * size);
   expect(difference(held, plain)).toBeGreaterThan(1e-3 * size);
 
-  // Dragged at this time it goes there, and all of the drag is one step back.
+  // A drag moves it at this time, as a single undo step.
   const handle = (await app.by('pin-handle-0').boundingBox())!;
   const middle = { x: handle.x + handle.width / 2, y: handle.y + handle.height / 2 };
   await app.page.mouse.move(middle.x, middle.y);
@@ -65,7 +67,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.page.mouse.up();
   await app.settled();
   await expect(app.by('pin-0-path')).toHaveText(/^Dragged at [\d.]+ s$/);
-  // Its path over the motion goes through it.
+  // The pin's path passes through the dragged position.
   const nearest = async (): Promise<number> => {
     const line = app.page.locator('.pin-paths polyline');
     if ((await line.count()) !== 1) return Infinity;
@@ -86,7 +88,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   await app.settled();
   expect(difference(await app.positionsAt(t), dragged)).toBe(0);
 
-  // The link holds it.
+  // The link contains the pin.
   const link = (): Promise<string> => app.page.evaluate(() => decodeURIComponent(location.hash));
   await expect.poll(link).toMatch(/pins=[^&]*\//);
   await app.reload();
@@ -123,13 +125,13 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   const [t0, t1] = [keys[0]!, keys[1]!];
   const at = await foot(app);
   await app.setTime(t0);
-  // The button is the last visible element: its hint, and then the row, scroll into view.
+  // The button is the last visible element; its hint and then the pin's row scroll into view.
   await app.page.setViewportSize({ width: 1280, height: 800 });
   await app.by('hold').scrollIntoViewIfNeeded();
   await app.by('pin-place').evaluate((button) => button.scrollIntoView({ block: 'end' }));
   await app.by('pin-place').click();
   await expect(app.by('pin-hint')).toBeInViewport({ ratio: 0.9 });
-  // Nothing of the shape is there: said, and the next click still counts.
+  // A click beside the shape is reported, and the next click still places the pin.
   const box = (await app.by('viewport').boundingBox())!;
   await app.page.mouse.click(box.x + 6, box.y + box.height / 2);
   await expect(app.page.getByText('That is not part of the shape')).toBeVisible();
@@ -138,7 +140,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   await expect(app.by('pin-0-mode')).toBeInViewport({ ratio: 0.9 });
   await expect(app.by('pin-0-note')).toBeHidden();
 
-  // All of the words are seen.
+  // The whole text is visible.
   await app.by('pin-0-mode').selectOption({ label: 'As in Key 1' });
   await expect(app.by('pin-0-mode')).toHaveAttribute('title', 'Pin 1 stays as in Key 1');
   const needs = await app.by('pin-0-mode').evaluate((field: HTMLSelectElement) => {
@@ -155,7 +157,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   await app.by('boundary-natural').check();
   await expect(app.by('pin-0-note')).toBeHidden();
 
-  // Its key is taken away: it is said, and undone it stays as before.
+  // Removing the key is reported; undo restores the pin.
   await app.by('key-0-go').focus();
   await app.page.keyboard.press('Delete');
   await expect(app.by('pin-0-mode')).toHaveValue('own');
@@ -164,7 +166,7 @@ test('a pin says where it stays, what it does otherwise, and comes into sight wh
   await expect(app.by('pin-0-note')).toBeHidden();
   await app.settled();
 
-  // The first drag applies to all times; a second one shortly after changes the same key of its path.
+  // The first drag applies to all times. A second drag shortly after changes the same path key.
   const t = t0 + 0.5 * (t1 - t0);
   for (const [time, times] of [
     [t, 1],

@@ -4,7 +4,7 @@ import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import { App, expect, test } from './support.ts';
 
-// Another page than the app.
+// The test uses another page than the app.
 test.use({ fresh: true });
 
 class Playground {
@@ -46,7 +46,7 @@ class Playground {
     await this.page.mouse.up();
   }
 
-  /** The outline of a curve as it is drawn. */
+  /** The drawn outline of a curve. */
   line(layer: string): Promise<string | null> {
     return this.page.locator(`.curve-figure .curve.${layer}`).last().getAttribute('d');
   }
@@ -60,7 +60,7 @@ class Playground {
   }
 }
 
-/** The number drawn. */
+/** Waits for this many drawn frames. */
 const frames = (page: Page, count: number): Promise<void> =>
   page.evaluate(async (left) => {
     for (let i = 0; i < left; i += 1) await new Promise(requestAnimationFrame);
@@ -77,7 +77,7 @@ test('a dragged key carries the curve, its numbers and the system along', async 
   await expect(play.by('curve-notice')).toContainText('moving key 3 changes the whole curve');
   await expect(play.by('said')).toContainText('Key 3 of 5');
   await expect(page).toHaveURL(/#keys=/);
-  // The row of the system that is pointed at has its key lit up.
+  // Pointing at a row of the system highlights its key.
   await play.by('system-row-3').hover();
   await expect(play.by('key-3')).toHaveClass(/lit/);
   await expect(play.by('system-notice')).toContainText('key 4');
@@ -135,7 +135,7 @@ test('the handles at the ends change the speeds, by hand and by key', async ({ p
   for (let presses = 0; presses < 40; presses += 1) await page.keyboard.press('ArrowDown');
   await expect(play.by('start-speed')).toHaveValue('0');
   expect(await play.line('hermite')).not.toBe(before);
-  // Several of them may come before the page is drawn.
+  // Several events may arrive before the page is drawn.
   await handle.evaluate((element) => {
     const press = (): boolean => element.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true }));
     for (let presses = 0; presses < 5; presses += 1) press();
@@ -185,7 +185,7 @@ test('the address holds everything, and bad ones do no harm', async ({ page, con
   await expect(page).toHaveURL(/plane=1/);
   const drawn = await play.line('periodic');
   const other = new Playground(await context.newPage());
-  // Links have five digits, and the URL follows shortly.
+  // Links have five digits, and the URL is updated shortly after.
   const numbers = (line: string | null): number[] => (line ?? '').match(/-?[\d.]+/g)!.map(Number);
   await expect(async () => {
     await other.page.goto('about:blank');

@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { findBrowser } from '../../wasm/toolchain/chromium.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
-// `npm test` passes free ports; these are for running Playwright by hand.
+// `npm test` passes free ports; these are for running Playwright directly.
 const devPort = process.env.SHAPESPLINE_DEV_PORT ?? '5273';
 const builtPort = process.env.SHAPESPLINE_BUILT_PORT ?? '5274';
 const isolatedPort = process.env.SHAPESPLINE_ISOLATED_PORT ?? '5275';
@@ -13,22 +13,22 @@ const args = [
   // WebGL 2 without a graphics card.
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
-  // Only the shape needs it: the page around it is painted faster without, and edges need not be smooth to be compared.
+  // Only the shape needs WebGL. The page is painted faster without it, and comparisons do not need smooth edges.
   '--disable-gpu-rasterization',
   '--disable-gpu-compositing',
   '--webgl-antialiasing-mode=none',
-  // Compiled code is reused by the next page of the site: a third of the cost of opening.
+  // Compiled code is reused by the next page of the site, which saves a third of opening.
   '--process-per-site',
-  // No traffic of the browser's own.
+  // No background traffic of the browser.
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
   '--no-first-run',
-  // Any name but localhost is not trusted without https.
+  // Without https, browsers trust only the host name localhost.
   '--host-resolver-rules=MAP insecure.test localhost',
 ];
-// Every window of Chromium loads two pages for its own address bar, almost a second of work in each test. Only the last
-// such list counts, and Playwright cannot extend its own, so this list includes Playwright's.
+// Every Chromium window loads two pages for its own address bar, almost a second of work per test. Only the last such
+// list counts, and Playwright cannot extend its own, so this list includes Playwright's.
 args.push(
   `--disable-features=${[
     'WebUIOmniboxAimPopup',
@@ -55,11 +55,11 @@ const project = (name: string, baseURL: string) => ({ name, use: { ...devices['D
 export default defineConfig({
   testDir: '.',
   outputDir: '../../build/playwright',
-  // One page alone does not keep two cores busy.
+  // A single page does not use both cores.
   workers: 2,
   fullyParallel: true,
   timeout: 90_000,
-  // Tests tagged @all cost much and rarely find anything: they run with `npm test -- all`.
+  // Tests tagged @all are expensive and rarely find anything; they run with `npm test -- all`.
   grepInvert: process.env.SHAPESPLINE_ALL === '1' ? [] : /@all/,
   // A flaky test is a failed test.
   retries: 0,
@@ -67,16 +67,17 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   use: {
     launchOptions: { executablePath: findBrowser(chromium) ?? undefined, args },
-    // Traces of every test, for the few that fail, would cost time in all of them; `--trace on` enables them.
+    // Traces would slow down every test and are needed for few; `--trace on` enables them.
     trace: 'off',
     screenshot: 'only-on-failure',
   },
-  // Everything is asked of the built page under a sub-path; of the development server what a server can break (tagged
-  // @server): loading the page, its worker, samples, files and decoders, and the motion itself.
+  // All tests run on the built page under a sub-path. Tests of things that a server can break (tagged
+  // @server) also run on the development server: loading the page, its worker, samples, files and decoders, and the
+  // motion itself.
   projects: [
     { ...project('dev', `http://localhost:${devPort}/`), grep: /@server/ },
     { ...project('built', `http://localhost:${builtPort}${subPath}`), testIgnore: /threads\.spec\.ts$/ },
-    // A host that sends the two headers with which threads may share memory.
+    // A host with the two headers that let threads share memory.
     { ...project('isolated', `http://localhost:${isolatedPort}/`), testMatch: /threads\.spec\.ts$/ },
   ],
   webServer: [

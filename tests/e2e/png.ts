@@ -1,4 +1,4 @@
-/** PNG files: what screenshots hold, and images for shapes to wear, made without any of the code under test. */
+/** PNG files: decoded screenshots, and images for textures, made without any of the tested code. */
 import { crc32, deflateSync } from 'node:zlib';
 import { PNG } from 'pngjs';
 
@@ -36,7 +36,7 @@ export function saturation(colour: Colour): number {
   return Math.max(...colour) - Math.min(...colour);
 }
 
-/** How many pixels a test holds for, and which share of all that is. */
+/** Number and share of pixels that satisfy a test. */
 export function matching(file: Buffer, test: (colour: Colour) => boolean): { count: number; share: number } {
   const picture = decode(file);
   let count = 0;
@@ -44,7 +44,7 @@ export function matching(file: Buffer, test: (colour: Colour) => boolean): { cou
   return { count, share: count / (picture.width * picture.height) };
 }
 
-/** Share of pixels that differ by more than some levels of 255 in a channel; 1 where the sizes differ. */
+/** Share of pixels that differ by more than some levels of 255 in a channel; 1 if the sizes differ. */
 export function changedShare(before: Buffer, after: Buffer, levels = 6): number {
   const [a, b] = [decode(before), decode(after)];
   if (a.width !== b.width || a.height !== b.height) return 1;
@@ -74,14 +74,14 @@ export function crop(picture: Picture, { x, y, width, height }: Box): Picture {
   };
 }
 
-/** `list` from left to right, each a column of 16 x 64 pixels. */
+/** `list` from left to right, each as a column of 16 x 64 pixels. */
 export function columns(list: readonly Colour[]): Buffer {
   const row = list.flatMap((colour) => Array.from({ length: 16 }, () => [...colour, 255]).flat());
   const data = Uint8Array.from(Array.from({ length: 64 }, () => row).flat());
   return encode({ width: 16 * list.length, height: 64, data });
 }
 
-/** All black, one bit per pixel, which pngjs does not write: far smaller as a file than it is once decoded. */
+/** All black with one bit per pixel, which pngjs cannot write: a small file for a large image. */
 export function blank(side: number): Buffer {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(side);
@@ -100,7 +100,10 @@ function chunk(type: string, data = Buffer.alloc(0)): Buffer {
   return Buffer.concat([length, body, sum]);
 }
 
-/** Scales down by a factor: each pixel is the mean of a square, cut off at the lower and right edge. */
+/**
+ * Scales down by a factor. Each pixel is the mean of a square; incomplete squares at the right and lower edge are
+ * dropped.
+ */
 export function shrink(file: Buffer, times: number): Buffer {
   const full = decode(file);
   const [width, height] = [Math.ceil(full.width / times), Math.ceil(full.height / times)];

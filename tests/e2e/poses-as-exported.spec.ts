@@ -1,4 +1,4 @@
-/** Poses as exporters write them, caches, numbered files, objects and axes: the page's result and its messages. */
+/** Poses as exporters write them, caches, numbered files, objects and axes: the page's result and messages. */
 import { bent, bar } from '../engine/support/shapes.ts';
 import { meshGlb } from '../engine/support/glb.ts';
 import { rigFile } from '../engine/support/rig.ts';
@@ -100,7 +100,7 @@ test('a shape that lies on its back is stood up', async ({ app }) => {
   await opened(app, [upload('a.ply', ply(2)), upload('b.ply', ply(3))]);
   await expect(app.by('import-offer')).toContainText('Z was taken as the up axis');
   await expect(app.by('up-axis-z')).toBeChecked();
-  // Its tip.
+  // Position of the tip.
   expect((await app.positionsAt(0))[13]).toBeCloseTo(2, 5);
   await app.by('import-offer-accept').click();
   await expect(app.by('import-offer')).toBeHidden();

@@ -1,4 +1,4 @@
-/** A lecture: the shape or a plot alone, in large type, led by keys; and the link for those who listen. */
+/** A lecture: the shape or a plot alone, in large type, with keyboard control, and a link for the audience. */
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
@@ -15,7 +15,7 @@ test('X leaves the shape alone on the screen, in large type, and Escape brings t
   const [view, page] = [(await app.by('viewport').boundingBox())!, app.page.viewportSize()!];
   expect([view.width, view.height]).toEqual([page.width, page.height]);
   expect(await sizeOf(app, 'phase')).toBeGreaterThan(1.5 * small);
-  // The keys of a presenter's clicker go from key to key, and the teacher's keys work.
+  // A presenter's clicker moves between keys, and the presenter's keyboard works.
   await app.page.keyboard.press('PageDown');
   expect((await app.state()).time).toBe(0.5);
   await app.page.keyboard.press(']');
@@ -70,7 +70,7 @@ test('a link opens the page in it, and its QR code says the link', async ({ app 
   await expect(app.by('qr-link')).toContainText('t=0.25');
   const link = await app.by('qr-link').textContent();
   await expect(app.by('qr')).toBeVisible();
-  // The code is of these words, with the quiet zone that scanners need, dark on light in either theme.
+  // The QR code encodes this link, with the quiet zone that scanners need, dark on light in both themes.
   const [, size] = /^0 0 (\d+) \d+$/.exec((await app.by('qr').getAttribute('viewBox'))!)!;
   const modules = Number(size) - 8;
   expect((modules - 17) % 4).toBe(0);

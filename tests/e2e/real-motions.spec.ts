@@ -1,4 +1,4 @@
-/** Files from other sources play once they are open, without false warnings. */
+/** Files from other sources play after opening, without false warnings. */
 import type { App } from './support.ts';
 import { expect, realFile, test } from './support.ts';
 
@@ -12,7 +12,7 @@ async function opened(app: App, names: readonly string[]): Promise<void> {
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
 }
 
-/** Plays over and over, and the time goes on by itself. */
+/** Loops, and the time advances without input. */
 async function expectPlaying(app: App): Promise<void> {
   const { play, time } = await app.state();
   expect(play.playing).toBe(true);
@@ -20,7 +20,7 @@ async function expectPlaying(app: App): Promise<void> {
   await expect.poll(async () => (await app.state()).time).not.toBe(time);
 }
 
-/** At times between all keys, no folding faces are reported. */
+/** At times between all keys, no inverted faces are reported. */
 async function expectNoFolds(app: App): Promise<void> {
   const { keys } = (await app.state()).doc;
   for (let k = 1; k < keys.length; k += 1) {

@@ -1,11 +1,11 @@
-/** Things that go wrong on other people's machines: nothing is lost, nothing freezes. */
+/** Failures on users' machines: no work is lost, and the page stays responsive. */
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-// Its workers are ended.
+// The test ends the page's workers.
 test.use({ fresh: true });
 
-/** Ends every worker from its inside, which tells the page nothing. */
+/** Ends every worker from inside, which sends the page no event. */
 async function killWorkers(app: App): Promise<void> {
   const workers = app.page.workers();
   expect(workers.length).toBeGreaterThan(0);
@@ -63,20 +63,20 @@ test('a worker that ends is noticed on a page without https, too, where there ar
 });
 
 interface Big {
-  /** How often the page could do something else while it was at it. */
+  /** Number of heartbeats during the work. */
   beats: number;
   longest: number;
-  /** Whether the page ever showed its progress. */
+  /** Whether the page showed its progress. */
   progress: boolean;
 }
 
-/** Gives the page a file that is made inside it, and counts its heartbeats until `done`. */
+/** Gives the page a file made inside it, and counts heartbeats until `done`. */
 async function openBig(app: App, kind: 'model' | 'junk', size: number): Promise<void> {
   await app.page.evaluate(
     ([what, bytes]) => {
       const file = (): File => {
         if (what === 'junk') return new File([new Uint8Array(bytes as number).fill(65)], 'big.glb');
-        // One triangle strip and a bend of it, in a buffer that holds far more than they need.
+        // A triangle strip and a bent copy, in a buffer much larger than needed.
         const points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0.3, 1, 2, 0.3];
         const moved = points.map((_, i) => (i % 3 === 2 ? points[i - 1]! * 0.4 : 0));
         const faces = [0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5];
@@ -139,7 +139,7 @@ test('a file of 200 MB is opened while the page answers', { tag: '@all' }, async
   test.setTimeout(240_000);
   await app.open();
   await openBig(app, 'model', 200_000_000);
-  // The earlier shape can still be moved; in one call, because a fast machine opens the file quickly.
+  // The earlier shape can still be moved. In one call, because a fast machine opens the file quickly.
   const [shown, moved] = await app.page.evaluate(async () => {
     const hook = window.__shapespline!;
     const before = Array.from(hook.positions());
@@ -152,7 +152,7 @@ test('a file of 200 MB is opened while the page answers', { tag: '@all' }, async
   await app.settled();
   await expect(app.by('status-vertices')).toHaveText('6 vertices');
   expect((await app.positionsAt(0.5)).every(Number.isFinite)).toBe(true);
-  // Far below a freeze that a user would notice, even on a slow machine.
+  // Far below a delay that a user would notice, even on a slow machine.
   expect((await heart(app)).longest).toBeLessThan(5000);
   await app.expectNoProblems();
 });

@@ -1,4 +1,4 @@
-/** Files that the browser keeps between visits: with several tabs, after failures, and without room. */
+/** Files that the browser stores between visits: with several tabs, after failures, and with full storage. */
 import { randomBytes } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page, TestInfo } from '@playwright/test';
 import { App, expect, test } from './support.ts';
 
-// Each test begins with an empty shelf.
+// Each test starts with empty storage.
 test.use({ fresh: true });
 
 const sample = (name: string): string => fileURLToPath(new URL(`../../public/samples/${name}.glb`, import.meta.url));
@@ -18,7 +18,7 @@ interface Kept {
   files?: { name: string }[];
 }
 
-/** The same model with this many incompressible bytes more. */
+/** The model with this many additional incompressible bytes. */
 function padded(file: string, bytes: number, info: TestInfo): string {
   const glb = readFileSync(file);
   const end = 20 + glb.readUInt32LE(12);
@@ -34,7 +34,7 @@ function padded(file: string, bytes: number, info: TestInfo): string {
   return to;
 }
 
-/** Everything on the shelf, by key. */
+/** Everything in the storage, by key. */
 const shelf = (page: Page): Promise<Record<string, unknown>> =>
   page.evaluate(
     () =>
@@ -52,7 +52,7 @@ const shelf = (page: Page): Promise<Record<string, unknown>> =>
       }),
   );
 
-/** The projects on the shelf with their files, by the name of their first file. */
+/** The stored projects with their files, by the name of the first file. */
 async function kept(page: Page): Promise<Record<string, Kept>> {
   const all = await shelf(page);
   const projects = Object.entries(all).filter(([key]) => key.startsWith('project '));
@@ -67,13 +67,13 @@ async function kept(page: Page): Promise<Record<string, Kept>> {
 const keptTime = async (page: Page, name: string): Promise<number | undefined> =>
   (await kept(page))[name]?.project.state.time;
 
-/** The project that the next visit starts with. */
+/** The project that the next visit opens first. */
 async function lastKept(page: Page): Promise<string | undefined> {
   const all = Object.entries(await kept(page)) as [string, { project: { changed?: number } }][];
   return all.sort(([, a], [, b]) => (b.project.changed ?? 0) - (a.project.changed ?? 0))[0]?.[0];
 }
 
-/** Writes a record as some other version, or some accident, might have left it. */
+/** Writes a record as another version, or an accident, might have left it. */
 const leave = (page: Page, records: Record<string, unknown>): Promise<void> =>
   page.evaluate(
     (entries) =>
@@ -101,7 +101,7 @@ async function drop(app: App, file: string): Promise<void> {
   await app.settled();
 }
 
-/** The page keeps files by itself, some time after they were opened. */
+/** The page stores files automatically, some time after opening. */
 const isRemembered = (app: App, is = true): Promise<void> =>
   expect(app.by('remember')).toHaveAttribute('aria-pressed', String(is));
 
@@ -110,13 +110,13 @@ const names = async (app: App): Promise<string[] | null> => {
   return source.kind === 'files' ? source.names : null;
 };
 
-/** Longer than a change waits for others before it is written. */
+/** Waits longer than the delay before a change is written. */
 const untilWritten = (app: App): Promise<void> => app.page.waitForTimeout(700);
 
-/** The next visit, with a URL that names nothing. */
+/** The next visit, with an empty URL fragment. */
 const visitAgain = (app: App): Promise<unknown> => app.open();
 
-/** Chooses from the list of own files. */
+/** Chooses from the list of the user's files. */
 async function choose(app: App, name: string): Promise<void> {
   await app.by('sample').click();
   await app.page.getByRole('group', { name: 'Your files' }).getByRole('button', { name }).click();
@@ -201,7 +201,7 @@ test('what was open before comes back by undo, from the list, and with the next 
   await app.settled();
   expect((await app.state()).doc).toEqual(bar.doc);
   await expect(app.by('redo')).toHaveAttribute('aria-label', 'Redo: open Octopus');
-  // Its own edits are undone next, and then its opening.
+  // Undo first removes its edits, then its opening.
   await app.by('undo').click();
   await app.settled();
   expect((await app.state()).doc.motion.boundary).toBe('natural');
@@ -315,7 +315,7 @@ test('what does not open is not tried with every visit', { tag: '@all' }, async 
   await expect(app.by('error')).toBeHidden();
 });
 
-/** As earlier versions of the page kept one project. */
+/** A project as stored by earlier versions of the page. */
 const EARLIER = {
   'under three keys': (project: object) => ({ format: 1, rest: project }),
   'without a list': (project: object) => ({ project: { format: 2, id: 'x', opening: false, ...project } }),
@@ -366,7 +366,7 @@ test('files whose opening was interrupted by a reload are opened by the next vis
   await drop(app, BAR);
   await isRemembered(app);
   await untilWritten(app);
-  // The page is reloaded as soon as it has written that it opens them.
+  // Reloads the page as soon as it has recorded the start of opening.
   await app.page.addInitScript(() => {
     const visit = Number(sessionStorage.getItem('visit')) + 1;
     sessionStorage.setItem('visit', String(visit));
@@ -393,7 +393,7 @@ test.describe('with a service worker', () => {
       test.skip(info.project.name === 'dev', 'the room is measured once the files of the page are kept');
       await app.open();
       await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-      // Room for the first files, not for the next: the browser looks at its limit before the first write, then seldom.
+      // Storage for the first files only. The browser checks its limit before the first write, then rarely.
       const session = await context.newCDPSession(app.page);
       const { origin } = new URL(app.page.url());
       const { usage } = await session.send('Storage.getUsageAndQuota', { origin });

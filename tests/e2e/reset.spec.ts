@@ -1,11 +1,11 @@
-/** A page that is reset is as one that was loaded: what other tests that share a page rely on. */
+/** A reset page equals a loaded one. Tests that share a page rely on this. */
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
 /** Everything visible and selectable, the focus, and the browser's storage. */
 async function seen(app: App) {
   const page = await app.page.evaluate(() => {
-    // Times of this machine, on which it depends, too, how many points a curve has.
+    // Measured times, which also determine the number of points in a curve.
     const measured = (one: Element): boolean => one.closest('[data-testid="status-ms"], .facts, .gallery') !== null;
     const told = (one: HTMLElement): string => {
       const { value = '', checked = false, disabled = false } = one as HTMLInputElement;
@@ -55,14 +55,14 @@ async function seen(app: App) {
   return { ...page, projects };
 }
 
-/** Everything that comes by itself has come. */
+/** Waits until all automatic content is complete. */
 async function complete(app: App): Promise<void> {
   await app.settled();
   await expect(app.by('speed-curve')).toBeVisible();
   await expect(app.page.locator('.key-list img[src]')).toHaveCount(3);
   await expect(app.by('faces')).toBeAttached();
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('sample=cactus');
-  // Charts are drawn once they are in sight.
+  // Charts are drawn once they are visible.
   await app.by('plot-bending').scrollIntoViewIfNeeded();
   await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
   await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(1);
@@ -79,7 +79,7 @@ test('after everything was changed it is as on a fresh visit', async ({ app }) =
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
 
-  // Own files, which are kept, with edits and another time.
+  // Own files, which are stored, with edits and another time.
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2), given('c.obj', -0.1)]);
   await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
   await app.by('boundary-hermite').check();
@@ -111,7 +111,7 @@ test('after everything was changed it is as on a fresh visit', async ({ app }) =
   await app.by('patch-number').press('Enter');
   await app.by('heat-distance').check({ force: true });
   await app.by('mesh-report').locator('summary').press('Enter');
-  // Dialogs, an error, and what is said for a moment.
+  // Dialogs, an error, and a temporary message.
   await app.by('help').click();
   await app.by('single-keys').uncheck();
   await app.by('help-close').click();

@@ -1,4 +1,4 @@
-/** Leaving the curve in the shape plane: a point that is dragged, a path that is drawn, and curves to compare with. */
+/** Shapes off the curve in the shape plane: a dragged point, a drawn path, and curves to compare with. */
 import { type App, diagonal, difference, expect, test } from './support.ts';
 
 const weights = async (app: App): Promise<number[]> => {
@@ -6,7 +6,7 @@ const weights = async (app: App): Promise<number[]> => {
   return cells.map((text) => Number.parseFloat(text.replace('\u2212', '-')) / 100);
 };
 
-/** Of the point, in the page. */
+/** The point's position on the page. */
 async function pointAt(app: App): Promise<{ x: number; y: number }> {
   const box = (await app.by('plane-point').locator('.now').boundingBox())!;
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
@@ -86,7 +86,7 @@ test('a path that is drawn plays', { tag: '@all' }, async ({ app }) => {
   await app.page.mouse.move(...at(0.7, 0.5), { steps: 5 });
   await app.page.mouse.up();
   await app.settled();
-  // it waits at its start where motion is reduced
+  // with reduced motion, the path waits at its start
   const start = await weights(app);
   await app.by('plane-play').click();
   await expect(app.by('plane-play')).toHaveText('Stop');

@@ -1,4 +1,4 @@
-/** Poses that come one after the other: the first waits for the next, a further one becomes a key. */
+/** Poses opened one after the other: the first waits for the next; another becomes a key. */
 import { writeFileSync } from 'node:fs';
 import type { App } from './support.ts';
 import { expect, test } from './support.ts';
@@ -15,7 +15,7 @@ async function pick(app: App, name: string, text: string): Promise<void> {
 const keys = async (app: App): Promise<[string, number][]> =>
   (await app.state()).doc.keys.map(({ name, time }) => [name, time]);
 
-/** A motion of the user's own. */
+/** Opens a motion of the user's own. */
 async function openTwo(app: App): Promise<void> {
   await app.by('file-input').setInputFiles([given('a.obj', QUAD(0.5)), given('b.obj', QUAD(0.2))]);
   await expect.poll(async () => (await keys(app)).length).toBe(2);
@@ -26,7 +26,7 @@ test('poses are picked one by one: the first waits, the second opens the motion,
   app,
 }) => {
   await app.open();
-  // One that waits is let go of with one click.
+  // One click discards a waiting pose.
   await pick(app, 'other.obj', TRIANGLE(0));
   await app.by('pose-offer-later').click();
   await expect(app.by('pose-offer')).toBeHidden();
@@ -65,7 +65,7 @@ test('a pose that is dropped between two keys becomes a key between them', async
   writeFileSync(file, QUAD(0.9));
   const [first, second] = [(await app.by('key-0').boundingBox())!, (await app.by('key-1').boundingBox())!];
   const between = { x: (first.x + first.width + second.x) / 2, y: first.y + first.height / 2 };
-  // Before it is let go, a mark stands where it would lie, and the keys are seen.
+  // Before the drop, a mark shows its position, and the keys are visible.
   await app.dragOver([file], between);
   await expect(app.by('drop-zone')).toHaveText(/becomes key 2$/);
   await expect(app.by('key-1')).toHaveAttribute('data-drop', 'before');
@@ -106,7 +106,7 @@ test('a pose of another mesh waits for the next, and own work comes back by Undo
     'other.obj has 3 vertices, but key 1 has 4. “other.obj” is the first pose',
   );
   expect(await keys(app)).toHaveLength(2);
-  // A pose that fits neither: what waits goes on waiting.
+  // A pose that matches neither mesh: the waiting pose keeps waiting.
   await pick(app, 'wrong.obj', QUAD(0.1));
   await expect(app.by('error-message')).toContainText('wrong.obj');
   await pick(app, 'next.obj', TRIANGLE(0.5));
@@ -169,7 +169,7 @@ test('two poses of the open mesh that come together become keys, and undo takes 
   await app.expectNoProblems();
 });
 
-// Only here do the files that were picked, the question and what is opened then meet.
+// Only this test combines the picked files, the question and the result.
 test('of two numbered sequences one is asked for, in the order of its signed numbers, or all are keys', {
   tag: '@all',
 }, async ({ app }) => {

@@ -2,13 +2,13 @@
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-/** Heights of the curve of the speed over the whole timeline, 0 at the bottom. */
+/** Heights of the speed curve over the whole timeline, 0 at the bottom. */
 async function heights(app: App): Promise<number[]> {
   const d = (await app.by('speed-curve').locator('.speed-line').getAttribute('d')) ?? '';
   return [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, , y]) => 100 - Number(y));
 }
 
-/** Page place of a time on the timeline, in the middle of its track. */
+/** Page position of a time on the timeline, in the middle of its track. */
 async function placeOf(app: App, t: number): Promise<{ x: number; y: number }> {
   const { x, y, width, height } = (await app.by('timeline').locator('.track').boundingBox())!;
   return { x: x + ((t + 0.4) / 1.8) * width, y: y + height / 2 };
@@ -18,7 +18,7 @@ test('the curve in the track is the speed in shape space, of the method that is 
   await app.open({ hash: '#sample=cactus&t=0.2' });
   await expect(app.by('speed-curve')).toBeVisible();
   expect((await heights(app)).length).toBeGreaterThan(100);
-  // The geodesic goes from key to key at one speed.
+  // The geodesic has constant speed between keys.
   await app.by('method').selectOption('geodesic');
   await app.settled();
   await expect.poll(async () => new Set((await heights(app)).map((y) => y.toFixed(0))).size).toBeLessThanOrEqual(3);
@@ -41,7 +41,7 @@ test('the mouse over the timeline shows the shape there, and the shape on the sc
   await expect(picture).not.toHaveAttribute('src', first!);
   expect((await app.state()).time).toBe(0.2);
   expect(await app.positions()).toEqual(before);
-  // It is over the timeline, whole, and under the mouse's own place.
+  // The image is completely visible, above the timeline at the mouse's position.
   const [card, track] = [(await peek.boundingBox())!, (await app.by('timeline').boundingBox())!];
   expect(card.y + card.height).toBeLessThanOrEqual(track.y);
   expect(Math.abs(card.x + card.width / 2 - far.x)).toBeLessThan(2);

@@ -36,7 +36,7 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
   const [shape, canvas, button] = [await places(), await picture(), await buttons()];
   await app.by('boundary-hermite').check();
   await app.settled();
-  // The lane takes its room from the foot of the picture: the shape stays where it is, and no button lies under it.
+  // The lane covers the bottom of the viewport: the shape stays in place, and no button is below the lane.
   expect([await places(), await picture()]).toEqual([shape, canvas]);
   const lane = (await app.by('speed-lane').boundingBox())!;
   expect((await buttons()).y).toBeCloseTo(button.y - lane.height, 0);
@@ -69,7 +69,7 @@ test('a handle is dragged: the motion there changes at once, and is undone as a 
   const [start, speed] = await speeds(app);
   expect(speed).toBeGreaterThan(1.5);
   expect(start).toBe(1);
-  // What the handle, the panel and a link say is the same.
+  // Handle, panel and link show the same value.
   await expect(app.by('end-speed-value')).toHaveText(`${speed}×`);
   await expect(app.by('end-speed-handle')).toHaveAttribute('aria-valuenow', String(speed));
   await expect(app.by('end-speed-number')).toHaveValue(String(speed));
@@ -150,7 +150,7 @@ test('a handle in the shape plane bends the curve along its tangent', { tag: '@a
   await expect(app.by('start-speed-value')).toHaveText(`${(await speeds(app))[0]}×`);
   await expect(curve).not.toHaveAttribute('d', before!);
   expect(difference(await app.positionsAt(0.1), shape)).toBeGreaterThan(1e-3 * diagonal(shape));
-  // Across the tangent nothing changes.
+  // Dragging perpendicular to the tangent changes nothing.
   const [speed] = await speeds(app);
   await pull(app, grip, -stem[1], stem[0]);
   await app.page.mouse.up();

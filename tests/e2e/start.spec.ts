@@ -1,11 +1,11 @@
-/** The first visit: what stands in the way of the first picture. */
+/** The first visit: everything that delays the first image. */
 import { poseFiles } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';
 import { stated } from './exporting.ts';
 import { expect, test } from './support.ts';
 import type { App } from './support.ts';
 
-// Functions of the browser are changed before the page is loaded.
+// The test changes browser functions before the page is loaded.
 test.use({ fresh: true });
 
 test('nothing is drawn before the first sample is at work, and the start is marked', async ({ app }) => {
@@ -63,7 +63,7 @@ test('the first picture waits for its own shape alone: not for the floor, a seco
   const linked = await at('linked');
   expect(linked.filter((time) => time < seen!)).toHaveLength(1);
   expect(linked.length).toBeGreaterThan(3);
-  // The second motion is one of the same shape.
+  // The second motion uses the same shape.
   const motions = await at('asked: motion');
   expect(motions.filter((time) => time < seen!)).toHaveLength(1);
   expect(motions).toHaveLength(2);

@@ -1,4 +1,4 @@
-/** What the end-to-end tests share: the page with its hook, real inputs where they are. */
+/** Common parts of the end-to-end tests: the page with its hook, and real inputs if available. */
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -14,7 +14,7 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 const generator = path.join(repository, 'build/cmake-wasm/shapespline_meshes.js');
 const dataFolder = process.env['SHAPESPLINE_DATA'] ?? path.join(repository, '..', 'shared', 'data');
 
-/** Path of a real input, or null where the folder is missing. Where SHAPESPLINE_DATA_REQUIRED is 1 it must be there. */
+/** Path of a real input; null if the folder is missing. With SHAPESPLINE_DATA_REQUIRED=1 the input must exist. */
 export function realFile(name: string): string | null {
   const file = path.join(dataFolder, name);
   if (existsSync(file)) return file;
@@ -23,14 +23,14 @@ export function realFile(name: string): string | null {
 }
 
 export interface OpenOptions {
-  /** As on a first visit: on a page of its own. */
+  /** Opens the page as on a first visit, on a separate page. */
   first?: boolean;
   search?: string;
   hash?: string;
   sample?: string;
 }
 
-/** What the browser says of how the tests run it: pages without a service worker, pictures put together without GPU. */
+/** Browser messages caused by the test environment: no service worker, no GPU compositing. */
 const OF_THE_TESTS = /Service Worker registration blocked by Playwright|GPU stall due to ReadPixels/;
 
 const GUIDE = /^#(tour|figure)=/;
@@ -46,7 +46,7 @@ export class App {
   private readonly onException = (error: Error): void => void this.problems.push(`exception: ${error.message}`);
   private readonly onRequest = (request: Request): void => void this.requests.push(request.url());
 
-  /** `shared`: a test before may have opened the app on this page. */
+  /** `shared`: an earlier test may have opened the app on this page. */
   constructor(
     readonly page: Page,
     private readonly shared = false,
@@ -54,15 +54,15 @@ export class App {
     page.on('console', this.onConsole).on('pageerror', this.onException).on('request', this.onRequest);
   }
 
-  /** What happens on the page from now on is of another test. */
+  /** Further events on the page belong to another test. */
   leave(): void {
     const { page } = this;
     page.off('console', this.onConsole).off('pageerror', this.onException).off('request', this.onRequest);
   }
 
   /**
-   * Opens the page with nothing kept, and waits for the first shape; the motion stands still unless
-   * the test wants it. A page that is open already is reset instead of loaded, the first time in a test.
+   * Opens the page with empty storage and waits for the first shape, without playback by default. The first call of a
+   * test resets an open page instead of loading it.
    */
   async open({ first = false, search = '', hash = '', sample }: OpenOptions = {}): Promise<this> {
     const fragment = sample ? `#sample=${sample}` : hash;
@@ -70,7 +70,7 @@ export class App {
     this.opened = true;
     if (!again && this.shared) {
       if (search === '' && !GUIDE.test(fragment) && (await this.reset(fragment))) return this;
-      // The guide gives back what was open before; options of the address count when the page is loaded.
+      // The guide restores the earlier content; URL options take effect only when the page is loaded.
       const { origin } = new URL(this.page.url());
       await this.page.goto('about:blank');
       if (origin !== 'null') await forget(this.page, origin);
@@ -84,7 +84,7 @@ export class App {
     return this;
   }
 
-  /** Whether it could be: what is loaded is the app, without options in its address. */
+  /** Returns whether a reset was possible: the loaded page is the app, without URL options. */
   private async reset(fragment: string): Promise<boolean> {
     return this.page.evaluate(async (to) => {
       if (!window.__shapespline || location.search !== '') return false;
@@ -93,7 +93,7 @@ export class App {
     }, fragment);
   }
 
-  /** Loads the same page once more, as soon as nothing would be lost, and waits for its first shape. */
+  /** Reloads the page once nothing would be lost, and waits for its first shape. */
   async reload(): Promise<void> {
     const asks = (): Promise<boolean> =>
       this.page.evaluate(() => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })));
@@ -102,14 +102,14 @@ export class App {
     await this.started();
   }
 
-  /** Waits for the first shape of a page that is being loaded. */
+  /** Waits for the first shape of a page being loaded. */
   async started(): Promise<void> {
     await this.page.waitForFunction(() => window.__shapespline !== undefined);
     await this.page.evaluate(() => window.__shapespline!.ready);
     await this.settled();
   }
 
-  /** Opens a generated mesh with three keys in place of what is open (tests/shapes/bench_mesh.h). */
+  /** Opens a generated mesh with three keys instead of the current content (tests/shapes/bench_mesh.h). */
   async openGenerated(faces: number): Promise<void> {
     const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-generated-'));
     try {
@@ -129,12 +129,12 @@ export class App {
     await expect.poll(async () => (await this.state()).source).toEqual({ kind: 'sample', id });
   }
 
-  /** The browser's own drag and drop, which alone can hold folders. */
+  /** The browser's own drag and drop, which supports folders. */
   async drop(files: string[], at = { x: 400, y: 300 }): Promise<void> {
     await this.drag(['dragEnter', 'dragOver', 'drop'], files, at);
   }
 
-  /** Drags files over a position; an element that appears there receives the second move. */
+  /** Drags files over a position. An element that appears there receives the second move. */
   async dragOver(files: string[], at: { x: number; y: number }): Promise<void> {
     await this.drag(['dragEnter', 'dragOver', 'dragOver'], files, at);
   }
@@ -158,7 +158,7 @@ export class App {
     return this.page.evaluate(() => window.__shapespline!.settled());
   }
 
-  /** The page shows a choice with its next frame; before that its controls say what was. */
+  /** The page shows a choice with the next frame; until then its controls show the old one. */
   nextFrame(): Promise<void> {
     return this.page.evaluate(
       () =>
@@ -190,7 +190,7 @@ export class App {
     return this.positions(view);
   }
 
-  /** The canvas as it is on the screen, without what lies over it. */
+  /** The canvas on the screen, without its overlays. */
   async picture(): Promise<Buffer> {
     await this.settled();
     await this.page.addStyleTag({
@@ -210,24 +210,21 @@ export class App {
 interface Fixtures {
   app: App;
   /**
-   * Pixels of the picture to a pixel of the page, each way: half of what a drawn frame costs is its pixels. Tests of
-   * what they look like have all of them.
+   * Image pixels per page pixel in each direction; half the cost of a frame is its pixels. Tests of image details use
+   * 1.
    */
   sharpness: number;
-  /**
-   * For tests of what happens while the page is loaded, that change its functions, or that begin with an empty shelf: a
-   * page of their own.
-   */
+  /** A separate page, for tests that watch the page load, change its functions, or need empty storage. */
   fresh: boolean;
-  /** For tests with a service worker, or of a visitor who differs: a profile of their own, which costs most. */
+  /** A separate browser profile, for tests with a service worker or other user settings; the slowest option. */
   ownProfile: boolean;
 }
 
 interface Shared {
   profile: BrowserContext;
-  /** A page of it, in whose process all others are. */
+  /** First page of the browser, whose process all pages share. */
   first: Page;
-  /** The page that tests share, with pixels of this sharpness. */
+  /** The page shared by tests, at this sharpness. */
   page: Page | null;
   sharpness: number;
 }
@@ -244,8 +241,8 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   ownProfile: [false, { option: true }],
   fresh: [false, { option: true }],
   sharpness: [0.25, { option: true }],
-  // A page that opens where another of its site has been open is spared a process and most of the compiling: half of
-  // what opening costs. The first page stays open, which keeps the process.
+  // Opening a page of a known site saves a process and most compilation, half the cost of opening. The first page stays
+  // open, which keeps the process.
   shared: [
     async ({ browser }, use, { project }) => {
       const { baseURL } = project.use;
@@ -292,7 +289,7 @@ async function drawnAt(sharpness: number, context: BrowserContext): Promise<Page
   return page;
 }
 
-/** As for the first test; what is open is reopened or reset. */
+/** Prepares the page as for the first test: the open page is reopened or reset. */
 async function sharedPage(shared: Shared, sharpness: number): Promise<Page> {
   if (!shared.page || shared.sharpness !== sharpness || shared.page.isClosed()) {
     await shared.page?.close();
@@ -302,7 +299,7 @@ async function sharedPage(shared: Shared, sharpness: number): Promise<Page> {
     return shared.page;
   }
   const { page } = shared;
-  // A window that fills the screen cannot be resized.
+  // A full-screen window cannot be resized.
   await page.evaluate(() => document.fullscreenElement && document.exitFullscreen());
   await page.setViewportSize(VIEWPORT);
   await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce', forcedColors: 'none' });
@@ -310,7 +307,7 @@ async function sharedPage(shared: Shared, sharpness: number): Promise<Page> {
   return page;
 }
 
-/** Clears what the pages of a site have kept in the browser. */
+/** Clears the storage of a site. */
 async function forget(page: Page, origin: string): Promise<void> {
   const session = await page.context().newCDPSession(page);
   await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
@@ -325,7 +322,7 @@ export function difference(a: readonly number[], b: readonly number[]): number {
   return a.reduce((most, value, index) => Math.max(most, Math.abs(value - b[index]!)), 0);
 }
 
-/** Least and largest coordinate along an axis. */
+/** Minimum and maximum coordinate along an axis. */
 export function extent(positions: readonly number[], axis: 0 | 1 | 2): [number, number] {
   const along = positions.filter((_, index) => index % 3 === axis);
   return along.reduce<[number, number]>(

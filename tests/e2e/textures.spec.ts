@@ -1,4 +1,4 @@
-/** Textures on the shape: where they have seams, where they repeat, and where they are too large to be drawn. */
+/** Textures on the shape: with seams, repeated, and too large to be drawn. */
 import { Document, WebIO } from '@gltf-transform/core';
 import { blank, colourAt, columns, decode } from './png.ts';
 import type { Colour } from './png.ts';
@@ -12,7 +12,7 @@ const RED = [255, 0, 0] as const;
 const GREEN = [0, 255, 0] as const;
 const BLUE = [0, 0, 255] as const;
 
-/** Which colour is strongest on the screen at points of the shape. */
+/** The strongest colour channel on the screen at points of the shape. */
 async function coloursAt(app: App, points: number[]): Promise<Channel[]> {
   const picture = decode(await app.picture());
   const at = await app.page.evaluate((xyz) => Array.from(window.__shapespline!.project(xyz)), points);
@@ -42,7 +42,7 @@ async function openTextured(
   expect((await app.state()).doc.keys).toHaveLength(keys);
   await app.page.keyboard.press('1');
   await app.page.keyboard.press('v');
-  // Looks of its own are how a shape is shown first.
+  // By default a shape is shown with its own materials.
   await expect(app.by('colouring-texture')).toBeChecked();
   await app.by('floor').uncheck();
   await app.page.keyboard.press('v');
@@ -55,9 +55,7 @@ const given = (name: string, content: string | Buffer): { name: string; mimeType
   buffer: Buffer.from(content),
 });
 
-/**
- * Two squares beside each other in the plane z = 0, or bent; they share an edge, but not where it lies in the texture.
- */
+/** Two adjacent squares in the plane z = 0, or bent. They share an edge, but not its texture coordinates. */
 function squares(bend: number): string {
   const places = [
     [-1, -1, 0],
@@ -88,7 +86,7 @@ function squares(bend: number): string {
   ].join('\n');
 }
 
-/** Along both squares and close to both sides of their common edge. */
+/** Points along both squares and close to both sides of their common edge. */
 const PLACES = [-0.9, -0.5, -0.03, 0.03, 0.5, 0.9].flatMap((x) => [x, 0.1, 0]);
 const SIDES: Channel[] = ['red', 'red', 'red', 'blue', 'blue', 'blue'];
 
@@ -139,7 +137,7 @@ async function sampledSquare(sampler: { wrap: 10497 | 33071 | 33648; image: Buff
 
 test('a texture repeats, stops or is mirrored as its sampler says', { tag: '@all' }, async ({ app }) => {
   await app.open();
-  const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // at u = 0.25, 0.75, 1.25, 1.75
+  const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // these points have u = 0.25, 0.75, 1.25, 1.75
   const ways: [10497 | 33071 | 33648, Channel[]][] = [
     [10497, ['red', 'blue', 'red', 'blue']],
     [33071, ['red', 'blue', 'blue', 'blue']],

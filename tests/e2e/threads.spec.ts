@@ -1,4 +1,4 @@
-/** Large shapes on a host that isolates its pages: a second thread, and the same frames as everywhere else. */
+/** Large shapes on a host that isolates its pages: a second thread, with the same frames as elsewhere. */
 import { fileURLToPath } from 'node:url';
 import { freePort, serve } from '../../wasm/toolchain/serve.mjs';
 import { App, expect, test } from './support.ts';
@@ -7,7 +7,7 @@ test.use({ ownProfile: true });
 
 const BUILT = fileURLToPath(new URL('../../dist', import.meta.url));
 
-const FACES = 84_000; // 42,002 vertices: above what threads are tried for
+const FACES = 84_000; // 42,002 vertices: above the limit for a second thread
 const PLAIN = `http://localhost:${process.env['SHAPESPLINE_BUILT_PORT'] ?? '5274'}/some/sub/path/`;
 const TIMES = [0.1, 0.35, 0.5, 0.8, 1.2];
 
@@ -15,12 +15,12 @@ interface Shown {
   isolated: boolean;
   helper: boolean;
   threads: number;
-  /** On the page, of the threads at work. */
+  /** The page's text about the threads in use. */
   said: string | null;
   positions: Float32Array[];
 }
 
-/** In the engine's worker: by its clock each frame that one thread makes alone takes a second longer. */
+/** In the engine's worker, makes each single-thread frame appear a second slower by its clock. */
 function slowAlone(): void {
   type Kernels = Record<'shapespline_set_threads' | 'shapespline_evaluate', (...args: number[]) => number>;
   const now = performance.now.bind(performance);
@@ -47,7 +47,7 @@ function slowAlone(): void {
   };
 }
 
-/** Changes the script of the engine's worker on its way to the page. */
+/** Changes the script of the engine's worker during loading. */
 async function changeWorker(app: App, change: (text: string) => string): Promise<void> {
   await app.page.route(/engine\.worker.*\.js$/, async (route) => {
     const response = await route.fetch();
@@ -56,8 +56,8 @@ async function changeWorker(app: App, change: (text: string) => string): Promise
 }
 
 /**
- * Opens a large shape, makes more frames than are needed to choose, and up to `patience` more until two threads are the
- * faster ones, and looks at some.
+ * Opens a large shape and makes more frames than the choice needs, then up to `patience` more until two threads are
+ * faster. Returns some frames.
  */
 async function show(app: App, patience = 0): Promise<Shown> {
   await app.openGenerated(FACES);
@@ -119,7 +119,7 @@ test('an isolated page that was opened once works without a network, with two th
 });
 
 test.describe('with files that are changed or stopped on their way', () => {
-  test.use({ serviceWorkers: 'block' }); // whose requests cannot be stopped here
+  test.use({ serviceWorkers: 'block' }); // a service worker's requests cannot be intercepted
 
   test('on an isolated page two threads work on a large shape where that is faster, and make the frames of a page without', {
     tag: '@all',
@@ -127,7 +127,7 @@ test.describe('with files that are changed or stopped on their way', () => {
     test.setTimeout(240_000);
     await changeWorker(app, (text) => `(${slowAlone.toString()})();\n${text}`);
     await app.open();
-    const isolated = await show(app, 600); // the second thread may take a while to get ready
+    const isolated = await show(app, 600); // the second thread may take time to become ready
     expect(app.problems).toEqual([]);
     const plainPage = new App(await browser.newPage({ reducedMotion: 'reduce', baseURL: PLAIN }));
     await plainPage.open();

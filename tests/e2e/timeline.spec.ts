@@ -1,4 +1,4 @@
-/** The slider: past both ends, snapping, the keyboard, typed times, keys dragged in time. */
+/** The slider: extrapolation, snapping, keyboard, typed times, dragged keys. */
 import { difference, expect, test } from './support.ts';
 import type { App } from './support.ts';
 
@@ -48,7 +48,7 @@ test('snaps to a key within reach, and not with Alt held', async ({ app }) => {
   const key = doc.keys[1]!;
   const { y } = await track(app);
   const x = (await xOf(app, key.time)) + 4;
-  // Above the diamond, which would be dragged itself.
+  // The click is above the diamond, which would be dragged instead.
   await app.page.mouse.click(x, y - 22);
   expect((await app.state()).time).toBe(key.time);
   await expect(app.by('phase')).toHaveText('At key 2');

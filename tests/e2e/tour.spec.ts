@@ -1,4 +1,4 @@
-/** The tour: each step is a state of the app, reached by its link and by turning pages; nothing is lost by it. */
+/** The tour: each step is a state of the app, reached by its link and by turning pages; no work is lost. */
 import { FIGURES } from '../../web/app/guide/figures.ts';
 import type { GuidePage } from '../../web/app/guide/guide-page.ts';
 import { TOUR } from '../../web/app/guide/tour.ts';
@@ -12,7 +12,7 @@ const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buff
 const title = (app: App) => app.by('guide').getByRole('heading');
 const fragment = (app: App): string => new URL(app.page.url()).hash;
 
-/** The page of the guide, with the state that its link names. */
+/** Expects the page of the guide, with its link's state. */
 async function expectPage(app: App, step: GuidePage): Promise<void> {
   const link = readPermalink(step.state)!;
   await expect(title(app)).toHaveText(step.title);
@@ -99,7 +99,7 @@ test('left while its page is still being opened, it gives back what was open, an
   await app.page.route(/samples\/twisted-bar/, async (route) => {
     asked += 1;
     await held;
-    await route.continue().catch(() => undefined); // the page no longer waits for it
+    await route.continue().catch(() => undefined); // the page is no longer waiting for it
   });
   await app.by('help').focus();
   await app.page.keyboard.press('Enter');
@@ -112,7 +112,7 @@ test('left while its page is still being opened, it gives back what was open, an
   await expect(title(app)).toHaveText(TOUR[1]!.title);
   await expect.poll(() => asked).toBeGreaterThan(0);
   await app.page.keyboard.press('Escape');
-  await app.page.keyboard.press('Escape'); // in a hurry
+  await app.page.keyboard.press('Escape'); // the user presses keys quickly
   await expect(app.by('guide')).toHaveCount(0);
   await expect(app.by('help')).toBeFocused();
   arrive();
@@ -135,7 +135,7 @@ test.describe('while it is loaded', () => {
       const asked = app.page.waitForRequest(what);
       await app.page.route(what, async (route) => {
         await held;
-        await route.continue().catch(() => undefined); // the page no longer waits for it
+        await route.continue().catch(() => undefined); // the page is no longer waiting for it
       });
       return { asked, arrive };
     };
@@ -163,7 +163,7 @@ test.describe('while it is loaded', () => {
     octopus.arrive();
     await leave();
     await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'octopus' });
-    // Files that came before the link are what is given back.
+    // Closing the guide restores files opened before the link.
     const late = await heldBack(/samples\.json/);
     await app.page.goto('about:blank');
     await app.page.goto('./');
@@ -216,7 +216,7 @@ test('what a step speaks of under the options is in sight, although plots above 
     await expect.poll(from, `${link}: below the row of names`).toBeGreaterThan(0);
     await expect.poll(from, `${link}: not further down`).toBeLessThan(0.6 * side.height);
   }
-  // The reader's hand is stronger: what is scrolled to stays whatever changes.
+  // The user's scroll position stays, whatever changes.
   await app.page.locator('.side').hover();
   await app.page.mouse.wheel(0, -4000);
   await expect.poll(() => app.page.locator('.side').evaluate((side) => side.scrollTop)).toBeLessThan(200);
@@ -241,7 +241,7 @@ test('the playground is a part of its step: an angle of the shape, dragged besid
   await app.page.mouse.move(dot.x + dot.width / 2, dot.y + dot.height / 2 - 30, { steps: 3 });
   await app.page.mouse.up();
   await expect.poll(line).not.toBe(before);
-  // The shape takes it, and the options come back with the next page.
+  // The shape uses the values, and the options return with the next page.
   await play.getByTestId('ends-hermite').check();
   await play.getByTestId('give-back').click();
   await expect.poll(async () => (await app.state()).doc.motion.boundary).toBe('hermite');
@@ -272,7 +272,7 @@ test('on a projector a step is large, with nothing to press, and a clicker turns
   expect(await app.page.locator('.guide-scroll').evaluate((one) => one.scrollHeight - one.clientHeight)).toBeLessThan(
     2,
   );
-  // The step's own plot comes first, beside its words.
+  // The step's own plot comes first, beside its text.
   await app.page.keyboard.press('a');
   expect((await app.state()).view.present).toBe('volume');
   await expect(app.by('plot-volume').locator('svg.plot .curve').first()).toBeVisible();
@@ -306,7 +306,7 @@ test('on a projector the sixth step has its playground, in large type, and its l
   await expect(play.getByTestId('figure-curve')).toBeVisible();
   const { width } = (await app.page.locator('.framed').boundingBox())!;
   expect(width).toBeGreaterThan(0.6 * 1024);
-  // Its pixels are larger ones.
+  // The playground's pixels are larger.
   const inside = await play.locator('body').evaluate(({ ownerDocument }) => ownerDocument.defaultView!.innerWidth);
   const type = play.locator('.unit, text, label').first();
   const size = await type.evaluate((one) => parseFloat(getComputedStyle(one).fontSize));
@@ -323,7 +323,7 @@ test('on a projector the sixth step has its playground, in large type, and its l
   await app.expectNoProblems();
 });
 
-/** It covers nothing of the shape, and the way on is in sight. */
+/** It covers no part of the shape, and the next button is visible. */
 async function expectBesideShape(app: App): Promise<void> {
   const shape = (await app.by('viewport').boundingBox())!;
   const guide = (await app.by('guide').boundingBox())!;
@@ -345,7 +345,7 @@ test('at 360 px a student goes from the first step to the last, by hand and by k
     if (index === 1) await expectBesideShape(app);
     const [frame, page] = [(await app.by('guide').boundingBox())!, (await app.by('viewport').boundingBox())!];
     expect(page.height, 'the shape is seen').toBeGreaterThan(0.28 * height);
-    // All of the text can be read by scrolling.
+    // The whole text can be read by scrolling.
     const formula = app.by('guide').locator('.formula figcaption');
     await formula.scrollIntoViewIfNeeded();
     const words = (await formula.boundingBox())!;
@@ -356,7 +356,7 @@ test('at 360 px a student goes from the first step to the last, by hand and by k
     if (index < 3) await app.by('guide-next').click();
     else if (index < TOUR.length - 3) await app.page.keyboard.press('Enter');
   }
-  // In a hurry; then there is no next page.
+  // After quick key presses there is no next page.
   await app.page.keyboard.press('Enter');
   await app.page.keyboard.press('Enter');
   await expectStep(app, 9);
@@ -374,7 +374,7 @@ test('at 1024 px the guide covers nothing of the shape, and closed it leaves the
   await app.open({ hash: '#tour=2' });
   await expectStep(app, 1);
   await expectBesideShape(app);
-  // Who came by its link goes on with the first sample, as on any first visit.
+  // A user who came by its link continues with the first sample, as on any first visit.
   await app.by('guide-close').click();
   await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
   expect((await app.state()).view.compare).toEqual([]);

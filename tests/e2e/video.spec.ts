@@ -1,4 +1,4 @@
-/** Videos and pictures, read back: how long, how many frames, how large, and what is in them. */
+/** Videos and images, read back: duration, number of frames, size, and content. */
 import type { Page } from '@playwright/test';
 import { ALL_FORMATS, BufferSource, EncodedPacketSink, Input } from 'mediabunny';
 import { exported, stated, type } from './exporting.ts';
@@ -40,12 +40,12 @@ interface Tested {
 interface Played {
   duration: number;
   ended: boolean;
-  /** Where the frames that were shown begin, as the file says. */
+  /** Start times of the shown frames, from the file. */
   stamps: number[];
   frames: Buffer[];
 }
 
-/** Seeks a video in a page of its own from moment to moment, then plays it to its end. */
+/** Seeks a video on a separate page to several times, then plays it to its end. */
 async function played({ page, bytes, times }: Tested): Promise<Played> {
   const other = await page.context().newPage();
   const { frames, ...rest } = await other.evaluate(
@@ -64,7 +64,7 @@ async function played({ page, bytes, times }: Tested): Promise<Played> {
         height: video.videoHeight,
       });
       const frames: string[] = [];
-      // The event that a seek has ended may come before its frame.
+      // The seek's end event may come before its frame.
       const presented = (): Promise<number> =>
         new Promise((resolve) => {
           video.requestVideoFrameCallback((_, { mediaTime }) => resolve(mediaTime));
@@ -73,7 +73,7 @@ async function played({ page, bytes, times }: Tested): Promise<Played> {
       for (const moment of moments) {
         const frame = presented();
         video.currentTime = moment;
-        // The first frame of all may be shown only now.
+        // The very first frame may be shown only now.
         let stamp = await frame;
         while (Math.abs(stamp - moment) > 0.1) stamp = await presented();
         stamps.push(stamp);
@@ -91,7 +91,7 @@ async function played({ page, bytes, times }: Tested): Promise<Played> {
   return { ...rest, frames: frames.map((frame) => Buffer.from(frame, 'base64')) };
 }
 
-/** Mean difference of a video's frame to a picture of the same place, in levels of 255. */
+/** Mean difference between a video frame and an image of the same region, in levels of 255. */
 function meanDifference(frame: Buffer, picture: Buffer): number {
   const [a, b] = [decode(frame), decode(picture)];
   let sum = 0;
@@ -132,7 +132,7 @@ test('a video takes as long as was watched, whatever the machine takes, and the 
   await expect(app.by('export-rate')).toHaveValue('30');
   await app.by('export-close').click();
 
-  // Another length than was watched is said, and can be taken back.
+  // A duration other than on the page is reported and can be reset.
   await stated(app, () => type(app, 'export-duration', '3'));
   await expect(app.by('export-speed')).toHaveText('0.333× the timeline');
   await app.by('export-duration-reset').click();
@@ -140,7 +140,7 @@ test('a video takes as long as was watched, whatever the machine takes, and the 
 });
 
 test('the playing shape is saved as MP4: every frame is its shape, at its time', async ({ app }) => {
-  // Odd, and small: software renders and encodes it.
+  // Odd and small, because software renders and encodes it.
   await app.page.setViewportSize({ width: 801, height: 601 });
   await app.open();
   const {
@@ -161,7 +161,7 @@ test('the playing shape is saved as MP4: every frame is its shape, at its time',
   video.stamps.forEach((stamp, frame) => expect(stamp).toBeCloseTo(frame / 30, 6));
   expect(video.seconds).toBeCloseTo(0.5, 6);
 
-  // The middles of three frames, two of them neighbours; the animation goes from 0 to 1.
+  // The middles of three frames, two of them neighbours; the animation runs from 0 to 1.
   const numbers = [8, 7, 0];
   const times = numbers.map((frame) => (frame + 0.5) / 30);
   const { duration, ended, stamps: shown, frames } = await played({ page: app.page, bytes, times });
@@ -200,12 +200,12 @@ test('choices that are made before the page draws again are all kept', async ({ 
 interface Gif {
   width: number;
   height: number;
-  /** Hundredths of a second, as the file says. */
+  /** Hundredths of a second, from the file. */
   delays: number[];
   loops: boolean;
 }
 
-/** The blocks of a GIF, as its specification has them. */
+/** The blocks of a GIF, following its specification. */
 function readGif(bytes: Buffer): Gif {
   expect(bytes.toString('latin1', 0, 6)).toBe('GIF89a');
   const table = (flags: number): number => (flags & 0x80 ? 3 * 2 ** ((flags & 7) + 1) : 0);
@@ -231,7 +231,7 @@ function readGif(bytes: Buffer): Gif {
   return gif;
 }
 
-/** What the browser makes of a GIF: its frames as PNG, and the milliseconds of each. */
+/** A GIF decoded by the browser: frames as PNG, and their durations in milliseconds. */
 async function decodedGif(page: Page, bytes: Buffer): Promise<{ frames: Buffer[]; milliseconds: number[] }> {
   const { frames, milliseconds } = await page.evaluate(async (base64) => {
     const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -271,7 +271,7 @@ test.describe('with code that is loaded when it is needed', () => {
       await chooseVideo(app, 'gif', { 'export-duration': '0.5', 'export-rate': '30' });
       await size(app, 320, 240);
     });
-    // It is fetched only now.
+    // The encoder is fetched only now.
     expect(code().filter((url) => url.includes('gif-encoder'))).toHaveLength(1);
     expect(code().filter((url) => !url.includes('gif-encoder'))).toEqual([]);
     expect(text).toBe('15 frames, 0.5 s, 320 × 240 pixels');
@@ -288,7 +288,7 @@ test.describe('with code that is loaded when it is needed', () => {
     for (const [frame, picture] of frames.entries())
       if (frame > 0) expect(changedShare(frames[frame - 1]!, picture), `frame ${frame}`).toBeGreaterThan(0.005);
 
-    // The same frame as a PNG of the same size.
+    // The video frame is compared with a PNG of the same size.
     await app.setTime(7 / 15);
     const { bytes: picture } = await exported(app, async () => {
       await app.by('export-kind-picture').check();
@@ -333,7 +333,7 @@ test('a turntable takes the seconds that the dialog says, once around, and leave
   expect(video.seconds).toBeCloseTo(0.8, 2);
   const { frames } = await played({ page: app.page, bytes, times: [0.05, 0.25, 0.45, 0.75] });
   for (const frame of [1, 2, 3]) expect(changedShare(frames[0]!, frames[frame]!)).toBeGreaterThan(0.03);
-  // Once around: at its end it has come nearly back.
+  // After one turn, the view is nearly the initial one.
   expect(meanDifference(frames[3]!, frames[0]!)).toBeLessThan(meanDifference(frames[2]!, frames[0]!));
   expect((await app.state()).view.camera).toEqual(camera);
 });
@@ -378,7 +378,7 @@ test('a long video is stopped and leaves everything as it was', { tag: '@all' },
 
 const alphaAt = ({ width, data }: Picture, x: number, y: number): number => data[4 * (y * width + x) + 3]!;
 
-/** Where the first pixel of a row is that is not empty; -1 where none is. */
+/** Position of the first non-empty pixel in a row; -1 if none. */
 function leftEnd(picture: Picture, y: number): number {
   for (let x = 0; x < picture.width; x += 1) if (alphaAt(picture, x, y) > 0) return x;
   return -1;
@@ -394,7 +394,7 @@ test('a picture has the size that was chosen, and each of its pixels is drawn', 
   expect(text).toBe('A picture of 3840 × 2160 pixels');
   const picture = decode(bytes);
   expect([picture.width, picture.height]).toEqual([3840, 2160]);
-  // Nothing but the shape: no grid, no shadow. Edges are not smoothed in these tests.
+  // The image shows only the shape, without grid and shadow. Edges are not smoothed in these tests.
   const ends = Array.from({ length: 2160 }, (_, y) => leftEnd(picture, y)).filter((x) => x >= 0);
   expect(ends.length).toBeGreaterThan(800);
   expect(ends.length).toBeLessThan(1800);
@@ -402,7 +402,7 @@ test('a picture has the size that was chosen, and each of its pixels is drawn', 
     [0, 0],
     [0, 0],
   ]);
-  // A picture that was scaled up would have steps of several pixels.
+  // An enlarged image would have steps of several pixels.
   const single = ends.filter((x, row) => row > 0 && Math.abs(x - ends[row - 1]!) === 1).length;
   const odd = ends.filter((x) => x % 2 === 1).length;
   expect(single).toBeGreaterThan(200);
@@ -444,7 +444,7 @@ test('a picture is cropped to the shape, or has the floor and the ground of the 
   const ground = decode(whole.bytes);
   expect([ground.width, ground.height]).toEqual([1920, 1080]);
   expect(ground.data.every((value, at) => at % 4 !== 3 || value === 255)).toBe(true);
-  // The floor's grid and the shadow: not one colour around the shape.
+  // With the floor's grid and the shadow, the background has several colours.
   const row = Array.from({ length: 1920 }, (_, x) => colourAt(ground, x, 900).join());
   expect(new Set(row).size).toBeGreaterThan(5);
 });
@@ -463,8 +463,8 @@ test('a picture of a film strip has the strip of every method, the keys in it, a
     await app.by('export-crop').uncheck();
   });
   const picture = decode(bytes);
-  // Columns of the upper and the lower half that hold something of a shape, which has colours: nine shapes beside each
-  // other, the first and the last beyond the ends.
+  // Columns of the upper and the lower half with coloured pixels of a shape: nine shapes side by side, the first and
+  // the last extrapolated.
   const shapesIn = (from: number, to: number): number => {
     let count = 0;
     let before = false;
@@ -481,7 +481,7 @@ test('a picture of a film strip has the strip of every method, the keys in it, a
   };
   expect(shapesIn(0, 540)).toBe(9);
   expect(shapesIn(540, 1080)).toBe(9);
-  // Letters in the lower half of each.
+  // Text in the lower half of each.
   const names = (from: number, to: number): number => {
     let dark = 0;
     for (let y = from; y < to; y += 1)
@@ -505,7 +505,7 @@ test('a comparison carries the names of its methods', { tag: '@all' }, async ({ 
   const both = await exported(app, async () => {});
   const picture = decode(both.bytes);
   const half = Math.floor(picture.width / 2);
-  // Letters over each of the two: dark, without colour, on nothing.
+  // Text over each of the two: dark grey on a transparent background.
   const letters = (from: number): number => {
     let count = 0;
     for (let y = 0; y < 0.12 * picture.height; y += 1)

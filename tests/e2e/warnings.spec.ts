@@ -1,6 +1,5 @@
 /**
- * Warnings that can be read and show their place; whole turns of parts. What the engine would say is put into its
- * answers here.
+ * Warnings with their text and location, and full turns of parts. The test adds the engine's warnings to its answers.
  */
 import type { Locator, Page } from '@playwright/test';
 import type { Warning } from '../../web/engine/api/types.ts';
@@ -54,12 +53,12 @@ async function withChangedResults(
   }, change);
 }
 
-/** How much of the picture has the colour of a mark. */
+/** Share of the image in the mark's colour. */
 async function markedShare(app: App): Promise<number> {
   return matching(await app.picture(), ([r, g, b]) => r - g > 60 && b - g > 25).share;
 }
 
-/** More than the swatch of a button. */
+/** A share above that of the colour sample on a button. */
 const SEEN = 0.0006;
 
 async function expectWithin(inner: Locator, outer: Locator): Promise<void> {
@@ -69,7 +68,7 @@ async function expectWithin(inner: Locator, outer: Locator): Promise<void> {
 }
 
 test.describe('with changed answers of the workers', () => {
-  // They are changed as the page is loaded.
+  // The test changes the workers while the page is loaded.
   test.use({ fresh: true });
 
   test('warnings can be read at 360 px', async ({ app }) => {
@@ -105,7 +104,7 @@ test.describe('with changed answers of the workers', () => {
     expect((await app.state()).time).toBeCloseTo((keys[0]!.time + keys[1]!.time) / 2, 9);
     await expect.poll(() => markedShare(app)).toBeGreaterThan(SEEN);
 
-    // One without a place of its own takes the colour away.
+    // A warning without a location removes the mark.
     await app.by('warning-1-show').click();
     await expect(show).toHaveAttribute('aria-pressed', 'false');
     await app.settled();
@@ -135,7 +134,7 @@ test.describe('with changed answers of the workers', () => {
     await expect(app.page.getByText('fold over')).toHaveCount(1);
     const before = await app.picture();
     await app.by('lost-show').click();
-    // Faintly, where the rest of the shape hides it.
+    // Faintly, where the shape hides the mark.
     await expect.poll(async () => changedShare(before, await app.picture())).toBeGreaterThan(0.0003);
     await app.setTime(1.2);
     await expect(app.by('lost')).toContainText('this far from the keys');
@@ -151,7 +150,7 @@ test.describe('with changed answers of the workers', () => {
   });
 });
 
-/** Two bars; `turn` radians about their own axes. */
+/** Two bars, rotated by `turn` radians about their own axes. */
 function bars(turn: number): Buffer {
   const lines: string[] = [];
   for (const x of [-1, 1]) {
@@ -210,7 +209,7 @@ test('whole turns are given to the shape or to one of its parts, which is marked
   await app.page.keyboard.press('Control+z');
   await app.settled();
   expect((await turns()).flat()).toEqual([]);
-  // Not every method takes turns.
+  // Not every method supports added turns.
   await app.by('method').selectOption('rimd');
   await app.settled();
   await app.by('key-1-edit').click();

@@ -1,4 +1,7 @@
-/** Wasm and native agree: both are held to the shapes in native-shapes.json, native by native/agreement_test.cpp. */
+/**
+ * Wasm and native code agree: both are compared with the shapes in native-shapes.json, native code by
+ * native/agreement_test.cpp.
+ */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { frameAt, testEngine } from './support/engines.ts';
@@ -13,7 +16,7 @@ const shared = JSON.parse(readFileSync(new URL('../native-shapes.json', import.m
   shapes: number[][];
 };
 
-/** The numbers as they are written: the engine itself rounds them to float. */
+/** The numbers as written in the file, because the engine itself rounds them to float. */
 function objOf(positions: number[]): Uint8Array {
   const triples = (numbers: number[]): number[][] =>
     Array.from({ length: numbers.length / 3 }, (_, i) => numbers.slice(3 * i, 3 * i + 3));

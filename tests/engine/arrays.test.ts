@@ -1,4 +1,4 @@
-/** Keys of arrays: the same as of files that hold them, and nothing is read for them. */
+/** Keys from arrays equal those from files, without reading a file. */
 import { expect, it } from 'vitest';
 import { make } from '../../web/sculpt/make.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';

@@ -1,4 +1,4 @@
-/** Shapes that are given by weights of the keys, and what is known of where they lie in shape space. */
+/** Shapes given by weights of the keys, and their positions in shape space. */
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
@@ -34,7 +34,7 @@ describe('a blend of keys', () => {
     const { weights } = await bend.sequence.shapePlane(times);
     for (const [index, t] of times.entries()) {
       const shape = await blended(weights.slice(3 * index, 3 * index + 3));
-      if (t < 0 || t > 1) continue; // beyond the keys the motion holds its stretch back
+      if (t < 0 || t > 1) continue; // beyond the keys, the motion limits its stretch
       expect(largestDistance(shape, (await frameAt(bend.sequence, t)).positions)).toBeLessThan(1e-5 * size);
     }
   });
@@ -78,7 +78,7 @@ describe('the discretised minimisation', () => {
       return Math.max(...curve.map((value, index) => Math.abs(value - plane[index]!)));
     };
     const [coarse, fine] = [await off(21), await off(81)];
-    expect(fine).toBeLessThan(coarse / 14); // second order: 16
+    expect(fine).toBeLessThan(coarse / 14); // the order is two, so the ideal ratio is 16
   });
 
   it('refuses counts that cannot work', async () => {
@@ -93,7 +93,7 @@ describe('one face', () => {
     const { patch, numbers, natural } = await bend.sequence.faceCurve(7, [0, 0.5, 1]);
     expect(patch).toBe((await bend.sequence.patches())[7]);
     expect(numbers).toHaveLength(18);
-    // In the reference pose nothing is turned or stretched.
+    // In the reference pose, rotations and stretches are trivial.
     [0, 0, 0, 1, 0, 1].forEach((value, index) => expect(numbers[index]).toBeCloseTo(value, 6));
     expect(natural).toEqual(numbers);
     expect((await failureOf(bend.sequence.faceCurve(1e6, [0]))).code).toBe('invalid-option');
@@ -162,7 +162,7 @@ describe('complete --blend', () => {
   });
 });
 
-/** Weights of three keys around a circle: at radius 1 each key at its third of the way, farther out beyond them. */
+/** Weights of three keys around a circle. At radius 1, each key is at a third of the way; larger radii extrapolate. */
 function around(share: number, radius: number): number[] {
   return [0, 1, 2].map((k) => 1 / 3 + (2 / 3) * radius * Math.cos(2 * Math.PI * (share - k / 3)));
 }
@@ -195,7 +195,7 @@ describe.skipIf(!hasData)('blends of real keys with large turns', () => {
         last = shape;
       }
       expect(Math.max(...moved)).toBeLessThan(across);
-      // What is left of the largest step when it is divided: of a motion a part, of a jump all of it.
+      // The remaining share of the largest step after subdivision: small for a motion, all of it for a jump.
       const worst = moved.indexOf(Math.max(...moved));
       const parts = 32;
       let [most, before] = [0, await at(around(worst / steps, radius))];

@@ -1,4 +1,4 @@
-/** What the analysis panel draws of real keys with large turns: no curve jumps, and slivers set no patch. */
+/** The analysis panel's plots for real keys with large rotations: no curve jumps, and slivers determine no patch. */
 import { describe, expect, it } from 'vitest';
 import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { ImportOptions, Method } from '../../web/engine/api/types.ts';
@@ -15,13 +15,13 @@ type Row = readonly number[];
 
 const apart = (a: Row, b: Row): number => Math.hypot(...a.map((value, i) => value - b[i]!));
 
-/** `count` times from one to another, both included. */
+/** `count` times between two times, both included. */
 const between = (from: number, to: number, count: number): number[] =>
   Array.from({ length: count + 1 }, (_, i) => from + ((to - from) * i) / count);
 
 /**
- * What is left of a curve's largest step when it is divided: of what is continuous a part, of a jump all of it. 0 where
- * nothing moves.
+ * The remaining share of a curve's largest step after subdivision: small for a continuous curve, all of it for a jump.
+ * 0 without movement.
  */
 async function jumpLeft(at: (times: number[]) => Promise<Row[]>, from: number, to: number): Promise<number> {
   const times = between(from, to, STEPS);
@@ -74,7 +74,7 @@ describe.skipIf(!hasData)('charts of real keys with large turns', () => {
     expect(await jumpLeft(plane, from, to), 'plane').toBeLessThan(4 / PARTS);
     for (const patch of [0, 0.3, 0.6, 0.9].map((share) => patches[Math.floor(share * patches.length)]!)) {
       const turns = async (times: number[]): Promise<Row[]> => {
-        // With the reference among them, from which turns are counted.
+        // The reference is included, because rotations are counted from it.
         const all = [reference, ...times];
         const curve = await sequence.patchCurve(patch, all);
         const { neighbours, stretch } = patchCurves(curve, curve.numbers, 0);
@@ -101,7 +101,7 @@ describe.skipIf(!hasData)('charts of real keys with large turns', () => {
     const { sequence, from, to } = await opened(cats);
     const patchOf = await sequence.patches();
     const times = between(from, to, 12);
-    // Some patches are nothing but slivers, which do stretch by a hundred times.
+    // Some patches contain only slivers, which do stretch a hundredfold.
     const large = [...new Set(patchOf)].filter((patch) => patchOf.filter((of) => of === patch).length > 8);
     expect(large.length).toBeGreaterThan(150);
     for (const patch of large) {

@@ -236,7 +236,7 @@ describe('complete', () => {
     const inspected = await runCli(folder, 'inspect', 'walk.obj', 'walk.pc2');
     expect((JSON.parse(inspected.stdout) as { animations: object[] }).animations).toMatchObject([{ start: 0, end: 2 }]);
     const cache = await readFile(path.join(folder, 'walk.pc2'));
-    // Two seconds: one from pose to pose.
+    // The cache covers two seconds, one from pose to pose.
     expect(cache.readInt32LE(28)).toBe(9);
     const { positions } = await objOf('walk.obj');
     expect(cache.readInt32LE(16)).toBe(positions.length / 3);
@@ -382,7 +382,7 @@ describe('complete with a ghost mesh', () => {
     const { faces, vertices, kg } = exact.ghost as Record<string, number>;
     expect(faces).toBeGreaterThan(40);
     expect(faces).toBeLessThanOrEqual(80);
-    expect(faces).toBe(2 * vertices! - 4); // closed, of genus 0
+    expect(faces).toBe(2 * vertices! - 4); // the surface is closed, of genus 0
     expect(kg).toBeGreaterThan(0);
     expect(kg).toBeLessThan(5);
     for (const stage of ['weld', 'simplify', 'encode', 'transfer', 'order', 'factor', 'compare'])

@@ -10,13 +10,13 @@ const poses = [0, 60].map((degrees) => bent(mesh, degrees));
 const plain = poseFiles(mesh, poses);
 const engine = testEngine();
 
-/** Corners in the order of the faces, which do not depend on vertex numbers. */
+/** Corners in face order, independent of vertex numbers. */
 const cornersOf = (positions: Float32Array, indices: Uint32Array): string[] =>
   Array.from(indices, (v) =>
     Array.from(positions.subarray(3 * v, 3 * v + 3), (value) => value.toFixed(2)).join(),
   ).sort();
 
-/** Each face from its least corner on: meshopt may begin a face at another corner, its order and winding stay. */
+/** Each face starting with its smallest corner, because meshopt may rotate corners but keeps order and winding. */
 const facesOf = (indices: Uint32Array): string[] =>
   Array.from({ length: indices.length / 3 }, (_, f) => {
     const [a, b, c] = indices.subarray(3 * f, 3 * f + 3) as unknown as [number, number, number];

@@ -20,7 +20,7 @@ function jsonOf(bytes: Uint8Array): unknown {
   return JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length)));
 }
 
-/** Of a document that glTF-Transform reads. */
+/** The primitive of a document, read by glTF-Transform. */
 async function primitiveOf(bytes: Uint8Array): Promise<Primitive> {
   await MeshoptDecoder.ready;
   const io = new WebIO().registerExtensions(ALL_EXTENSIONS).registerDependencies({ 'meshopt.decoder': MeshoptDecoder });
@@ -28,14 +28,14 @@ async function primitiveOf(bytes: Uint8Array): Promise<Primitive> {
   return document.getRoot().listMeshes()[0]!.listPrimitives()[0]!;
 }
 
-/** How many targets have normals of which numbers. */
+/** Number of targets per number type of their normals. */
 async function targetNormals(bytes: Uint8Array): Promise<{ float: number; short: number }> {
   const arrays = (await primitiveOf(bytes)).listTargets().map((target) => target.getAttribute('NORMAL')!.getArray());
   const float = arrays.filter((array) => array instanceof Float32Array).length;
   return { float, short: arrays.length - float };
 }
 
-/** The base's and each target's, added up, by the numbers of their vertices. */
+/** Sums of the base's and each target's normals, by vertex number. */
 async function shownNormals(bytes: Uint8Array): Promise<Float32Array[]> {
   const primitive = await primitiveOf(bytes);
   const numbers = primitive.getAttribute('_SHAPESPLINE_VERTEX')!;
@@ -90,7 +90,7 @@ describe('an animated GLB', () => {
     const sequence = await engine.createSequence(keys);
     const bytes = await expectPlayed(sequence, { frames: 6, range: [sequence.range[0] - 0.2, sequence.range[1]] });
     const again = (await engine.importKeyframes([{ name: 'again.glb', bytes }])).info;
-    const plain = keys.info.scene.materials.length === 0; // then the export has one that says so
+    const plain = keys.info.scene.materials.length === 0; // then the export has a default one
     if (!plain) expect(again.scene.materials).toEqual(keys.info.scene.materials);
     expect(again.scene.groups).toEqual(
       keys.info.scene.groups.map((group) => (plain ? { ...group, material: 0 } : group)),
@@ -129,7 +129,7 @@ describe('an animated GLB', () => {
       const again = await engine.createSequence(keys, { ...keys.info.project });
       for (const t of [2, 2.2, 5, 9]) {
         const [a, b] = [await frameAt(sequence, t), await frameAt(again, t)];
-        // float32 rounded the keys; extrapolation magnifies that.
+        // float32 rounds the keys, and extrapolation magnifies this.
         expect(largestDistance(a.positions, b.positions)).toBeLessThan((t > 7 ? 1e-3 : 1e-5) * size());
       }
       again.dispose();
@@ -272,9 +272,9 @@ describe('an animated GLB', () => {
       await expectValid(bytes);
       const { float, short } = await targetNormals(bytes);
       expect(short).toBeGreaterThan(float); // the bar's normals turn by up to 80 degrees
-      // Of 24 bytes: a position of 16 bits a coordinate and, where they fit, a normal, each padded to 8 bytes.
+      // Out of 24 bytes: a position with 16 bits per coordinate and, if it fits, a normal, each padded to 8 bytes.
       const quantized = (8 + (8 * short + 12 * float) / (short + float)) / 24;
-      // Smooth surfaces move so evenly that they take fewer bits than the numbers have, 16 and 12 a coordinate.
+      // Smooth surfaces move so evenly that they need fewer bits than the stored 16 and 12 per coordinate.
       const most = compression === 'quantized' ? quantized + 0.02 : (3 * (16 + 12)) / 8 / 24;
       expect(bytes.length).toBeLessThan(most * plain.length);
       const stated = (await sequence.planExport({ ...options, compression })).bytes / bytes.length;
@@ -330,7 +330,7 @@ describe('an animated GLB', () => {
     let largest = 0;
     for (let i = 0; i <= 300; i += 1) largest = Math.max(largest, await off(i / 300));
     expect(largest).toBeLessThan(1.01 * plan.error!);
-    // Two shapes only: lines between so few weights are far off, which is said.
+    // With only two shapes, linear interpolation between few weights has large errors, which are reported.
     const rough = await bend.sequence.planExport({ ...options, frames: 2 });
     expect(rough.times).toEqual([0, 0.5, 1]);
     expect(rough.error).toBeGreaterThan(10 * plan.error!);

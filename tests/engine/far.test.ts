@@ -1,4 +1,4 @@
-/** Shapes far from the origin: exact in the engine, and back where they were in every file. */
+/** Shapes far from the origin: exact in the engine, and at their original position in every file. */
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { describe, expect, it } from 'vitest';
@@ -19,7 +19,7 @@ const angles = [0, 50, 20];
 
 type Place = readonly [number, number, number];
 
-/** In double precision. */
+/** Absolute positions in double precision. */
 const at = (place: Place, positions: Float32Array): number[] =>
   Array.from(positions, (value, i) => value + place[i % 3]!);
 const poseAt = (place: Place, degrees: number): number[] => at(place, bent(mesh, degrees, 2));
@@ -37,7 +37,7 @@ function obj(positions: number[]): Uint8Array {
 const filesAt = (place: Place): InputFile[] =>
   angles.map((degrees, i) => ({ name: `${i}.obj`, bytes: obj(poseAt(place, degrees)) }));
 
-/** Where the keys are. */
+/** The original positions of the keys. */
 const keysAt = (keys: Keys): number[][] => angles.map((_, key) => at(keys.info.offset, keys.positions(key)));
 
 const UTM: Place = [432_100, 5, 5_412_345];

@@ -1,4 +1,4 @@
-/** As few keys of an animation as complete it within an error, measured at times that were not looked at. */
+/** The fewest keys of an animation that reproduce it within an error, measured at times between the samples. */
 import { describe, expect, it } from 'vitest';
 import type { InputFile } from '../../web/engine/api/types.ts';
 import { fewestKeys } from '../../web/study/fewest-keys.ts';
@@ -13,7 +13,7 @@ interface Input {
   what: string;
   read(): Promise<InputFile> | InputFile;
   there: boolean;
-  /** Ratio of the error between the samples to the tolerance; the rig has steps, which sampling misses. */
+  /** Ratio of the error between the samples to the tolerance. The rig has steps that sampling misses. */
   slack: number;
 }
 
@@ -23,7 +23,7 @@ const inputs: Input[] = [
   { what: 'Fox', read: () => dataFile('skin/Fox.glb'), there: hasData, slack: 1.05 },
 ];
 
-/** The largest distance of the motion through these keys from the animation, relative to the diagonal. */
+/** Largest distance between the motion through these keys and the animation, relative to the diagonal. */
 async function errorAt(file: InputFile, keyTimes: number[], times: number[]): Promise<number> {
   const keys = await engine.importKeyframes([file], { sample: keyTimes });
   const truth = await engine.importKeyframes([file], { sample: times });

@@ -1,4 +1,4 @@
-/** Files as people have them (tests/fuzz/corpus), against three.js and by the command line. */
+/** Files from the field (tests/fuzz/corpus), compared with three.js, also through the command line. */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { describe, expect, it } from 'vitest';
@@ -19,7 +19,7 @@ describe('objects in another order', () => {
   it('keep their places, which inspect lists with the rule', async () => {
     const [first, second] = [field('eyes-a.glb'), field('eyes-b.glb')];
     const keys = await engine.importKeyframes([first, second]);
-    // EyeR comes first in the second file: three.js has the files' own order.
+    // EyeR comes first in the second file; three.js keeps each file's order.
     const [a, b] = [keys.positions(0), keys.positions(1)];
     const half = a.length / 2;
     const swapped = Float32Array.from([...b.subarray(half), ...b.subarray(0, half)]);
@@ -43,7 +43,7 @@ describe('objects in another order', () => {
         { key: 1, object: 'EyeR', found: 'EyeR', by: 'name' },
       ],
     });
-    // As an added pose of the open mesh.
+    // The file is also read as an added pose of the open mesh.
     const [pose] = await readPoses(engine, [second], keys);
     expect(pose!.positions).toEqual(b);
   });
@@ -102,7 +102,7 @@ describe('animations', () => {
       const poser = await threePoser(file.bytes, key);
       expect(largestDistance(keys.positions(key), poser.positionsAt(0))).toBeLessThan(1e-5);
     }
-    // The third action alone in a file, as an added pose.
+    // The third action in a separate file, as an added pose.
     const one = field('pose1.glb');
     const poses = await readPoses(engine, [one], keys);
     const poser = await threePoser(one.bytes, 0);

@@ -1,4 +1,4 @@
-/** The guide's statements about figures, checked on the motions of their links. */
+/** The guide's statements about figures, checked on their links' motions. */
 import { readFile } from 'node:fs/promises';
 import { expect, it } from 'vitest';
 import { FIGURES } from '../../web/app/guide/figures.ts';
@@ -31,6 +31,6 @@ it('Fig. 3 passes near the pose that its tangents point to, much nearer than wit
   const near = await percentWith({ ...motion, ...tangents });
   expect(near).toBeGreaterThan(0);
   expect(near).toBeLessThan(3);
-  // In coordinates, tangents of speed v leave 1 - v / 4 of the way from the geodesic's middle to that pose.
+  // In coordinates, tangents of speed v leave 1 - v / 4 of the distance from the geodesic's middle to that pose.
   expect((await percentWith({})) / near).toBeGreaterThan(3);
 });

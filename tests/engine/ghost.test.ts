@@ -68,7 +68,7 @@ describe('a ghost mesh', () => {
     }
     for (const one of [sequence, full]) await one.update({ method: 'linear', boundary: 'natural' });
     expect(await at(sequence)).toEqual(await at(full));
-    // A new computation would have taken a different time.
+    // A recomputation would have taken a different time.
     const { encodeMs, factorMs } = await sequence.stats();
     expect([encodeMs, factorMs]).toEqual([before.encodeMs, before.factorMs]);
     for (const one of [sequence, full]) one.dispose();
@@ -172,7 +172,7 @@ describe('a study of ghosts', () => {
   });
 });
 
-/** KG limits of exact and of paper transfer, in percent, and the keys' in exact. */
+/** KG error limits in percent for exact and paper transfer, and at the keys for exact transfer. */
 async function check(keys: Keys, options: Partial<SequenceOptions>): Promise<void> {
   const { times } = keys.info;
   const at = between.map((share) => times[0]! + share * (times.at(-1)! - times[0]!));

@@ -7,7 +7,7 @@ import { IMPORT_DEFAULTS } from '../../web/engine/api/types.ts';
 
 const MIB = 2 ** 20;
 
-/** Takes all memory that the heap can have; returns how to give it back. */
+/** Allocates all memory that the heap can have; returns a function that frees it. */
 function takeAll({ module }: LocalCore): () => void {
   const taken: number[] = [];
   for (let size = 1024 * MIB; size >= 4096; size /= 2) {

@@ -1,4 +1,4 @@
-/** Motions that hold what rests, through the engine and from the command line. */
+/** Motions that hold resting vertices, through the engine and the command line. */
 import { expect, it } from 'vitest';
 import type { Hold } from '../../web/engine/api/types.ts';
 import { dataFile, hasData } from './support/data.ts';
@@ -22,7 +22,7 @@ it('is chosen and taken back by an update, which encodes nothing, and leaves the
   const [first, last] = sequence.range;
   const t = first + 0.2 * (last - first);
   const plain = await at(t);
-  // The bar stands on its end.
+  // The bar rests on its end.
   const sliding = async (): Promise<number[]> => (await sequence.measures([t, last + 1])).sliding;
   const [slides, beyond] = await sliding();
   expect(beyond).toBeNaN();

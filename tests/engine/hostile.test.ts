@@ -1,6 +1,6 @@
 /**
- * Files that declare, nest or chain more than they hold. Each is refused in one line, and takes memory in proportion to
- * its size: as much as reading an ordinary file of that size. The figures are printed.
+ * Files that declare, nest or chain more than they contain. Each is refused in one line, with memory in proportion to
+ * its size, like an ordinary file. The figures are printed.
  */
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
@@ -16,9 +16,9 @@ import { glbParts, gltfInside as gltf, meshGlb, poseFiles } from './support/glb.
 import { bar } from './support/shapes.ts';
 
 const MB = 1e6;
-/** Memory of Node, its workers and the module, with room for garbage. */
+/** Memory of Node, its workers and the module, including garbage. */
 const AT_REST = 450 * MB;
-/** An OBJ as bytes of the program, of its worker and of the module, and as numbers. */
+/** An OBJ as bytes in the program, its worker and the module, and as numbers. */
 const TIMES_ITS_SIZE = 5;
 
 const fuzzed = fileURLToPath(new URL('../fuzz/found', import.meta.url));
@@ -121,10 +121,10 @@ describe('memory is bounded by the file:', () => {
   it('a few bytes of Draco', async () => {
     const [file] = await draco(poseFiles(mesh, [mesh.positions]));
     const { json, bin } = glbParts(file!.bytes);
-    // Behind the header and how the mesh is traversed stand the numbers of its vertices and faces.
+    // The numbers of vertices and faces follow the header and the encoding method.
     expect(new TextDecoder().decode(bin.subarray(0, 5))).toBe('DRACO');
     const ends = (at: number): number => (bin[at]! < 128 ? at + 1 : ends(at + 1));
-    const many = [0xff, 0xff, 0xff, 0x7f]; // 268 million
+    const many = [0xff, 0xff, 0xff, 0x7f]; // encodes 268 million
     const rest = bin.subarray(ends(ends(12)));
     const changed = Uint8Array.from([...bin.subarray(0, 12), ...many, ...many, ...rest]);
     const { bufferViews } = json as unknown as { bufferViews: { byteLength: number }[] };

@@ -27,7 +27,7 @@ function otherFaces({ indices }: Mesh, face: number): Uint32Array {
   return changed;
 }
 
-/** Every kind of bad second file: its code and what its sentence must say. */
+/** Every kind of invalid second file: the error's code and required text. */
 const bad: [string, InputFile, string, RegExp][] = [
   ['an empty file', named('empty.glb', new Uint8Array(0)), 'empty-file', /empty/],
   ['a cut file', named('cut.glb', good[1]!.bytes.slice(0, 4000)), 'truncated-file', /cut/],

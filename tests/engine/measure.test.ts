@@ -1,4 +1,4 @@
-/** `measure`: the table of several methods, and how far each is off an animation. */
+/** `measure`: the table of several methods, and their errors against an animation. */
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { describe, expect, it } from 'vitest';
@@ -67,7 +67,7 @@ describe('shapespline measure', () => {
   });
 
   describe('against what complete wrote from the same keys', () => {
-    /** A bar along z, turned by more from pose to pose. */
+    /** A bar along z, with a rotation that increases from pose to pose. */
     const pose = (turn: number): Uint8Array => {
       const lines: string[] = [];
       for (let k = 0; k <= 6; k += 1)
@@ -120,7 +120,7 @@ describe('shapespline measure', () => {
     }, async () => {
       const folder = await folderOf(KEYS.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
       expect((await runCli(folder, 'complete', ...KEYS, '--output', 'c.pc2', '--frames', '25')).code).toBe(0);
-      // As another program writes it: without a word of its own.
+      // The file as another program would write it, without our comments.
       const obj = await readFile(path.join(folder, 'c.obj'), 'utf8');
       await writeFile(path.join(folder, 'c.obj'), obj.replace(/^#.*\n/gm, ''));
       const cache = ['--against', 'c.pc2', '--against', 'c.obj'];

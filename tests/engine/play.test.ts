@@ -1,4 +1,4 @@
-/** The playground's splines match the core's, on the coordinates of real keys. */
+/** The playground's splines match the core's for coordinates of real keys. */
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { SequenceOptions } from '../../web/engine/api/types.ts';
@@ -18,13 +18,13 @@ let sequence: Sequence;
 
 beforeAll(async () => {
   const mesh = bar();
-  // Of different sizes, so the shapes do not lie on a line.
+  // Irregular angles, so the shapes are not collinear.
   const poses = [0, 60, -40, 90, 20].map((degrees, i) => bent(mesh, degrees).map((x) => x * (1 + 0.2 * ((i * 3) % 5))));
   keys = await engine.importKeyframes(poseFiles(mesh, poses), { keyTimes: times });
   sequence = await engine.createSequence(keys);
 });
 
-/** Within the keys, on both sides beyond them, and at them. */
+/** Times between the keys, beyond both ends, and at the keys. */
 const asked = [...Array.from({ length: 120 }, (_, i) => -0.8 + i * 0.031), ...times];
 
 const cases: [string, Partial<SequenceOptions>, CurveKind, Partial<FitOptions>][] = [

@@ -1,4 +1,6 @@
-/** Poses that exporters split in ways of their own, caches, numbered files and objects: through engine and CLI. */
+/**
+ * Poses whose vertices exporters have split differently, caches, numbered files and objects, through engine and CLI.
+ */
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { describe, expect, it } from 'vitest';
@@ -13,7 +15,7 @@ import { bar, bent, type Mesh } from './support/shapes.ts';
 const engine = testEngine();
 const text = (content: string): Uint8Array => new TextEncoder().encode(content);
 
-/** Every corner its own vertex, as flat shading may split them. */
+/** Every corner has a separate vertex, as in flat shading. */
 function split({ positions, indices }: Mesh, pose = positions): { mesh: Mesh; pose: Float32Array } {
   const corners = Float32Array.from([...indices].flatMap((v) => [...pose.subarray(3 * v, 3 * v + 3)]));
   return { mesh: { positions: corners, indices: indices.map((_, corner) => corner) }, pose: corners };

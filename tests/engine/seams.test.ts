@@ -1,4 +1,4 @@
-/** OBJ files whose textures have seams: the motion stays in the files' own vertices, the look does not suffer. */
+/** OBJ files with texture seams: the motion uses the files' own vertices, and the look is unchanged. */
 import { WebIO } from '@gltf-transform/core';
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
@@ -18,7 +18,7 @@ const paint = [
   { name: 'paint.png', bytes: Uint8Array.from(atob(PNG), (c) => c.charCodeAt(0)) },
 ];
 
-/** Every second face lies elsewhere in the texture; `shift` moves all of it. */
+/** Every second face has other texture coordinates; `shift` moves all of them. */
 function objOf(name: string, positions: Float32Array, shift = 0): InputFile {
   const lines = ['mtllib paint.mtl', 'usemtl paint'];
   for (let i = 0; i < positions.length; i += 3) lines.push(`v ${positions.slice(i, i + 3).join(' ')}`);
@@ -31,10 +31,10 @@ function objOf(name: string, positions: Float32Array, shift = 0): InputFile {
 }
 
 const poses = [0, 40, 80].map((degrees) => bent(mesh, degrees));
-/** Only the first file's coordinates count. */
+/** Only the first file's texture coordinates count. */
 const files = poses.map((positions, index) => objOf(`pose-${index}.obj`, positions, index / 2));
 
-/** Drawn coordinates of every corner of every face. */
+/** Drawn texture coordinates of every corner of every face. */
 function corners({ info }: Keys): number[] {
   return Array.from(info.scene.seams?.indices ?? info.faces).flatMap((v) => [
     info.scene.uvs![2 * v]!,
@@ -42,7 +42,7 @@ function corners({ info }: Keys): number[] {
   ]);
 }
 
-/** The same as a GLB has them. */
+/** Texture coordinates of the corners in a GLB. */
 async function coordinatesOf(bytes: Uint8Array): Promise<number[]> {
   const document = await new WebIO().readBinary(bytes as Uint8Array<ArrayBuffer>);
   const [primitive] = document.getRoot().listMeshes()[0]!.listPrimitives();
@@ -95,7 +95,7 @@ describe('an OBJ whose texture has seams', () => {
     expect(
       largestDistance((await frameAt(other, 0.3)).positions, (await frameAt(sequence, 0.3)).positions),
     ).toBeLessThan(1e-5 * diagonal(poses[0]!));
-    // A pose from a file of its own is one of the same mesh, whatever it came as.
+    // A pose from a separate file matches the mesh, whatever its format.
     const [pose] = await other.export({ format: 'glb', pose: 0.3 });
     expect((await engine.importKeyframes([pose!, files[0]!])).info.report.vertices).toBe(vertices);
     for (const one of [sequence, other]) one.dispose();

@@ -83,7 +83,7 @@ describe('a sequence', () => {
       expect(message).toMatch(/'lri'/);
     }
     await sequence.update({ method: 'lri' });
-    // A bar that bends in one plane moves alike in both.
+    // For a bar that bends in one plane, both methods agree.
     expect(largestDistance(await positionsAt(sequence, 0.3), rival)).toBeLessThan(1e-2);
     sequence.dispose();
   });
@@ -136,7 +136,7 @@ describe('a sequence', () => {
     await sequence.update({ keyTimes: [0, 0.1, 5], startSpeed: 0.5, tension: [0, 0.5, 0], bias: [0.5, -1, 0] });
     await frameAt(sequence, 2);
     const after = await sequence.stats();
-    // A new computation would have taken a different time.
+    // A recomputation would have taken a different time.
     expect([after.encodeMs, after.factorMs]).toEqual([before.encodeMs, before.factorMs]);
     expect(after.solves).toBeGreaterThan(before.solves);
     sequence.dispose();

@@ -1,4 +1,4 @@
-/** A shape that is encoded once, and its motions. */
+/** A shape encoded once, and its motions. */
 import { describe, expect, it } from 'vitest';
 import type { Shape } from '../../web/engine/api/api.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
@@ -84,7 +84,7 @@ describe('a shape', () => {
     const { shape } = await encoded();
     const [one, two] = await Promise.all([shape.motion(), shape.motion({ method: 'linear' })]);
     const frames = await Promise.all([one.evaluate(0.1), two.evaluate(0.2), one.evaluate(0.3), two.evaluate(0.4)]);
-    // The first is under way when the others come.
+    // The first request is running when the others arrive.
     expect(frames.map((frame) => frame?.t ?? null)).toEqual([0.1, null, 0.3, 0.4]);
   });
 

@@ -1,4 +1,4 @@
-/** Frames made by two threads over one memory: the same bits, and nothing depends on the second one. */
+/** Two threads over one memory give bit-identical frames, and no result requires the second thread. */
 import { existsSync, readdirSync } from 'node:fs';
 import { Worker } from 'node:worker_threads';
 import { afterEach, describe, expect, it } from 'vitest';
@@ -15,7 +15,7 @@ import { bar } from './support/shapes.ts';
 const faultyWorker = new URL('./support/faulty-worker.mjs', import.meta.url);
 const TIMES = [-0.3, 0, 0.2, 0.5, 0.9, 1.4];
 
-/** Of Linux: a folder for each. */
+/** Linux has one folder per thread here. */
 const THREADS_OF_PROCESS = '/proc/self/task';
 
 const secondThreads: Worker[] = [];
@@ -28,7 +28,7 @@ async function started(glue: CreateWasmModule<CoreModule>, name: string): Promis
   return { core: await WasmCore.start(create, await compiled(name)), module: made() };
 }
 
-/** A core with a second thread that is ready to help. */
+/** A core with a second thread that is ready. */
 async function withSecondThread(): Promise<LocalCore & { secondThread: Worker }> {
   const { core, module } = await started(createThreaded, 'shapespline_threads');
   const secondThread = new Worker(new URL('../../build/node/second-thread-node.mjs', import.meta.url), {
@@ -46,7 +46,7 @@ describe('two threads', () => {
     const { core: together, module } = await withSecondThread();
     const [one, two] = [createBend(alone, data), createBend(together, data)];
     together.setThreads(two.shape, 2);
-    // A busy machine may leave the second thread waiting: then frames are made until it had its share.
+    // A busy machine may delay the second thread, so frames are made until it has taken part.
     for (let i = 0; i < 3000 && (i < TIMES.length || module._shapespline_helped() < 20); ++i) {
       const t = TIMES[i % TIMES.length]!;
       expect(
@@ -105,7 +105,7 @@ describe('a large sequence', () => {
     };
     const found = core.eliminationOrder({ ...request, order: empty() });
     expect(factorBy(found)).toBe(own);
-    // One that is not a permutation, and one with more fill.
+    // An order that is not a permutation, and one with more fill.
     expect(factorBy(found.map(() => 0))).toBe(own);
     const other = [...found.filter((_, at) => at % 2), ...found.filter((_, at) => !(at % 2))];
     expect(factorBy(Int32Array.from(other))).toBeGreaterThan(own);
@@ -119,7 +119,7 @@ describe('a large sequence', () => {
         engine.createSequence((await bendKeys(engine, large)).keys, { patches: 201 }),
       ),
     );
-    // Without a reply it would wait for a minute.
+    // Without a reply, the worker would wait for a minute.
     expect(performance.now() - began).toBeLessThan(60_000);
     expect(bytes(await frameAt(two!, 0.3)).equals(bytes(await frameAt(one!, 0.3)))).toBe(true);
   });
@@ -129,7 +129,7 @@ describe('a large sequence', () => {
     const engine = testEngine({ workerUrl: faultyWorker });
     const { keys } = await bendKeys(engine, bar(40, 250));
     const controller = new AbortController();
-    // Encoded: from here on it is the order that is waited for.
+    // Encoding is complete, so only the order is missing from here on.
     const onProgress = ({ stage }: Progress): void => {
       if (stage === 'ordering') setTimeout(() => controller.abort(), 500);
     };
@@ -158,7 +158,7 @@ describe('a large sequence', () => {
       ),
     );
     const expected = bytes(await frameAt(one!, 0.3));
-    // A second thread that comes late has nothing left to break: then frames are made until it had a part of one.
+    // The second thread fails in its first frame, so frames are made until it has taken part.
     let outcome: unknown = null;
     for (let i = 0; i < 1000 && !(outcome instanceof Error); ++i) {
       outcome = await frameAt(two!, 0.3).catch((error: unknown) => error);

@@ -1,4 +1,4 @@
-/** The steps of the tour show their effects. */
+/** The steps of the tour show the described effects. */
 import { readFile } from 'node:fs/promises';
 import { expect, it } from 'vitest';
 import { TOUR } from '../../web/app/guide/tour.ts';
@@ -7,10 +7,10 @@ import { make } from '../../web/sculpt/make.ts';
 import { frameAt, testEngine } from './support/engines.ts';
 
 const engine = testEngine();
-/** Number of vertices of one shape to look up in the other. */
+/** Number of vertices of one shape to find in the other. */
 const PROBES = 300;
 
-/** How far the surfaces are apart, in percent of the diagonal: whichever vertices are where. */
+/** Distance of the surfaces in percent of the diagonal, whatever their vertex order. */
 function apart(a: Float32Array, b: Float32Array, diagonal: number): number {
   const step = 3 * Math.ceil(a.length / 3 / PROBES);
   let most = 0;

@@ -1,4 +1,4 @@
-/** How far the twisted bar turns: what its patches add up to, against where its vertices are. */
+/** Rotation of the twisted bar: the sum over its patches, against its vertices. */
 import { readFile } from 'node:fs/promises';
 import { expect, it } from 'vitest';
 import { turnAlong } from '../../web/study/turn-along.ts';
@@ -50,8 +50,8 @@ it('the patches of the twisted bar turn by as much as its ends do, in small step
     measured.push(Math.abs(turned) * DEGREES);
   }
   expect(measured[23]).toBeGreaterThan(170);
-  // Patches are measured from middle to middle, which is a little less than from end to end; the way through them winds
-  // a little, which is more.
+  // Patches are measured from centre to centre, which is slightly less than end to end. The path through them is not
+  // straight, which adds a little.
   for (const [said, seen] of [
     [turn.total[1]!, measured[11]!],
     [turn.total[2]!, measured[23]!],

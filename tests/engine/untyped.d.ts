@@ -1,4 +1,4 @@
-/** Packages that are published without types: the parts that are used here. */
+/** Declarations for packages without types, for the parts used here. */
 declare module 'gltf-validator' {
   export interface Report {
     issues: { numErrors: number; numWarnings: number; messages: { code: string; message: string; severity: number }[] };

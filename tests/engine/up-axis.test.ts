@@ -1,4 +1,4 @@
-/** Which of real poses are taken to be Z-up: as they lie in their files, and turned onto the other axis. */
+/** Detection of Z-up for real poses: as in their files, and rotated to the other axis. */
 import { describe, expect, it } from 'vitest';
 import type { InputFile } from '../../web/engine/api/types.ts';
 import { dataFile, dataFiles, hasData } from './support/data.ts';
@@ -6,7 +6,7 @@ import { testEngine } from './support/engines.ts';
 
 const engine = testEngine();
 
-/** `z-up`: clear enough to stand the shapes up; `z-up-unclear`: to be offered. */
+/** `z-up`: clear enough to stand the shapes up; `z-up-unclear`: only offered. */
 async function hint(files: InputFile[]): Promise<string | null> {
   const keys = await engine.importKeyframes(files);
   const { warnings } = keys.info;
@@ -16,7 +16,7 @@ async function hint(files: InputFile[]): Promise<string | null> {
 
 const isHinted = async (files: InputFile[]): Promise<boolean> => (await hint(files)) === 'z-up';
 
-/** Points and triangles of an OFF as an OBJ, whose files mostly have y up; `standing`: rotated to have it as well. */
+/** Points and triangles of an OFF file as an OBJ, where y is usually up; `standing`: rotated to y up. */
 function asObj({ name, bytes }: InputFile, standing: boolean): InputFile {
   const [, count = 0, faces = 0, , ...numbers] = new TextDecoder()
     .decode(bytes as Uint8Array)
@@ -34,7 +34,7 @@ function asObj({ name, bytes }: InputFile, standing: boolean): InputFile {
   return { name: name.replace('.off', '.obj'), bytes: new TextEncoder().encode(lines.join('\n')) };
 }
 
-/** An OBJ as OFF, which does not say which axis is up. */
+/** An OBJ as OFF, a format without a defined up axis. */
 function asOff({ name, bytes }: InputFile, zUp: boolean): InputFile {
   const lines = new TextDecoder().decode(bytes as Uint8Array).split('\n');
   const of = (kind: string): string[][] =>
@@ -60,11 +60,11 @@ describe.skipIf(!hasData)('the guess at the up axis of real poses', () => {
       .filter((name) => name.endsWith('.obj'))
       .map(dataFile);
     expect(await hint(poses.map((pose) => asOff(pose, false)))).toBe(null);
-    // Not all of them stand on the floor: it is not clear.
+    // Not all of them stand on the floor, so the axis is unclear.
     expect(await hint(poses.map((pose) => asOff(pose, true)))).toBe('z-up-unclear');
   });
 
-  /** Two poses of an animal of boxes on four legs, standing at y = 0: its rump is a large flat face at z = 0. */
+  /** Two poses of a box animal on four legs, standing at y = 0; its rump is a large flat face at z = 0. */
   const animal = (lift: number, zUp: boolean): string => {
     const boxes = [
       [0, 2, 0, 2, 4, 6],
@@ -109,7 +109,7 @@ describe.skipIf(!hasData)('the guess at the up axis of real poses', () => {
     expect(await isHinted(files.map((file) => asObj(file, true)))).toBe(false);
   });
 
-  // The galloping cat would stand more firmly on its side.
+  // The galloping cat would stand more stably on its side.
   it.each(['obj/wolf', 'turns/lion', 'obj/lowpoly-cat'])('turns over none of the OBJ files of %s', async (folder) => {
     const poses = dataFiles(folder).filter((name) => name.endsWith('.obj'));
     expect(poses.length).toBeGreaterThan(5);

@@ -9,11 +9,11 @@ const require = createRequire(import.meta.url);
 const draco = readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'));
 const decode = decoder(codecs, () => draco);
 
-/** Memory of the process with garbage: far above the result of a small file. */
+/** Memory of the process including garbage: far above the need of a small file. */
 const MOST_MEMORY = 2e9;
 
 /**
- * Decodes it or is refused in a sentence, in little memory: throws where that is not so. Resolves to whether it was
+ * Decodes the input or refuses it with a message, in little memory; throws otherwise. Resolves to whether it was
  * decoded.
  */
 export async function oneInput(bytes: Uint8Array): Promise<boolean> {

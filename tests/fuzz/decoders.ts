@@ -1,7 +1,7 @@
 /**
- * Fuzz target of the decoders of compressed meshes, which are JavaScript's to call:
- * `decoders.mjs TARGET SECONDS FOLDER`. Sound files are changed at random, decoded in a thread, and watched from
- * outside: an input on which a promise of `oneInput` is broken is left in the folder, and the exit code is 1.
+ * Fuzz target of the decoders of compressed meshes, which JavaScript calls: `decoders.mjs TARGET SECONDS FOLDER`. Valid
+ * files are changed at random, decoded in a thread, and monitored from outside. An input that breaks a promise of
+ * `oneInput` is stored in the folder, and the exit code is 1.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-/** Random changes of GLB files that leave most of a file as it is: in its bytes, or in the numbers of its JSON. */
+/** Random changes of GLB files, in their bytes or in the numbers of their JSON, that keep most of the file. */
 
 /** Numbers in [0, 1), the same for the same seed (mulberry32). */
 export function randomNumbers(seed: number): () => number {
@@ -53,7 +53,7 @@ export function mutated(glb: Uint8Array, random: () => number): Uint8Array {
   return glbOf(json, Uint8Array.from(binary));
 }
 
-/** With one of its numbers changed. */
+/** Changes one of the JSON's numbers. */
 function withNumber(json: string, below: (count: number) => number, value: number): string {
   const numbers = [...json.matchAll(/(?<=[:,[])-?\d+(?:\.\d+)?(?=[,\]}])/g)];
   const { index, 0: text } = numbers[below(numbers.length)]!;

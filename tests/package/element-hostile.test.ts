@@ -1,4 +1,4 @@
-/** The element on pages that do what pages do: changes at any time, odd places, missing files, old browsers. */
+/** The element on difficult pages: changes at any time, unusual places, missing files, old browsers. */
 import { readFileSync } from 'node:fs';
 import type { CDPSession, Page } from '@playwright/test';
 import { expect, inject, it } from 'vitest';
@@ -113,7 +113,7 @@ it('without keys it says so, to who asks at once, and shows what comes later', a
     (shape): Promise<unknown> => shape.evaluate(0).catch((error: { code: string }) => error.code),
   );
   expect(refusal).toBe('no-source');
-  // Scripts may give keys a moment later.
+  // Scripts may set keys slightly later.
   expect(await told(page, 'error')).toEqual([]);
   expect(await when(page, 'error')).toMatchObject({ code: 'no-source', key: -1 });
   const message = page.locator('#a [part=message]');
@@ -157,7 +157,7 @@ it('what was set before the element is known counts; children say when their key
   expect(await when(page, 'load', 'b', 2)).toMatchObject({ keyTimes: [1, 3] });
 });
 
-/** Unused objects are disposed of after a while. */
+/** Unused objects are disposed of after a delay. */
 const fewWorkers = (page: Page): Promise<void> =>
   expect.poll(() => page.workers().length, { timeout: 30_000 }).toBeLessThanOrEqual(3);
 
@@ -169,7 +169,7 @@ it('twenty on a page share what they show, and one renderer', async () => {
   const page = await openElements(many.join(''));
   for (let i = 0; i < 20; i += 1) await when(page, 'load', `n${i}`);
   expect(await page.evaluate(() => window.contexts.length)).toBe(1);
-  // One for the keys and one for the motion that all of them show.
+  // One for the keys and one for the motion that all elements share.
   await fewWorkers(page);
 });
 
@@ -273,7 +273,7 @@ it('lives in a frame, in a shadow root, in a dialog, without a size and with a n
   const outcome = await page.evaluate(async (keys) => {
     const shape = document.getElementById('a') as ShapeSplineElement;
     const pixels = (one: ShapeSplineElement): number => one.shadowRoot!.querySelector('canvas')!.width;
-    /** Drawn in its new place at its new size. */
+    /** The element is drawn in its new place at its new size. */
     const drawn = async (t: number, done: () => boolean): Promise<void> => {
       for (let i = 0; i < 300 && !done(); i += 1) {
         await new Promise((later) => setTimeout(later, 100));
@@ -367,13 +367,13 @@ it('a lost graphics context shows the poster, and the shape again when it is bac
 const NOTED =
   /^(Performance|LayoutShift|DOMRect|ScriptTiming|TaskAttribution|CSSNumeric|CSSUnit|blink::|system \/|CppGC)/;
 
-/** Bytes that two hundred may leave: 72 are measured, 64,620 where each leaves one geometry. */
+/** Bytes that two hundred elements may leave: measured are 72, and 64,620 if each leaks one geometry. */
 const MOST_KEPT = 20_000;
 
 interface Heap {
-  /** Numbers of objects that a script or a page can create, by kind and class. */
+  /** Numbers of objects created by scripts or pages, by kind and class. */
   counts: Map<string, number>;
-  /** Memory of scripts, without compiled code. */
+  /** Memory used by scripts, without compiled code. */
   bytes: number;
 }
 
@@ -425,7 +425,7 @@ it('two hundred that come and go leave nothing behind', { timeout: 600_000 }, as
       },
       [KEYS, times] as const,
     );
-  /** Once the last content is disposed of. */
+  /** The heap once the last content is disposed of. */
   const kept = async (): Promise<Heap> => {
     await expect.poll(() => page.workers().length, { timeout: 60_000 }).toBeLessThanOrEqual(idle);
     return heapOf(client);
@@ -442,7 +442,7 @@ it('two hundred that come and go leave nothing behind', { timeout: 600_000 }, as
     const more = [...after.counts].map(([kind, n]) => [kind, n - (before.counts.get(kind) ?? 0)] as const);
     const bytes = after.bytes - before.bytes;
     return [
-      // One in four would be seen.
+      // A leak in one of four elements would be detected.
       ...more.filter(([, n]) => n >= 50).map(([kind, n]) => `${n} ${kind}`),
       ...(bytes >= MOST_KEPT ? [`${bytes} bytes`] : []),
     ];

@@ -1,4 +1,4 @@
-/** Options that change: what only needs another curve through the keys is refitted, and encoded by no new worker. */
+/** Changed options: those that only change the curve refit without starting a worker to encode. */
 import type { Page } from '@playwright/test';
 import { expect, it } from 'vitest';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
@@ -28,7 +28,7 @@ const element = (id: string, attributes: Attributes = {}): string =>
     .map(([name, text]) => `${name}="${text}"`)
     .join(' ')}></shape-spline>`;
 
-/** Each sequence is encoded in a worker of its own. */
+/** Each sequence is encoded in a separate worker. */
 function startedFrom(page: Page): () => number {
   let count = 0;
   page.on('worker', () => {
@@ -162,7 +162,7 @@ it('shapes that seem to lie are stood up, unless the page says which axis is up'
   const page = await openElements('<shape-spline id="a"></shape-spline>');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const heights = await on(page, async (shape) => {
-    // Pyramids that stand along z, beside the plane y = 0.
+    // Pyramids along z, beside the plane y = 0.
     const pyramid = (apex: number): string =>
       `OFF\n5 6 0\n-1 3 0\n1 3 0\n1 5 0\n-1 5 0\n${apex} 4 3\n` +
       '3 0 2 1\n3 0 3 2\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n';

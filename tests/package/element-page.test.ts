@@ -89,7 +89,7 @@ it('reports loading, playing, seeking and keys, each with its detail, and lets n
   expect(await when(page, 'play')).toBeNull();
   expect(await when(page, 'loopend')).toEqual({ currentTime: 1 });
   expect(await when(page, 'pause')).toBeNull();
-  // The last shape is drawn a little later.
+  // The last shape is drawn slightly later.
   await expect.poll(() => told(page, 'keychange'), { timeout: 30_000 }).toContainEqual({ index: 1 });
   expect(await on(page, (shape) => ({ paused: shape.paused, duration: shape.duration }))).toEqual({
     paused: true,
@@ -114,7 +114,7 @@ it('gives shapes, pictures and files', async () => {
     const magic = new TextDecoder().decode((await glb.arrayBuffer()).slice(0, 4));
     const report = shape.report!.vertices;
     const again: number[] = [];
-    // The page's policy lets no text be run as code.
+    // The page's policy forbids evaluating text as code.
     const small = [
       await shape.exportGLB({ compression: 'quantized' }),
       await shape.exportGLB({ compression: 'meshopt' }),
@@ -214,7 +214,7 @@ it('is a labelled region that space, arrows, Home, End and brackets move, and a 
   await page.keyboard.press('Home');
   expect(await time()).toBe(0);
   const slider = page.getByRole('slider', { name: 'Time' }).first();
-  // A slider's text is written with the frame that it describes.
+  // A slider's text is updated with the frame that it describes.
   await expect.poll(() => slider.getAttribute('aria-valuetext'), { timeout: 30_000 }).toMatch(/^0(\.0+)? s, /);
   expect(await page.getByRole('img', { name: 'A still bar' }).count()).toBe(1);
   expect(await page.locator('#b [part=viewport]').getAttribute('tabindex')).toBeNull();
@@ -419,7 +419,7 @@ it('every row of the table makes a round trip, from the attribute and from the p
     });
   }, rows);
   expect(wrong).toEqual([]);
-  // As of HTMLMediaElement.
+  // Invalid times are handled as by HTMLMediaElement.
   const times = await page.evaluate(async () => {
     const shape = document.createElement('shape-spline');
     shape.setAttribute('current-time', '3');

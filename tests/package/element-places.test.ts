@@ -1,6 +1,6 @@
 /**
- * The element in places that withhold something: pages that require Trusted Types, frames without an origin,
- * surroundings without observers. Only a browser has these policies and origins.
+ * The element in restricted environments: pages with Trusted Types, frames without an origin, pages without observers.
+ * Only a browser has these policies and origins.
  */
 import path from 'node:path';
 import type { Page } from '@playwright/test';
@@ -36,7 +36,7 @@ it('says that the policy refuses the worker where it does', async () => {
   expect(message).toMatch(/The page's policy refuses it: put worker\.js .* or allow blob: in its worker-src\./);
 });
 
-/** Requirements of a page without an origin. */
+/** A page without an origin requires these headers. */
 const CORS = { 'access-control-allow-origin': '*' };
 let open: Page | null = null;
 afterEach(async () => {
@@ -44,7 +44,7 @@ afterEach(async () => {
   expect(askedElsewhere()).toEqual([]);
 });
 
-/** The element of `entry` in a frame that is sandboxed without allow-same-origin. */
+/** The element of `entry` in a frame sandboxed without allow-same-origin. */
 async function inFrame(forModels: Record<string, string> = CORS): Promise<{ type: string; text: string }> {
   const project = await newProject();
   const folder = path.join(project, 'public');

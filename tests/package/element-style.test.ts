@@ -1,4 +1,4 @@
-/** Effects of a page's style and a user's settings, and the events of a loop. */
+/** Effects of the page's style and the user's settings, and the events of a loop. */
 import { expect, it } from 'vitest';
 import { KEYS, on, openElements, picture, seek, told, useElements, when } from './support/element.ts';
 
@@ -60,7 +60,7 @@ it('the timeline is there in forced colours', async () => {
 it('a page that zooms gets as many pixels as the screen has for the shape', async () => {
   const page = await openElements(ONE, CALM);
   await when(page, 'load');
-  /** Pixels across that are drawn, and that are there. */
+  /** Widths in drawn pixels and in page pixels. */
   const across = (): Promise<[number, number]> =>
     on(page, (shape) => [
       shape.shadowRoot!.querySelector('canvas')!.width,
@@ -71,7 +71,7 @@ it('a page that zooms gets as many pixels as the screen has for the shape', asyn
   for (const [text, width, expected] of [
     ['', '', 600],
     ['2', '', 600],
-    // The same number of page pixels as before, each twice as large.
+    // The element has as many page pixels as before, each twice as large.
     ['', '200px', 200],
     ['2', '200px', 400],
     ['0.5', '200px', 100],
@@ -128,7 +128,7 @@ it('one source alone and the files of an input are lists, too', async () => {
     const wrong = await shape.seek(0).catch((error: { code: string }) => error.code);
     return [...seen, wrong];
   });
-  // One pose makes no motion.
+  // A single pose is no motion.
   expect(shown).toEqual([true, true, 'too-few-keys', 'not-a-model']);
 });
 

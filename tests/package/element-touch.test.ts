@@ -1,4 +1,4 @@
-/** Fingers on the element: up and down scrolls the page, wherever they come down; sideways turns and scrubs. */
+/** Touch input on the element: vertical moves scroll the page from anywhere; sideways moves rotate and scrub. */
 import type { CDPSession, Page } from '@playwright/test';
 import { expect, it } from 'vitest';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
@@ -29,7 +29,7 @@ async function middleOf(page: Page, part: string): Promise<{ x: number; y: numbe
   return { x: x + width / 2, y: y + height / 2 };
 }
 
-/** Moves one finger, as the browser gets it from a screen. */
+/** Moves one finger, with the events that a touch screen sends. */
 async function swipe(client: CDPSession, from: { x: number; y: number }, dx: number, dy: number): Promise<void> {
   const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', share: number): Promise<unknown> =>
     client.send('Input.dispatchTouchEvent', {
@@ -73,7 +73,7 @@ it('a finger that goes sideways on the timeline moves the time, and a tap sets i
   const time = (): Promise<number> => on(page, (shape) => shape.currentTime);
   await expect.poll(time, { timeout: 30_000 }).toBeGreaterThan(0.6);
   expect(await scrolled(page)).toBe(0);
-  // The browser takes a tap right after a swipe for the end of its fling, without an event.
+  // The browser treats a tap right after a swipe as the end of its fling, without an event.
   const tapped = async (): Promise<number> => {
     await page.touchscreen.tap(middle.x, middle.y);
     return time();

@@ -33,7 +33,7 @@ const WATCH = `
 `;
 const SHOWN = { vertices: expect.any(Number), time: 0.5 };
 
-/** With what a bundled page with the element needs beside the package. */
+/** The additional packages that a bundled page with the element needs. */
 async function withPeers(files: Record<string, string>, three = 'three'): Promise<string> {
   const folder = await newProject(files);
   symlinkSync(path.resolve('node_modules', three), path.join(folder, 'node_modules', 'three'));
@@ -225,7 +225,7 @@ describe.skipIf(!there)('the element', () => {
 
   it('has types for Vue and Svelte, which need no types of React', async () => {
     const folder = await newProject({
-      // What the two have for others to add to, by the names of Vue 3.5 and Svelte 5.
+      // The extensible interfaces of Vue 3.5 and Svelte 5, by their names.
       'node_modules/vue/index.d.ts': `
         export interface HTMLAttributes { class?: string; onClick?: (event: MouseEvent) => void; onPlay?: () => void }
         export interface PublicProps { ref?: unknown }

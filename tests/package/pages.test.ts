@@ -6,7 +6,7 @@ import { askedElsewhere, host, outcomeOf } from './support/browser.ts';
 import { sumInNode } from './support/expected.ts';
 import { newProject, type Outcome, packageIn, script } from './support/project.ts';
 
-/** Any page may import it. */
+/** Any page can import it. */
 const CORS = { 'access-control-allow-origin': '*', 'cross-origin-resource-policy': 'cross-origin' };
 
 let project: string;
@@ -16,14 +16,14 @@ beforeAll(async () => {
   expected = await sumInNode(project);
 });
 
-/** The numbers of Node, to the accuracy of single precision. */
+/** Node's numbers, to single precision. */
 function expectSame(outcome: Outcome): void {
   expect(outcome.error).toBeUndefined();
   expect(outcome.vertices).toBe(expected.vertices);
   expect(outcome.sum! / expected.sum!).toBeCloseTo(1, 6);
 }
 
-/** A page of the project on one host, the package on another. */
+/** A project page on one host, the package on another. */
 async function acrossHosts({ policy = '', first = '' } = {}): Promise<string> {
   const library = await host([packageIn(project)], { name: '127.0.0.1', headers: CORS });
   const folder = await newProject({ 'main.js': script(`${library}index.js`, first) });
@@ -34,7 +34,7 @@ async function acrossHosts({ policy = '', first = '' } = {}): Promise<string> {
   return host([folder, path.join(folder, 'public')], { headers });
 }
 
-/** wasm-unsafe-eval lets WebAssembly be compiled, and nothing else. */
+/** wasm-unsafe-eval allows compiling WebAssembly, and nothing else. */
 const STRICT =
   "default-src 'none'; script-src 'self' LIBRARY 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob:; " +
   "connect-src 'self' LIBRARY; ";

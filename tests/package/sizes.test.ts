@@ -1,4 +1,4 @@
-/** Each script of the package has its limit, which a build checks. */
+/** Each script of the package has a size limit, which the build checks. */
 import { randomBytes } from 'node:crypto';
 import { appendFileSync, cpSync } from 'node:fs';
 import path from 'node:path';
@@ -10,7 +10,7 @@ const quiet = (): void => undefined;
 
 it('every script stays within its limit, with all that it imports at once', () => {
   const sizes = packageSizes(packageIn(inject('installed')));
-  // The entries for frameworks are types alone.
+  // The entries for frameworks contain types only.
   const scripts = inject('packed').filter((file) => /^(?!chunk-|jsx|vue|svelte)[\w-]+\.js$/.test(file));
   expect(sizes.map(({ name }) => name).sort()).toEqual(scripts.sort());
   for (const { bytes, limit } of sizes) expect(bytes).toBeLessThanOrEqual(limit);

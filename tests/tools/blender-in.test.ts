@@ -1,6 +1,6 @@
 /**
- * Poses as Blender itself writes them (blender-poses.py), in several ways: all vertices of the keys are where Blender
- * has them. Skipped without a Python that has the module bpy: SHAPESPLINE_BPY names one, or .toolchain/blender has one.
+ * Poses written by Blender itself (blender-poses.py) in several formats: all key vertices match Blender's. Skipped
+ * without a Python with the module bpy, from SHAPESPLINE_BPY or .toolchain/blender.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -41,7 +41,7 @@ describe.skipIf(!python)('poses that Blender wrote', () => {
     engine.importKeyframes(filesOf(pattern), options);
   const warnings = ({ info }: Keys): string[] => info.warnings.map(({ code }) => code);
 
-  /** The largest distance, over the diagonal, between a key's vertices and those of the pose that it is. */
+  /** The largest distance between a key's vertices and those of its pose, relative to the diagonal. */
   function distance(keys: Keys, poses: Point[][]): number {
     const first = keys.positions(0);
     const at = (points: Float32Array, v: number): Point => [points[3 * v]!, points[3 * v + 1]!, points[3 * v + 2]!];

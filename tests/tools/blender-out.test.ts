@@ -1,4 +1,4 @@
-/** Our exports in Blender: names, frames, vertices; and files that Blender exports from them. */
+/** Our exports in Blender: names, frames, vertices; and Blender's exports of the result. */
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';

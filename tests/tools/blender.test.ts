@@ -1,4 +1,4 @@
-/** Scripts that run in the real Blender and report their findings. */
+/** Runs scripts in the real Blender and checks their reports. */
 import { expect, it } from 'vitest';
 import { describeBlender, runInBlender } from './blender.ts';
 

@@ -1,4 +1,4 @@
-/** Blender itself, as a Python module: runs a script of this folder in it. */
+/** Blender as a Python module: runs a script of this folder. */
 import { spawn } from 'node:child_process';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -9,12 +9,12 @@ import { installBlender } from '../../wasm/toolchain/blender.mjs';
 
 const python = await installBlender();
 
-/** Tests in the real Blender; skipped where it cannot be installed. */
+/** Tests in the real Blender; skipped if it is not installed. */
 export const describeBlender = describe.skipIf(python === null);
 
 /**
- * Runs `script` (a Python file of this folder) in a Blender with an empty scene, and returns what it hands to `answer`.
- * The script gets `args` from `arguments()`; both functions are in `blender_script.py`.
+ * Runs `script` (a Python file of this folder) in a Blender with an empty scene, and returns the value passed to
+ * `answer`. The script gets `args` from `arguments()`; both functions are in `blender_script.py`.
  */
 export async function runInBlender<T>(script: string, args: object): Promise<T> {
   const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-blender-'));

@@ -1,4 +1,4 @@
-/** Files saved by glTF-Transform open here again. */
+/** Files saved by glTF-Transform open in the engine. */
 import { WebIO, type Transform } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import {

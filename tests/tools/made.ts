@@ -1,4 +1,4 @@
-/** Input of the programs: motions with several materials, and the expected result. */
+/** Input for the programs: motions with several materials, and the expected result. */
 import { createEngine } from '../../web/engine/node.ts';
 import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { ExportedFile, ExportOptions } from '../../web/engine/api/types.ts';
@@ -37,7 +37,7 @@ export async function paintedMotion(): Promise<Made> {
   };
 }
 
-/** The largest distance of a shown vertex from where the mesh's vertex of its number stands. */
+/** The largest distance of a shown vertex from the mesh's vertex with its number. */
 export function farthestShown(
   shown: Iterable<readonly [vertex: number, x: number, y: number, z: number]>,
   wanted: Float32Array,

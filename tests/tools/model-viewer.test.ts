@@ -1,6 +1,6 @@
 /**
- * <model-viewer> in Chromium, as a web page shows our files: it plays them, and its image lies on the computed surface.
- * Its script is self-contained; nothing comes from the network.
+ * <model-viewer> in Chromium plays our files as on a web page, and its image matches the computed surface. Its script
+ * is self-contained and uses no network.
  */
 import { fileURLToPath } from 'node:url';
 import { type Browser, chromium, type Page } from '@playwright/test';
@@ -50,7 +50,7 @@ interface Viewer {
   page: Page;
   /** Errors, and requested URLs beyond this machine. */
   complaints: string[];
-  /** Stands still at a time, and is drawn. */
+  /** Shows a time without playing; resolves when drawn. */
   showAt(seconds: number): Promise<void>;
 }
 
@@ -71,7 +71,7 @@ async function opened(bytes: Uint8Array): Promise<Viewer> {
   await page.route('**/made.glb', (route) =>
     route.fulfill({ body: Buffer.from(bytes), contentType: 'model/gltf-binary' }),
   );
-  // The package has it under another name, of which no server knows that it is a script.
+  // The package has this file under another name, for which servers send no script type.
   await page.route('**/meshopt_decoder.js', (route) =>
     route.fulfill({
       path: `${repository}node_modules/meshoptimizer/meshopt_decoder.cjs`,
@@ -106,7 +106,7 @@ async function opened(bytes: Uint8Array): Promise<Viewer> {
   return { page, complaints, showAt };
 }
 
-/** Places on the surface that is shown, where a grid of pixels looks at it. */
+/** Surface points seen through a grid of pixels. */
 function shownPoints(page: Page): Promise<[number, number, number][]> {
   return page.evaluate(() => {
     const viewer = document.querySelector('model-viewer') as ModelViewer;
@@ -158,7 +158,7 @@ describe.skipIf(!executablePath)('<model-viewer>', () => {
       pictures.push(await page.screenshot());
       const points = await shownPoints(page);
       expect(points.length).toBeGreaterThan(20);
-      // The file's tolerance, and beyond it what 16 bits round.
+      // The file's tolerance plus the rounding to 16 bits.
       expect(await offSurface(points, seconds)).toBeLessThan(1.1e-3 * made.diagonal);
     }
     expect(changedShare(pictures[0]!, pictures[1]!)).toBeGreaterThan(0.01);

@@ -17,7 +17,7 @@ beforeAll(async () => {
 });
 
 interface Player {
-  /** How far it is from the motion at a time of the file. */
+  /** Error relative to the motion at a time of the file. */
   off(seconds: number): Promise<number>;
 }
 
@@ -26,7 +26,7 @@ async function three(bytes: Uint8Array): Promise<Player> {
   return { off: async (seconds) => largestDistance(player.positionsAt(seconds), await made.at(seconds)) };
 }
 
-/** Targets and weights as Babylon.js loads and animates them, added up as its shaders do. */
+/** Targets and weights as loaded and animated by Babylon.js, summed like its shaders do. */
 async function babylon(bytes: Uint8Array): Promise<Player> {
   const scene = new Scene(new NullEngine());
   scene.useRightHandedSystem = true;
@@ -65,7 +65,7 @@ async function babylon(bytes: Uint8Array): Promise<Player> {
   return { off };
 }
 
-/** Of each primitive, read from the file: Babylon.js drops unknown attributes. */
+/** The vertex numbers, read from the file because Babylon.js drops unknown attributes. */
 function vertexNumbers(bytes: Uint8Array): number[][] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const length = view.getUint32(12, true);

@@ -1,4 +1,4 @@
-/** Rival methods against implementations of their formulas in numpy, which Blender brings along. */
+/** Other methods compared with implementations of their formulas in numpy, which Blender includes. */
 import { expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import type { Method } from '../../web/engine/api/types.ts';
@@ -10,7 +10,7 @@ import { engine } from './made.ts';
 const RIVALS = ['rotation-strain', 'rimd'] as const;
 const TIMES = [0.1, 0.35, 0.6, 0.8];
 
-/** A bar that is bent, then twisted by 270 degrees, and scaled where it is twisted. */
+/** A bar that is bent, then twisted by 270 degrees, and scaled at its twisted end. */
 async function importBar(): Promise<Keys> {
   const mesh = bar(2, 16);
   const twisted = moved(mesh, (x, y, z) => {
@@ -44,7 +44,7 @@ describeBlender('the rival spaces', () => {
         expect(largestDistance(shape, expected[method][index]!) / size, `${method} at ${TIMES[index]}`).toBeLessThan(
           1e-6,
         );
-        // Not what both begin at.
+        // The shapes differ from the common starting shapes.
         expect(largestDistance(shape, lri[index]!) / size).toBeGreaterThan(1e-5);
       });
     }

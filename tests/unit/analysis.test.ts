@@ -8,7 +8,7 @@ import { docOfKeys, keyRef } from './documents.ts';
 
 const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
-/** A sequence of constant measures that counts how often it is asked. */
+/** A sequence of constant measures that counts requests. */
 function running(method: Method, asked: string[], ghost = 0): RunningMotion {
   const sequence = {
     range: [0, 1] as const,

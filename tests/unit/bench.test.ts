@@ -163,7 +163,7 @@ describe('a motion beside a captured one', () => {
   const shape = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3);
 
   it('is laid over it, turned and moved as a whole', () => {
-    // A quarter turn about z, which takes x to y, and a step.
+    // A quarter turn about z, which maps x to y, and a translation.
     const turned = shape.map((_, i) => [5 - shape[i + 1]!, shape[i - 1]! - 1, shape[i]! + 2][i % 3]!);
     aligned(shape, turned).forEach((value, i) => {
       expect(value).toBeCloseTo(turned[i]!, 5);
@@ -181,14 +181,14 @@ describe('a motion beside a captured one', () => {
     const sliding = new Sliding(10);
     expect(sliding.percent).toBeNaN();
     sliding.add(shape, shape, true);
-    // The first vertex moves in the truth, so three of them rest; one of these slides by 1, 10 % of the diagonal.
+    // The first vertex moves in the reference, so three vertices rest; one of these slides by 1, 10 % of the diagonal.
     sliding.add(moved(1, 0), moved(1, 3), false);
     sliding.add(moved(1, 0), moved(1, 0), true);
     expect(sliding.percent).toBeCloseTo(10 * Math.sqrt(1 / 3), 5);
   });
 
   it('walks on where what is on the ground stays, and nowhere without steps', () => {
-    // A head, and a foot that slides back by 1 a frame along x and z.
+    // A head, and a foot that slides back by 1 per frame along x and z.
     const frames = Array.from({ length: 8 }, (_, i) => Float32Array.of(0, 10, 0, -i, 0, -i, -i, 0.1, -i));
     const onward = walkedOn(frames, 10)!;
     expect(Array.from(onward[7]!)).toEqual([7, 10, 7, 0, 0, 0, 0, expect.closeTo(0.1, 5), 0]);

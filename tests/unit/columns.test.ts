@@ -1,4 +1,4 @@
-/** Comments and running text stay within 120 columns; the formatters break code, but neither of these. */
+/** Comments and running text stay within 120 columns; the formatters break only code. */
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -15,7 +15,7 @@ const files = execFileSync('git', ['ls-files', '--cached', '--others', '--exclud
   .filter((file) => /(\.(ts|mjs|js|h|cpp|md)|CMakeLists\.txt)$/.test(file) && !file.includes('bench/results/'))
   .filter((file) => existsSync(path.join(root, file)));
 
-/** Lines to break by hand; rows of tables and entries of a bibliography cannot be broken. */
+/** Lines that need breaking by hand; table rows and bibliography entries cannot be broken. */
 function isText(line: string, file: string): boolean {
   if (file.endsWith('.md')) return !/^\|/.test(line) && !/^ +\w+ += \{/.test(line);
   return file.endsWith('CMakeLists.txt') || /^\s*(\/\/|\/\*|\*)/.test(line) || /[;,{})] \/\/ /.test(line);

@@ -1,4 +1,4 @@
-/** Documents for tests: keys are passed smoothly, without added turns, unless it is said otherwise. */
+/** Documents for tests, with default options and no added turns unless specified. */
 import type { Shaping } from '../../web/model/shaping.ts';
 import { DEFAULT_SHAPING } from '../../web/model/shaping.ts';
 import type { Doc, KeyRef } from '../../web/model/state.ts';

@@ -5,7 +5,7 @@ type Tree = { [name: string]: Tree | string | null };
 
 const BATCH = 100;
 
-/** A folder as browsers give it: entries by the hundred, everything through callbacks. null cannot be read. */
+/** A folder as in browsers: at most a hundred entries per call, with callbacks. null is unreadable. */
 function entry(name: string, content: Tree | string | null): FileSystemEntry {
   const later = <T>(value: T | null, resolve: (value: T) => void, reject: (error: Error) => void): void => {
     setTimeout(() => (value === null ? reject(new Error('NotFoundError')) : resolve(value)), 0);

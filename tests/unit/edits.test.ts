@@ -61,7 +61,7 @@ describe('edits of keys', () => {
     expect(poses(next)).toEqual([2, 1, 0]);
     expect(times(next)).toEqual([0, 0.6, 1]);
     expect(next.keys.map(({ shaping }) => shaping.bias)).toEqual([1, 0, 0]);
-    // Turns between the first and the second key have the opposite sign in the reverse direction.
+    // Turns between the first and second key change sign when reversed.
     expect(next.keys.map(({ shaping }) => shaping.turns)).toEqual([
       [],
       [],

@@ -1,4 +1,4 @@
-/** The table of the element's attributes: written values are read again, and invalid ones are reported. */
+/** The table of the element's attributes: written values are parsed back, and invalid ones are reported. */
 import { describe, expect, it } from 'vitest';
 import { ATTRIBUTES, PROPERTIES, ROWS, attributeOf, propertyOf } from '../../web/embed/attributes.ts';
 import { customElementsManifest } from '../../web/embed/manifest.ts';

@@ -32,7 +32,7 @@ describe('what an export is', () => {
     expect(whole).toMatchObject({ frames: 37, rate: 24, whole: true });
     expect(gridTimes(whole)[0]).toBeCloseTo(0.5, 12);
     expect(gridTimes(whole).at(-1)).toBeCloseTo(2, 12);
-    // Played slower they are the same frames, for longer.
+    // Slower playback shows the same frames for longer.
     const slow = numbers({}, { fps: 24, speed: 0.5, range: [0.5, 2] });
     expect(slow).toMatchObject({ frames: 37, rate: 12, seconds: 3 });
     expect(gridTimes(slow)).toEqual(gridTimes(whole));

@@ -1,4 +1,4 @@
-/** How long an export still takes, in words. */
+/** The remaining time of an export, in words. */
 import { expect, it } from 'vitest';
 import { timeLeft } from '../../web/app/export/time-left.ts';
 

@@ -14,7 +14,7 @@ const mapped = (map: (p: number[]) => number[]): Float32Array =>
     ).flat(),
   );
 
-/** About an axis of no symmetry. */
+/** Rotates about an axis without symmetry. */
 function turned(degrees: number): Float32Array {
   const [x, y, z] = [1 / 3, 2 / 3, 2 / 3];
   const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];

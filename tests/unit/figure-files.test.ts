@@ -1,4 +1,4 @@
-/** The numbers of a figure, and the texts of its link. */
+/** The numbers of a figure, and the labels of its link. */
 import { expect, it } from 'vitest';
 import { chartNumbers } from '../../web/app/panels/chart-numbers.ts';
 import { briefly } from '../../web/app/panels/figure-files.ts';

@@ -1,4 +1,4 @@
-/** Film strips: where their shapes stand. */
+/** Film strips: positions of their shapes. */
 import { describe, expect, it } from 'vitest';
 import { columnsOf } from '../../web/app/drawing/onion-skin.ts';
 
@@ -13,7 +13,7 @@ describe('columns of film strips', () => {
       strip.slice(1).forEach((width, i) => {
         expect(columns[i + 1]! - columns[i]!).toBeGreaterThan((width + strip[i]!) / 2);
       });
-    // Narrow shapes stand closer than wide ones.
+    // Narrow shapes are closer together than wide ones.
     expect(columns[2]! - columns[1]!).toBeCloseTo(1.08 * 2, 6);
   });
 

@@ -1,4 +1,4 @@
-/** When the first key of large files replaces the open shape, and when the open shape returns. */
+/** Times when the first key of large files replaces the open shape, and when the open shape returns. */
 import { describe, expect, it } from 'vitest';
 import { FirstKey } from '../../web/app/drawing/first-key.ts';
 import type { LoadedKeys } from '../../web/app/session/workspace.ts';

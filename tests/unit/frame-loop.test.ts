@@ -60,7 +60,7 @@ function setUp({ count = 1 } = {}) {
   const loop = new FrameLoop(
     {
       show: ({ t }) => void shown.push(`${t}`),
-      // On a slow screen a shape is drawn when the test says so.
+      // On a slow screen, the test decides when a shape has been drawn.
       drawn: () => (screen.slow ? new Promise((resolve) => screen.drawn.push(resolve)) : Promise.resolve()),
       yields: () => screen.yields,
       onError: (error) => errors.push(error),
@@ -227,7 +227,7 @@ describe('while the motion plays', () => {
       await pass(drawingMs);
       await draw();
       expect(shown).toHaveLength(counts[round]!);
-      // With the drawing half a second goes by from round to round.
+      // Each round, including drawing, takes half a second.
       time.tick += 30;
       await pass(500 - drawingMs);
     }

@@ -18,7 +18,7 @@ describe('whole frames', () => {
     expect(heldTime(0.49, null, 0)).toBe(0.49);
     expect(heldTime(0.49, 10, 0)).toBe(0.4);
     expect(heldTime(0.5, 10, 0)).toBe(0.5);
-    expect(heldTime(0.3, 10, 0)).toBe(0.3); // 0.3 * 10 is a little less than 3
+    expect(heldTime(0.3, 10, 0)).toBe(0.3); // 0.3 * 10 is slightly less than 3
     expect(heldTime(0.26, 10, 0.25)).toBe(0.25);
     expect(heldTime(-0.01, 10, -1)).toBe(-0.1);
   });

@@ -1,4 +1,4 @@
-/** The lists in wasm/io/gltf/EXTENSIONS.md are those of the code. */
+/** The lists in wasm/io/gltf/EXTENSIONS.md match the code. */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { expect, it } from 'vitest';

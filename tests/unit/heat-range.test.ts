@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { quantile, robustLargest } from '../../web/app/drawing/heat-range.ts';
 
-/** From 0 to `most`, evenly spaced, in no order. */
+/** Evenly spaced values from 0 to `most`, in random order. */
 const even = (count: number, most: number): Float32Array =>
   Float32Array.from({ length: count }, (_, i) => (most * ((i * 7919) % count)) / (count - 1));
 

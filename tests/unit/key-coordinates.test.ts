@@ -1,20 +1,20 @@
-/** Angles between patches and stretches, of shapes whose are known. */
+/** Angles between patches and stretches, for shapes with known values. */
 import { describe, expect, it } from 'vitest';
 import { keyCoordinates } from '../../web/study/key-coordinates.ts';
 import { bar, moved } from '../engine/support/shapes.ts';
 
 const mesh = bar(2, 20);
 const faces = mesh.indices.length / 3;
-/** The lower and the upper half of the bar, by where a face's first vertex lies. */
+/** The lower and upper half of the bar, by the height of a face's first vertex. */
 const patches = Int32Array.from({ length: faces }, (_, face) => {
   const heights = [0, 1, 2].map((corner) => mesh.positions[3 * mesh.indices[3 * face + corner]! + 2]!);
   return Math.min(...heights) < 5 - 1e-6 ? 0 : 1;
 });
 
-/** Degrees: the ring of faces at the fold is sheared, and belongs to the upper half. */
+/** Degrees. The ring of faces at the fold is sheared and belongs to the upper half. */
 const SHEARED = 1.5;
 
-/** The upper half turned about the x axis through its foot, and all of it as a whole about z. */
+/** The upper half rotated about the x axis through its lower end, and the whole bar rotated about z. */
 const folded = (degrees: number, whole = 0): Float32Array => {
   const [a, b] = [degrees, whole].map((angle) => (angle * Math.PI) / 180) as [number, number];
   return moved(mesh, (x, y, z) => {

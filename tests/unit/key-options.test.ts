@@ -1,4 +1,4 @@
-/** A number that is chosen for a key goes wherever options go: nothing but the table has to know it. */
+/** An option per key passes through all conversions; only the table has to know it. */
 import { describe, expect, it } from 'vitest';
 import { parseArguments } from '../../web/cli/arguments.ts';
 import { COMPLETE, sequenceOptions } from '../../web/cli/settings.ts';

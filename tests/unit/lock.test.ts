@@ -20,7 +20,7 @@ afterEach(() => {
 
 const module = pathToFileURL(path.resolve('wasm/toolchain/lock.mjs')).href;
 
-/** Another process that runs `body` while it holds the lock. */
+/** Another process that runs `body` while holding the lock. */
 function holding(body: string) {
   const code = `const { whileHolding } = await import(${JSON.stringify(module)});
     const { appendFileSync, existsSync } = await import('node:fs');

@@ -5,7 +5,7 @@ import type { Method } from '../../web/engine/api/types.ts';
 
 let held = 0;
 
-/** A triangle of diagonal 1 that lies `off` above the plane, times t. */
+/** A triangle of diagonal 1 at height `off` times t. */
 function running(method: Method, off: number): AnalysisInput['sequences'][number] {
   const evaluateMany = async (times: number[]) =>
     times.map((t) => {
@@ -31,7 +31,7 @@ it('distances from the first motion, in percent of the diagonal, with the KG err
   expect(found.from).toBe('lri');
   expect(found.motions.map(({ method }) => method)).toEqual(['linear', 'geodesic']);
   found.times.forEach((t, i) => expect(found.motions[0]!.mean[i]).toBeCloseTo(10 * Math.abs(t), 4));
-  // Of points that are sqrt(2/3) sqrt(0.36 + 0.64) from their centroid: |difference| is 0.1 |t| sqrt(3).
+  // Points at distance sqrt(2/3) sqrt(0.36 + 0.64) from their centroid: |difference| is 0.1 |t| sqrt(3).
   const meanSquare = found.times.reduce((sum, t) => sum + t * t, 0) / found.times.length;
   expect(found.motions[0]!.kg).toBeCloseTo(100 * Math.sqrt((3 * 0.01 * meanSquare) / (2 / 3)), 3);
   expect(found.motions[1]!.kg).toBe(0);

@@ -1,4 +1,4 @@
-/** Requests as the intended result, and the resulting state. */
+/** Requests for content, and the resulting state. */
 import { describe, expect, it } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
 import type { LoadedKeys } from '../../web/app/session/workspace.ts';
@@ -39,7 +39,7 @@ const present: Present = { files: input, options: { animation: 1, sample: [0, 1]
 const pose = { name: 'added', positions: Float32Array.of(1, 2, 3) };
 const work = { ...present, poses: [pose], history: { past: [], future: [] } };
 
-/** A tetrahedron with two poses; `read`: the document that its files start with. */
+/** A tetrahedron with two poses; `read`: the initial document of its files. */
 function imported(animation = -1): PosePool {
   const faces = Uint32Array.of(0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2);
   const info = { names: ['a', 'b'], times: [0, 1], offset: [0, 0, 0], animation, animations: [], project: null };
@@ -49,7 +49,7 @@ function imported(animation = -1): PosePool {
 }
 const read = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 
-/** The start and the state that a request leads to from these files. */
+/** The start and the state that a request produces from these files. */
 function met(request: OpenRequest, before: AppState = files, animation = -1) {
   const pool = imported(animation);
   const poses = [{ name: 'added', positions: new Float32Array(12).fill(2) }];

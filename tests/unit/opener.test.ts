@@ -1,4 +1,4 @@
-/** One way in for all that is opened, with a workspace that reads nothing. */
+/** The common path of all openings, with a workspace that reads nothing. */
 import { expect, it, vi } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
 import { createStore } from '../../web/app/session/store.ts';

@@ -1,4 +1,4 @@
-/** Poses that were added to an open shape, when the files are read in another way or at another offset. */
+/** Poses added to an open shape, after the files are read with another orientation or offset. */
 import { expect, it } from 'vitest';
 import { relativeTo, reoriented } from '../../web/model/orientation.ts';
 

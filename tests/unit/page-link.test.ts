@@ -3,7 +3,7 @@ import { createPageLink } from '../../web/app/sources/page-link.ts';
 import { createStore } from '../../web/app/session/store.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 
-/** The URL: a fragment that the user sets takes effect immediately, and its event comes later. */
+/** The URL: a fragment set by the user takes effect immediately, and its event comes later. */
 const location = { hash: '', pathname: '/', search: '', href: 'http://a.test/' };
 let hashChange: (event: { newURL: string }) => void;
 
@@ -34,7 +34,7 @@ it('a URL with a pending change event is not overwritten', () => {
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=2');
   link.pin('tour=3'); // written shortly after
-  location.hash = '#tour=4'; // the user navigates in the meantime
+  location.hash = '#tour=4'; // the user navigates meanwhile
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=4');
   hashChange({ newURL: 'http://a.test/#tour=4' });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { angleOf, patchCurves } from '../../web/app/analysis/patch-curves.ts';
 
-/** A stretch, and turns about x by these angles, degrees. */
+/** A stretch, and rotations about x by these angles in degrees. */
 const row = (stretch: number, ...angles: number[]): number[] => [
   stretch,
   ...angles.flatMap((angle) => [Math.cos((angle * Math.PI) / 360), Math.sin((angle * Math.PI) / 360), 0, 0]),

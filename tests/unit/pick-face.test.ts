@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { pickFace } from '../../web/app/drawing/pick-face.ts';
 
-/** Two squares across the view, one behind the other. */
+/** Two squares perpendicular to the view, one behind the other. */
 const square = (z: number): number[] => [-1, -1, z, 1, -1, z, 1, 1, z, -1, 1, z];
 const positions = Float32Array.from([...square(0), ...square(-2)]);
 const faces = Uint32Array.of(0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7);

@@ -1,4 +1,4 @@
-/** Published actions are pinned by digest: a name or a tag may change. */
+/** Published actions are pinned by digest, because names and tags can change. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 

@@ -1,4 +1,4 @@
-/** Pins of the document: their paths, their text in links, where they stay. */
+/** Pins of the document: their paths, their text in links, and kept positions. */
 import { describe, expect, it } from 'vitest';
 import type { PathKey, Pin } from '../../web/engine/api/types.ts';
 import { MOTION } from '../../web/engine/api/option-table.ts';

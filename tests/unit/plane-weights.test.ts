@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { mixtureAt, placeOf } from '../../web/app/analysis/plane-weights.ts';
 import type { PlaneShapes } from '../../web/app/analysis/plane-weights.ts';
 
-/** Principal axes: coordinates about their mean that are not correlated. */
+/** Principal axes: uncorrelated coordinates relative to their mean. */
 const keys = [-2, 1, 2, 1, -2, -1, 2, -1];
 const unit = (key: number): number[] => [0, 1, 2, 3].map((other) => Number(other === key));
 const between = [0.4, 0.3, 0.2, 0.1];
@@ -38,7 +38,7 @@ describe('the mixture at a point of the shape plane', () => {
   });
 
   it('changes the nearby weights by no more than it must', () => {
-    // all shapes but one are far: the residual is the least norm of weights at that point
+    // all shapes except one are far away, so the residual is the minimum-norm weights at that point
     const one: PlaneShapes = { keys, points: [0, 0], weights: [0.25, 0.25, 0.25, 0.25] };
     expect(mixtureAt(one, [1, 0]).weights).toEqual([0.125, 0.375, 0.125, 0.375]);
   });

@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Player } from '../../web/playback/player.ts';
 import type { PlayerView } from '../../web/playback/player.ts';
 
-/** A screen that refreshes when told to. */
+/** A screen that refreshes on command. */
 let now = 0;
 let callbacks: (() => void)[] = [];
 

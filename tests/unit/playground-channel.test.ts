@@ -1,4 +1,4 @@
-/** Any page of the host can write to the channel: only whole messages are taken. */
+/** Any page of the host can write to the channel, so only valid messages are accepted. */
 import { expect, it } from 'vitest';
 import { messageFrom } from '../../web/model/playground-channel.ts';
 

@@ -2,7 +2,7 @@ import { generate } from 'lean-qr';
 import { describe, expect, it } from 'vitest';
 import { QUIET, qrPath } from '../../web/ui/qr.ts';
 
-/** The modules that the path covers, out of its runs. */
+/** The modules covered by the path's runs. */
 function covered(path: string): Set<string> {
   const dark = new Set<string>();
   for (const [, x, y, width] of path.matchAll(/M(\d+) (\d+)h(\d+)v1h-\d+z/g))
@@ -22,7 +22,7 @@ describe('the picture of a QR code', () => {
         if (modules.get(x, y)) area += 1;
       }
     expect(dark.size).toBe(area);
-    // A finder pattern: a ring of seven around a square of three.
+    // A finder pattern: a ring seven modules wide around a square of three.
     for (const at of [0, modules.size - 7])
       expect([0, 1, 2, 6].map((i) => dark.has(`${at + i},0`))).toEqual([true, true, true, true]);
     expect(dark.has('1,1')).toBe(false);

@@ -1,4 +1,4 @@
-/** Files and folders that documents name are there; READMEs are short. */
+/** Files and folders named in documents exist, and READMEs are short. */
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -10,16 +10,16 @@ const files = execFileSync('git', ['ls-files', '--cached', '--others', '--exclud
   encoding: 'utf8',
 }).split('\n');
 
-/** Every file and folder, and files without their extensions. */
+/** Every file and folder, with and without extension. */
 const known = new Set<string>();
 for (const file of files.filter(Boolean)) {
   for (const name of [file, file.replace(/(\.(test|spec))?\.\w+$/, '')]) known.add(name);
   for (let folder = path.dirname(file); folder !== '.'; folder = path.dirname(folder)) known.add(folder);
 }
 
-/** Made by the build, or outside of the repository. */
+/** Made by the build, or outside the repository. */
 const ELSEWHERE = /^(build|dist|\.toolchain|tests\/fuzz\/found|\.\.\/shared)\b/;
-/** Text in backticks that is a path, and in the first column of a table the name of a file. */
+/** Text in backticks that is a path, or a file name in the first column of a table. */
 function namedIn(document: string): string[] {
   const text = readFileSync(path.join(root, document), 'utf8').replace(/```[\s\S]*?```/g, '');
   const spans = (of: string): string[] => Array.from(of.matchAll(/`([\w.-]+(?:\/[\w.-]+)*\/?)`/g), ([, name]) => name!);
@@ -27,7 +27,7 @@ function namedIn(document: string): string[] {
   return [...new Set([...spans(text).filter((name) => name.includes('/')), ...firstCells.flatMap(spans)])];
 }
 
-/** Seen from the document's folder, from a folder in it, from the root, or from the core that the main README maps. */
+/** Relative to the document's folder, a subfolder, the root, or the core that the main README describes. */
 function isThere(name: string, folder: string): boolean {
   const clean = name.replace(/\/$/, '');
   const candidates = [path.join(folder, clean), clean, path.join('wasm/core', clean)];
@@ -47,13 +47,13 @@ describe('documents name what is there', () => {
   });
 });
 
-/** The front page, and what npm shows to users. */
+/** The main README, and the one shown by npm. */
 const FOR_USERS = ['README.md', 'web/package/README.md'];
 const MOST_LINES = 60;
 
 describe(`READMEs have at most ${MOST_LINES} lines, generated tables aside`, () => {
   it.each(files.filter((file) => file.endsWith('/README.md') && !FOR_USERS.includes(file)))('%s', (readme) => {
-    // Generated tables stand between two equal markers.
+    // Generated tables are between two equal markers.
     const text = readFileSync(path.join(root, readme), 'utf8').replace(/(<!-- \w+ -->)[\s\S]*?\1/g, '');
     expect(text.trimEnd().split('\n').length).toBeLessThanOrEqual(MOST_LINES);
   });

@@ -1,4 +1,4 @@
-/** When the user's own files are kept between visits, with a shelf in memory. */
+/** When the user's files are stored between visits, tested with storage in memory. */
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import type { Changing, StoredProject } from '../../web/app/kept/project-shelf.ts';
 import { RememberedFiles } from '../../web/app/kept/remembered-files.ts';
@@ -52,7 +52,7 @@ afterEach(() => {
   said.length = 0;
 });
 
-/** A visit with files that are open. */
+/** A visit with open files. */
 function visit(time = 0): { store: Store; remembered: RememberedFiles } {
   const own: AppState = { ...EMPTY_STATE, source: { kind: 'files', names: ['mine'] }, project: 'mine', time };
   const store = createStore(own);
@@ -99,7 +99,7 @@ it('the next visit opens the state that was noted when the page was left', async
   remembered.flush();
   await vi.advanceTimersByTimeAsync(500);
   expect([timeOf('mine'), settings.size]).toEqual([0.75, 0]);
-  // The page ends before it is written.
+  // The page closes before the state is written.
   store.set({ time: 0.25 });
   remembered.flush();
   const noted = [...settings];

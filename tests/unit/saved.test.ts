@@ -1,4 +1,4 @@
-/** Files of older versions open with the same state: links, projects, and documents kept by a browser. */
+/** Files of older versions open with the same state: links, projects, and documents stored by a browser. */
 import { describe, expect, it } from 'vitest';
 import { documentFromImport } from '../../web/app/session/document-from-import.ts';
 import type { PosePool } from '../../web/app/session/pose-pool.ts';
@@ -15,7 +15,7 @@ import saved from './fixtures/saved.json';
 
 const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c', 1));
 
-/** The document as the fixtures spell it, whatever it is made of. */
+/** The document in the form of the fixtures. */
 function spelt(doc: Doc): object {
   const keys = doc.keys.map(({ pose, name, time, shaping }) => ({
     pose,
@@ -29,17 +29,17 @@ function spelt(doc: Doc): object {
   return { keys, motion: doc.motion, encoding: doc.encoding };
 }
 
-/** Choices that had another name. */
+/** Current names of renamed choices. */
 const asNow = (text: string): string =>
   text.replace(/(hold\W+)(contact|anchored)/, '$1on').replace(/(precision\W+)double/, '$1exact');
 
-/** Fields missing in a fixture came later and have their defaults. */
+/** Fields missing in a fixture were added later and have their defaults. */
 const withDefaults = <T extends { motion: object }>(expected: T): T => ({
   ...expected,
   motion: { ...DEFAULT_MOTION, ...expected.motion },
 });
 
-/** Poses that a project brings along are numbered after its three keys. */
+/** Poses included in a project are numbered after its three keys. */
 function poolOf(): PosePool {
   let last = 2;
   return { add: () => ++last } as unknown as PosePool;

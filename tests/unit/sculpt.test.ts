@@ -1,4 +1,6 @@
-/** Samples made in the browser: closed, painted, with the promised size; of constant volume unless they shrink. */
+/**
+ * Samples made in the browser: closed, painted, with the specified size, and with constant volume unless they shrink.
+ */
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { measure } from '../../web/app/drawing/measures.ts';
@@ -8,7 +10,7 @@ import { make } from '../../web/sculpt/make.ts';
 import { serpent } from '../../web/sculpt/serpent.ts';
 import { turret } from '../../web/sculpt/turret.ts';
 
-/** How often each edge is run along minus how often against, where vertices at the same places are one. */
+/** Per edge, traversals in one direction minus those in the other, with coincident vertices merged. */
 function openEdges({ skin, keys }: Sculpture): number {
   const first = new Map<string, number>();
   const welded = Array.from({ length: keys[0]!.length / 3 }, (_, v) => {

@@ -141,7 +141,7 @@ describe('sequence sets', () => {
     await set.idle();
     expect(set.all.map(({ sequence }) => sequence)).toEqual([full!.sequence]);
     expect(alive()).toBe(2);
-    // The geodesic is one more motion of the shape with the ghost.
+    // The geodesic is another motion of the shape with the ghost.
     expect(encodings()).toEqual(['encode linear', 'encode linear 2000', 'encode linear 2000']);
   });
 

@@ -7,7 +7,7 @@ import { LIMITS, checkSizes, sizesOf } from '../../wasm/toolchain/sizes.mjs';
 
 let folder = '';
 
-/** Does not compress. */
+/** Incompressible text. */
 const noise = (bytes: number): string => `/* ${randomBytes(bytes / 2).toString('hex')} */`;
 
 function write(name: string, text: string | Uint8Array): void {

@@ -1,4 +1,4 @@
-/** The first state of opened files. */
+/** The initial state of opened files. */
 import { expect, it } from 'vitest';
 import { PosePool } from '../../web/app/session/pose-pool.ts';
 import { ofFiles, restored } from '../../web/app/sources/start-state.ts';
@@ -20,7 +20,7 @@ const hold = (keys: number, animation: number, project: object | null = null): s
 
 it('moments of an animation are held where they rest; poses, projects and two keys are not', () => {
   expect([hold(8, 0), hold(8, 1), hold(3, 0)]).toEqual(['on', 'on', 'on']);
-  // An animation of morph targets whose keys are these poses, poses without any, a project, and two moments.
+  // A morph target animation whose keys are these poses, poses without an animation, a project, and two sampled times.
   expect([hold(4, 1), hold(8, -1), hold(8, 0, {}), hold(2, 0)]).toEqual(['off', 'off', 'off', 'off']);
 });
 

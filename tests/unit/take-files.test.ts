@@ -1,4 +1,4 @@
-/** The meaning of picked files, without a page. */
+/** Interpretation of picked files, without a page. */
 import { beforeEach, expect, it } from 'vitest';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Opener } from '../../web/app/sources/opener.ts';

@@ -1,4 +1,4 @@
-/** What the small picture of a key shows. */
+/** The content of a key's thumbnail. */
 import { expect, it } from 'vitest';
 import { pictureExtent } from '../../web/viewer/thumbnails.ts';
 

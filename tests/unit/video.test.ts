@@ -5,7 +5,7 @@ import { thereAndBack } from '../../web/engine/caller/bounce.ts';
 
 describe('what a recorder wrote', () => {
   it('gets the times that were meant, in the order that frames are shown in', () => {
-    // Slow, uneven, and in another order than shown.
+    // Slow, uneven, and not in display order.
     const times = meantTimes([0.1, 0.9, 0.3], 3, 30);
     expect(times.map(({ timestamp }) => timestamp)).toEqual([0, 2 / 30, 1 / 30]);
     for (const { duration } of times) expect(duration).toBeCloseTo(1 / 30, 12);
@@ -23,7 +23,7 @@ describe('an animation that plays back and forth', () => {
   it('shows each shape twice but the last', () => {
     const { seconds, weights } = thereAndBack({ seconds: [0, 1, 3], weights: null }, 3);
     expect(seconds).toEqual([0, 1, 3, 5, 6]);
-    // The third target is a still: it comes along unseen.
+    // The third target is a still, which is stored but never shown.
     expect([...weights!]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0]);
   });
 

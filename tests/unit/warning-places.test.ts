@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { partOf, withPlaces } from '../../web/app/drawing/warning-places.ts';
 
-// A cube's corners and one face at the top left front, one at the bottom right back.
+// A cube's corners, with one face at the top left front and one at the bottom right back.
 const POSITIONS = Float32Array.of(0, 0, 0, 9, 9, 9, 0, 9, 9, 1, 9, 9, 0, 8, 9, 9, 0, 0, 8, 0, 0, 9, 1, 0);
 const FACES = Uint32Array.of(2, 3, 4, 5, 6, 7);
 const warning = (code: string, face: number) => ({

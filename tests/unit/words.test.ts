@@ -1,4 +1,4 @@
-/** The lint of words finds banned words in texts and comments, and leaves names of code alone. */
+/** The lint of words finds banned words in texts and comments, and ignores names in code. */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { expect, it } from 'vitest';

@@ -1,4 +1,4 @@
-/** What zips hold, read by the browser's own decompression. */
+/** Contents of zips, read by the browser's own decompression. */
 import { BlobWriter, TextReader, ZipWriter } from '@zip.js/zip.js';
 import { expect, it } from 'vitest';
 import { zip } from '../../web/app/export/zip.ts';

@@ -1,5 +1,5 @@
-// Debian packages: installed into the system, or unpacked into a folder of the repository if the system's own versions
-// must stay.
+// Debian packages: installed into the system, or unpacked into a folder of the repository to keep the system's own
+// versions.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -8,9 +8,9 @@ import { Explained, step } from './log.mjs';
 import { toolchainDir } from './paths.mjs';
 
 const quiet = { DEBIAN_FRONTEND: 'noninteractive', DEBCONF_NOWARNINGS: 'yes', LC_ALL: 'C.UTF-8' };
-// A network that fails once, another apt that is at work: both are waited for.
+// Retries after network failures, and waits for another running apt.
 const patience = ['-oAcquire::Retries=3', '-oDPkg::Lock::Timeout=600'];
-// Debian's Emscripten is old enough to fail on Node 18 before this release.
+// Older Emscripten packages of Debian fail with Node 18.
 const emscriptenSuite = 'trixie';
 
 function osRelease() {
@@ -22,7 +22,7 @@ function osRelease() {
   }
 }
 
-/** Why packages cannot be installed here, or null when they can. */
+/** The reason why packages cannot be installed here, or null. */
 export function whyNoInstall() {
   if (process.env.SHAPESPLINE_NO_INSTALL) return 'SHAPESPLINE_NO_INSTALL is set';
   const { ID, VERSION_ID } = osRelease();
@@ -42,7 +42,7 @@ async function update(options, label) {
 
 /** Installs packages into the system. */
 export async function installPackages(names) {
-  // Lists that are missing or out of date make a first attempt fail; only then are they fetched.
+  // The first attempt fails if package lists are missing or out of date; then they are fetched.
   const install = () =>
     run('apt-get', ['install', '-y', '-q', '--no-install-recommends', ...patience, ...names], { env: quiet });
   const known = names.every((name) => capture('apt-cache', ['show', '--no-all-versions', name], { env: quiet }));
@@ -68,7 +68,7 @@ function mirror() {
   return found[0];
 }
 
-// Apt options for a separate world: the newer release's lists, without the system's packages or hooks.
+// Apt options for isolated use: the newer release's lists, without the system's packages or hooks.
 function separateWorld() {
   const folder = path.join(toolchainDir, 'apt');
   mkdirSync(path.join(folder, 'lists/partial'), { recursive: true });
@@ -94,14 +94,14 @@ function separateWorld() {
   return ['-c', path.join(folder, 'apt.conf')];
 }
 
-/** The archives that `apt-get download --print-uris` names: `{ file, sha256 }` each. */
+/** Archives listed by `apt-get download --print-uris`, as `{ file, sha256 }`. */
 export function namedArchives(printed) {
   const lines = [...printed.matchAll(/^'[^']*' (\S+) \d+ SHA256:([0-9a-f]{64})$/gm)];
   return lines.map(([, file, sha256]) => ({ file, sha256 }));
 }
 
 /**
- * Fails if an archive in `folder` does not match the signed package lists; a bad archive is deleted and fetched again.
+ * Fails if an archive in `folder` does not match the signed package lists. Bad archives are deleted and fetched again.
  */
 export function verifyArchives(folder, archives) {
   for (const { file, sha256 } of archives) {

@@ -1,4 +1,4 @@
-// The words behind `npm run bench --`, which are read before anything is built.
+// Parses the arguments of `npm run bench --` before anything is built.
 import { parseArgs } from 'node:util';
 import { Explained } from './log.mjs';
 
@@ -16,7 +16,7 @@ const USAGE = [
   'with 64 to 4000000 faces and 2 to 100 keys',
 ].join('\n');
 
-/** The benchmark to run, its sizes (null: the default) or files, and whether in a browser. */
+/** The benchmark to run, its sizes (null: the default) or files, and whether to run it in a browser. */
 export function benchArguments(words) {
   if (words[0] === 'hold') return withFiles(words);
   if (words[0] === 'inputs') return ofInputs(words);
@@ -53,7 +53,7 @@ function withFiles([what, ...words]) {
   return { what, sizes: null, files, browser, save };
 }
 
-/** All of them, or one by its number. */
+/** All inputs, or one by its number. */
 function ofInputs([what, ...words]) {
   const {
     values: { browser = false, save = false },

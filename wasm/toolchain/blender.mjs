@@ -1,5 +1,5 @@
-// Blender as a Python module (bpy), for the tests of tests/tools that open our files in it. It is large and supports
-// few Python versions, so it is not required: without it those tests are skipped.
+// Blender as a Python module (bpy), for the tests in tests/tools that open our files in it. It is large and supports
+// few Python versions, so it is optional: without it those tests are skipped.
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { installPackages, whyNoInstall } from './apt.mjs';
@@ -11,22 +11,22 @@ import { inRoot, toolchainDir } from './paths.mjs';
 /** Blender's last long-term release with all dependencies, pinned by digests. */
 const requirements = inRoot('wasm/toolchain/blender-requirements.txt');
 const VERSION = /^bpy==(\S+)/m.exec(readFileSync(requirements, 'utf8'))[1];
-/** The only Python that it has modules for. */
+/** The only Python version with modules for it. */
 const PYTHON = '3.11';
 
 const folder = path.join(toolchainDir, 'blender');
 const python = path.join(folder, 'bin', 'python');
 const ready = path.join(folder, 'ready');
 
-// Libraries that the module loads and a system without a desktop may lack.
+// Libraries that the module loads and that a system without a desktop may lack.
 const debianPackages = ['python3', 'python3-venv', 'libgl1', 'libsm6', 'libxi6', 'libxkbcommon0', 'libxrender1'];
 
-/** The Python with the module, or null if it is not installed. */
+/** Path of the Python with the module, or null if it is not installed. */
 export function findBlender() {
   return existsSync(ready) && readFileSync(ready, 'utf8') === VERSION ? python : null;
 }
 
-// Includes venv and pip, which Debian packages separately.
+// Whether a Python has venv and pip, which Debian packages separately.
 function isUsable(program) {
   const asked = 'import ensurepip, sys, venv; print("%d.%d" % sys.version_info[:2])';
   return capture(program, ['-c', asked])?.trim() === PYTHON;
@@ -52,7 +52,7 @@ async function install() {
   writeFileSync(ready, VERSION);
 }
 
-/** Installs it if possible, otherwise prints the reason. Returns the Python with the module, or null. */
+/** Installs Blender's module if possible, otherwise prints the reason. Returns the Python with the module, or null. */
 export async function installBlender() {
   return findBlender() ?? whileHolding(path.join(toolchainDir, 'blender.lock'), installOnce);
 }

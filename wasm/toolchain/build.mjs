@@ -16,10 +16,10 @@ const jobs = String(cores);
 // Compiles sanitized code in two thirds of g++'s time.
 const sanitizing = process.env.CXX ?? 'clang++-19';
 
-// Most of the time goes into the headers of others: one parse of them for each room.
+// Compiles all files of a folder together, because most time is spent parsing headers of other folders.
 const wholeRooms = '-DSHAPESPLINE_WHOLE_ROOMS=ON';
 
-// A build folder belongs to one compiler: with another it starts afresh.
+// A build folder is for one compiler; another compiler starts with an empty folder.
 function useFolder(folder, compiler) {
   const note = path.join(folder, 'compiler');
   if (existsSync(folder) && (!existsSync(note) || readFileSync(note, 'utf8') !== compiler))
@@ -67,8 +67,8 @@ export async function buildRelease(targets) {
 }
 
 /**
- * Writes compile commands of each native library to build/cmake-tidy, without precompiled headers, which belong to one
- * compiler.
+ * Writes compile commands of each native library to build/cmake-tidy, without precompiled headers, which only one
+ * compiler can read.
  */
 export async function configureForTidy() {
   const folder = path.join(buildDir, 'cmake-tidy');
@@ -91,7 +91,7 @@ const wasmInputs = ['CMakeLists.txt', 'wasm/core', 'wasm/io', 'wasm/shells', 'wa
 const wasmModules = ['shapespline', 'shapespline_threads', 'shapespline_files', 'shapespline_shells'];
 const wasmOutputs = wasmModules.flatMap((name) => [`build/wasm/${name}.mjs`, `build/wasm/${name}.wasm`]);
 
-/** A step guarded by a digest of its inputs. The digest is taken before it runs, so later edits count as changes. */
+/** A step with a digest of its inputs. The digest is computed before the step runs, so later edits count as changes. */
 function guarded(name, value, outputs, action) {
   return {
     isCurrent: () => isStamped(name, value(), outputs),
@@ -126,7 +126,7 @@ export const page = guarded(
   },
 );
 
-// Bundled for Node, which reads no TypeScript.
+// Bundles programs for Node, which cannot run the TypeScript sources.
 async function bundle(entries) {
   const { build } = await import('esbuild');
   const { metafile } = await build({
@@ -148,7 +148,7 @@ async function bundle(entries) {
   return metafile;
 }
 
-// The packages are not in the bundle, but it does not work without them.
+// The notices include these packages, because the bundle needs them.
 function writeNotices({ outputs }) {
   const external = Object.values(outputs).flatMap(({ imports }) => imports.filter((one) => one.external));
   const names = external.map((one) => packageOf(`/node_modules/${one.path}/`));
@@ -190,7 +190,7 @@ export const npmPackage = guarded(
   },
 );
 
-// CHOLMOD is compiled in if it is installed, even later.
+// CHOLMOD is compiled in if installed, even later.
 const hasCholmod = () =>
   ['/usr/include/suitesparse', '/usr/include'].some((folder) => existsSync(`${folder}/cholmod.h`));
 

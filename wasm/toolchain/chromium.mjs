@@ -5,11 +5,11 @@ import path from 'node:path';
 import { whyNoInstall } from './apt.mjs';
 import { which } from './exec.mjs';
 
-/** The headless shell, without windows, which saves a tenth of a test's time. */
+/** The headless shell has no windows, which saves a tenth of a test's time. */
 const HEADLESS = 'chromium-headless-shell';
 const names = [HEADLESS, 'chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
 
-/** Playwright's own browser if it has been downloaded, else the system's; null when there is neither. */
+/** Playwright's own browser if downloaded, else the system's; null if there is neither. */
 export function findBrowser(chromium) {
   return existsSync(chromium.executablePath()) ? chromium.executablePath() : findSystemBrowser();
 }
@@ -19,8 +19,8 @@ function findSystemBrowser() {
 }
 
 /**
- * Whether there is a browser, asked before Playwright itself is installed; where packages can be installed, the one
- * that is made for tests.
+ * Whether a browser is available; checked before Playwright is installed. If packages can be installed, requires the
+ * browser for tests.
  */
 export function hasBrowser() {
   const downloads = process.env.PLAYWRIGHT_BROWSERS_PATH ?? path.join(homedir(), '.cache/ms-playwright');

@@ -35,7 +35,7 @@ async function dev(args) {
   });
 }
 
-// Runs a bundled program as if it had been started itself, where the user is.
+// Runs a bundled program as if started directly, in the user's working directory.
 async function runBundle(file, args) {
   process.chdir(process.env.INIT_CWD ?? process.cwd());
   process.argv = [process.execPath, file, ...args];

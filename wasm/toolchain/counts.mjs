@@ -21,7 +21,8 @@ export const sum = (list) =>
 export const sentence = ({ passed, failed, skipped }) => `${passed} passed, ${failed} failed, ${skipped} skipped`;
 
 /**
- * Runs a program that writes a JSON report; one that leaves none, or fails without a failed test, counts as a failure.
+ * Runs a program that writes a JSON report. A program that writes none, or fails without a failed test, counts as a
+ * failure.
  */
 export async function runReported(name, program, args, { count = (counts) => counts, env = {}, show = 'all' } = {}) {
   const report = path.join(reports, `${name}.json`);

@@ -1,10 +1,10 @@
-// Runs a program of doctest cases on all cores: several processes, each with a range of the cases.
+// Runs doctest cases on all cores: several processes, each with a range of the cases.
 import { runReported, sum } from './counts.mjs';
 import { run } from './exec.mjs';
 import { Explained } from './log.mjs';
 import { cores, inParallel } from './parallel.mjs';
 
-// Enough for the last one to be short, few enough for their starts to cost nothing.
+// Enough ranges to make the last one short, and few enough to make start-up cheap.
 const RANGES_PER_CORE = 3;
 
 /** Splits 1 to `count` into at most this many non-empty ranges. */
@@ -15,9 +15,9 @@ function rangesOf(count, parts) {
 
 const filters = (words) => words.map((word) => (word.startsWith('-') ? word : `--test-case=*${word}*`));
 
-/** Runs `command`, a program with its first arguments; words choose cases by name, or are doctest's own options. */
+/** Runs `command`, a program with its first arguments. Words select cases by name or are doctest's own options. */
 export async function runDoctest(name, [program, ...before], words) {
-  // Cases of a file take similarly long: in an order that mixes them, the same for each process, so do the ranges.
+  // Cases of one file take similar time. A random order, equal for all processes, makes the ranges take similar time.
   const common = ['--no-version', '--no-colors', '--order-by=rand', '--rand-seed=1', ...filters(words)];
   const { tail } = await run(program, [...before, ...common, '--count']);
   const count = /current filters: (\d+)/.exec(tail)?.[1];

@@ -1,6 +1,6 @@
 // Types of the custom element for TypeScript markup, generated from its manifest.
 
-/** For `document.querySelector('shape-spline')`. */
+/** Declares the type of `document.querySelector('shape-spline')`. */
 export const elementTypes = `import type { ShapeSplineElement } from './element-class.js';
 
 declare global {
@@ -31,8 +31,9 @@ const FROM_ATTRIBUTES = `import type { ShapeSplineAttributes, ShapeSplineExtras,
 const SHARED_NAMES = `export type { ShapeSplineAttributes, ShapeSplineExtras, ShapeSplineListeners } from './attributes.js';`;
 
 /**
- * Types for each framework, which augment its own. Each is a separate entry, because an augmented module must exist.
- * React 19 and Svelte 5 listen by the event's name (`onseeked`), Vue by `@seeked`, which its types call `onSeeked`.
+ * Types for each framework, which augment its own types. Each is a separate entry, because an augmented module must
+ * exist. React 19 and Svelte 5 listen by the event's name (`onseeked`), Vue by `@seeked`, which its types call
+ * `onSeeked`.
  */
 export const FRAMEWORKS = {
   jsx: `import type { DetailedHTMLProps, HTMLAttributes } from 'react';
@@ -102,14 +103,14 @@ declare module 'svelte/elements' {
 `,
 };
 
-// An attribute is text; its value may also be written in its own type.
+// An attribute is text; its value can also have its own type.
 const asWritten = (type) => {
   if (type === 'boolean') return "boolean | '' | 'true' | 'false'";
   if (type.startsWith('number')) return 'number | string';
   return type === 'string' || type.includes('[]') ? 'string' : type;
 };
 
-/** `attributes.d.ts`, made of the element's manifest. */
+/** `attributes.d.ts`, generated from the element's manifest. */
 export function attributeTypes(manifest) {
   const { attributes } = manifest.modules[0].declarations[0];
   const members = attributes.flatMap(({ name, type, description }) => [

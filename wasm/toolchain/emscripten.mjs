@@ -1,4 +1,4 @@
-// Finds Emscripten, or puts Debian's together in a folder of the repository.
+// Finds Emscripten, or assembles Debian's packages of it in a folder of the repository.
 import { chmodSync, existsSync, mkdirSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { unpackPackages } from './apt.mjs';
@@ -20,7 +20,7 @@ function versionOf(emcc) {
   return capture(emcc, ['--version'])?.match(/\b(\d+\.\d+\.\d+)/)?.[1] ?? null;
 }
 
-/** The PATH's choice of Emscripten; quick, for stamps. */
+/** Emscripten on PATH; quick, for stamps. */
 export const emccOnPath = () => which('emcc') ?? 'unpacked';
 
 function unpackedEnvironment() {
@@ -31,15 +31,13 @@ function unpackedEnvironment() {
   };
 }
 
-/** The problem with the emcc on PATH, for messages: '' if there is none. */
+/** The problem with the emcc on PATH, for messages; '' if there is none. */
 export function emccTooOld() {
   const onPath = which('emcc');
   return onPath ? `; ${onPath} is ${versionOf(onPath) ?? 'broken'}` : '';
 }
 
-/**
- * The Emscripten to use, `{ emcc, version, env }`, or null. One on PATH wins, if it is new enough.
- */
+/** The Emscripten to use, `{ emcc, version, env }`, or null. One on PATH takes precedence if it is new enough. */
 export function findEmscripten() {
   const onPath = which('emcc');
   const version = onPath && versionOf(onPath);
@@ -52,7 +50,7 @@ export function findEmscripten() {
   return { emcc: path.join(emscriptenDir, 'usr/share/emscripten/emcc'), version: '', env };
 }
 
-// Binaryen is linked against a newer C library, which is unpacked next to it.
+// Binaryen needs a newer C library, which is unpacked next to it.
 function wrapBinaryen(folder) {
   const real = path.join(folder, 'usr/bin');
   const wrappers = path.join(folder, 'binaryen/bin');
@@ -75,7 +73,7 @@ function wrapBinaryen(folder) {
   }
 }
 
-// Emscripten evaluates this as Python, with EM_CONFIG naming the file itself: the folder may move.
+// Emscripten evaluates this as Python, with EM_CONFIG as its path, so the folder can be moved.
 function writeConfig(folder) {
   const lines = [
     'import os',
@@ -91,7 +89,7 @@ function writeConfig(folder) {
   writeFileSync(path.join(folder, 'config'), `${lines.join('\n')}\n`);
 }
 
-// For people: puts it on PATH.
+// A script for users that adds it to PATH.
 function writeShellEnvironment() {
   const lines = [
     `export EM_CONFIG='${path.join(emscriptenDir, 'config')}'`,
@@ -100,8 +98,8 @@ function writeShellEnvironment() {
   writeFileSync(path.join(toolchainDir, 'env.sh'), `${lines.join('\n')}\n`);
 }
 
-// Emscripten's script looks for this package in its own folder, where Debian does not put it. A link, because `npm ci`
-// may still be running.
+// Emscripten's script expects this package in its own folder, unlike Debian. A link works even while `npm ci` is
+// running.
 function addAcorn(folder) {
   const modules = 'usr/share/emscripten/node_modules';
   mkdirSync(path.join(folder, modules), { recursive: true });
@@ -110,14 +108,14 @@ function addAcorn(folder) {
   symlinkSync(path.relative(path.join(emscriptenDir, modules), inRoot('node_modules/acorn')), link);
 }
 
-/** Unpacks Debian 13's Emscripten; needs clang-19, lld-19, llvm-19 and python3 in the system. */
+/** Unpacks Debian 13's Emscripten. Requires clang-19, lld-19, llvm-19 and python3 in the system. */
 export async function unpackEmscripten() {
   const packages = ['emscripten', 'binaryen', 'libc6', 'libstdc++6', 'libgcc-s1'];
   await unpackPackages(packages, emscriptenDir, (folder) => {
     wrapBinaryen(folder);
     writeConfig(folder);
     addAcorn(folder);
-    // Its scripts are CommonJS, regardless of this repository's package.json.
+    // Its scripts are CommonJS, whatever this repository's package.json says.
     writeFileSync(path.join(folder, 'package.json'), '{ "type": "commonjs" }\n');
     writeFileSync(path.join(folder, 'complete'), '');
   });

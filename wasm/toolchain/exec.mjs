@@ -1,4 +1,4 @@
-// Running other programs.
+// Runs other programs.
 import { spawn, spawnSync } from 'node:child_process';
 import { accessSync, constants, statSync } from 'node:fs';
 import path from 'node:path';
@@ -7,7 +7,7 @@ import { root } from './paths.mjs';
 
 const tailLength = 16_000;
 
-// A script that is stopped also stops the programs that it runs.
+// Running programs, stopped together with the script.
 const running = new Set();
 for (const [signal, number] of [
   ['SIGINT', 2],
@@ -21,8 +21,8 @@ for (const [signal, number] of [
 }
 
 /**
- * Runs a program to its end; on failure, rejects with the last part of its output. `show` 'all' passes the output to
- * stderr as it comes, 'after' when the program has ended, 'quiet' keeps it for the error message; `inherit` connects
+ * Runs a program to its end. On failure, rejects with the last part of its output. `show`: 'all' passes the output to
+ * stderr immediately, 'after' when the program has ended, 'quiet' keeps it for the error message. `inherit` connects
  * all three streams, for programs whose output is that of the command.
  */
 export function run(
@@ -71,16 +71,13 @@ export function which(program, searchPath = process.env.PATH ?? '') {
       accessSync(candidate, constants.X_OK);
       if (folder && statSync(candidate).isFile()) return candidate;
     } catch {
-      // not in this folder
+      // the program is not in this folder
     }
   }
   return null;
 }
 
-/**
- * Tries an action that uses the network a few times, with growing delays; the action receives the number of the
- * attempt.
- */
+/** Retries a network action a few times with increasing delays. The action receives the number of the attempt. */
 export async function withRetries(what, action, attempts = 3) {
   for (let attempt = 1; ; ++attempt) {
     try {

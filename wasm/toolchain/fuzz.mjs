@@ -1,5 +1,5 @@
-// `npm run fuzz [-- SECONDS [TARGET]]`: runs each fuzz target for this many seconds, from the corpus and all earlier
-// findings.
+// `npm run fuzz [-- SECONDS [TARGET]]`: runs each fuzz target for this many seconds, starting from the corpus and all
+// earlier findings.
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { buildFuzzers, fuzzBundle } from './build.mjs';
@@ -12,7 +12,7 @@ import { forFuzzing } from './requirements.mjs';
 
 const DEFAULT_SECONDS = 60;
 const ENDING = '_fuzz.cpp';
-/** Not ours, and called from JavaScript: their inputs are made in Node (tests/fuzz/decoders.ts). */
+/** Third-party code called from JavaScript; its inputs are made in Node (tests/fuzz/decoders.ts). */
 const DECODERS = ['meshopt', 'draco'];
 
 export async function fuzz(args) {
@@ -34,7 +34,7 @@ export async function fuzz(args) {
   step(`nothing was found in ${seconds} s ${importers.length > 1 ? 'each ' : ''}(${importers.join(', ')})`);
 }
 
-/** SECONDS is a whole number above 0, TARGET the name of an importer; either may be left out. */
+/** SECONDS is a positive integer, TARGET the name of an importer; both are optional. */
 export function fuzzArguments(args, known) {
   const [first, ...others] = args;
   const timed = first !== undefined && /^\d+$/.test(first);
@@ -91,7 +91,7 @@ async function fuzzDecoder(name, seconds) {
     : [`The ${name} target ended with exit code ${code} without an input.`];
 }
 
-/** Files keep the importer's extension, or that of a decoder's input: the replay reads them by their names. */
+/** Keeps the extension of the importer or decoder, which the replay uses. */
 export function foundText(importer, artifact) {
   const ending = DECODERS.includes(importer) ? 'glb' : importer;
   const kept = `tests/fuzz/found/${importer}/WHAT-IS-THE-MATTER.${ending}`;

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { root } from './paths.mjs';
 
-// How a comment begins and ends; '' ends with the line.
+// Start and end of comments; '' ends with the line.
 const SLASHES = [
   ['/*', '*/'],
   ['//', ''],
@@ -34,10 +34,10 @@ const QUOTES = ['"', "'", '`'];
 /** The language of a file by its name, or undefined. */
 export const languageOf = (file) => (path.basename(file) === 'CMakeLists.txt' ? 'CMake' : LANGUAGE[path.extname(file)]);
 
-/** Counts lines that are neither blank nor only comment. */
+/** Counts lines except blank ones and pure comments. */
 export function codeLines(text, language) {
   let count = 0;
-  let until = ''; // end mark of the comment or template in which a line begins
+  let until = ''; // end mark of a comment or template that continues from the previous line
   let inText = false;
   for (const line of text.split('\n')) {
     let isCode = false;
@@ -65,7 +65,7 @@ export function codeLines(text, language) {
   return count;
 }
 
-/** npm run lines: of all files that git knows here. */
+/** Counts all files that git tracks, for `npm run lines`. */
 export function printLines() {
   const files = execFileSync('git', ['ls-files', '-z'], { cwd: root, encoding: 'utf8' }).split('\0').filter(languageOf);
   const sums = {};

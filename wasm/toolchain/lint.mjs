@@ -1,4 +1,4 @@
-// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here, and our lint of
+// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here, and the lint of
 // words.
 import { readdirSync } from 'node:fs';
 import path from 'node:path';

@@ -1,11 +1,11 @@
-// One run at a time prepares a checkout; others wait for it.
+// Prevents several runs from preparing a checkout at the same time; others wait.
 import { linkSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { capture } from './exec.mjs';
 import { Explained, step } from './log.mjs';
 import { buildDir } from './paths.mjs';
 
-// Process ids are reused, so the start time identifies the process. '' if it does not exist.
+// Process ids are reused, so the start time identifies the process. '' if the process does not exist.
 function startOf(pid) {
   try {
     // The program name, in parentheses, may contain spaces; the start time is the 22nd field of the line.
@@ -24,7 +24,7 @@ const read = (file) => {
   }
 };
 
-// The holder of a lock with this content, or null: it is not a lock, or its process has ended.
+// The holder of a lock with this content; null if the content is invalid or the process has ended.
 function holderIn(text) {
   try {
     const holder = JSON.parse(text);
@@ -50,7 +50,7 @@ function tryLock(file) {
   }
 }
 
-// Another process may have replaced the stale lock in the meantime: a different lock that was moved away goes back.
+// Another process may have replaced the stale lock meanwhile. If so, that lock is moved back.
 function removeStale(file, text) {
   const away = `${file}.stale.${process.pid}`;
   try {
@@ -62,7 +62,7 @@ function removeStale(file, text) {
   rmSync(away, { force: true });
 }
 
-/** Runs the action while no other process holds the lock `file`; reports the process that it waits for. */
+/** Runs the action while no other process holds the lock `file`. Reports the process that it waits for. */
 export async function whileHolding(file, action) {
   mkdirSync(path.dirname(file), { recursive: true });
   let told = false;

@@ -1,4 +1,4 @@
-// Progress goes to stderr: stdout belongs to the command itself (a URL, a report, the CLI's JSON).
+// Progress goes to stderr, because stdout has the command's result (a URL, a report, the CLI's JSON).
 const started = Date.now();
 
 export function step(text) {
@@ -6,5 +6,5 @@ export function step(text) {
   process.stderr.write(`[${seconds} s] ${text}\n`);
 }
 
-/** A failure that is explained by its message alone; `run.mjs` prints it without a stack. */
+/** A failure whose message explains it completely; `run.mjs` prints it without a stack. */
 export class Explained extends Error {}

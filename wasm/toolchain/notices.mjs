@@ -1,5 +1,4 @@
-// Copyright and licences of everything that is handed on: the npm packages in a bundle, and the libraries in the wasm
-// module.
+// Copyright and licences of all distributed code: the npm packages in a bundle, and the libraries in the wasm module.
 import { existsSync, readFileSync, readdirSync, realpathSync } from 'node:fs';
 import path from 'node:path';
 import { findEmscripten } from './emscripten.mjs';
@@ -12,7 +11,7 @@ const read = (file) => readFileSync(file, 'utf8').replaceAll('\r', '').trim();
 const firstThere = (files) => files.find((file) => existsSync(file));
 const section = (title, ...parts) => [`${'='.repeat(100)}\n${title}`, ...parts.filter(Boolean)].join('\n\n');
 
-/** The npm package that a bundled module is of, or null. */
+/** The npm package of a bundled module, or null. */
 export function packageOf(module) {
   const [, name] = /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(module.replaceAll('\\', '/')) ?? [];
   return name ?? null;
@@ -35,7 +34,7 @@ function ofPackage(name) {
   );
 }
 
-/** Licences that many share, in copies that come with packages which are always installed. */
+/** Common licence texts, from packages that are always installed. */
 const wholeTexts = {
   'Apache-2.0': { title: 'Apache License, Version 2.0', file: 'typescript/LICENSE.txt' },
   'MPL-2.0': { title: 'Mozilla Public License, Version 2.0', file: 'mediabunny/LICENSE' },
@@ -62,7 +61,7 @@ const libraries = [
   },
 ];
 
-/** The comment that a header begins with. */
+/** The comment at the start of a header. */
 function headOf(file) {
   const lines = read(file).split('\n');
   const end = lines.findIndex((line) => !/^(\/\/|\/?\*| \*|$)/.test(line));
@@ -82,7 +81,7 @@ WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEM
 COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
 OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.`;
 
-/** As the distribution's package has it, else as the header itself does. */
+/** A library's notice from the distribution's package, or else from the header itself. */
 function ofLibrary({ name, source, package: debian, headers }) {
   const document = firstThere([headersDir, '/'].map((root) => path.join(root, `usr/share/doc/${debian}/copyright`)));
   const folders = [`${headersDir}/usr/include`, '/usr/include', '/usr/local/include', '/opt/homebrew/include'];

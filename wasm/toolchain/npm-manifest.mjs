@@ -1,9 +1,9 @@
-// The package.json of the npm package. Name, version and the like are those of the repository's own.
+// The package.json of the npm package. Name, version and similar fields are from the repository's own.
 import { readFileSync } from 'node:fs';
 import { FRAMEWORKS } from './element-types.mjs';
 import { inRoot } from './paths.mjs';
 
-/** Files next to the scripts with URLs of their own, for `configure` and for copying. */
+/** Files next to the scripts with public URLs, for `configure` and for copying. */
 export const FILES = [
   'worker.js',
   'codecs.js',
@@ -17,7 +17,7 @@ export const FILES = [
 const typed = (name) => ({ types: `./${name}.d.ts`, default: `./${name}.js` });
 const asItIs = (names) => Object.fromEntries(names.map((name) => [`./${name}`, `./${name}`]));
 
-// A page that provides its own worker imports worker.js for its side effects.
+// A page with its own worker imports worker.js for its side effects.
 const ACTIVE = ['./worker.js'];
 
 /** `element`: whether it includes the custom element. */
@@ -58,7 +58,7 @@ export function npmManifest({ element }) {
     ...(element
       ? {
           customElements: 'custom-elements.json',
-          // From the lowest version that the tests run with on: other packages ask for versions of their own.
+          // The lowest version that the tests use; a range, because other packages require their own versions.
           peerDependencies: { three: `>=${devDependencies['three-lowest'].replace('npm:three@', '')}` },
           peerDependenciesMeta: { three: { optional: true } },
         }

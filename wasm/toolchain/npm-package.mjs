@@ -1,6 +1,6 @@
 // build/package: the npm package; `npm pack ./build/package` packs it. Plain JavaScript for browsers and Node, types,
-// the wasm files, notices. esbuild bundles it, which leaves `new URL('./name', import.meta.url)` as it is: that is what
-// the bundlers of others look for. A declaration bundler (rollup-plugin-dts) makes one file of types for each entry.
+// the wasm files, notices. esbuild bundles it and keeps `new URL('./name', import.meta.url)`, which users' bundlers
+// recognise. A declaration bundler (rollup-plugin-dts) makes one type file per entry.
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -25,7 +25,7 @@ const packaged = {
     ),
 };
 
-/** Node modules that scripts import only when they run in Node: empty in a browser. */
+/** Node modules that scripts import only when running in Node; empty in a browser. */
 const nothingOfNode = {
   name: 'nothing-of-node',
   setup({ onResolve, onLoad }) {
@@ -90,7 +90,7 @@ async function scripts(element) {
       external: ['three', 'three/*'],
     }),
     alone('worker', 'engine/packaged/worker.ts'),
-    // The decoder takes no other way in Node than in a browser: it is given all that it needs.
+    // The decoder runs in Node as in a browser, because it receives everything it needs.
     alone('codecs', 'engine/packaged/codecs.ts', { define: { process: 'undefined' } }),
     build({
       ...forNode,
@@ -129,7 +129,7 @@ async function madeBy(file, name) {
   return made;
 }
 
-/** In Node, nothing imports three.js, which may be missing. */
+/** In Node, no entry imports three.js, which may be missing. */
 const viewerInNode = `export class CanvasViewer {
   constructor() {
     throw new Error('CanvasViewer draws into a page: it can be imported in Node, but made in a browser only.');
@@ -148,7 +148,7 @@ async function ofElement() {
   write('node/canvas-viewer.mjs', viewerInNode);
   for (const [name, types] of Object.entries(FRAMEWORKS)) {
     write(`${name}.d.ts`, types);
-    // Types alone: importing it does nothing.
+    // Types only; importing it has no effect.
     write(`${name}.js`, 'export {};\n');
   }
 }

@@ -1,10 +1,10 @@
-// Work on all cores.
+// Runs tasks on all cores.
 import { availableParallelism } from 'node:os';
 
 export const cores = Number(process.env.SHAPESPLINE_JOBS) || availableParallelism();
 
 /**
- * Runs the tasks in order, at most this many at a time, and returns their results. If some fail, the others finish
+ * Runs the tasks in order, at most `atOnce` at a time, and returns their results. If some fail, the others finish
  * before the first failure is thrown.
  */
 export async function inParallel(tasks, atOnce = cores) {

@@ -1,4 +1,4 @@
-// Folders of the build. Everything that the scripts download or make is git-ignored and inside the repository.
+// Folders of the build. Everything that the scripts download or generate is git-ignored and inside the repository.
 import { fileURLToPath } from 'node:url';
 import path from 'node:path';
 

@@ -1,4 +1,4 @@
-// Pixel libraries that glTF-Transform imports but nothing here calls, and their replacements in bundles.
+// Image libraries that glTF-Transform imports but this project never calls, and their replacements in bundles.
 import { inRoot } from './paths.mjs';
 
 export const withoutPixels = Object.fromEntries(

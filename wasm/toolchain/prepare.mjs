@@ -1,4 +1,4 @@
-// Prepares the needs of a script: system, npm packages, build steps. Silent if everything is ready.
+// Prepares everything that a script needs: system, npm packages, build steps. Silent if everything is ready.
 import { accessSync, constants } from 'node:fs';
 import { whileLocked } from './lock.mjs';
 import { Explained } from './log.mjs';
@@ -18,7 +18,7 @@ function checkWritable() {
 const packagesAsRequirement = { name: 'the npm packages of package-lock.json', hint: 'npm ci' };
 const mayInstall = () => !process.env.SHAPESPLINE_NO_INSTALL;
 
-/** Brings `requirements` (see requirements.mjs) and then `steps`, in this order, up to date. */
+/** Brings `requirements` (see requirements.mjs) up to date, then `steps`. */
 export async function prepare(requirements, steps) {
   const order = [npmPackages, ...steps];
   // Requirements are needed only to build; finished builds need none.
@@ -29,7 +29,7 @@ export async function prepare(requirements, steps) {
   });
 }
 
-/** The system's part alone. */
+/** Prepares only the system. */
 export async function prepareSystem(requirements) {
   checkWritable();
   checkInstallable(requirements, npmPackages.isCurrent() || mayInstall() ? [] : [packagesAsRequirement]);

@@ -1,4 +1,4 @@
-// System requirements of scripts: how to detect them and how to get them.
+// System requirements of scripts, their detection and their installation.
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { installPackages, unpackPackages, whyNoInstall } from './apt.mjs';
@@ -29,7 +29,7 @@ const onPath = (...names) => names.some((name) => which(name));
 const clangWithRuntime = ['clang-19', 'libclang-rt-19-dev'];
 const hasClangWithRuntime = () => onPath('clang++-19') && existsSync('/usr/lib/llvm-19/lib/clang/19/lib/linux');
 
-/** Each: `name` and `hint` for people, `has()`, and Debian `packages`, or its own `install()`. */
+/** Each has `name` and `hint` for users, `has()`, and Debian `packages` or its own `install()`. */
 const all = {
   emscripten: {
     get name() {
@@ -117,13 +117,13 @@ export function missing(names) {
   return [...new Set(names)].map((name) => all[name]).filter((requirement) => !requirement.has());
 }
 
-/** One message that names each missing thing and how to get it. */
+/** One message with each missing requirement and its installation. */
 function explain(reason, things) {
   const list = things.map(({ name, hint }) => `  - ${name}\n      ${hint}`);
   return new Explained(`shapespline cannot be built here yet (${reason}). Missing:\n${list.join('\n')}`);
 }
 
-/** Fails with one message if something is missing and cannot be installed. `extra` is checked as well. */
+/** Fails with one message if a missing requirement cannot be installed. `extra` is checked as well. */
 export function checkInstallable(names, extra) {
   const reason = whyNoInstall();
   const things = [...missing(names), ...extra];

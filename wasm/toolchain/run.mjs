@@ -1,4 +1,4 @@
-// The entry of every npm script. Needs nothing but Node: it runs before any package is installed.
+// The entry point of every npm script. Uses only Node, because it runs before any package is installed.
 const [major] = process.versions.node.split('.').map(Number);
 if (major < 20) {
   process.stderr.write(`shapespline needs Node 20 or newer, this is ${process.version}: https://nodejs.org\n`);

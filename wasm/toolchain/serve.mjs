@@ -1,5 +1,5 @@
-// A plain static file server, optionally below a sub-path, with the headers that the manual asks of a host. With
-// --isolated it also sends the two that let a page share memory between threads.
+// A static file server, optionally below a sub-path, with the headers that the manual requires of a host. --isolated
+// also sends the two headers that let threads share memory.
 //   node serve.mjs FOLDER [--port N] [--prefix /sub/path/] [--isolated]
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -24,7 +24,7 @@ const types = {
 };
 
 const noFrames = "frame-ancestors 'self'";
-/** The policy of index.html's <meta>, sent as a header because a worker obeys the header of its script alone. */
+/** The policy of index.html's <meta>. Sent as a header as well, because a worker follows only its script's header. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -40,13 +40,13 @@ const policy = [
   noFrames,
 ].join('; ');
 const nosniff = { 'x-content-type-options': 'nosniff' };
-/** Files have the declared type only, may do only what the page needs, and other hosts cannot frame them. */
+/** Files are used only with the declared type and the page's permissions, and other hosts cannot frame them. */
 export const guards = { ...nosniff, 'content-security-policy': policy };
-/** For pages that have no policy: the development server's, and those of tests and benchmarks. */
+/** For pages without a policy: those of the development server, tests and benchmarks. */
 export const developmentGuards = { ...nosniff, 'content-security-policy': noFrames };
 const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
 
-// null if the file does not exist, or is addressed like a folder (ENOTDIR).
+// null if the file does not exist, or if a file is addressed like a folder (ENOTDIR).
 function statsOf(file) {
   try {
     return statSync(file);
@@ -72,8 +72,8 @@ function locate(folder, prefix, url) {
 }
 
 /**
- * Serves `folder` on the first free port from `port` on, every answer with `headers`. Resolves to the page's URL and
- * the server.
+ * Serves `folder` on the first free port from `port` on, with `headers` on every response. Resolves to the page's URL
+ * and the server.
  */
 export async function serve(
   folder,
@@ -119,7 +119,7 @@ function listen(server, port) {
   });
 }
 
-/** A port that is free at present. */
+/** A currently free port. */
 export async function freePort() {
   const server = createServer();
   await listen(server, 0);

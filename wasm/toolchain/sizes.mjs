@@ -1,13 +1,13 @@
-// Compressed download sizes with their limits: until the first image of a first visit, and of the wasm modules loaded
-// later. A build that exceeds them fails.
+// Compressed download sizes with their limits: until the first image of a first visit, and of wasm modules loaded
+// later. A build that exceeds a limit fails.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { Explained } from './log.mjs';
 
 /**
- * Bytes after gzip: the page, its style, scripts and wasm that it starts with; and modules by the names that the
- * bundler lengthens.
+ * Bytes after gzip: the page with its initial style, scripts and wasm; and modules by name, without the bundler's
+ * suffix.
  */
 export const LIMITS = {
   firstPicture: 660_000,
@@ -17,8 +17,8 @@ export const LIMITS = {
 };
 
 /**
- * Download size of each script of the npm package with its static imports; for the element, in addition to the engine.
- * Bytes after gzip.
+ * Download size of each npm package script with its static imports; for the element, in addition to the engine. Bytes
+ * after gzip.
  */
 export const PACKAGE_LIMITS = {
   'index.js': 24_000,
@@ -29,10 +29,10 @@ export const PACKAGE_LIMITS = {
   'canvas-viewer.js': 40_000,
   'cdn.js': 260_000,
 };
-/** These include later imports, which come with the first shape. */
+/** These also count dynamic imports, which come with the first shape. */
 const BESIDE_ENGINE = ['element.js', 'element-class.js', 'canvas-viewer.js'];
 
-// The bundler's own output: these forms and no others.
+// Import statements in exactly the forms that the bundler writes.
 const NOW = [/(?:from|import)\s*["']\.\/([^"']+\.js)["']/g, /new URL\(\s*["'](?:\.\/)?([^"']+\.(?:js|wasm))["']/g];
 const LATER = [/import\(\s*["']\.\/([^"']+\.js)["']\s*\)/g];
 
@@ -46,12 +46,11 @@ const KINDS = { js: 'JavaScript', wasm: 'wasm', css: 'style', html: 'page' };
 const kindOf = (name) => KINDS[name.split('.').pop()];
 
 /**
- * Its URL is known from the start (web/engine/browser-files.ts); tests/e2e/start.spec.ts checks that it is loaded
- * later.
+ * Its URL is in the first script (web/engine/browser-files.ts). tests/e2e/start.spec.ts checks that it is loaded later.
  */
 const isLaterModule = (name) => /^shapespline_\w+-.*\.wasm$/.test(name);
 
-/** The page of the build, files that it needs to start, and all others that hold code, with their sizes after gzip. */
+/** The built page, its initial files, and all other files with code, with their sizes after gzip. */
 export function sizesOf(folder, page = 'index.html') {
   const assets = path.join(folder, 'assets');
   const html = readFileSync(path.join(folder, page), 'utf8');
@@ -104,7 +103,7 @@ export function packageSizes(folder) {
     });
 }
 
-/** Prints the sizes of the package; throws where one is over its limit. */
+/** Prints the package's sizes; throws if one exceeds its limit. */
 export function checkPackageSizes(folder, print = (line) => process.stderr.write(`${line}\n`)) {
   for (const { name, limit, bytes } of packageSizes(folder)) {
     const beside = BESIDE_ENGINE.includes(name) ? ' beside engine and three.js' : '';

@@ -1,4 +1,4 @@
-// Whether a step has to run again: a stamp holds a digest of the contents of everything that went into it.
+// Decides whether a step has to run again, by a stored digest of all its inputs.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -19,7 +19,7 @@ export function filesBelow(entries) {
   return found;
 }
 
-/** A digest of the contents of files and folders, and of the given words. */
+/** A digest of file and folder contents and of the given words. */
 export function digest(entries, ...words) {
   const hash = createHash('sha256');
   for (const file of filesBelow(entries)) hash.update(`\0${file}\0`).update(readFileSync(path.join(root, file)));
@@ -28,7 +28,7 @@ export function digest(entries, ...words) {
 
 const stampFile = (name) => path.join(stampsDir, name);
 
-/** True if the step last ended with this digest and its outputs are still there. */
+/** True if the step last ended with this digest and its outputs still exist. */
 export function isStamped(name, value, outputs) {
   if (!outputs.every((output) => existsSync(inRoot(output)))) return false;
   return existsSync(stampFile(name)) && readFileSync(stampFile(name), 'utf8') === value;

@@ -19,7 +19,7 @@ import { unlessUnchanged } from './unchanged.mjs';
 const node = process.execPath;
 const bin = (...parts) => inRoot('node_modules', ...parts);
 
-/** Whether a folder has files with this ending. */
+/** Whether a folder has files with this extension. */
 export function hasFiles(folder, ending) {
   return (
     existsSync(inRoot(folder)) && readdirSync(inRoot(folder), { recursive: true }).some((name) => name.endsWith(ending))
@@ -30,7 +30,7 @@ async function typecheck() {
   const folders = ['web', 'tests'].filter((folder) => hasFiles(folder, '.ts'));
   const tasks = folders.map((folder) => async () => {
     step(`checking the types of ${folder}`);
-    // The compiler's notes from the last run spare it unchanged files.
+    // Stored compiler state, so unchanged files are not checked again.
     const kept = ['--incremental', '--tsBuildInfoFile', path.join(buildDir, 'types', `${folder}.tsbuildinfo`)];
     const args = [bin('typescript/bin/tsc'), '-p', folder, ...kept];
     const { code } = await run(node, args, { show: 'after', allowFailure: true });
@@ -45,7 +45,7 @@ const compileNative =
     whileLocked(() => buildNative(targets));
 const compileWasm = () => whileLocked(() => buildWasm(['shapespline_tests']));
 
-// ThreadSanitizer needs addresses that are not randomised much.
+// ThreadSanitizer needs addresses with little randomisation.
 const atFixedAddresses = (program) => (which('setarch') ? ['setarch', '-R', program] : [program]);
 
 const NOT_DENSE = '--test-suite-exclude=dense';
@@ -130,7 +130,7 @@ function countPlaywright({ suites, stats, errors }) {
   };
 }
 
-// Left out by plain `npm test`. The configuration leaves it out as well, unless SHAPESPLINE_ALL is set.
+// Excluded from plain `npm test`, and by the configuration unless SHAPESPLINE_ALL is set.
 const NOT_SLOW = '--grep-invert=@all';
 
 async function endToEnd(words) {
@@ -154,9 +154,9 @@ async function endToEnd(words) {
 }
 
 /**
- * In the order they run. A suite without `files` is skipped. `requirements`, `steps` and `compile(words)` prepare it;
- * `run(words, compiled)` runs it. The words come from the command line; plain `npm test` runs a suite with its own
- * `words`, and leaves out suites that are `onlyInAll`.
+ * Suites in execution order. A suite without `files` is skipped. `requirements`, `steps` and `compile(words)` prepare
+ * it; `run(words, compiled)` runs it. Words come from the command line. Plain `npm test` runs a suite with its own
+ * `words`, and skips suites with `onlyInAll`.
  */
 export const suites = {
   lint: { run: lint, files: ['web', '.ts'], requirements: forFormatting, steps: [] },
@@ -204,7 +204,7 @@ export const suites = {
     files: ['tests/native', '_test.cpp'],
     requirements: forNative,
     steps: [],
-    // Compiles the benchmark as well, to detect changes that break it.
+    // Also compiles the benchmark, to detect changes that break it.
     compile: compileNative('shapespline_thread_tests', 'shapespline_bench_native'),
     onlyInAll: true,
   },

@@ -27,7 +27,7 @@ async function runSuite(suite, words) {
   }
 }
 
-// Less than half a second is not worth a number.
+// Omits durations below half a second.
 const duration = (seconds) => (seconds >= 0.5 ? `${seconds.toFixed(0)} s` : '');
 const row = (name, counts, making, running) =>
   [name.padEnd(10), counts.padEnd(36), making.padStart(8), running.padStart(9)].join(' ').trimEnd();

@@ -1,6 +1,6 @@
-// clang-tidy over the core, the readers and writers, one room at a time: all sources of a room together, because most
-// of the time goes into the headers of other rooms. A room is checked again if it, one of our headers that it includes,
-// or the rules changed.
+// Runs clang-tidy over core, readers and writers, one folder at a time. All sources of a folder are checked together,
+// because most time is spent on headers of other folders. A folder is checked again if it, one of our headers that it
+// includes, or the rules have changed.
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { configureForTidy } from './build.mjs';
@@ -33,7 +33,7 @@ function state(room) {
   return digest([...rules, ...[...found].sort()]);
 }
 
-// The file that CMake has made of each room's sources.
+// The combined source file that CMake has made for each folder.
 function unityFiles(folder) {
   const commands = JSON.parse(readFileSync(path.join(folder, 'compile_commands.json'), 'utf8'));
   const files = commands.map(({ file }) => file).filter((file) => file.includes('/Unity/'));
@@ -45,7 +45,7 @@ function unityFiles(folder) {
   );
 }
 
-/** How many rooms passed, unchanged ones among them, and how many failed. */
+/** Numbers of passed folders, including unchanged ones, and of failed ones. */
 export async function tidy() {
   const all = rooms().map((room) => ({ room, name: `tidy-${room.replaceAll('/', '-')}`, value: state(room) }));
   const waiting = all.filter(({ name, value }) => !isStamped(name, value, []));
@@ -57,7 +57,7 @@ export async function tidy() {
   const program = which('clang-tidy-19') ?? 'clang-tidy';
   const checks = waiting.map(({ room, name, value }) => async () => {
     const args = ['--quiet', '-p', folder, files.get(room)];
-    // One that passes counts the warnings in the headers of others.
+    // Output of a passed run only counts warnings in third-party headers.
     const { code, tail } = await run(program, args, { allowFailure: true });
     if (code !== 0) {
       process.stderr.write(tail);

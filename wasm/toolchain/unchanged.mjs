@@ -1,5 +1,5 @@
 // The result of a C++ suite depends on its programs, the files that they read, and the scripts here. If none has
-// changed since it passed, it is not run again. It always runs with CI set, and for chosen cases.
+// changed since the suite passed, it is not run again. It always runs with CI set, and for selected cases.
 import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { reports } from './counts.mjs';
@@ -13,7 +13,7 @@ const runner = ['test', 'suites', 'unchanged', 'doctest', 'counts', 'parallel', 
 const read = ['tests/fuzz/corpus', 'tests/uri-cases.json', 'tests/native-shapes.json', ...runner];
 const settings = ['SHAPESPLINE_DATA', 'SHAPESPLINE_SWEEP', 'ASAN_OPTIONS', 'UBSAN_OPTIONS', 'TSAN_OPTIONS'];
 
-// Real inputs are large, so size and date stand for their content.
+// Real inputs are large, so size and date represent their content.
 function dated(folder) {
   return filesBelow([path.relative(root, folder)]).map((file) => {
     const { size, mtimeMs } = statSync(path.join(root, file));
@@ -28,7 +28,7 @@ function state(programs) {
   return digest([...files, ...read], process.version, words, dated(data));
 }
 
-/** Runs all of a suite of these programs, or returns the counts of its last pass. */
+/** Runs all cases of a suite of these programs, or returns the counts of its last pass. */
 export async function unlessUnchanged(name, programs, runAll) {
   const counted = path.join(reports, `${name}-passed.json`);
   const value = state(programs);

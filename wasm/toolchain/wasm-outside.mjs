@@ -1,7 +1,7 @@
 // An esbuild plugin for bundles in a folder of build/.
 import path from 'node:path';
 
-/** Leaves the wasm module out of a bundle in a folder of build/, and provides its path from there. */
+/** Leaves the wasm module out of a bundle in a folder of build/, and provides its relative path. */
 export const wasmStaysOutside = {
   name: 'wasm-stays-outside',
   setup: ({ onResolve }) =>

@@ -54,7 +54,9 @@ const TOKEN = new RegExp(
   'g',
 );
 
-/** Code becomes a character that is neither a letter nor a space, so no phrase spans it and offsets stay the same. */
+/**
+ * Replaces code by a character that is neither a letter nor a space, so no phrase spans code and offsets stay the same.
+ */
 const hide = (code) => code.replace(/[^\n]/g, '¦');
 
 function keepOnly(source, tokens, kept = (token) => token) {
@@ -73,7 +75,7 @@ function textOfToken(token) {
   return token.includes(' ') ? token.replace(/\$\{[^}]*\}/g, hide) : hide(token);
 }
 
-/** The text of a file that people read, with everything else hidden; null for other files. */
+/** The readable text of a file, with everything else hidden; null for other files. */
 export function textOf(file, source) {
   if (CODE.test(file)) return keepOnly(source, TOKEN, textOfToken);
   if (SCRIPT.test(file)) return keepOnly(source, /(?<=^|\s)#.*/g);
@@ -98,7 +100,7 @@ export function bannedIn(file, source) {
 
 const isException = (file, words) => EXCEPTIONS.some((one) => one.file === file && one.words.test(words));
 
-/** Files with text that people read, as Git lists them. */
+/** Files with readable text, as listed by Git. */
 export const readableFiles = () =>
   execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: root, encoding: 'utf8' })
     .split('\n')

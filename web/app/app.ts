@@ -1,4 +1,4 @@
-/** The composition root: makes every part, gives it what it needs, and joins them. */
+/** The composition root: creates all parts, passes their dependencies and connects them. */
 import { endTangents } from '../model/state.ts';
 import { registerServiceWorker } from '../offline/register.ts';
 import { lazy } from '../ui/lazy.ts';

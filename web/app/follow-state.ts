@@ -1,11 +1,11 @@
-/** What happens when the state or its motions change. */
+/** Reactions to changes of the state and its motions. */
 import type { Warning } from '../engine/api/types.ts';
 import type { Context } from './actions/context.ts';
 import { withPlaces } from './drawing/warning-places.ts';
 import type { Session, SessionEvents } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 
-/** The only subscriber of the state: it tells each part what changed. */
+/** The only subscriber of the state. It passes each change to the parts concerned. */
 export function followState(context: Context, onOpened: () => void, redraw: () => void): void {
   const { session, display, viewState, takeFiles, link, remembered } = context;
   const { store } = session;
@@ -21,14 +21,14 @@ export function followState(context: Context, onOpened: () => void, redraw: () =
       takeFiles.forget();
       onOpened();
     } else if (changed.motions) viewState.change({ welcome: false });
-    // Own files have no link: the address is cleared even while they play.
+    // Own files have no link, so the URL is cleared even while they play.
     if (!state.play.playing || changed.opened) link.follow();
     if (!state.play.playing || changed.opened || changed.motions) remembered.follow();
     redraw();
   });
 }
 
-/** Shows the motion again instead of a mixture of the keys. */
+/** Shows the motion again instead of a blend of the keys. */
 export function showMotion({ viewState }: Context): void {
   if (viewState.get().blend) viewState.change({ blend: null });
 }
@@ -38,14 +38,14 @@ export function applyLook({ session: { store }, display, theme }: Context): void
   display.timePictures.forget();
 }
 
-/** Makes the motions, but not before the first shape is drawn: further motions must not delay it. */
+/** Makes the motions once the first shape is drawn, so further motions do not delay it. */
 function serveAfterFirst({ session: { serve, store }, display: { scene, playback } }: Context): void {
   if (scene.viewer.hasSeen) return serve();
   void scene.viewer.firstSeen.then(serve);
   playback.frameLoop.follow(store.get().time);
 }
 
-/** What happens when files are read and motions are made. */
+/** Reactions to loaded files and finished motions. */
 export function sessionEvents(app: () => Context): SessionEvents {
   return {
     onServed: () => showServed(app()),
@@ -67,7 +67,7 @@ export function sessionEvents(app: () => Context): SessionEvents {
   };
 }
 
-/** The motions are up to date with the document. */
+/** The motions match the document. */
 function showServed({ session, display, viewState, feedback, analysis, motionSpeed }: Context): void {
   const main = session.sequence();
   if (!main) return;
@@ -82,7 +82,7 @@ function showServed({ session, display, viewState, feedback, analysis, motionSpe
   display.thumbnails.refresh();
 }
 
-/** The warnings, each with its place in the pose of its key. */
+/** The warnings, each with its location in the pose of its key. */
 function warningsOf({ store, workspace: { warnings, info, pool } }: Session): Warning[] {
   if (!info || !pool) return warnings;
   return withPlaces(warnings, info.faces, (key) => {

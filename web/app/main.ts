@@ -1,4 +1,4 @@
-/** The page's entrance: the engine starts while the app, which is larger, is still on its way. */
+/** The page's entry point. The engine starts while the larger app is still loading. */
 import { createEngine } from '../engine/index.ts';
 import type { StartedEngine } from './session/session.ts';
 
@@ -12,11 +12,12 @@ async function start(element: HTMLElement): Promise<void> {
       onLost: () => undefined,
     };
     const { startApp } = await import('./app.ts');
-    // Marks of the start: scripts, files read, motion made, first shape on the screen (npm run bench -- start).
+    // Performance marks of the start: scripts, files read, motion made, first shape on the screen (npm run bench --
+    // start).
     performance.mark('shapespline scripts');
     startApp(element, started);
   } catch (error) {
-    // Before there are components nothing else can say it.
+    // No component exists yet to show the error.
     element.replaceChildren(notStarted(error instanceof Error ? error.message : String(error)));
   }
 }

@@ -1,4 +1,4 @@
-/** Back to what a visit starts with, without loading the page again: for tests, which share a page so. */
+/** Restores the start of a visit without reloading the page, for tests that share a page. */
 import { DEFAULT_REQUEST } from '../model/export-request.ts';
 import { DEFAULT_VIEW, EMPTY_STATE } from '../model/state.ts';
 import type { Context } from './actions/context.ts';
@@ -7,7 +7,7 @@ import type { Offers } from './view/offers.ts';
 export interface ResetParts {
   context: Context;
   offers: Offers;
-  /** Opens what a visit starts with whose address has this fragment. */
+  /** Opens the initial content of a visit whose URL has this fragment. */
   visit(fragment: string): Promise<void>;
 }
 
@@ -35,17 +35,17 @@ export async function reset({ context, offers, visit }: ResetParts, fragment: st
   await visit(fragment);
   files.history.forget();
   viewState.change({ welcome: session.store.get().source.kind === 'sample' });
-  // The shape is fitted below what is said over it, which is drawn with the next frame.
+  // The shape is fitted below the overlays, which are drawn with the next frame.
   await files.idle();
   await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
   const { view } = session.store.get();
   if (view.camera) return;
-  // The view is fitted to the shape again.
+  // Fits the view to the shape again.
   context.display.scene.viewer.refit(false);
   session.store.set({ view });
 }
 
-/** What a hand has opened, chosen and scrolled to. */
+/** Closes and resets everything that the user has opened, chosen and scrolled. */
 function closeAll(): void {
   const { body } = document;
   for (const dialog of document.querySelectorAll<HTMLDialogElement>('dialog[open]')) dialog.close();
@@ -58,7 +58,7 @@ function closeAll(): void {
   if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
 }
 
-/** Choices of the charts, which stay when something else is opened. */
+/** Resets the charts' choices, which otherwise survive opening new content. */
 function takeBackChoices(): void {
   const control = (testId: string): HTMLInputElement | null =>
     document.querySelector<HTMLInputElement>(`[data-testid="${testId}"]`);

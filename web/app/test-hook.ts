@@ -12,27 +12,27 @@ export interface TestHook {
   ready: Promise<void>;
   /** Moves to t and resolves when that frame is drawn, exactly. */
   setTime(t: number): Promise<void>;
-  /** Resolves when nothing is under way: no import, no build, no frame. */
+  /** Resolves when no import, build or frame is in progress. */
   settled(): Promise<void>;
   /**
-   * Returns to the state in which the page opens with this fragment in its URL, for a returning visitor without stored
-   * files, without loading it again; resolves when settled.
+   * Restores the state in which the page opens with this fragment, for a returning visitor without stored files. Does
+   * not reload the page; resolves when settled.
    */
   reset(fragment?: string): Promise<void>;
   readonly state: AppState;
-  /** The time on the screen, which follows that of the state. */
+  /** The time on the screen, which follows the time of the state. */
   readonly shown: { time: number };
   /** Counters of the main sequence: encodings, factorisations, solves. */
   stats(): Promise<SequenceStats | null>;
-  /** The engine's own answer for a moment, 3 x vertices, without drawing it. */
+  /** The engine's result for a time, 3 x vertices, without drawing it. */
   evaluate(t: number): Promise<Float32Array>;
-  /** The main motion's ghost mesh with 3 x ghost vertices of the present moment; null without one. */
+  /** The main motion's ghost mesh with 3 x ghost vertices at the current time; null without a ghost. */
   ghost(): Promise<(Ghost & { positions: Float32Array }) | null>;
-  /** What is shown as colours now: per vertex the distance to the shape without a ghost, in % of the diagonal. */
+  /** The distances that the colours show: per vertex to the shape without a ghost, in % of the diagonal. */
   difference(): Float32Array | null;
-  /** What is drawn now in a view, 3 x vertices, copied. */
+  /** A copy of the drawn positions in a view, 3 x vertices. */
   positions(view?: number): Float32Array;
-  /** Where points appear: x, y in CSS pixels from the canvas' top left corner. */
+  /** Screen positions of points: x, y in CSS pixels from the canvas's top left corner. */
   project(points: ArrayLike<number>, view?: number): Float32Array;
 }
 
@@ -50,10 +50,10 @@ export interface TestHookParts {
   state(): AppState;
   shown(): { t: number };
   difference(): Float32Array | null;
-  /** Stops what plays and draws the exact shape of a moment. */
+  /** Stops playback and draws the exact shape at a time. */
   seekExactly(t: number): Promise<void>;
   reset(fragment: string): Promise<void>;
-  /** One round of waiting: what ends may start something else. */
+  /** Resolves after one round of waiting. Work that ends may start new work. */
   idle(): Promise<void>;
   busy(): boolean;
 }
@@ -64,7 +64,7 @@ export function createTestHook(parts: TestHookParts): TestHook {
     do {
       await parts.idle();
       await viewer.drawn();
-      // What the last frame changed is shown by the components on the next one.
+      // Components show the last frame's changes on the next animation frame.
       await new Promise((resolve) => requestAnimationFrame(resolve));
     } while (parts.busy());
   };

@@ -1,4 +1,4 @@
-/** A visit: what it opens, what starts once that is drawn, and the hook for tests. */
+/** A visit: its initial content, the work that starts after the first drawing, and the hook for tests. */
 import { clampTime } from '../model/time-scale.ts';
 import type { Context } from './actions/context.ts';
 import { showMotion } from './follow-state.ts';
@@ -15,9 +15,9 @@ export interface VisitParts {
 }
 
 export interface Visit {
-  /** Opens the content of the URL; resolves when it is completely shown. */
+  /** Opens the URL's content; resolves when it is completely shown. */
   begin(): Promise<void>;
-  /** Opens what the address named before the guide was opened. */
+  /** Opens the content of the URL before the guide. */
   openBegun(): Promise<void>;
 }
 

@@ -1,4 +1,4 @@
-/** Ways in and out: files and samples, what an earlier visit left, the page's address, exports. */
+/** Input and output: files and samples, content of an earlier visit, the page's URL, exports. */
 import { setMotion } from '../model/edits.ts';
 import { lazy } from '../ui/lazy.ts';
 import type { Offer, ToastAction } from '../ui/messages.ts';
@@ -27,9 +27,9 @@ export interface WaysParts {
   analysis: AnalysisCache;
   viewState: ViewStateHolder;
   feedback: Feedback;
-  /** What can be done about what an import warns of; null: nothing. */
+  /** Offers actions for an import's warnings; null for none. */
   onOffer(offer: Offer | null): void;
-  /** The address names a page of the guide. */
+  /** The URL names a page of the guide. */
   onGuide(fragment: string | null): void;
 }
 
@@ -109,7 +109,7 @@ function showOpened(
   firstKey.settle();
   viewState.change(openedView(opened, viewState.get()));
   const offer = withRoom(importOffer(opened, files, loopMotion), () => scene.viewer.refit(!reducedMotion()));
-  // The shape is fitted below what is offered, which is beside it where there is a sheet.
+  // The shape is fitted below the offer. If a sheet is open, the offer is beside the shape.
   if (!viewState.get().opening) onOffer(offer);
   scene.setImport(info, pool, camera);
   if (viewState.get().opening) onOffer(offer);
@@ -121,7 +121,7 @@ function showOpened(
     );
 }
 
-/** Brings back what was open before, unless something else was done about it meanwhile. */
+/** Restores the previous content, unless its opening was already undone or replaced. */
 function undoOpening(files: Ways['files']): ToastAction | undefined {
   const { before } = files.history;
   const run = (): void => {
@@ -130,7 +130,7 @@ function undoOpening(files: Ways['files']): ToastAction | undefined {
   return before ? { label: 'Undo', testId: 'toast-undo', run } : undefined;
 }
 
-/** Gone from above the shape, it leaves its room to it. */
+/** When it disappears, the view can use its space. */
 function withRoom(offer: Offer | null, leave: () => void): Offer | null {
   if (!offer) return null;
   const onAccept = (): void => {

@@ -1,6 +1,8 @@
-/** Words of the command line -> values by name. Every option but a flag takes a value, which may begin with a minus. */
+/**
+ * Parses the command line into values by name. Every option except flags takes a value, which may begin with a minus.
+ */
 
-/** Wrong use: one line, exit code 2. */
+/** Wrong usage: one line, exit code 2. */
 export class UsageError extends Error {}
 
 export interface Arguments {
@@ -9,7 +11,7 @@ export interface Arguments {
   flags: Set<string>;
 }
 
-/** Between the values of an option that is given several times: no argument holds it. */
+/** Separates the values of a repeated option; no argument contains it. */
 export const BETWEEN_VALUES = '\0';
 
 export interface Known {
@@ -50,7 +52,7 @@ function takeOption(word: string, rest: string[], known: Known, result: Argument
   result.values.set(name, before === undefined ? value : before + BETWEEN_VALUES + value);
 }
 
-// The next word, unless it is an option itself: -0.3,1.3 is a value, --report is not.
+// The next word, unless it is an option: -0.3,1.3 is a value, --report is not.
 function takeValue(rest: string[], known: Known): string | undefined {
   const name = /^--([^=]*)/.exec(rest[0] ?? '')?.[1];
   return name !== undefined && (known.options.has(name) || known.flags.has(name)) ? undefined : rest.shift();

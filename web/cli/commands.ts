@@ -12,7 +12,7 @@ import { readInputs } from './input.ts';
 import { writeOutputs, type Output } from './output.ts';
 import { exportOptions, importOptions, sequenceOptions } from './settings.ts';
 
-/** Milliseconds of each stage, in the order in which they came. */
+/** Milliseconds of each stage, in order. */
 class Timings {
   readonly ms: Record<string, number> = {};
 
@@ -46,7 +46,7 @@ function describe(info: KeysInfo): object {
   };
 }
 
-/** The contents of the files as JSON. */
+/** A report on the files as JSON. */
 export async function inspect(args: Arguments): Promise<string> {
   checkFiles(args);
   const options = importOptions(args);
@@ -59,11 +59,11 @@ export async function inspect(args: Arguments): Promise<string> {
 export interface Completed {
   /** One line that reports the output. */
   text: string;
-  /** Adds the place to a sentence, counted from 1. */
+  /** Adds the location to a sentence, counted from 1. */
   warnings: string[];
 }
 
-/** From this size on, the size is announced before the work. */
+/** Larger exports announce their size before the work. */
 const LARGE = 100e6;
 
 /** Writes the completed motion and, if requested, the report. `say` receives a message before a large export. */
@@ -99,7 +99,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     };
     const outputs: Output[] = [{ path: output, files: exported() }];
     const report = args.values.get('report');
-    /** Wraps the previous export. */
+    /** Adds the report after the export. */
     const reported = async function* () {
       const measures = await timings.time('measure', sequence.measures(plan.times));
       const ghost = await describeGhost(engine, keys, sequence, plan.times, timings);
@@ -150,7 +150,8 @@ async function readTangents(
 }
 
 /**
- * The ghost mesh, and its KG error in percent against the same motion without it over these times; null without one.
+ * The ghost mesh, and its KG error in percent against the motion without a ghost over these times; null without a
+ * ghost.
  */
 async function describeGhost(
   engine: Engine,
@@ -168,7 +169,7 @@ async function describeGhost(
   return { faces, vertices, joinedComponents, transfer, placement, kg };
 }
 
-/** Every option as used, and the counts of the sequence; shapes are named, not written out. */
+/** All options in effect, and the counts of the sequence. Shapes are given by name. */
 async function settled(
   sequence: Sequence,
   exported: Partial<ExportOptions>,

@@ -1,19 +1,19 @@
 /** Reasons why comparing a motion with an animation may be meaningless, with advice. */
 
-/** Ratio of two sizes, or two errors, from which one is suspected. */
+/** Ratio of two sizes or errors above which one is doubtful. */
 const OTHER_SIZE = 3;
 const BETTER = 0.25;
-/** Share of the shape's size within which positions are the same. */
+/** Share of the shape's size within which positions are equal. */
 const SAME_PLACE = 0.01;
-/** Fewer frames are too few to judge a motion. */
+/** A comparison with fewer frames is not meaningful. */
 const FEW_FRAMES = 5;
-/** Share of the length of the keys. */
+/** Tolerance of equal ranges, relative to the range of the keys. */
 const SAME_SPAN = 1e-3;
 
 export interface Spans {
   keys: readonly [number, number];
   animation: readonly [number, number];
-  /** Frames of the animation, and those that are compared. */
+  /** Number of frames in the animation, and of compared frames. */
   frames: number;
   compared: number;
 }
@@ -32,14 +32,14 @@ export function doubtsOfTime({ keys, animation, frames, compared }: Spans): stri
   return doubts;
 }
 
-/** Both at one time, 3 x vertices. */
+/** Both shapes at one time, 3 x vertices. */
 export interface Pair {
   motion: Float32Array;
   animation: Float32Array;
 }
 
 export interface Lying {
-  /** Orientation of the animation; null if its files state Y up. */
+  /** Up axis of the animation; null if its files specify Y up. */
   up: 'y' | 'z' | null;
   unit: number;
 }
@@ -89,7 +89,7 @@ function sizeOf(pairs: readonly Pair[], which: keyof Pair): number {
 
 type Turn = (x: number, y: number, z: number) => readonly [number, number, number];
 
-/** Squared distances of the motion from the turned animation. */
+/** Sum of squared distances between the motion and the rotated animation. */
 function offBy(pairs: readonly Pair[], turn: Turn): number {
   let sum = 0;
   for (const { motion, animation } of pairs)

@@ -1,4 +1,6 @@
-/** Named files on disk, and the companions of a .gltf or .obj: from its own folder only, never over the network. */
+/**
+ * Reads named files from disk, and the companions of a .gltf or .obj: only from its own folder, never over the network.
+ */
 import { constants } from 'node:fs';
 import { open, readdir, realpath, stat } from 'node:fs/promises';
 import path from 'node:path';
@@ -17,12 +19,12 @@ import {
 } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 
-/** Bytes that were read of all files together. */
+/** Total bytes read so far. */
 interface Total {
   bytes: number;
 }
 
-/** Folders stand for the models in them, in natural order of their names; no deeper. */
+/** Replaces folders by the models in them, in natural order of names; does not search subfolders. */
 async function withoutFolders(names: string[]): Promise<string[]> {
   const lists = await Promise.all(
     names.map(async (name) => {
@@ -43,7 +45,7 @@ async function withoutFolders(names: string[]): Promise<string[]> {
   return lists.flat();
 }
 
-/** Several numbered sequences in one folder are hardly one motion. */
+/** Several numbered sequences in one folder are unlikely to be one motion. */
 function checkOneSequence(folder: string, inside: string[]): void {
   const sequences = sequencesIn(inNaturalOrder(inside.map((name) => ({ name }))).map(({ name }) => name));
   const [first] = sequences;
@@ -77,7 +79,7 @@ export async function readInputs(given: string[]): Promise<InputFile[]> {
   return files;
 }
 
-/** The material libraries of an OBJ, which it names before its first face, and their images, relative to the OBJ. */
+/** The material libraries that an OBJ names before its first face, and their images, relative to the OBJ. */
 async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<string[]> {
   const libraries: string[] = [];
   for (const text of namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib'))
@@ -93,10 +95,10 @@ async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<st
 
 const OBJ_HEAD = 1 << 16;
 
-/** Words of one name that it is looked for by. */
+/** Longest name, in words. */
 const MOST_WORDS = 8;
 
-/** One name, which may have spaces, or several: a name ends if it is a file, or in .mtl (as in `wasm/io/polygon`). */
+/** One name with spaces, or several names: a name ends if it is a file, or in .mtl (as in `wasm/io/polygon`). */
 export async function libraryNames(text: string, isFile: (name: string) => Promise<boolean>): Promise<string[]> {
   if (!/[ \t]/.test(text) || (await isFile(text))) return [text];
   const names: string[] = [];
@@ -132,7 +134,7 @@ const CONTINUED = /\\[ \t]{0,100}\r?\n/g;
 const OPTION = /-\w+[ \t]+/y;
 const OPTION_VALUE = /(?:[-+]?[.\d][^ \t]*|on|off)[ \t]+/y;
 
-/** An image's name without options before it such as -s 1 1 1 and -clamp on. */
+/** An image's name without preceding options such as -s 1 1 1 and -clamp on. */
 export function withoutOptions(text: string): string {
   let at = 0;
   const takes = (pattern: RegExp): boolean => {
@@ -157,7 +159,7 @@ async function read(name: string, total: Total): Promise<Uint8Array> {
   }
 }
 
-/** A device never ends, and a pipe may never begin: both are refused before a byte is read. */
+/** Refuses devices and pipes before reading, because a device may never end and a pipe may never begin. */
 async function readRegular(name: string, total: Total): Promise<Uint8Array> {
   const file = await open(name, constants.O_RDONLY | constants.O_NONBLOCK);
   try {
@@ -178,10 +180,10 @@ function urisOf(bytes: Uint8Array): string[] {
   return [...new Set([...buffers, ...images])];
 }
 
-/** The name under which the engine finds the file of a URI. */
+/** The name by which the engine finds a URI's file. */
 const nameBeside = (gltf: string, uri: string): string => beside(toSlashes(gltf), decodedUri(uri));
 
-/** The file of a URI, or null if it is missing or outside the folder, which the engine reports. */
+/** The file of a URI; null if it is missing or outside the folder, which the engine reports. */
 async function readBeside(gltf: string, uri: string, total: Total): Promise<Uint8Array | null> {
   if (isExternal(uri)) return null;
   try {
@@ -194,7 +196,7 @@ async function readBeside(gltf: string, uri: string, total: Total): Promise<Uint
   }
 }
 
-/** The root ends in a slash already. */
+/** The root already ends with a slash. */
 export const isBelow = (folder: string, file: string): boolean =>
   file.startsWith(folder.endsWith(path.sep) ? folder : folder + path.sep);
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** Entry for the terminal: 0 success, 1 bad input, 2 wrong usage; one line on stderr states the problem. */
+/** Entry point for the terminal: 0 success, 1 bad input, 2 wrong usage; one line on stderr states the problem. */
 import { version } from '../../package.json';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseArguments, UsageError } from './arguments.ts';

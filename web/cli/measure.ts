@@ -1,4 +1,4 @@
-/** The measure command: numbers of a motion by several methods, and their errors against an animation, as a table. */
+/** The measure command: a table of a motion's measures for several methods, and their errors against an animation. */
 import { version } from '../../package.json';
 import type { Motion } from '../engine/api/api.ts';
 import { checkSequenceOptions, encodingOf, motionOf } from '../engine/api/options.ts';
@@ -15,13 +15,13 @@ import { againstOptions, importOptions, measuredMethods, measuredTimes, sequence
 import { noFrames, readTruth } from './truth.ts';
 import type { Truth } from './truth.ts';
 
-/** Number of frames held at a time. */
+/** Number of frames held in memory at a time. */
 const AT_ONCE = 16;
 
 const ERROR_UNITS = "# distance: of the vertices from the animation, % of the model's size (diagonal of the keys)";
 
 export interface Measured {
-  /** The table, or a line that names its file. */
+  /** The table, or a line with the name of its file. */
   text: string;
   warnings: string[];
 }
@@ -77,16 +77,16 @@ async function handOut(args: Arguments, table: string, rows: number): Promise<st
   return `${output}: ${rows} rows\n`;
 }
 
-/** The times of the table, and for each the animation's frame; null where the animation is not. */
+/** Times of the table, each with the animation's frame; null where the animation has no frame. */
 interface Compared {
   times: number[];
   frames: (Float32Array | null)[];
 }
 
-/** Share of the range: a frame at its end may be rounded. */
+/** Relative tolerance at the ends of the range, where frame times may be rounded. */
 const AT_END = 1e-6;
 
-/** The frames that the animation has, within the range of the keys; or the times that were asked for. */
+/** The animation's frames within the range of the keys, or the requested times. */
 async function comparedTimes(
   sequence: Motion,
   truth: Truth,
@@ -111,7 +111,7 @@ async function comparedTimes(
   return { times, frames: times.map((t) => (inside.includes(t) ? sampled.frame(inside.indexOf(t)) : null)) };
 }
 
-/** Frames checked for a different size or axis. */
+/** Number of frames to check for a different size or axis. */
 const LOOKED_AT = 5;
 
 async function doubtsOf(sequence: Motion, { times, frames }: Compared, truth: Truth): Promise<string[]> {

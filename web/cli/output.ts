@@ -1,4 +1,4 @@
-/** Files appear whole or not at all: they are written next to their destination and moved there last. */
+/** Writes files completely or not at all: first next to their destination, then moved there. */
 import { rmSync, type Stats } from 'node:fs';
 import { lstat, mkdir, readlink, rename, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -10,7 +10,9 @@ interface OutputFile {
 }
 
 export interface Output {
-  /** Ends in '/' for a folder of several files; otherwise the first file is written there, the others next to it. */
+  /**
+   * Ends in '/' for a folder with several files. Otherwise the first file has this path, and the others are next to it.
+   */
   path: string;
   /** Each file is requested after the previous one is written, so only one is in memory. */
   files: Iterable<OutputFile> | AsyncIterable<OutputFile>;
@@ -34,7 +36,7 @@ export async function writeOutputs(outputs: Output[]): Promise<void> {
   };
   const leave = (signal: NodeJS.Signals): void => {
     remove([...partial, ...made]);
-    // No exit of our own: it would wait for a pipe without a reader.
+    // Does not exit normally, because that would wait for a pipe without a reader.
     process.kill(process.pid, signal);
   };
   const signals = ['SIGINT', 'SIGTERM', 'SIGHUP', 'SIGQUIT'] as const;
@@ -83,7 +85,7 @@ async function move(outputs: Output[], partial: string[], made: string[]): Promi
   for (const { from, to } of whole) await rename(from, to);
 }
 
-/** The destination after links, and whether it is written directly. */
+/** The destination with links resolved, and whether to write it directly. */
 async function place(given: string): Promise<{ target: string; stream: boolean }> {
   const target = await followed(path.resolve(given));
   const there = await statsOf(target);
@@ -91,18 +93,18 @@ async function place(given: string): Promise<{ target: string; stream: boolean }
   return { target, stream: Boolean(there?.isCharacterDevice() || there?.isFIFO()) };
 }
 
-/** The target of links, even if it does not exist yet. */
+/** Resolves links, even if the target does not exist yet. */
 async function followed(file: string, links = 0): Promise<string> {
   const there = await lstat(file).catch(() => null);
   if (!there?.isSymbolicLink()) return file;
   if (links === 40) throw new Error(`${file} is a link that leads to itself`);
-  // The target of /dev/stdout has no name.
+  // The target of /dev/stdout may have no name.
   const through = await stat(file).catch(() => null);
   if (through && !through.isFile() && !through.isDirectory()) return file;
   return followed(path.resolve(path.dirname(file), await readlink(file)), links + 1);
 }
 
-/** Where an output is written first: a file, or an existing folder. */
+/** Temporary location of an output: a file, or an existing folder. */
 async function partialPlace(target: string, { path: given }: Output, partial: string[]): Promise<string> {
   const mark = `.partial-${process.pid}-${partial.length}`;
   const temporary = path.join(await existing(path.dirname(target)), `${path.basename(target)}${mark}`);
@@ -111,7 +113,7 @@ async function partialPlace(target: string, { path: given }: Output, partial: st
   return temporary;
 }
 
-/** Fails before any file is moved if moving one would fail. */
+/** Checks all moves before the first one. */
 async function checkPlaces(moves: Move[]): Promise<void> {
   const taken = new Set<string>();
   for (const { to } of moves) {
@@ -125,7 +127,7 @@ async function checkPlaces(moves: Move[]): Promise<void> {
 
 const statsOf = (file: string): Promise<Stats | null> => stat(file).catch(() => null);
 
-/** The nearest existing folder. */
+/** The nearest existing ancestor folder. */
 async function existing(folder: string): Promise<string> {
   const found = await statsOf(folder);
   const above = path.dirname(folder);

@@ -1,4 +1,4 @@
-/** The options of the commands, from the engine's table: which there are, how their text is read, and the help. */
+/** The options of the commands, from the engine's table: names, parsing and help. */
 import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import { choiceNow, wrongWith, wrongWithList } from '../engine/api/options.ts';
@@ -7,7 +7,7 @@ import type { ExportOptions, ImportOptions, Method, SequenceOptions } from '../e
 import { BETWEEN_VALUES, UsageError, type Arguments, type Known } from './arguments.ts';
 import * as read from './values.ts';
 
-/** How the text of an option becomes its value; a shape is a file, which the command reads. */
+/** Parses an option's text. A shape's text is a file name, which the command reads. */
 type Read = (text: string, option: string) => unknown;
 
 interface Flag {
@@ -15,7 +15,7 @@ interface Flag {
   name: string;
   flag: string;
   option: Option;
-  /** null: it takes no value. */
+  /** Parses the option's text; null for an option without a value. */
   read: Read | null;
 }
 
@@ -43,7 +43,7 @@ function readNumber({ whole, above, least = -Infinity, zero }: NumberOption): Re
 }
 
 function readOption(option: Option): Read | null {
-  if (option.kind === 'shape') return readKind.shape; // a file's name, until the command reads it
+  if (option.kind === 'shape') return readKind.shape; // the text is a file name until the command reads the file
   if (option.kind === 'choice') return (text, flag) => read.oneOf(...option.choices)(choiceNow(option, text), flag);
   const reader = option.kind === 'number' ? readNumber(option) : readKind[option.kind];
   return reader && inBounds(reader, (value) => wrongWith(option, value));
@@ -78,7 +78,7 @@ const motionFlags = [...flagsOf(MOTION), ...perKey];
 const encodingFlags = flagsOf(ENCODING);
 const exportFlags = flagsOf(EXPORT);
 
-/** `several`: those of the command's own that may be given several times. */
+/** `several`: the command's own repeatable options. */
 function known(flags: Flag[], own: string[], several: string[] = []): Known {
   const named = (withValue: boolean): string[] =>
     flags.filter((one) => (one.read !== null) === withValue).map(({ flag }) => flag);
@@ -108,7 +108,7 @@ export const MEASURE = known(
 const HELP_COLUMN = 41;
 const HELP_WIDTH = 112;
 
-/** The left column, with the explanation next to it or below. */
+/** Left column, with the explanation beside it or below. */
 function line(left: string, text: string): string {
   const lines: string[] = [''];
   for (const word of text.split(' ')) {
@@ -163,7 +163,7 @@ ${helpOn(exportFlags)}
 Exit codes: 0 success, 1 bad input, 2 wrong usage.
 `;
 
-/** The given values; the engine's defaults apply to the others. */
+/** The given values; the engine fills in defaults. */
 function given(args: Arguments, flags: Flag[]): object {
   return Object.fromEntries(
     flags.flatMap(({ name, flag, read: reader }): [string, unknown][] => {
@@ -178,7 +178,7 @@ export function importOptions(args: Arguments): ImportOptions {
   return given(args, importFlags);
 }
 
-/** All but the shapes, which are files. */
+/** All options except shapes, which are files. */
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
@@ -222,7 +222,7 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
 }
 
-/** A blend has no time. */
+/** Export options for a single blend, which has no time. */
 function oneBlend(args: Arguments, output: string, options: Partial<ExportOptions>): Partial<ExportOptions> {
   const other = exportFlags.find(
     ({ name, flag }) => OF_A_MOTION.includes(name) && (args.values.has(flag) || args.flags.has(flag)),
@@ -245,7 +245,7 @@ const OF_A_MOTION: readonly string[] = [
   'bounce',
 ];
 
-/** For `measure`: the methods to compare. */
+/** The methods that `measure` compares. */
 export function measuredMethods(args: Arguments): Method[] {
   const text = args.values.get('methods');
   if (text === undefined) return [MOTION.method.default];
@@ -253,7 +253,7 @@ export function measuredMethods(args: Arguments): Method[] {
   return [...new Set(methods)];
 }
 
-/** For `measure`: axis and unit of the animation. */
+/** Axis and unit of the animation for `measure`. */
 export function againstOptions(args: Arguments): Pick<ImportOptions, 'up' | 'unit'> {
   const [up, unit] = ['against-up', 'against-unit'].map((name) => args.values.get(name));
   return {
@@ -262,7 +262,7 @@ export function againstOptions(args: Arguments): Pick<ImportOptions, 'up' | 'uni
   };
 }
 
-/** For `measure`: the times. */
+/** The times for `measure`. */
 export function measuredTimes(args: Arguments): Partial<ExportOptions> {
   return given(args, momentFlags);
 }
@@ -270,7 +270,7 @@ export function measuredTimes(args: Arguments): Partial<ExportOptions> {
 /** Options that other formats would ignore. */
 const GLB_ONLY = ['tolerance', 'compression', 'targets', 'bounce'] as const;
 
-/** Formats that hold all frames in one file. */
+/** Formats with all frames in one file. */
 const HOLD_ALL: readonly string[] = ['glb', 'pc2', 'mdd'];
 
 /** Files that belong to the output share its name. */

@@ -1,10 +1,10 @@
-/** Texts on their way to the terminal, where names out of files must not be more than text. */
+/** Text for the terminal. Names from files must not act as control sequences. */
 import { messageOf } from '../engine/api/errors.ts';
 
-/** Control characters except the line feed, and marks of the writing direction: terminals obey them. */
+/** Control characters except line feeds, and marks of the writing direction, which terminals interpret. */
 const COMMANDS = /[\p{Cc}\u2028\u2029\u202a-\u202e\u2066-\u2069]/gu;
 
-/** Control characters for a terminal are escaped as in JSON, so JSON keeps its meaning. */
+/** Escapes control characters as in JSON, so JSON keeps its meaning. */
 export function printable(text: string): string {
   return text.replace(COMMANDS, (command) =>
     command === '\n' ? command : `\\u${command.charCodeAt(0).toString(16).padStart(4, '0')}`,
@@ -24,13 +24,13 @@ export function shownIn({ isTTY }: { isTTY?: boolean }, text: string): string {
   return printable(text).replace(/[^\n -~]/g, (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, '0')}`);
 }
 
-/** One line to the terminal's errors. */
+/** Prints one line to stderr. */
 export const sayError = (text: string): void => {
   process.stderr.write(`${shownIn(process.stderr, oneLine(text))}\n`);
 };
 
 /**
- * Resolves when everything is written; rejects with a sentence on failure. A reader that closed its pipe is not a
+ * Resolves when everything is written; rejects with a message on failure. A reader that closed its pipe is not a
  * failure.
  */
 export function writeTo(stream: NodeJS.WriteStream, text: string): Promise<void> {

@@ -8,9 +8,9 @@ import type { ImportOptions, InputFile, KeysInfo } from '../engine/api/types.ts'
 import { UsageError } from './arguments.ts';
 import type { Lying } from './doubts.ts';
 
-/** Number of frames if all of them exceed the memory. */
+/** Number of frames to read if all of them would exceed the memory. */
 const EVEN_FRAMES = 240;
-/** Relative tolerance of two equal spans. */
+/** Relative tolerance for equal ranges. */
 const SAME = 1e-3;
 
 export interface TruthOptions {
@@ -19,11 +19,11 @@ export interface TruthOptions {
 }
 
 export interface Truth {
-  /** Per frame, on the timeline of the keys. */
+  /** Time of each frame, on the timeline of the keys. */
   times: number[];
-  /** 3 x vertices. */
+  /** Positions of a frame, 3 x vertices. */
   frame(index: number): Float32Array;
-  /** How the frames were placed in time. */
+  /** Describes how the frames were mapped to the timeline. */
   placed: string;
   lies: Lying;
   /** The same animation at these times of the timeline. */
@@ -32,8 +32,8 @@ export interface Truth {
 }
 
 /**
- * `own`: orientation of this animation if its files do not state it; by default that of the keys. Our files state Y up,
- * metres and frame times.
+ * `own`: orientation of this animation if its files do not specify it; default: that of the keys. Our files specify Y
+ * up, metres and frame times.
  */
 export async function readTruth(
   engine: Engine,
@@ -81,7 +81,7 @@ export async function readTruth(
 
 const isGltf = (input: InputFile[]): boolean => input.some(({ name }) => ['glb', 'gltf'].includes(extensionOf(name)));
 
-/** Playback speed and range of one of our projects; null for other files. */
+/** Playback speed and range of our projects; null for other files. */
 async function playOf(
   engine: Engine,
   input: InputFile[],
@@ -121,7 +121,7 @@ function placeFrames(
   };
 }
 
-/** The value at t, straight between the places; beyond both ends it stays. */
+/** Linear interpolation at t; constant beyond both ends. */
 function interpolated(t: number, places: readonly number[], values: readonly number[]): number {
   const next = places.findIndex((place) => place > t);
   if (next < 0) return values.at(-1)!;

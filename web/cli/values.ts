@@ -1,4 +1,4 @@
-/** Text of an option -> its value. Each reader refuses invalid text with a UsageError that names the option. */
+/** Parses the text of options. Each reader refuses invalid text with a UsageError that names the option. */
 import { PIN_RADIUS } from '../engine/api/option-table.ts';
 import type { AddedTurns, PathKey, Pin } from '../engine/api/types.ts';
 import { UsageError } from './arguments.ts';
@@ -58,10 +58,10 @@ export const oneOf =
     return found;
   };
 
-/** KEY, counted from 1 -> index from 0. */
+/** KEY, counted from 1, to an index from 0. */
 export const key: Read<number> = (text, option) => wholeFrom(1)(text, option) - 1;
 
-/** KEY:N or KEY:N@COMPONENT, ... -> whole turns on the way to a key. */
+/** KEY:N or KEY:N@COMPONENT, ... to full turns before a key. */
 export const turns: Read<AddedTurns[]> = (text, option) =>
   text.split(',').map((part) => {
     const [, place, count, component] = /^([^:@]+):([^:@]+)(?:@([^:@]+))?$/.exec(part) ?? [];
@@ -73,7 +73,7 @@ export const turns: Read<AddedTurns[]> = (text, option) =>
     return component ? { ...added, component: wholeFrom(1)(component, option) - 1 } : added;
   });
 
-/** VERTEX[:RADIUS|patch][:stay=KEY][:path=T/X/Y/Z,T/X/Y/Z...] -> a pin. */
+/** VERTEX[:RADIUS|patch][:stay=KEY][:path=T/X/Y/Z,T/X/Y/Z...] to a pin. */
 export const pin: Read<Pin> = (text, option) => {
   const [place = '', ...rest] = text.split(':');
   const result: Pin = { vertex: wholeFrom(0)(place, option), radius: PIN_RADIUS };
@@ -93,5 +93,5 @@ function pathKey(text: string, option: string): PathKey {
   return { time: time!, move: [x!, y!, z] };
 }
 
-/** A number is an index, counted from 0 as glTF does; anything else a name. */
+/** A number is an index from 0, as in glTF; other text is a name. */
 export const animation: Read<string | number> = (text) => (/^\d+$/.test(text) ? Number(text) : text);

@@ -1,13 +1,13 @@
 /**
- * Every attribute and property of <shape-spline>, described once. Observed attributes, properties with types,
- * custom-elements.json and the documentation come from this table. Engine options have the names of the command line.
+ * Every attribute and property of <shape-spline>, described once. Observed attributes, typed properties,
+ * custom-elements.json and the documentation are derived from this table. Engine options have their command-line names.
  */
 import { ENCODING, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
 import { orbitOf, targetOf } from '../model/camera-words.ts';
 import { GHOST_FACES } from '../model/state.ts';
 
-/** Effect of a change, the largest first: read again, fit again, or only redraw. */
+/** Effect of a change, largest first: import again, fit again, or only redraw. */
 export type Concern = 'source' | 'motion' | 'look' | 'camera' | 'play' | 'page';
 
 interface Described {
@@ -36,16 +36,16 @@ export interface NumberRow extends Described {
 export interface ChoiceRow extends Described {
   kind: 'choice';
   choices: readonly string[];
-  /** Without the attribute. */
+  /** Value without the attribute. */
   default: string;
-  /** With the attribute alone. */
+  /** Value of an empty attribute. */
   empty?: string;
 }
-/** Separated by spaces or commas; null without them. */
+/** Numbers separated by spaces or commas; null if there are none. */
 export interface NumbersRow extends Described {
   kind: 'numbers';
   default: null;
-  /** How many there are. */
+  /** Required number of entries. */
   count?: number;
 }
 export interface WordsRow extends Described {
@@ -178,11 +178,11 @@ const OWN = {
   },
 } as const satisfies Readonly<Record<string, Row>>;
 
-/** The engine's options that are words or numbers. */
+/** Engine options whose values are words or numbers. */
 const IMPORTED = pick(IMPORT, ['animation', 'sample', 'up', 'unit']);
-/** An import can be given other times. */
+/** Options that do not need another import. */
 const TIMED = pick(IMPORT, ['keyTimes']);
-/** Pins come with a project's file. */
+/** A project's file provides the pins. */
 const MOVED = pick(MOTION, ['method', 'hold', 'boundary', 'startSpeed', 'endSpeed', 'period', 'inPlace']);
 const SHAPED = pick(PER_KEY, ['tension', 'bias']);
 const ENCODED = pick(ENCODING, ['stretch', 'patches', 'ghostFaces', 'transfer', 'placement', 'precision']);
@@ -213,7 +213,7 @@ export type ShapeSplineProperties = { -readonly [N in keyof typeof OWN]: OwnValu
 
 export type PropertyName = keyof ShapeSplineProperties;
 
-/** By property. */
+/** Rows by property. */
 export const ROWS: Readonly<Record<PropertyName, Row>> = {
   ...OWN,
   ...Object.fromEntries(optionsIn(ENGINE).map(([name, option]) => [name, rowOf(name, option)])),
@@ -221,7 +221,7 @@ export const ROWS: Readonly<Record<PropertyName, Row>> = {
 
 export const PROPERTIES = Object.keys(ROWS) as PropertyName[];
 
-/** In HTML names have no capitals. */
+/** HTML attribute names have no capital letters. */
 export function attributeOf(property: PropertyName): string {
   return property.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 }
@@ -233,7 +233,7 @@ export function propertyOf(attribute: string): PropertyName | undefined {
   return BY_ATTRIBUTE.get(attribute);
 }
 
-/** The engine call that a property is an option of; null for none. */
+/** The engine call that has this property as an option; null for none. */
 export function engineCallOf(property: PropertyName): 'import' | 'sequence' | null {
   if (property in IMPORTED) return 'import';
   return property in ENGINE && !(property in TIMED) ? 'sequence' : null;
@@ -247,7 +247,7 @@ function rowOf(name: string, option: Option): Row {
   if (option.kind === 'animation') return { ...described, kind: 'text', default: '' };
   if (option.kind !== 'number' || name in SHAPED) return { ...described, kind: 'numbers', default: null };
   const { above, most, default: usual = null, zero, whole = false } = option;
-  // The command line's "off" is 0 here.
+  // The value 0 here corresponds to "off" on the command line.
   const least = zero === undefined ? option.least : 0;
   return { ...described, kind: 'number', default: usual, above, least, most, whole };
 }

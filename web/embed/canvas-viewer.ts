@@ -1,4 +1,7 @@
-/** A motion in a box of a page: it is drawn, played and turned. Knows no attributes and no files; usable alone. */
+/**
+ * A motion in an element of a page: drawing, playback and rotation. Independent of attributes and files, so it is
+ * usable alone.
+ */
 import type { Keys } from '../engine/api/api.ts';
 import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
 import { directionOfOrbit } from '../model/camera-words.ts';
@@ -28,11 +31,11 @@ export interface CanvasViewerEvents {
   onEnd(): void;
   onError(error: unknown): void;
   onContext(lost: boolean): void;
-  /** The views stand elsewhere. */
+  /** The views have moved. */
   onPlaces(): void;
-  /** Pixels at the bottom that something lies over. */
+  /** Pixels covered by other elements at the bottom. */
   covered(): number;
-  /** Colour of shapes in a phase; any CSS colour that three.js reads. */
+  /** Colour of shapes in a phase, in any CSS notation that three.js supports. */
   colourOf(kind: PhaseKind): string;
 }
 
@@ -52,7 +55,7 @@ const PLAYING_TOLERANCE = 0.006;
 export class CanvasViewer {
   readonly viewer: Viewer;
   readonly counts = { computed: 0, drawn: 0, ms: 0 };
-  /** Whether the reader may turn it. */
+  /** Whether the user can rotate the shape. */
   turnable = true;
   play: Play = { playing: false, speed: 1, loop: 'once', between: null, fps: null };
   private motions: readonly RunningMotion[] = [];
@@ -66,7 +69,7 @@ export class CanvasViewer {
   private readonly loop: FrameLoop;
   private readonly player: Player;
 
-  /** Fills `host`, which has a size. Error: no-webgl. */
+  /** Fills `host`, which must have a size. Error: no-webgl. */
   constructor(host: HTMLElement, heard: Partial<CanvasViewerEvents> = {}) {
     const events = { ...UNHEARD, ...heard };
     this.events = events;
@@ -83,9 +86,9 @@ export class CanvasViewer {
       },
       surfaceOfPage(),
     );
-    // A finger that moves up or down scrolls the page.
+    // A vertical swipe scrolls the page.
     this.viewer.canvas.style.touchAction = 'pan-y';
-    // The wheel also scrolls the page unless the shape was clicked before.
+    // The wheel scrolls the page until the shape has been clicked.
     host.addEventListener(
       'wheel',
       (event) => {
@@ -145,19 +148,19 @@ export class CanvasViewer {
       this.viewer.setImport(keys.info, bounds, points);
     }
     this.viewer.setViews(motions.length);
-    // A camera moved by the user stays if only the motion changed.
+    // If only the motion changes, a camera moved by the user stays.
     if (others) this.moved = false;
     this.placed();
     await this.seek(t);
   }
 
-  /** Resolves when that time is drawn, or a newer requested time. */
+  /** Resolves when this time, or a newer requested time, has been drawn. */
   async seek(t: number): Promise<void> {
     this.now = t;
     await this.loop.request(t);
   }
 
-  /** As fast as it can. */
+  /** Shows the time as soon as possible. */
   follow(t: number): void {
     this.now = t;
     if (this.seen) this.loop.follow(t);
@@ -168,7 +171,7 @@ export class CanvasViewer {
     this.run();
   }
 
-  /** Nothing is computed or drawn while out of view. */
+  /** Reports whether the viewer is visible. Nothing is computed or drawn while it is out of view. */
   setSeen(seen: boolean): void {
     if (seen === this.seen) return;
     this.seen = seen;
@@ -240,7 +243,7 @@ export class CanvasViewer {
     this.events.onPlaces();
   }
 
-  /** The whole shape as the page has it, unless the reader has turned it. */
+  /** Fits the whole shape as the page specifies, unless the user has moved the camera. */
   private frameShape(): void {
     if (this.moved || !this.keys) return;
     this.viewer.fit('home', false);

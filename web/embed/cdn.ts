@@ -1,4 +1,4 @@
-/** Everything in one file, for `<script type="module" src>`. */
+/** The whole element in one file, for `<script type="module" src>`. */
 import './register.ts';
 
 export * from '../engine/browser.ts';

@@ -1,4 +1,4 @@
-/** Events of <shape-spline>. No event bubbles: a page with several elements listens to each. */
+/** Events of <shape-spline>. Events do not bubble: a page with several elements listens to each of them. */
 
 export interface LoadDetail {
   vertices: number;
@@ -23,7 +23,7 @@ export interface TimeDetail {
   currentTime: number;
 }
 export interface KeyDetail {
-  /** The key that was reached last. */
+  /** The last key reached. */
   index: number;
 }
 
@@ -42,7 +42,7 @@ export interface EventDetails {
 
 export type ShapeSplineEventMap = { [N in keyof EventDetails]: CustomEvent<EventDetails[N]> };
 
-/** For the manifest and the documentation. */
+/** Descriptions for the manifest and the documentation. */
 export const EVENTS: Readonly<Record<keyof EventDetails, { detail: string; doc: string }>> = {
   load: {
     detail: '{ vertices, faces, keyTimes }',

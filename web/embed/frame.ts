@@ -1,4 +1,4 @@
-/** The content of the element: viewport, poster, progress, message and controls, with their slots and parts. */
+/** The element's content: viewport, poster, progress, message and controls, with their slots and parts. */
 import { h, setAttribute, setHidden, setStyle } from '../ui/dom.ts';
 import { icon, setIcon } from '../ui/icons.ts';
 import { drag, leaveScrolling } from '../ui/pointer.ts';
@@ -45,14 +45,14 @@ export class Frame {
     root.addEventListener('keydown', (event) => events.onKey(event as KeyboardEvent));
     const to = (at: MouseEvent): void => events.onSeek(this.timeAt(at.clientX));
     this.timeline.addEventListener('pointerdown', (event) => {
-      // A finger may be about to scroll the page: until it goes sideways or is lifted, nothing is meant.
+      // A touch may become a scroll, so it counts only after a sideways move or on release.
       if (event.pointerType !== 'touch') to(event);
       drag(this.timeline, event, { onMove: to });
     });
     this.timeline.addEventListener('click', to);
   }
 
-  /** Also for a different document. */
+  /** Applies the style sheet; called again for another document. */
   restyle(): void {
     const sheet = styleSheet(this.root.ownerDocument);
     if (sheet) this.root.adoptedStyleSheets = [sheet];
@@ -72,7 +72,7 @@ export class Frame {
     return !this.poster.hidden;
   }
 
-  /** A shape that keys cannot rotate, play or move has the role of an image. */
+  /** A shape that the keyboard cannot rotate, play or move has the role of an image. */
   setTurnable(turnable: boolean, playable: boolean): void {
     const { viewport } = this;
     setStyle(viewport, 'pointer-events', turnable ? '' : 'none');
@@ -80,7 +80,7 @@ export class Frame {
     setAttribute(viewport, 'tabindex', turnable || playable ? 0 : null);
   }
 
-  /** Names of the views next to each other; empty for a single view. */
+  /** Names of views side by side; empty for a single view. */
   setNames(names: readonly string[]): void {
     this.names.replaceChildren(...names.map((name) => h('div', { part: 'name' }, name)));
   }
@@ -104,7 +104,7 @@ export class Frame {
     setStyle(this.bar, 'scale', `${fraction ?? 0} 1`);
   }
 
-  /** `onRetry`: another try may help. */
+  /** `onRetry`: offers a retry. */
   setMessage(text: string | null, onRetry?: () => void): void {
     setHidden(this.message, text === null);
     const retry = onRetry && h('button', { part: 'retry', type: 'button', onclick: onRetry }, 'Try again');

@@ -3,7 +3,7 @@ import { PROPERTIES, ROWS, attributeOf } from './attributes.ts';
 import type { Row } from './attributes.ts';
 import { EVENTS } from './events.ts';
 
-/** As TypeScript has it. */
+/** The TypeScript type. */
 export function typeOf(row: Row): string {
   const words = (choices: readonly string[]): string => choices.map((choice) => `'${choice}'`).join(' | ');
   switch (row.kind) {
@@ -31,7 +31,7 @@ export const FIELDS = {
   report: ['MeshReport | null', 'Report on the mesh in the files.'],
 } as const;
 type Parameter = [name: string, type: string, doc: string];
-/** A question mark after the name: may be left out. */
+/** A question mark after a name marks an optional parameter. */
 export const METHODS: Readonly<Record<string, { returns: string; doc: string; parameters?: readonly Parameter[] }>> = {
   play: { returns: 'void', doc: 'Starts playback as soon as the element is visible.' },
   pause: { returns: 'void', doc: 'Pauses, and does not start by itself again.' },
@@ -95,7 +95,7 @@ function exportOf(name: string, module = ''): object {
   return { kind: 'js', name, declaration: { name, ...(module && { module }) } };
 }
 
-/** In the form of custom-elements-manifest 1.0.0. */
+/** The manifest in the format custom-elements-manifest 1.0.0. */
 export function customElementsManifest(): object {
   const described = PROPERTIES.map((property) => ({ property, row: ROWS[property] }));
   const declaration = {

@@ -1,6 +1,6 @@
 /**
- * The engine of a page and the objects that its elements share: an import per sources, a shape per encoding, a motion
- * per options. Unused objects are disposed of after a delay, because moving an element removes and inserts it.
+ * The engine of a page and the objects that its elements share: one import per source list, one shape per encoding, one
+ * motion per options. Unused objects are disposed of after a delay, because moving an element removes and inserts it.
  */
 import type { Engine, Keys, Motion, Shape } from '../engine/api/api.ts';
 import { createEngine } from '../engine/browser.ts';
@@ -17,7 +17,7 @@ const GRACE_MS = 1000;
 
 let engine: Engine | null = null;
 
-/** Starts with the first element that is seen. */
+/** Created for the first visible element. */
 function pageEngine(): Engine {
   if (!engine) {
     engine = createEngine();
@@ -26,7 +26,7 @@ function pageEngine(): Engine {
   return engine;
 }
 
-/** An engine whose files did not load never works: the next one who asks gets another. */
+/** An engine whose files failed to load never works, so the next request creates a new one. */
 async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
   const used = pageEngine();
   try {
@@ -44,7 +44,7 @@ const motions = new Shared<{ motion: Motion; shape: Lease<Shape> }>(({ motion, s
   shape.release();
 }, GRACE_MS);
 
-/** For tests and for pages that look after their memory: how much of each there is. */
+/** Numbers of live objects, for tests and for pages that monitor memory. */
 export const held = (): { imports: number; shapes: number; motions: number } => ({
   imports: imports.size,
   shapes: shapes.size,
@@ -88,7 +88,7 @@ export function takeKeys(
   return Object.assign(lease, { key });
 }
 
-/** A motion through keys, at these times or their own. */
+/** A requested motion: keys, options and times. */
 export interface Wanted {
   keys: KeysLease;
   times: number[] | null;
@@ -123,7 +123,7 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
     keyOfMotion(wanted),
     async ({ signal, report }) => {
       const shape = takeShape(wanted, partOf(report, 0, ENCODING_SHARE));
-      // No element waits for it: the encoding may end.
+      // No element is waiting, so the encoding can stop.
       signal.addEventListener('abort', shape.release);
       try {
         const keyTimes = [...(await keysOf(wanted)).info.times];
@@ -138,12 +138,12 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
     onProgress,
   );
   const motion = value.then((held) => held.motion);
-  motion.catch(() => undefined); // the element that awaits it reports the failure
+  motion.catch(() => undefined); // the waiting element reports the failure
   return { value: motion, release };
 }
 
 /**
- * One of several users of a motion. Other users do not overtake its requests; each requests one time at a time.
+ * One of several users of a motion, each with one request at a time. Requests of other users do not replace its own.
  * `onComputed` is called for every frame made for it.
  */
 export function userOf(motion: Motion, onComputed: (ms: number) => void): Motion {

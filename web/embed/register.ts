@@ -1,10 +1,10 @@
-/** Makes <shape-spline> known to the page; without a DOM it does nothing. */
+/** Defines <shape-spline> in the page; does nothing without a DOM. */
 import { ShapeSplineElement } from './shape-spline.ts';
 
 const NAME = 'shape-spline';
 const known = globalThis.customElements?.get(NAME);
 
 if (globalThis.customElements && !known) customElements.define(NAME, ShapeSplineElement);
-// A name is given once: a second copy of the script, maybe of another version, is of no use.
+// A name can be defined only once, so a second copy of the script, possibly of another version, has no effect.
 else if (known && known !== ShapeSplineElement)
   console.warn(`<${NAME}> is already registered by another copy of shapespline; this copy is not used.`);

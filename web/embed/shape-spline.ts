@@ -1,4 +1,4 @@
-/** The element <shape-spline>. Importing it changes nothing, and works without a DOM. */
+/** The element <shape-spline>. Importing it has no side effects and works without a DOM. */
 import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
 import type { Keys, Motion } from '../engine/api/api.ts';
 import type {
@@ -31,13 +31,13 @@ export type { ShapeSplineProperties } from './attributes.ts';
 export type { ShapeSplineEventMap } from './events.ts';
 export type { KeySource } from './sources.ts';
 
-/** An element that leaves the document only to be moved keeps its state for this long. */
+/** An element that is being moved in the document keeps its state for this long. */
 const GRACE_MS = 500;
-/** In view without a source for this long, it says that it has none. */
+/** In view without a source for this long, the element reports the missing source. */
 const SOURCE_MS = 1000;
-/** Share of the whole work that the keys take. */
+/** Share of the keys in the whole work. */
 const KEYS_SHARE = 0.5;
-/** Height in pixels of the controls, and of the names of compared methods, at the bottom. */
+/** Height in pixels of the controls and compared methods' names at the bottom. */
 const CONTROLS_PX = 44;
 const NAMES_PX = 24;
 
@@ -47,14 +47,14 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 const heavy = () => Promise.all([import('./canvas-viewer.ts'), import('./motions.ts')]);
 
 export interface ShapeSplineStats {
-  /** Frames that were computed for this element, and drawn by it. */
+  /** Number of frames computed for this element and drawn by it. */
   framesComputed: number;
   framesDrawn: number;
-  /** Milliseconds that the last one took in the worker. */
+  /** Worker time of the last frame, in milliseconds. */
   ms: number;
 }
 
-/** Its own, and those of every element. */
+/** The element's own events and those of every HTML element. */
 type Events = ShapeSplineEventMap & Omit<HTMLElementEventMap, keyof ShapeSplineEventMap>;
 
 /** The shown content. */
@@ -103,7 +103,7 @@ export class ShapeSplineElement extends Base {
   #given: readonly KeySource[] | null = null;
   #info: Keys['info'] | null = null;
   #loading: Promise<void> | null = null;
-  /** Number of the newest loading; older ones end silently. */
+  /** Number of the newest loading. Older ones end silently. */
   #round = 0;
   #near = false;
   #inView = false;
@@ -115,7 +115,7 @@ export class ShapeSplineElement extends Base {
   #failure: unknown = null;
   /** The shown time, or the initial time of the next motion; NaN: the start of the motion. */
   #time = NaN;
-  /** In which it was shown. */
+  /** Range of the motion at that time. */
   #range: Range = [NaN, NaN];
   /** The shown keys are not the requested ones. */
   #outdated = false;
@@ -123,7 +123,7 @@ export class ShapeSplineElement extends Base {
   #changed = new Set<Concern>();
   #warned = new Set<string>();
   #leaving: ReturnType<typeof setTimeout> | undefined;
-  /** Until it is said that there is no source. */
+  /** Timer until the missing source is reported. */
   #missing: ReturnType<typeof setTimeout> | undefined;
   #watch: (() => void) | null = null;
   #fraction = 0;
@@ -150,7 +150,7 @@ export class ShapeSplineElement extends Base {
       try {
         Object.assign(this, { [name]: value });
       } catch (error) {
-        // No caller can catch this error any longer.
+        // No caller can catch this error now.
         console.warn(`<shape-spline>: ${messageOf(error)}`);
       }
     }
@@ -197,7 +197,7 @@ export class ShapeSplineElement extends Base {
     else this.#change(ROWS[property].concern);
   }
 
-  /** Comes before `src`: addresses, Blobs or ArrayBuffers of one key each, or of a file with all. */
+  /** Takes precedence over `src`: URLs, Blobs or ArrayBuffers of one key each, or of one file with all keys. */
   get keys(): readonly KeySource[] | null {
     return this.#given;
   }
@@ -207,7 +207,7 @@ export class ShapeSplineElement extends Base {
     this.#change('source');
   }
 
-  /** Length of the range that plays, in the unit of the key times; NaN before loading. */
+  /** Length of the playing range, in the unit of the key times; NaN before loading. */
   get duration(): number {
     if (!this.#sequence) return NaN;
     const [start, end] = this.range ?? this.#sequence.range;
@@ -239,7 +239,7 @@ export class ShapeSplineElement extends Base {
     this.#setPlaying(false);
   }
 
-  /** Resolves when that time is drawn, even if the element is out of view. */
+  /** Resolves when this time is drawn, even if the element is out of view. */
   async seek(t: number): Promise<void> {
     if (!Number.isFinite(t)) throw new RangeError('seek takes a time: a finite number.');
     this.#time = t;
@@ -248,7 +248,7 @@ export class ShapeSplineElement extends Base {
     this.#tell('seeked', { currentTime: t });
   }
 
-  /** The shape at t, drawn or not; `release()` gives its arrays back. */
+  /** The shape at t, without drawing it; `release()` returns its arrays. */
   async evaluate(t: number): Promise<Shape> {
     return (await this.#loaded()).evaluateAhead(t);
   }
@@ -264,7 +264,7 @@ export class ShapeSplineElement extends Base {
     return blob;
   }
 
-  /** A GLB with the motion as a morph-target animation, which shapespline opens as a project. */
+  /** A GLB with the motion as a morph-target animation, which the app opens as a project. */
   async exportGLB(options: Partial<Omit<ExportOptions, 'format'>> = {}): Promise<Blob> {
     const [file] = await (await this.#loaded()).export({ ...options, format: 'glb' });
     return new Blob([file!.bytes as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
@@ -299,7 +299,7 @@ export class ShapeSplineElement extends Base {
     return value;
   }
 
-  /** Called by the properties that the table describes. */
+  /** Getter of the properties in the table. */
   static read(element: ShapeSplineElement, property: PropertyName): unknown {
     if (property === 'currentTime' && !Number.isNaN(element.#time)) return element.#view?.time ?? element.#time;
     return element.#read(property);
@@ -308,7 +308,7 @@ export class ShapeSplineElement extends Base {
   static write(element: ShapeSplineElement, property: PropertyName, value: unknown): void {
     if (property === 'currentTime') {
       if (value === null || value === undefined) return element.removeAttribute('current-time');
-      // Frameworks give words as they stand in the markup.
+      // Frameworks pass text as written in the markup.
       const t = Number(value);
       if (!Number.isFinite(t)) throw new TypeError('currentTime must be a finite number.');
       return element.#setTime(t);
@@ -334,7 +334,7 @@ export class ShapeSplineElement extends Base {
 
   /** Several changes in one task are handled together. */
   #change(concern: Concern): void {
-    // Another motion begins at its own first key.
+    // A new motion starts at its own first key.
     if (concern === 'source' && this.#sequence) [this.#time, this.#outdated] = [NaN, true];
     if (this.#changed.size === 0) queueMicrotask(() => this.#apply());
     this.#changed.add(concern);
@@ -382,7 +382,7 @@ export class ShapeSplineElement extends Base {
     if (!this.isConnected) return Promise.resolve();
     clearTimeout(this.#missing);
     if (this.#sources().list.length === 0) {
-      // Scripts give keys a moment later.
+      // Scripts may set keys slightly later.
       this.#missing = setTimeout(() => this.#fail(noSource()), SOURCE_MS);
       return Promise.resolve();
     }
@@ -408,7 +408,7 @@ export class ShapeSplineElement extends Base {
     }
   }
 
-  /** Keys and motions for the attributes; null if they changed in the meantime. */
+  /** Keys and motions for the attributes; null if these changed meanwhile. */
   async #fetch(current: () => boolean): Promise<LoadedSource | null> {
     const [{ CanvasViewer }, { takeKeys, takeMotion }] = await heavy();
     if (!current()) return null;
@@ -416,7 +416,7 @@ export class ShapeSplineElement extends Base {
       this.#progress(current, part.stage, share + KEYS_SHARE * part.fraction);
     const sources = this.#sources();
     const keys = takeKeys(sources, this.baseURI, this.#options('import') as ImportOptions, from(0));
-    // Release the objects of the previous load only now, so shared ones are reused.
+    // Releases the previous objects only now, so shared ones are reused.
     this.#opening.keys?.release();
     this.#opening.keys = keys;
     const held = await keys.value;
@@ -512,12 +512,12 @@ export class ShapeSplineElement extends Base {
     return view;
   }
 
-  /** The engine's options that the page gives. */
+  /** The engine options that the page sets. */
   #options(call: 'import' | 'sequence'): Record<string, unknown> {
     const given = PROPERTIES.filter((name) => engineCallOf(name) === call && this.hasAttribute(attributeOf(name)));
     const entries = given.map((name) => {
       const value = this.#read(name);
-      // One number is a count of times, several are the times.
+      // For `sample`, one number is a count and several are times.
       return [name, name === 'sample' && Array.isArray(value) && value.length === 1 ? value[0] : value] as const;
     });
     return Object.fromEntries(entries.filter(([, value]) => value !== null && value !== ''));
@@ -538,7 +538,7 @@ export class ShapeSplineElement extends Base {
     view.setLook({ colouring, dark: isDark(getComputedStyle(this)) });
   }
 
-  /** Colour of a phase from the page's style at the time of showing. */
+  /** Colour of a phase from the page's current style. */
   #phaseColour(kind: PhaseKind): string {
     const own = getComputedStyle(this).getPropertyValue(`--shape-spline-${kind}`).trim();
     return CSS.supports('color', own) ? own : PHASE_COLOURS[kind];
@@ -554,7 +554,7 @@ export class ShapeSplineElement extends Base {
     this.#tell('timeupdate', { currentTime: t });
     const { time, step } = this.#before;
     const next = t - time;
-    // If the playback direction reverses, or playback restarts, it does so between two frames.
+    // A reversal or restart of playback happens between two frames.
     if (this.#playing && next * step < 0) {
       const end = this.#range[step > 0 ? 1 : 0];
       this.#reach(end);
@@ -597,7 +597,7 @@ export class ShapeSplineElement extends Base {
     this.#tell('error', { code: String(code ?? 'failed'), message: messageOf(error), key: place?.key ?? -1 });
   }
 
-  /** Space plays; arrows, Home, End and brackets move the time, or rotate the shape if it has the focus. */
+  /** Space toggles playback. Arrows, Home, End and brackets change the time, or rotate a focused shape. */
   #pressed(event: KeyboardEvent): void {
     if (!this.#sequence || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const onButton = event.target instanceof HTMLButtonElement;

@@ -1,4 +1,4 @@
-/** Things that several users share: made once for a key, disposed of a while after the last user has left. */
+/** Objects shared by several users: made once per key, disposed of some time after the last user has left. */
 
 export interface Lease<T> {
   readonly value: Promise<T>;
@@ -17,12 +17,12 @@ interface Held<T> {
 
 export interface Stage {
   stage: string;
-  /** In [0, 1]. */
+  /** Completed share in [0, 1]. */
   fraction: number;
 }
 
 export interface Making {
-  /** Aborted when no user is left. */
+  /** Aborted when there are no users left. */
   signal: AbortSignal;
   report(stage: Stage): void;
 }
@@ -35,12 +35,12 @@ export class Shared<T> {
     private readonly graceMs: number,
   ) {}
 
-  /** How many there are, with those that are about to be disposed of. */
+  /** Number of objects, including those waiting for disposal. */
   get size(): number {
     return this.held.size;
   }
 
-  /** `make` is called if no user holds the key. Failures are not kept. */
+  /** `make` is called for a key without users. Failures are not cached. */
   take(key: string, make: (making: Making) => Promise<T>, onProgress?: (part: Stage) => void): Lease<T> {
     return this.lease(this.held.get(key) ?? this.begin(key, make), onProgress);
   }

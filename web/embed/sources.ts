@@ -10,18 +10,18 @@ export type KeySource = string | URL | Blob | ArrayBuffer | Uint8Array;
 
 export interface Sources {
   list: readonly KeySource[];
-  /** Times of the children; null unless all have one. */
+  /** Key times of the children; null unless all children have one. */
   times: number[] | null;
 }
 
-/** Keys given by a page: a list, the files of an input, or a single source. */
+/** Keys from a page: a list, the files of an input, or a single source. */
 export function listOf(given: unknown): readonly KeySource[] | null {
   if (given === null || given === undefined) return null;
   if (Array.isArray(given)) return given as KeySource[];
   return globalThis.FileList && given instanceof FileList ? [...given] : [given as KeySource];
 }
 
-/** The property `keys` comes before `src`, and that before children. */
+/** The property `keys` takes precedence over `src`, and `src` over children. */
 export function sourcesOf(keys: readonly KeySource[] | null, src: string, element: Element): Sources {
   if (keys && keys.length > 0) return { list: keys, times: null };
   if (src !== '') return { list: src.split(/\s+/), times: null };
@@ -42,7 +42,7 @@ function addressOf(source: string | URL, key: number, base: string): URL {
   throw new EngineError('not-found', `“${source}” is not a valid URL. Check the URL of key ${key + 1}.`, { key });
 }
 
-/** Identifies a source: its URL, or the object itself. Throws for unsupported types. */
+/** Identifies a source by its URL or by the object itself. Throws for unsupported types. */
 export function keyOf(source: KeySource, key: number, base: string): string {
   if (typeof source === 'string' || source instanceof URL) return addressOf(source, key, base).href;
   if (![Blob, ArrayBuffer, Uint8Array].some((kind) => source instanceof kind))
@@ -55,7 +55,7 @@ export function keyOf(source: KeySource, key: number, base: string): string {
   return `object ${numbers.get(source)}`;
 }
 
-/** Reads all sources, and the companions of a .gltf. */
+/** Reads all sources, and the companion files of a .gltf. */
 export async function readSources(list: readonly KeySource[], base: string, making: Making): Promise<InputFile[]> {
   let done = 0;
   const files = await Promise.all(
@@ -81,7 +81,7 @@ async function fetchModel(url: URL, key: number, signal: AbortSignal): Promise<I
   const model = { name: nameOf(fileName(decodedUri(url.pathname)), key), bytes };
   if (extensionOf(model.name) !== 'gltf') return [model];
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
-  // Only companions in its own folder are fetched; the engine reports missing ones.
+  // Fetches only companions in the model's own folder; the engine reports missing ones.
   const resources = [...new Set([...buffers, ...images])].flatMap((uri) => {
     const resource = urlBeside(uri, url);
     return resource === null ? [] : [{ name: beside(model.name, decodedUri(uri)), resource }];
@@ -108,7 +108,7 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
       key,
     );
   const bytes = new Uint8Array(await response.arrayBuffer());
-  // A host may answer 200 with an HTML page for a missing file.
+  // A host may return an HTML page with status 200 for a missing file.
   if (/^\s*<(!doctype|html|head|body)\b/i.test(new TextDecoder().decode(bytes.subarray(0, 64))))
     throw refused(
       'not-a-model',
@@ -122,10 +122,10 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
 const refused = (code: string, message: string, url: URL, key: number): EngineError =>
   new EngineError(code, message, { file: fileName(url.pathname), key });
 
-/** A name without a model's extension is read as GLB. */
+/** Names without a model's extension are read as GLB. */
 const nameOf = (name: string, key: number): string => (isModel(name) ? name : `${name || `key-${key + 1}`}.glb`);
 
-/** Files of different folders may be called the same. */
+/** Makes names unique, because files of different folders can have equal names. */
 function withOwnNames(files: InputFile[]): InputFile[] {
   const taken = new Set<string>();
   return files.map((file, index) => {

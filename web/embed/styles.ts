@@ -1,4 +1,4 @@
-/** The style of the element: a sheet that script makes, which a strict policy allows, unlike a <style>. */
+/** The element's style, as a style sheet created by script. Unlike a <style> element, strict policies allow it. */
 const CSS = `
 :host { display: block; contain: strict; inline-size: 100%; aspect-ratio: 3 / 2; min-block-size: 120px;
   position: relative; font: 14px system-ui, sans-serif;
@@ -42,7 +42,9 @@ const CSS = `
 
 const sheets = new WeakMap<Document, CSSStyleSheet>();
 
-/** One for all elements of a document; null for a document without a window, or without sheets that script makes. */
+/**
+ * One style sheet per document; null for a document without a window, or without support for constructed style sheets.
+ */
 export function styleSheet(of: Document): CSSStyleSheet | null {
   const known = sheets.get(of);
   const view = of.defaultView;

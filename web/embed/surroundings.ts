@@ -4,9 +4,9 @@ export interface SurroundingsEvents {
   /** Close enough to the view to fetch the content. */
   onNear(near: boolean): void;
   onSeen(seen: boolean): void;
-  /** Other children, or other words in them. */
+  /** Children, or their text, have changed. */
   onChildren(): void;
-  /** The reader has chosen light or dark, or more or less motion. */
+  /** The user prefers another colour scheme, or more or less motion. */
   onPreference(): void;
 }
 
@@ -15,21 +15,18 @@ const NEAR = '256px';
 const DARK = '(prefers-color-scheme: dark)';
 const LESS_MOTION = '(prefers-reduced-motion: reduce)';
 
-/**
- * Some pages run without a screen, such as tests with jsdom: they have no preferences, and everything counts as
- * visible.
- */
+/** Pages without a screen, such as tests with jsdom, have no preferences, and everything counts as visible. */
 const query = (words: string): MediaQueryList | null => globalThis.matchMedia?.(words) ?? null;
 
 export const lessMotion = (): boolean => query(LESS_MOTION)?.matches === true;
 
-/** As the page's `color-scheme` has it, which may leave it to the reader. */
+/** Follows the page's `color-scheme`, which may leave the choice to the user. */
 export function isDark({ colorScheme }: CSSStyleDeclaration): boolean {
   const [light, dark] = [/light/, /dark/].map((word) => word.test(colorScheme));
   return dark! && (!light || query(DARK)?.matches === true);
 }
 
-/** Returns a function that ends it. */
+/** Returns a function that stops watching. */
 export function watch(element: Element, events: SurroundingsEvents): () => void {
   const ends = [
     whileInView(element, NEAR, events.onNear),
@@ -44,7 +41,7 @@ export function watch(element: Element, events: SurroundingsEvents): () => void 
   };
 }
 
-/** Each returns a function that ends it. */
+/** Each returns a function that stops watching. */
 function whileInView(element: Element, rootMargin: string, tell: (inView: boolean) => void): () => void {
   if (!globalThis.IntersectionObserver) {
     const timer = setTimeout(tell, 0, true);

@@ -1,16 +1,16 @@
-/** Attributes as text, properties as values: one to the other by the table's rows. */
+/** Converts attributes to property values and back, by the table's rows. */
 import type { Row } from './attributes.ts';
 
 export interface Read {
   value: unknown;
-  /** The problem with the text, which makes the default apply. */
+  /** Reason why the text is invalid and the default applies. */
   problem: string | null;
 }
 
 const good = (value: unknown): Read => ({ value, problem: null });
 const bad = ({ default: usual }: Row, problem: string): Read => ({ value: usual, problem });
 
-/** `text`: null without the attribute. */
+/** `text`: null if the attribute is absent. */
 export function readAttribute(row: Row, text: string | null): Read {
   if (text === null) return good(row.default);
   const word = text.trim();
@@ -62,7 +62,7 @@ function numbersOf(row: Extract<Row, { kind: 'numbers' }>, word: string): Read {
   return good(numbers);
 }
 
-/** The attribute of the property; null: none. */
+/** The attribute for a property value; null for none. */
 export function writeAttribute(row: Row, value: unknown): string | null {
   if (value === null || value === undefined) return null;
   switch (row.kind) {

@@ -1,4 +1,6 @@
-/** The engine's files as the app's bundler finds them; in the npm package `packaged/browser-files` takes its place. */
+/**
+ * Files of the engine as located by the app's bundler. In the npm package, `packaged/browser-files` replaces this file.
+ */
 import wasmUrl from '../../build/wasm/shapespline.wasm?url';
 import filesUrl from '../../build/wasm/shapespline_files.wasm?url';
 import shellsUrl from '../../build/wasm/shapespline_shells.wasm?url';
@@ -12,7 +14,7 @@ export const files: BrowserFiles = {
   filesWasm: () => new URL(filesUrl, import.meta.url),
   shellsWasm: () => new URL(shellsUrl, import.meta.url),
   threads: () => new URL(threadsUrl, import.meta.url),
-  // It knows its own.
+  // The worker knows its own URLs.
   forWorker: () => ({}),
   startWorker: (name, loaded) =>
     new PatientWorker(

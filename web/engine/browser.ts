@@ -9,7 +9,7 @@ import { endedWorker, type Spawn } from './caller/worker-client.ts';
 import type { FromWorker, Locked } from './wire/protocol.ts';
 import { lockReleased } from './wire/worker-lock.ts';
 
-/** Starts fetching the wasm and a first worker immediately; more workers are made as needed. */
+/** Starts fetching the wasm and a first worker immediately. More workers are started as needed. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const { wasmUrl, filesUrl, shellsUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const possible = threadsUrl !== null && globalThis.crossOriginIsolated && navigator.hardwareConcurrency > 1;
@@ -30,13 +30,13 @@ export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   return engine;
 }
 
-/** Resolves a configured URL against the page's. */
+/** Resolves a configured URL against the page's URL. */
 function ofPage(url: string | URL | null | undefined): URL | undefined {
   return url ? new URL(url, document.baseURI) : undefined;
 }
 
 /**
- * Milliseconds that a large mesh may wait for the module for two threads, which is fetched while its files are read.
+ * Longest wait, in milliseconds, of a large mesh for the two-thread module, which is fetched while its files are read.
  */
 const PATIENCE = 1000;
 
@@ -44,8 +44,7 @@ function late(): Promise<null> {
   return new Promise((resolve) => void setTimeout(resolve, PATIENCE, null));
 }
 
-// Two threads share memory, which browsers allow where the host isolates the page. Without them everything works the
-// same.
+// Two threads share memory, which browsers allow only on isolated pages. Without it, one thread gives the same results.
 async function compileThreaded(given: string | URL | null | undefined): Promise<WebAssembly.Module | null> {
   try {
     return await compile(ofPage(given) ?? files.threads(), 'threadsUrl');
@@ -97,7 +96,7 @@ async function compile(url: URL, option: keyof FileUrls): Promise<WebAssembly.Mo
   return compileFrom(url, option);
 }
 
-/** Validates the smallest module that uses a vector instruction: a function that returns i8x16.splat(0). */
+/** Validates the smallest module with a vector instruction: a function that returns i8x16.splat(0). */
 function hasSimd(): boolean {
   return !!globalThis.WebAssembly?.validate(
     new Uint8Array([

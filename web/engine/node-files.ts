@@ -1,6 +1,6 @@
 /**
- * The engine's files in this repository, for its own programs; in the npm package `packaged/node-files` takes its
- * place. The same relative paths hold from this file and from the bundles that it becomes part of (build/node).
+ * The engine's files in this repository, for its own programs. In the npm package, `packaged/node-files` replaces this
+ * file. The relative paths are the same from this file and from its bundles (build/node).
  */
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';

@@ -11,7 +11,7 @@ import { files } from './node-files.ts';
 import type { FromWorker } from './wire/protocol.ts';
 import { endedWorker, type Spawn } from './caller/worker-client.ts';
 
-/** The process lives as long as an engine has workers, so dispose of it. */
+/** The process stays alive while an engine has workers, so dispose of the engine. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const { wasmUrl, filesUrl, shellsUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
   const filesWasm = fileUrl(filesUrl) ?? besideCore(fileUrl(wasmUrl), 'files') ?? files.filesWasm;
@@ -28,7 +28,7 @@ export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   });
 }
 
-/** A path counts from the folder in which the program was started. */
+/** Resolves a path against the working directory at start. */
 function fileUrl(url: string | URL | undefined): URL | undefined {
   if (url === undefined || url instanceof URL) return url;
   return url.startsWith('file:') ? new URL(url) : pathToFileURL(url);
@@ -44,7 +44,7 @@ export async function withEngine<T>(work: (engine: Engine) => Promise<T>, urls?:
   }
 }
 
-// A program given as text passes its options to its worker threads, which refuse them.
+// A program given as text passes its options to worker threads, which reject them.
 const execArgv = process.execArgv.filter((word) => !word.startsWith('--input-type'));
 
 function spawnFrom(workerUrl: URL, onLost: (() => void) | undefined): Spawn {

@@ -1,12 +1,12 @@
-/** A camera in words, as <model-viewer> has them: `camera-orbit="30deg 75deg 105%"`, `camera-target="0m 1m 0m"`. */
+/** A camera in the text form of <model-viewer>: `camera-orbit="30deg 75deg 105%"`, `camera-target="0m 1m 0m"`. */
 
 import type { CameraPose } from './camera.ts';
 
-/** Angles in radians: around the up axis from the front, and down from straight above. */
+/** Angles in radians: azimuth from the front, and polar angle from the up axis. */
 export interface CameraOrbit {
   theta: number;
   phi: number;
-  /** Relative to the distance that shows the whole shape, or in the shape's own unit. */
+  /** Relative to the distance that shows the whole shape, or in the shape's unit. */
   radius: { share: number } | { distance: number };
 }
 
@@ -14,10 +14,10 @@ export const AUTO_ORBIT: Readonly<CameraOrbit> = { theta: 0, phi: (75 * Math.PI)
 
 const ANGLES: Readonly<Record<string, number>> = { rad: 1, deg: Math.PI / 180, turn: 2 * Math.PI };
 const LENGTHS: Readonly<Record<string, number>> = { m: 1, cm: 0.01, mm: 0.001 };
-/** Straight above, the eye has no up. */
+/** Least polar angle. At 0 the eye would look straight down, without an up direction. */
 const LEAST_PHI = 0.01;
 
-/** null if invalid; each may be `auto`. */
+/** Parses an orbit, in which each value may be `auto`; null if invalid. */
 export function orbitOf(words: string): CameraOrbit | null {
   const [theta, phi, radius, ...more] = wordsOf(words);
   if (theta === undefined || phi === undefined || radius === undefined || more.length > 0) return null;
@@ -40,12 +40,12 @@ export function targetOf(words: string): [number, number, number] | null {
   return place.map((at) => at ?? NaN) as [number, number, number];
 }
 
-/** The way from the target to the eye, of length 1. */
+/** Unit vector from the target to the eye. */
 export function directionOfOrbit({ theta, phi }: CameraOrbit): [number, number, number] {
   return [Math.sin(phi) * Math.sin(theta), Math.cos(phi), Math.sin(phi) * Math.cos(theta)];
 }
 
-/** The inverse: text for a camera's direction, at the distance that shows the whole shape. */
+/** The inverse: text of a camera's direction, at the distance that shows the whole shape. */
 export function orbitWords({ position, target }: CameraPose): string {
   const [x, y, z] = position.map((at, i) => at - target[i]!) as [number, number, number];
   const degrees = (angle: number): string => `${Math.round((angle * 180) / Math.PI)}deg`;

@@ -9,9 +9,9 @@ export interface CameraPose {
 export type ViewName = 'home' | 'front' | 'top' | 'right';
 
 /**
- * Whether a point lies inside the surface: its generalized winding number (Jacobson et al. 2013), the solid angle of
- * all faces, stays near one there despite holes. Without `Math.hypot`, which takes longer. `positions`: xyz, V x 3;
- * `faces`: F x 3.
+ * Whether a point lies inside the surface, by its generalized winding number (Jacobson et al. 2013): the solid angle of
+ * all faces, close to one inside despite holes. Avoids `Math.hypot`, which is slower. `positions`: xyz, V x 3; `faces`:
+ * F x 3.
  */
 export function isInside(point: CameraPose['position'], positions: Float32Array, faces: Uint32Array): boolean {
   const [x, y, z] = point;

@@ -1,4 +1,4 @@
-/** Edits of the document: each takes a document and returns the next, or the same if nothing changes. */
+/** Edits of the document: each takes a document and returns the next, or the same one if nothing changes. */
 import { MOST_TIME } from '../engine/api/option-table.ts';
 import { spacedTimes } from './key-spacing.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
@@ -8,7 +8,7 @@ import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from './speeds.ts';
 import { referenceKey } from './state.ts';
 import { SAME_TIME, clamp } from './time-scale.ts';
 
-/** Moves a key in the order; times stay in place and shapes change places. */
+/** Moves a key in the order. Times stay in place; shapes move. */
 export function moveKey(doc: Doc, from: number, to: number): Doc {
   const target = clamp(to, 0, doc.keys.length - 1);
   if (from === target || !doc.keys[from]) return doc;
@@ -17,16 +17,13 @@ export function moveKey(doc: Doc, from: number, to: number): Doc {
   return { ...doc, keys: keys.map((key, index) => ({ ...key, time: doc.keys[index]!.time })) };
 }
 
-/** A motion needs two keys: the last two stay. */
+/** A motion needs two keys, so the last two stay. */
 export function removeKey(doc: Doc, index: number): Doc {
   if (doc.keys.length <= 2 || !doc.keys[index]) return doc;
   return { ...doc, keys: doc.keys.filter((_, other) => other !== index) };
 }
 
-/**
- * Gives a key another time; past its neighbours it takes another place in the order. Equal times are refused, and those
- * that none can have.
- */
+/** Changes a key's time and, if it passes a neighbour, its order. Refuses the time of another key and invalid times. */
 export function retimeKey(doc: Doc, index: number, time: number): Doc {
   const key = doc.keys[index];
   if (
@@ -44,18 +41,18 @@ export function renameKey(doc: Doc, index: number, name: string): Doc {
   return withKey(doc, index, { name });
 }
 
-/** Adds a key in order of time, passed as smoothly as can be. */
+/** Adds a key in time order, with default smooth options. */
 export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
   if (doc.keys.some((other) => other.time === key.time)) return doc;
   return sorted({ ...doc, keys: [...doc.keys, { ...key, shaping: DEFAULT_SHAPING }] });
 }
 
-/** Where new keys go: before the key of this number, or at this time. */
+/** Position for new keys: before the key of this number, or at this time. */
 export type KeyPlace = { before: number } | { time: number };
 
 /**
- * Times for new keys. A single key gets the time of its place, if that is free. Several are spread evenly between their
- * neighbours; beyond the ends they are as far apart as the keys are on average.
+ * Times for new keys. A single key gets the requested time, if free. Several are spread evenly between their
+ * neighbours; beyond the ends they use the keys' mean distance.
  */
 export function timesAt({ keys }: Doc, place: KeyPlace, count: number): number[] {
   if ('time' in place && count === 1 && !isTaken(keys, place.time)) return [place.time];
@@ -63,7 +60,7 @@ export function timesAt({ keys }: Doc, place: KeyPlace, count: number): number[]
   return timesBefore(keys, at, count);
 }
 
-/** Whether a key is at this time, or so near that no other fits. */
+/** Whether a key is at this time or too close to it for another key. */
 export function isTaken(keys: readonly Pick<KeyRef, 'time'>[], t: number): boolean {
   const whole = (keys.at(-1)?.time ?? 0) - (keys[0]?.time ?? 0);
   return keys.some(({ time }) => Math.abs(time - t) <= 1000 * SAME_TIME * whole);
@@ -85,13 +82,13 @@ export function setShaping(doc: Doc, name: ShapingNumber, index: number, value: 
   return reshaped(doc, index, (shaping) => (shaping[name] === value ? shaping : { ...shaping, [name]: value }));
 }
 
-/** One tension for every key, or one each. */
+/** One tension for all keys, or one per key. */
 export function setTightness(doc: Doc, tension: number | readonly number[]): Doc {
   const at = (index: number): number => (typeof tension === 'number' ? tension : (tension[index] ?? 0));
   return doc.keys.reduce((next, _, index) => setShaping(next, 'tension', index, at(index)), doc);
 }
 
-/** Times between the first and the last key's, by how far the keys lie apart (`spacedTimes`). */
+/** Respaces the keys between the first and last time by their distances (`spacedTimes`). */
 export function spaceKeys(doc: Doc, distance: readonly number[], power: number): Doc {
   const [first, last] = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 0];
   const times = spacedTimes(first, last, distance, power);
@@ -100,8 +97,8 @@ export function spaceKeys(doc: Doc, distance: readonly number[], power: number):
 }
 
 /**
- * The motion from its end to its beginning, between the same times: t becomes first + last - t. Off the keys it differs
- * by a little where these turn far, because turns that follow each other do not commute.
+ * Reverses the motion between the same times: t becomes first + last - t. Between keys with large rotations the result
+ * differs slightly, because successive rotations do not commute.
  */
 export function reverseMotion(doc: Doc): Doc {
   const { keys, motion, encoding } = doc;
@@ -109,7 +106,7 @@ export function reverseMotion(doc: Doc): Doc {
   const mirrored = <T extends { time: number }>(ones: readonly T[]): T[] =>
     ones.map((one) => ({ ...one, time: both - one.time })).reverse();
   const shapings = keys.map(({ shaping }, index): Shaping => {
-    // The way to a key is the one back from the key after it.
+    // Each key takes the turns of the following interval, reversed.
     const way = keys[index + 1]?.shaping.turns ?? [];
     return { ...shaping, bias: -shaping.bias + 0, turns: way.map((one) => ({ ...one, turns: -one.turns })) };
   });

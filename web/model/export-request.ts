@@ -1,4 +1,4 @@
-/** Options of an export and the numbers that follow from them: the dialog shows the numbers of the file. */
+/** Options of an export and the resulting numbers. The dialog shows the file's numbers. */
 import { EXPORT } from '../engine/api/option-table.ts';
 import { frameCount } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
@@ -6,7 +6,7 @@ import { clamp, length } from './time-scale.ts';
 
 export type ExportKind = 'animation' | 'pose' | 'picture' | 'numbers';
 export type AnimationFormat = 'glb' | 'obj' | 'pc2' | 'mdd' | 'video';
-/** For a GLB: as few as the tolerance allows, one per frame, or the keys with in-betweens. */
+/** For a GLB: the fewest within the tolerance, one per frame, or the keys with in-betweens. */
 export type Targets = 'few' | 'every' | 'principal';
 export type Compression = 'none' | 'quantized' | 'meshopt';
 export type PoseFormat = 'glb' | 'obj' | 'ply';
@@ -20,7 +20,7 @@ export interface PictureSize {
   height: number;
 }
 
-/** Offered sizes by name; `window` is the view on the screen, `own` is typed. */
+/** Offered sizes by name; `window` is the size on the screen, `own` is typed. */
 export const SIZES = {
   small: { width: 640, height: 360 },
   '720p': { width: 1280, height: 720 },
@@ -31,7 +31,7 @@ export const SIZES = {
   upright: { width: 1080, height: 1920 },
 } as const satisfies Record<string, PictureSize>;
 export type SizeName = 'window' | keyof typeof SIZES | 'own';
-/** Of either side. */
+/** Limits for either side. */
 export const [LEAST_PIXELS, MOST_PIXELS] = [16, 8192];
 
 /** Choices of the dialog, kept while the page is open for the next export. */
@@ -41,33 +41,33 @@ export interface ExportRequest {
   pose: PoseFormat;
   picture: PictureFormat;
   numbers: NumbersFormat;
-  /** null = the first that the browser can write. */
+  /** Video format; null: the first that the browser can write. */
   video: VideoFormat | null;
   targets: Targets;
-  /** In percent of the diagonal. */
+  /** Tolerance in percent of the diagonal. */
   tolerance: number;
   compression: Compression;
-  /** null = given by the rate. At most one of the two is not null. */
+  /** Number of frames; null: determined by the rate. At most one of the two is set. */
   frames: number | null;
-  /** Frames per second of the export; null = the whole frames of the timeline, or the usual rate without them. */
+  /** Export frames per second; null: the timeline's whole frames, or the default rate without them. */
   rate: number | null;
-  /** First and last time; null = the range that plays. */
+  /** First and last time; null: the playing range. */
   range: [number, number] | null;
-  /** Seconds that the range takes in the export; null = as it plays on the page. */
+  /** Duration of the range in the export, in seconds; null: as on the page. */
   duration: number | null;
-  /** Seconds of one turn. */
+  /** Duration of one turn in seconds. */
   turn: number;
   /** Plays forwards, then backwards. */
   bounce: boolean;
   inPlace: boolean;
-  /** A GLB comes in a zip, with a page that shows it. */
+  /** Puts a GLB in a zip, with a page that shows it. */
   page: boolean;
-  /** Of a picture; null = as on the screen. */
+  /** Size of an image; null: as on the screen. */
   size: SizeName | null;
-  /** Of a video; null = as on the screen, of a GIF small. */
+  /** Size of a video; null: as on the screen, or small for a GIF. */
   videoSize: SizeName | null;
   own: PictureSize;
-  /** Of a PNG. */
+  /** Removes the background of a PNG. */
   transparent: boolean;
   crop: boolean;
 }
@@ -101,14 +101,14 @@ export const MAX_FRAMES = 2000;
 export const MOST_SECONDS = 3600;
 const MOST_VIDEO_SECONDS = 600;
 const USUAL_RATE = 30;
-/** A GIF can state this exactly: its frames take whole hundredths of a second. */
+/** A GIF can represent this rate exactly, in hundredths of a second. */
 const USUAL_GIF_RATE = 25;
 const MOST_RATE = { mp4: 60, webm: 60, gif: 50 } as const satisfies Record<VideoFormat, number>;
 
-/** How the page plays. */
+/** Playback settings of the page. */
 export interface Playing {
   range: Range;
-  /** Whole frames per unit of time; null = as smooth as the screen allows. */
+  /** Whole frames per unit of time; null: as smooth as the screen allows. */
   fps: number | null;
   /** Units of time per second. */
   speed: number;
@@ -118,17 +118,17 @@ export interface ExportNumbers {
   range: Range;
   /** Duration of the range, or of a turn, in one direction. */
   seconds: number;
-  /** Frames a second. */
+  /** Frames per second. */
   rate: number;
-  /** Number of all frames; playing back as well doubles it. */
+  /** Total number of frames, doubled if it also plays backwards. */
   frames: number;
-  /** The frames are the whole ones of the timeline. */
+  /** The frames are the timeline's whole frames. */
   whole: boolean;
-  /** How many times faster than the time on the timeline. */
+  /** Speed relative to the timeline. */
   speed: number;
 }
 
-/** Whether it is a video, of an animation or a turn. */
+/** Whether the request is for a video of an animation or of a turn. */
 export function isVideoRequest({ kind, animation, picture }: ExportRequest): boolean {
   return (kind === 'animation' && animation === 'video') || isTurn({ kind, picture });
 }
@@ -137,7 +137,7 @@ export function isTurn({ kind, picture }: Pick<ExportRequest, 'kind' | 'picture'
   return kind === 'picture' && picture === 'turntable';
 }
 
-/** May go back the way that it came: videos of the motion, and GLB. */
+/** Whether it can play backwards: videos of the motion, and GLB. */
 export function canBounce({ kind, animation }: ExportRequest): boolean {
   return kind === 'animation' && (animation === 'video' || animation === 'glb');
 }
@@ -146,7 +146,7 @@ export function goesBack(request: ExportRequest): boolean {
   return canBounce(request) && request.bounce;
 }
 
-/** `video`: the format, where a video is asked for. */
+/** `video`: the format of a requested video. */
 export function exportNumbers(request: ExportRequest, playing: Playing, video: VideoFormat | null): ExportNumbers {
   const range = request.range ?? playing.range;
   const played = request.duration ?? length(range) / playing.speed;
@@ -162,7 +162,7 @@ export function exportNumbers(request: ExportRequest, playing: Playing, video: V
 
 type Frames = Pick<ExportNumbers, 'rate' | 'frames' | 'whole'>;
 
-/** Each frame of a video covers its part of a second, so they fill the time exactly. */
+/** Each frame of a video covers its part of a second, so the frames fill the time exactly. */
 function videoFrames(request: ExportRequest, playing: Playing, video: VideoFormat, seconds: number): Frames {
   const usual = video === 'gif' ? USUAL_GIF_RATE : USUAL_RATE;
   const rate = Math.min(request.rate ?? playing.fps ?? usual, MOST_RATE[video]);
@@ -170,7 +170,7 @@ function videoFrames(request: ExportRequest, playing: Playing, video: VideoForma
   return { rate, frames: goesBack(request) ? 2 * oneWay : oneWay, whole: false };
 }
 
-/** The frames of files go from the first time to the last, both included. */
+/** Frame times of files, from the first to the last time, both included. */
 function grid(
   { frames, rate }: ExportRequest,
   { fps }: Playing,
@@ -183,7 +183,7 @@ function grid(
   return { rate: (clamped - 1) / seconds, frames: clamped, whole: false };
 }
 
-/** The times of the frames of files. */
+/** The frame times of files. */
 export function gridTimes({ range: [start, end], frames, whole, rate, speed }: ExportNumbers): number[] {
   if (!whole) return Array.from({ length: frames }, (_, i) => start + ((end - start) * i) / (frames - 1));
   const fps = rate / speed;
@@ -198,7 +198,7 @@ export function shareOf(frame: number, frames: number, bounce: boolean): number 
   return frame <= half ? frame / half : (frames - frame) / half;
 }
 
-/** null: the size that the view has on the screen. */
+/** Size of the image; null: the size of the view on the screen. */
 export function sizeOf(request: ExportRequest, video: VideoFormat | null): PictureSize | null {
   const name = sizeName(request, video);
   if (name === 'window') return null;

@@ -1,6 +1,6 @@
 /**
- * Whole frames on the motion's time: frame n is at time n / fps, frame 0 at time 0, as in any animation program. Also
- * the range that plays. `fps` is null if the motion runs as smoothly as the screen allows.
+ * Whole frames of the motion's time: frame n is at time n / fps and frame 0 at time 0, as in any animation program.
+ * Also the playing range. `fps` is null if the motion plays as smoothly as the screen allows.
  */
 import { SAME_FRAME } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
@@ -17,7 +17,7 @@ export function frameAt(t: number, fps: number): number {
   return Math.abs(frame - whole) <= SAME_FRAME ? whole : frame;
 }
 
-/** The time of the frame that is on the screen at t: the last one that has begun, but none before `start`. */
+/** The frame shown at t: the last one that has begun, but not before `start`. */
 export function heldTime(t: number, fps: number | null, start: number): number {
   return fps === null ? t : Math.max(Math.floor(frameAt(t, fps)) / fps, start);
 }
@@ -32,7 +32,7 @@ export function snappedTime(t: number, keyTimes: readonly number[], near: number
   return key !== t || fps === null ? key : nearestFrameTime(t, fps);
 }
 
-/** The next whole frame that is `by` frames on; from between two frames the first step goes to one of them. */
+/** The whole frame `by` frames away. Between two frames, the first step goes to one of them. */
 export function steppedFrameTime(t: number, fps: number, by: number): number {
   const frame = frameAt(t, fps);
   return ((by > 0 ? Math.floor(frame) : Math.ceil(frame)) + by) / fps;
@@ -43,13 +43,13 @@ export function formatMoment(t: number, range: Range, fps: number | null): strin
   return fps === null ? formatTime(t, range) : String(Number(frameAt(t, fps).toFixed(2)) + 0);
 }
 
-/** The same with its unit. */
+/** The time as shown to users, with its unit. */
 export function momentWords(t: number, range: Range, fps: number | null): string {
   const moment = formatMoment(t, range, fps);
   return fps === null ? `${moment} s` : `frame ${moment}`;
 }
 
-/** The range that plays: the chosen one, clipped to the slider, or the range of the keys. */
+/** The playing range: the chosen one, clipped to the slider, or the range of the keys. */
 export function playRange(between: Range | null, range: Range): Range {
   return loopRange(between, range) ?? range;
 }

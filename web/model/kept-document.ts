@@ -1,6 +1,4 @@
-/**
- * Documents stored by a browser between visits. Earlier versions stored the options per key in lists next to the keys.
- */
+/** Documents stored in a browser between visits. Earlier versions stored options per key in separate lists. */
 import type { Doc } from './state.ts';
 import { EMPTY_STATE } from './state.ts';
 import type { Shaping } from './shaping.ts';

@@ -1,15 +1,15 @@
-/** Times of keys of which only the order is known. */
+/** Times of keys whose order alone is known. */
 
 /** Exponent of the key distance in the length of an interval. */
 export const SPACINGS = { even: 0, root: 0.5, difference: 1 } as const;
 export type Spacing = keyof typeof SPACINGS;
 
-/** The least share of a mean interval that two keys are apart, however equal they are. */
+/** Smallest interval between two keys, even equal ones, as a share of the mean interval. */
 const LEAST_INTERVAL = 0.1;
 
 /**
- * Times from first to last, with intervals as large as powers of the distances between the keys: 0 spaces them evenly,
- * 1 by how different they are. distance: one less than keys.
+ * Times from first to last, with intervals proportional to a power of the key distances. Power 0 spaces keys evenly, 1
+ * by their difference. distance: one entry per interval.
  */
 export function spacedTimes(first: number, last: number, distance: readonly number[], power: number): number[] {
   const mean = distance.reduce((sum, d) => sum + d ** power, 0) / Math.max(distance.length, 1);

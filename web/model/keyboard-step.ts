@@ -1,4 +1,4 @@
-/** Keys of a keyboard that move the time. */
+/** Keyboard control of the playhead. */
 import { steppedFrameTime } from './frames.ts';
 import { clampTime, length } from './time-scale.ts';
 import type { TimeScale } from './time-scale.ts';

@@ -1,14 +1,14 @@
 /** Names of the methods. */
 import type { Method } from '../engine/api/types.ts';
 
-/** The method as published, next to the same method with holding. */
+/** The method as published, beside the same method with holding. */
 export const PLAIN_WORDS = { label: 'Shape spline (LRI), nothing held', short: 'Nothing held' } as const;
 
 export function motionWords({ method, plain }: { method: Method; plain?: true }): { label: string; short: string } {
   return plain ? PLAIN_WORDS : METHOD_WORDS[method];
 }
 
-/** CSS class of its line in plots. */
+/** CSS class of the method's line in plots. */
 export function lineStyle({ method, plain }: { method: Method; plain?: true }): string {
   return plain ? 'nothing-held' : method;
 }

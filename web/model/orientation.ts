@@ -1,11 +1,11 @@
-/** Orientation of files that do not state it: up axis, and length of a unit in metres. */
+/** Orientation of files that do not specify it: up axis, and length of a unit in metres. */
 import type { ImportOptions, Point } from '../engine/api/types.ts';
 
 export type Orientation = Required<Pick<ImportOptions, 'up' | 'unit'>>;
 
 const NOWHERE: Point = [0, 0, 0];
 
-/** Positions that were read with one orientation, as if read with another; `offsets`: before and after. */
+/** Converts positions from one orientation to another; `offsets`: before and after. */
 export function reoriented(
   positions: Float32Array,
   from: Orientation,
@@ -30,7 +30,7 @@ export function relativeTo(positions: Float32Array, before: Point, after: Point)
   return positions.map((value, i) => value + (before[i % 3]! - after[i % 3]!));
 }
 
-/** Name of the undo step. */
+/** Label of the undo step. */
 export function orientationStep(from: Orientation, to: Orientation): string {
   if (from.up === to.up) return 'unit of the files';
   return to.up === 'z' ? 'stand the shape up' : 'lay the shape down';

@@ -1,6 +1,6 @@
 /**
- * The engine's options in the page, under their names in the document and in links. For an option that is a key or a
- * shape, the document refers to one of the import's poses; null stands for the default.
+ * The engine's options in the page, under their names in the document and in links. An option that is a key or a shape
+ * refers to one of the import's poses; null stands for the default.
  */
 import { ENCODING, MOTION, optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
@@ -14,7 +14,7 @@ export type PageOptions<T> = {
 };
 
 interface PageOption {
-  /** Of the engine. */
+  /** Name of the option in the engine. */
   name: string;
   page: string;
   option: Option;
@@ -26,7 +26,7 @@ export function pageOptions(table: OptionTable): PageOption[] {
   );
 }
 
-/** Its value in the document is a pose. */
+/** Whether the document stores a pose for this option. */
 export function isPose({ kind }: Option): boolean {
   return kind === 'key' || kind === 'shape';
 }
@@ -42,7 +42,7 @@ export function pageDefaults<T extends OptionTable>(table: T): PageOptions<T> {
 
 const UNDO_NAMES = new Map([MOTION, ENCODING].flatMap(pageOptions).map(({ page, option }) => [page, option.undo]));
 
-/** Undo's name of a change of options: that of the first option. */
+/** Undo label of a change of options: that of the first option. */
 export function undoName(change: object): string {
   return UNDO_NAMES.get(Object.keys(change)[0] ?? '') ?? '';
 }

@@ -1,4 +1,4 @@
-/** Pins of the document: where one stays is a pose there. Each edit returns the next list, or the same. */
+/** Pins of the document, where `stay` is a pose. Each edit returns the next list, or the same one. */
 import { PIN_RADIUS, MOTION } from '../engine/api/option-table.ts';
 import { wrongWith } from '../engine/api/options.ts';
 import type { PathKey, Pin } from '../engine/api/types.ts';
@@ -6,7 +6,7 @@ import type { PathKey, Pin } from '../engine/api/types.ts';
 export type Pins = readonly Pin[];
 type Point = PathKey['move'];
 
-/** How much a pin holds. */
+/** Offered sizes of a pin. */
 export const PIN_SIZES = [
   { radius: 0, label: 'Patch' },
   { radius: PIN_RADIUS / 2, label: 'Small' },
@@ -14,7 +14,7 @@ export const PIN_SIZES = [
   { radius: 2 * PIN_RADIUS, label: 'Large' },
 ] as const;
 
-/** The size that is nearest to a pin's. */
+/** The closest offered size. */
 export function pinSize({ radius }: Pin): number {
   const distance = (other: number): number => (radius === 0 || other === 0 ? Number(radius !== other) : 0);
   const off = (other: number): number => distance(other) + Math.abs(radius - other);
@@ -36,15 +36,15 @@ export function changedPin(pins: Pins, index: number, change: { [N in keyof Pin]
   return pins.map((pin, at) => (at === index ? known({ ...pin, ...change }) : pin));
 }
 
-/** A key of the pin's path at t, instead of one that is as good as there. */
+/** Sets a key of the pin's path at t, replacing a key at nearly the same time. */
 export function withPathKey(path: readonly PathKey[], key: PathKey, sameTime: number): PathKey[] {
   const others = path.filter(({ time }) => Math.abs(time - key.time) > sameTime);
   return [...others, key].sort((a, b) => a.time - b.time);
 }
 
 /**
- * Offset of the path at t, as in the core (pin_path): a natural cubic spline that rests at and beyond its ends, or a
- * periodic one.
+ * Offset of the path at t, as in the core (pin_path): a natural cubic spline that is constant at and beyond its ends,
+ * or a periodic one.
  */
 export function moveAt(path: readonly PathKey[], t: number, period: number | null): Point {
   const [first] = path;
@@ -55,7 +55,7 @@ export function moveAt(path: readonly PathKey[], t: number, period: number | nul
   return [0, 1, 2].map((axis) => splineAt(keys, axis, at, period === null)) as Point;
 }
 
-/** Periods to either side after which the natural ends have no visible effect. */
+/** Number of periods on either side after which the natural ends have no visible effect. */
 const PERIODS = 12;
 
 function unrolled(path: readonly PathKey[], period: number): PathKey[] {
@@ -64,7 +64,7 @@ function unrolled(path: readonly PathKey[], period: number): PathKey[] {
   );
 }
 
-/** Quintic between knots with the spline's velocity and acceleration, which are zero at rest. */
+/** Quintic between knots with the spline's velocity and acceleration, both zero at the constant ends. */
 function splineAt(keys: readonly PathKey[], axis: number, t: number, stands: boolean): number {
   const x = keys.map(({ time }) => time);
   const y = keys.map(({ move }) => move[axis]!);
@@ -108,7 +108,7 @@ function secondDerivatives(x: readonly number[], y: readonly number[]): number[]
   return bend;
 }
 
-/** VERTEX:RADIUS[:POSE][:T/X/Y/Z,...], separated by semicolons: for links. */
+/** Link format: VERTEX:RADIUS[:POSE][:T/X/Y/Z,...], separated by semicolons. */
 export function pinsText(pins: Pins, shortest: (value: number) => string): string {
   const keyText = ({ time, move }: PathKey): string => [time, ...move].map(shortest).join('/');
   return pins
@@ -118,7 +118,7 @@ export function pinsText(pins: Pins, shortest: (value: number) => string): strin
     .join(';');
 }
 
-/** undefined if invalid. */
+/** Parses the pins of a link; undefined if invalid. */
 export function pinsFromText(text: string): Pin[] | undefined {
   const pins = text.split(';').map((part): Pin => {
     const [vertex, radius, stay = '', path] = part.split(':');

@@ -1,26 +1,26 @@
-/** Messages between the app and the playground in the same browser. */
+/** Messages between the app and the playground in one browser. */
 import type { Boundary } from '../engine/api/types.ts';
 
-/** One number that a shape is described by, at each of its keys. */
+/** One number of a shape's description, at each of its keys. */
 export interface ShapeCoordinate {
   name: string;
   unit: string;
   values: number[];
 }
 
-/** How a motion passes its keys. */
+/** Options of a motion at its keys. */
 export interface KeyPassing {
   times: number[];
   boundary: Boundary;
   startSpeed: number;
   endSpeed: number;
-  /** One per key, as `bias` is. */
+  /** One per key, as for `bias`. */
   tension: number[];
   bias: number[];
 }
 
 export interface SourceShape extends KeyPassing {
-  /** The page that it is open in. */
+  /** Id of the page with the open shape. */
   page: string;
   title: string;
   coordinates: ShapeCoordinate[];
@@ -30,15 +30,15 @@ export type PlaygroundMessage =
   /** From the playground: a request for the open shape. */
   | { type: 'ask' }
   | { type: 'open'; shape: SourceShape }
-  /** From the playground: pass the keys of that page's shape like this. */
+  /** From the playground: use these options for the keys of that page's shape. */
   | ({ type: 'back'; page: string } & KeyPassing)
   | { type: 'done'; page: string };
 
 const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
-/** Our pages send no more keys or coordinates, and no longer words. */
+/** Upper limits for keys, coordinates and text length in our pages' messages. */
 const [MOST_KEYS, MOST_COORDINATES, LONGEST] = [4096, 64, 300];
 
-/** A valid message from the channel, otherwise null. Any page of the same host can write there. */
+/** A valid message from the channel, otherwise null. Any page of the same host can send messages. */
 export function messageFrom(data: unknown): PlaygroundMessage | null {
   if (!isRecord(data)) return null;
   const { type, page, shape } = data;
@@ -71,7 +71,7 @@ const isWord = (value: unknown): value is string => typeof value === 'string' &&
 const isNumbers = (value: unknown, count: number): value is number[] =>
   Array.isArray(value) && value.length === count && value.every((one) => Number.isFinite(one));
 
-/** The scope is part of the name: another release of the page on the same host has its own channel. */
+/** The name contains the scope, so another release of the page on the same host has its own channel. */
 export function playgroundChannel(): BroadcastChannel {
   return new BroadcastChannel(`shapespline playground ${new URL('./', document.baseURI).pathname}`);
 }

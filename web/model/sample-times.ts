@@ -17,13 +17,13 @@ export function shortTime(t: number): string {
   return String(Number(t.toFixed(4)));
 }
 
-/** Whether the keys are taken from the animation, rather than compared with it. */
+/** Whether the keys are from the animation, rather than compared with it. */
 export function areSampled({ animation, animations, times }: KeysInfo): boolean {
   const span = animations[animation];
   return span !== undefined && times.length <= MOST_SAMPLED && times.every((t) => t >= span.start && t <= span.end);
 }
 
-/** The times of a list, or the problem with it. */
+/** The times in a list, or the problem with it. */
 export function readTimes(text: string, { start, end }: Span): number[] | string {
   const times = text
     .split(/[\s,;]+/)
@@ -31,7 +31,7 @@ export function readTimes(text: string, { start, end }: Span): number[] | string
     .map(Number);
   const unread = times.findIndex((t) => !Number.isFinite(t));
   if (unread >= 0) return `Time ${unread + 1} of the list is not a number. Separate the times by commas.`;
-  const slack = 1e-4; // as they are shown
+  const slack = 1e-4; // shown times are rounded
   const outside = times.find((t) => t < start - slack || t > end + slack);
   if (outside !== undefined)
     return `${shortTime(outside)} s lies outside the animation, which runs from ${shortTime(start)} to ${shortTime(end)} s.`;

@@ -1,5 +1,5 @@
 /**
- * Options per key. In the document they belong to the key and move with it; the engine takes lists, and only this file
+ * Options per key. In the document they belong to the key and move with it. The engine takes lists; only this file
  * converts between both.
  */
 import { PER_KEY } from '../engine/api/option-table.ts';
@@ -8,7 +8,7 @@ import type { AddedTurns, PerKey } from '../engine/api/types.ts';
 /** Full turns between the previous key and this one; the first key has none. */
 export type KeyTurns = Omit<AddedTurns, 'key'>;
 export type Shaping = { readonly [N in keyof PerKey]: PerKey[N] extends number[] ? number : readonly KeyTurns[] };
-/** The options that are one number for each key. */
+/** The options with one number per key. */
 export type ShapingNumber = { [N in keyof PerKey]: PerKey[N] extends number[] ? N : never }[keyof PerKey];
 
 export const SHAPING_NUMBERS = (Object.keys(PER_KEY) as (keyof PerKey)[]).filter(
@@ -28,7 +28,7 @@ export function shapingOf(lists: Partial<PerKey>, index: number): Shaping {
   return shapingWith((name) => lists[name]?.[index] ?? PER_KEY[name].default, turns);
 }
 
-/** The engine's lists; one of numbers is empty where all are the default. */
+/** The engine's lists; a list of numbers is empty if all are the default. */
 export function listsOf(shapings: readonly Shaping[]): PerKey {
   const numbers = SHAPING_NUMBERS.map((name) => {
     const values = shapings.map((shaping) => shaping[name]);
@@ -38,12 +38,12 @@ export function listsOf(shapings: readonly Shaping[]): PerKey {
   return { ...(Object.fromEntries(numbers) as Record<ShapingNumber, number[]>), turns };
 }
 
-/** Turns of one component, or without one of the whole shape. */
+/** Turns of one component, or of the whole shape if omitted. */
 export function turnsOf({ turns }: Shaping, component?: number): number {
   return turns.find((one) => one.component === component)?.turns ?? 0;
 }
 
-/** With these turns instead of those that the same component had; 0 takes them away. The whole shape comes first. */
+/** Replaces the turns of a component or of the whole shape; 0 removes them. The whole shape comes first. */
 export function withTurns(shaping: Shaping, { component, turns }: KeyTurns): Shaping {
   const others = shaping.turns.filter((one) => one.component !== component);
   const added = component === undefined ? { turns } : { component, turns };

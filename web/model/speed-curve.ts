@@ -1,25 +1,25 @@
-/** The speed of a motion for its timeline: at which times it is asked for, and how its curve is drawn. */
+/** Speed of a motion for its timeline: sample times, and drawing of the curve. */
 import type { MotionSpeed } from '../engine/api/types.ts';
 import type { Range } from './time-scale.ts';
 import { length, timeScale } from './time-scale.ts';
 import { fractionIn } from './time-window.ts';
 
-/** Overshoot is reported from this distance beyond a key, relative to the mean distance of the keys. */
+/** Smallest reported overshoot beyond a key, relative to the mean distance of the keys. */
 export const SEEN_OVERSHOOT = 0.01;
 
 export interface SpeedCurve extends MotionSpeed {
   times: readonly number[];
-  /** Mean of the speed from the first key to the last. */
+  /** Mean speed from the first key to the last. */
   mean: number;
 }
 
-/** Samples of the whole, and the least of a stretch between keys. */
+/** Number of samples in total, and the minimum between two keys. */
 const SAMPLES = 240;
 const LEAST_SAMPLES = 6;
 /** Distance from a key, relative to the range, where the speed of a piecewise linear motion jumps. */
 const NEAR = 1e-7;
 
-/** Increasing times that resolve the speed everywhere on the timeline, on both sides of every key. */
+/** Increasing times that resolve the speed everywhere on the timeline, including both sides of every key. */
 export function speedTimes(range: Range, keyTimes: readonly number[]): number[] {
   const [low, high] = timeScale(range, keyTimes.length).whole;
   const gap = NEAR * length(range);
@@ -45,7 +45,7 @@ export function speedCurveOf(times: readonly number[], { speed, overshoot }: Mot
   return { times, speed, overshoot, mean: span > 0 ? area / span : 0 };
 }
 
-/** At a time: the multiple of the mean speed, and whether the motion overshoots a key. */
+/** The multiple of the mean speed at a time, and whether the motion overshoots a key. */
 export function speedAt(
   { times, speed, overshoot, mean }: SpeedCurve,
   t: number,
@@ -59,7 +59,7 @@ export function speedAt(
 export interface SpeedPaths {
   /** The speed over time. */
   line: string;
-  /** Areas below the curve between the first and the last key: the whole, and the overshoots. */
+  /** Areas below the curve between the first and last key: all of it, and the overshoots. */
   area: string;
   past: string;
 }
@@ -70,13 +70,13 @@ const TOP = 0.9;
 export interface SpeedPicture {
   /** The range that the keys define. */
   range: Range;
-  /** The part of the time that is shown. */
+  /** The visible part of the timeline. */
   part: Range;
   width: number;
   height: number;
 }
 
-/** As SVG paths. */
+/** The curve as SVG paths. */
 export function speedPaths(curve: SpeedCurve, { range, part, width, height }: SpeedPicture): SpeedPaths {
   const fastest = Math.max(...curve.speed, 1e-300);
   const points = curve.times.map((t, i) => ({
@@ -95,7 +95,7 @@ export function speedPaths(curve: SpeedCurve, { range, part, width, height }: Sp
   };
 }
 
-/** First and one behind the last index of every run of times that swing past a key, with their neighbours. */
+/** Index ranges (end exclusive) of runs of times that overshoot a key, including their neighbours. */
 function runsOf(overshoot: readonly number[]): [number, number][] {
   const runs: [number, number][] = [];
   overshoot.forEach((value, i) => {

@@ -1,6 +1,6 @@
 /**
- * The Hermite speeds as the page offers them: times the speed that goes straight from the first key to the second, or
- * from the last but one to the last; where a shape is taken as end tangent, it stands for that neighbour. 0 eases.
+ * The Hermite speeds as offered by the page, in multiples of the constant speed between the first two or the last two
+ * keys. An end tangent's shape replaces the neighbour. 0 eases.
  */
 import { MOTION } from '../engine/api/option-table.ts';
 import { DEFAULT_MOTION } from './state.ts';
@@ -13,27 +13,27 @@ export const TANGENT_NAME = { start: 'startTangentPose', end: 'endTangentPose' }
 export const DEFAULT_SPEED = DEFAULT_MOTION.startSpeed;
 export const MAX_SPEED = 4;
 export const SPEED_STEP = 0.05;
-/** However close a tangent's shape lies; faster ones can be typed. */
+/** Limit for offered speeds, even if a tangent's shape is very close. Faster ones can be typed. */
 const FASTEST = 10 * MAX_SPEED;
 
-/** Largest speed that can be typed: the engine's limit. */
+/** Largest speed that can be typed, as in the engine. */
 export const TYPED_SPEED = MOTION.startSpeed.most;
 
 export type Speeds = Readonly<Record<End, number>>;
 
-/** The fastest that handles and sliders offer where neighbours give the tangents. */
+/** Largest speed offered by handles and sliders if neighbours give the tangents. */
 export const USUAL_MOST: Speeds = { start: MAX_SPEED, end: MAX_SPEED };
 
 /**
- * The fastest that is offered at a key: as fast as `MAX_SPEED` towards the neighbour where the tangent's shape lies
- * closer than that. Distances from the key, in one unit; shape null = the neighbour gives the tangent.
+ * Largest speed offered at a key: equal to `MAX_SPEED` towards the neighbour if the tangent's shape is closer than the
+ * neighbour. Distances from the key, in one unit; shape null: the neighbour gives the tangent.
  */
 export function mostSpeed(neighbour: number, shape: number | null): number {
   if (shape === null || shape >= neighbour) return MAX_SPEED;
   return Math.min(Math.ceil((MAX_SPEED * neighbour) / shape), FASTEST);
 }
 
-/** The nearest speed on offer. */
+/** The closest offered speed. */
 export function offeredSpeed(wanted: number, most = MAX_SPEED): number {
   return Number(clamp(Math.round(wanted / SPEED_STEP) * SPEED_STEP, 0, most).toFixed(2));
 }

@@ -1,6 +1,6 @@
 /**
- * The only serialisable state: the loaded content, the keys and their times, the options, the time and the view.
- * Permalinks, undo, the saved project and the test hook read only this.
+ * The only serialisable state: loaded content, keys and times, options, current time and view. Permalinks, undo, the
+ * saved project and the test hook read only this.
  */
 import { METHOD } from '../engine/api/methods.ts';
 import type { CameraPose } from './camera.ts';
@@ -12,9 +12,9 @@ import type { Shaping } from './shaping.ts';
 
 export type Source = { kind: 'none' } | { kind: 'sample'; id: string } | { kind: 'files'; names: string[] };
 
-/** One key: which pose of the import, under which name, at which time, and how the motion passes it. */
+/** One key: pose of the import, name, time, and options. */
 export interface KeyRef {
-  /** Index into the poses that the session holds; stays the same for the whole life of an import. */
+  /** Index into the session's poses; never changes during an import's life. */
   pose: number;
   name: string;
   time: number;
@@ -38,23 +38,23 @@ export interface Play {
   /** Units of time per second. */
   speed: number;
   loop: LoopMode;
-  /** First and last time that play; null = the range of the keys. */
+  /** First and last time to play; null: the range of the keys. */
   between: [number, number] | null;
-  /** Whole frames per unit of time; null = as smooth as the screen allows. */
+  /** Whole frames per unit of time; null: as smooth as the screen allows. */
   fps: number | null;
 }
 
 /**
- * `texture`: the file's own materials, or clay without any. `distance`: of every vertex of the compared motion from the
+ * `texture`: the file's materials, or clay without any. `distance`: of every vertex of the compared motion from the
  * first motion or the animation of the keys.
  */
 export type Colouring = 'texture' | 'phase' | 'patches' | FaceAmount | 'distance';
 /** Heat map of every face relative to the reference pose. */
 export type FaceAmount = 'rotation' | 'stretch';
 
-/** Content of a presentation: the shape alone, or next to one of the permanent plots. */
+/** Content of a presentation: the shape alone, or beside one of the permanent plots. */
 export const PRESENTED = ['shape', 'plane', 'volume', 'area', 'bending'] as const;
-/** Plots of clicked or computed items: enlarged by hand only, because a link does not restore them. */
+/** Plots of clicked or computed items. Links do not restore them, so they are enlarged only by the user. */
 export const PASSING_PLOTS = [
   'face-rotation',
   'face-stretch',
@@ -67,7 +67,7 @@ export const PASSING_PLOTS = [
   'sliding',
 ] as const;
 export type Presented = (typeof PRESENTED)[number] | (typeof PASSING_PLOTS)[number];
-/** The plots among them. */
+/** The plots among the presented content. */
 export type Plot = Exclude<Presented, 'shape'>;
 
 export interface View {
@@ -76,38 +76,38 @@ export interface View {
   wireframe: boolean;
   floor: boolean;
   onion: boolean;
-  /** Onion skins on either side of the time. */
+  /** Number of onion skins on either side of the time. */
   onionSkins: number;
-  /** Units of time between them; null = a share of the range. */
+  /** Time between onion skins; null: a share of the range. */
   onionSpacing: number | null;
   film: boolean;
-  /** How many shapes a film strip has; null = as many as the keys ask for. */
+  /** Number of shapes in a film strip; null: chosen from the keys. */
   filmShapes: number | null;
-  /** Methods shown next to the main one. */
-  /** At most MOST_COMPARED. */
+  /** Methods shown beside the main one. */
+  /** At most MOST_COMPARED methods. */
   compare: Method[];
-  /** Position of the divider between two motions, relative to the width; null = side by side. */
+  /** Position of the divider between two motions, relative to the width; null: side by side. */
   split: number | null;
   /**
-   * With a ghost mesh: its wireframe over the shape; the ghost next to it; colours for the difference from the full
-   * solve.
+   * With a ghost mesh: show its wireframe over the shape; show the ghost beside the shape; show the difference from the
+   * full solve as colours.
    */
   ghostWire: boolean;
   ghostBeside: boolean;
   ghostDifference: boolean;
-  /** The same for ghost meshes with two and four times the faces, side by side. */
+  /** Also show ghost meshes with two and four times the faces, side by side. */
   ghostSizes: boolean;
-  /** null = fitted to the shape. */
+  /** The camera; null: fitted to the shape. */
   camera: CameraPose | null;
-  /** The part of the time that the slider shows; null = all that it reaches. */
+  /** The visible part of the timeline; null: the default. */
   window: [number, number] | null;
-  /** null = the page with all its controls. */
+  /** The presented content; null: the page with all its controls. */
   present: Presented | null;
 }
 
 export interface AppState {
   source: Source;
-  /** Key under which the user's own files, with all edits, are kept between visits; otherwise null. */
+  /** Key under which the user's own files and all edits are stored between visits; otherwise null. */
   project: string | null;
   doc: Doc;
   time: number;
@@ -115,18 +115,18 @@ export interface AppState {
   view: View;
 }
 
-/** Beside the motion itself: four views are as many as a page has room for. */
+/** In addition to the motion itself: a page has room for four views. */
 export const MOST_COMPARED = 3;
-/** On either side. */
+/** Limit for onion skins on either side of the current time. */
 export const MOST_ONION_SKINS = 6;
-/** Units of time. */
+/** Least spacing of onion skins, in units of time. */
 export const LEAST_ONION_SPACING = 0.001;
-/** Shapes before the time and after it. */
+/** Colours of shapes before and after the current time. */
 export const ONION_COLOURS = { before: '#8a5cd6', after: '#d9622b' } as const;
-/** Of a film strip. */
+/** Limits for the shapes of a film strip. */
 export const [LEAST_FILM_SHAPES, MOST_FILM_SHAPES] = [4, 24];
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
-/** Faces of a ghost mesh when it is switched on: the paper's choice. */
+/** Default number of ghost mesh faces, as in the paper. */
 export const GHOST_FACES = 2000;
 export const SPEEDS: readonly number[] = [0.1, 0.25, 0.5, 1, 2, 4];
 
@@ -167,7 +167,7 @@ export function isFaceAmount(colouring: Colouring): colouring is FaceAmount {
   return colouring === 'rotation' || colouring === 'stretch';
 }
 
-/** Something is held or pinned, so the motion differs from the method as published. */
+/** Whether holding or pins change the motion from the published method. */
 export function holds({ method, hold, pins }: Motion): boolean {
   return METHOD[method].holds && (hold !== 'off' || pins.length > 0);
 }
@@ -181,19 +181,19 @@ export function referenceKey(doc: Doc): number {
 /** Target of an end tangent of a Hermite motion: the neighbouring key, or a separate shape. */
 export type Towards = 'neighbour' | 'shape';
 
-/** null with a boundary that has no tangents. */
+/** Targets of the end tangents; null if the boundary has no tangents. */
 export function endTangents({ motion, encoding }: Doc): { start: Towards; end: Towards } | null {
   const towards = (pose: number | null): Towards => (pose === null ? 'neighbour' : 'shape');
   if (motion.boundary !== 'hermite') return null;
   return { start: towards(encoding.startTangentPose), end: towards(encoding.endTangentPose) };
 }
 
-/** Speed at which the range plays in about four seconds, among the offered ones. */
+/** The offered speed at which the range plays in about four seconds. */
 export function comfortableSpeed(length: number): number {
   return offeredSpeed(length / 4);
 }
 
-/** The nearest of the speeds that are offered. */
+/** The closest offered speed. */
 export function offeredSpeed(wanted: number): number {
   const distance = (speed: number): number => Math.abs(Math.log(speed / wanted));
   return SPEEDS.reduce((best, speed) => (distance(speed) < distance(best) ? speed : best));

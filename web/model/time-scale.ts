@@ -1,11 +1,11 @@
-/** The slider's scale, snapping, stepping, and the relation of a time to the keys. */
+/** The slider's scale, snapping, stepping, and the position of a time among the keys. */
 import { keyLabel, lowerFirst } from './key-names.ts';
 
-/** The timeline shows this share of a mean interval between keys beyond either end, unless it is zoomed. */
+/** Margin of the default timeline beyond either end, as a share of the mean key interval. */
 export const MARGIN = 0.8;
-/** Zooming out and typing reach this many lengths of the motion beyond its ends. */
+/** Zooming out and typing can go this many lengths of the motion beyond its ends. */
 const FURTHEST = 2;
-/** Two times closer than this share of the range are the same. */
+/** Times closer than this share of the range are equal. */
 export const SAME_TIME = 1e-6;
 
 export type Range = readonly [number, number];
@@ -14,7 +14,7 @@ export function length(range: Range): number {
   return range[1] - range[0];
 }
 
-/** The range that the keys define, and the whole range of the timeline when not zoomed. */
+/** The range of the keys, and the whole range of the timeline when not zoomed. */
 export interface TimeScale {
   range: Range;
   whole: Range;
@@ -24,7 +24,7 @@ export function timeScale(range: Range, keys: number): TimeScale {
   return { range, whole: widened(range, MARGIN / Math.max(keys - 1, 1)) };
 }
 
-/** Lowest and highest time that can be reached. */
+/** Lowest and highest allowed time. */
 export function reach(range: Range): Range {
   return widened(range, FURTHEST);
 }
@@ -72,7 +72,7 @@ export function neighbourKey(t: number, keyTimes: readonly number[], direction: 
   return direction > 0 ? Math.min(...candidates) : Math.max(...candidates);
 }
 
-/** Keeps a dragged key strictly between its neighbours, and the ends free. */
+/** Keeps a dragged key strictly between its neighbours; the outermost keys can move outwards freely. */
 export function clampKeyTime(times: readonly number[], index: number, wanted: number): number {
   const gap = ((times.at(-1) ?? 1) - (times[0] ?? 0)) * 0.01;
   const low = times[index - 1];
@@ -80,10 +80,10 @@ export function clampKeyTime(times: readonly number[], index: number, wanted: nu
   return clamp(wanted, low === undefined ? -Infinity : low + gap, high === undefined ? Infinity : high - gap);
 }
 
-/** `off`: not on the curve at all. */
+/** `off`: not on the curve. */
 export type PhaseKind = 'key' | 'between' | 'beyond' | 'off';
 
-/** The paper's colours, one for each phase; the same stand in the style sheet. */
+/** The paper's colours for the phases, as in the style sheet. */
 export const PHASE_COLOURS: Record<PhaseKind, string> = {
   key: '#0072b2',
   between: '#009e73',
@@ -91,7 +91,7 @@ export const PHASE_COLOURS: Record<PhaseKind, string> = {
   off: '#8f8f8f',
 };
 
-/** Relation of a time to the keys; `kind` chooses the colour, `text` describes it. */
+/** Position of a time among the keys; `kind` selects the colour, `text` describes it. */
 export interface Phase {
   kind: PhaseKind;
   text: string;
@@ -103,7 +103,7 @@ export interface PhaseInput {
   t: number;
   keys: readonly { time: number; name: string }[];
   range: Range;
-  /** A closed motion repeats outside its range, it is not extrapolated. */
+  /** A closed motion repeats outside its range instead of being extrapolated. */
   periodic: boolean;
   /** Distance from a key that counts as being at it, relative to the range. */
   tolerance?: number;
@@ -131,7 +131,7 @@ export function phaseOf({ t, keys, range, periodic, tolerance = SAME_TIME }: Pha
   return { kind: 'between', text: `Between keys ${Math.max(before, 1)} and ${after}` };
 }
 
-/** t brought into the range by whole periods. The end itself stays the end. */
+/** Maps t into the range by whole periods. The end of the range is unchanged. */
 export function wrap(t: number, range: Range): number {
   const period = length(range);
   if (period <= 0 || (t >= range[0] && t <= range[1])) return t;
@@ -146,7 +146,7 @@ export function formatTime(t: number, range: Range = [0, 1]): string {
   return Number(text) === 0 ? (0).toFixed(decimals) : text;
 }
 
-/** This many evenly spaced times over the whole timeline when not zoomed, and the times of the keys. */
+/** Evenly spaced times over the whole timeline when not zoomed, and the times of the keys. */
 export function plottedTimes(range: Range, keyTimes: readonly number[], count: number): number[] {
   const [low, high] = timeScale(range, keyTimes.length).whole;
   const gap = length(range) * 1e-6;

@@ -2,10 +2,10 @@
 import type { Range, TimeScale } from './time-scale.ts';
 import { clamp, length, reach } from './time-scale.ts';
 
-/** How many times larger than the whole the timeline can show a part. */
+/** Largest zoom factor of the timeline. */
 export const MAX_ZOOM = 200;
 
-/** The wanted window, clipped to the reachable times, or the whole. */
+/** The requested window, clipped to the allowed times, or the whole. */
 export function windowOf(wanted: Range | null, { range, whole }: TimeScale): Range {
   if (!wanted) return whole;
   const furthest = reach(range);
@@ -14,7 +14,7 @@ export function windowOf(wanted: Range | null, { range, whole }: TimeScale): Ran
   return [start, start + size];
 }
 
-/** Position of t in the window: 0 at its left end, 1 at its right, less or more outside. */
+/** Position of t in the window: 0 at the left end, 1 at the right, outside [0, 1] beyond them. */
 export function fractionIn(t: number, window: Range): number {
   return (t - window[0]) / length(window);
 }
@@ -24,8 +24,8 @@ export function timeIn(fraction: number, window: Range): number {
 }
 
 /**
- * The window enlarged by `factor` around t. Zooming out stops when the whole is visible (null), and continues from
- * there to the largest window.
+ * The window scaled by `factor` around t. Zooming out stops when the whole is visible (null), and continues from there
+ * to the largest window.
  */
 export function zoomed(window: Range, scale: TimeScale, factor: number, t: number): Range | null {
   const { whole, range } = scale;
@@ -37,19 +37,19 @@ export function zoomed(window: Range, scale: TimeScale, factor: number, t: numbe
   return orNull([start, start + size], scale);
 }
 
-/** The window moved in time, within the reachable times. */
+/** The window moved in time, within the allowed times. */
 export function panned(window: Range, scale: TimeScale, by: number): Range | null {
   return orNull([window[0] + by, window[1] + by], scale);
 }
 
-/** The window moved just far enough to contain t, or by a page if t leaves it during playback. */
+/** The window moved by the least amount that makes t visible, or by a page if t leaves it during playback. */
 export function revealing(window: Range, scale: TimeScale, t: number): Range | null {
   if (t >= window[0] && t <= window[1]) return orNull(window, scale);
   const lead = 0.05 * length(window);
   return panned(window, scale, t > window[1] ? t - lead - window[0] : t + lead - window[1]);
 }
 
-/** The window made larger, just far enough to hold t; null where the whole is shown. */
+/** The window enlarged by the least amount that makes t visible; null if the whole is shown. */
 export function including(window: Range, scale: TimeScale, t: number): Range | null {
   if (t >= window[0] && t <= window[1]) return orNull(window, scale);
   const [start, end] = [Math.min(window[0], t), Math.max(window[1], t)];
@@ -57,7 +57,7 @@ export function including(window: Range, scale: TimeScale, t: number): Range | n
   return orNull([t < window[0] ? start - lead : start, t > window[1] ? end + lead : end], scale);
 }
 
-/** Lengths that differ by less of themselves are the same. */
+/** Relative tolerance for equal lengths. */
 const NEARLY = 1e-9;
 
 function orNull(window: Range, scale: TimeScale): Range | null {
@@ -67,7 +67,7 @@ function orNull(window: Range, scale: TimeScale): Range | null {
   return same ? null : shown;
 }
 
-/** Seconds along the window, or whole frames, at round numbers. */
+/** Round marks in seconds or whole frames along the window. */
 export function rulerMarks(window: Range, fps: number | null, most: number): { time: number; text: string }[] {
   const unit = fps ?? 1;
   const numbers = ruler([window[0] * unit, window[1] * unit], most).filter((n) => fps === null || Number.isInteger(n));
@@ -76,7 +76,7 @@ export function rulerMarks(window: Range, fps: number | null, most: number): { t
   return numbers.map((n) => ({ time: n / unit, text: text(n) }));
 }
 
-/** Round places for numbers along the window, at most `most` of them: 1, 2 or 5 times a power of ten apart. */
+/** At most `most` round numbers along the window, spaced by 1, 2 or 5 times a power of ten. */
 export function ruler(window: Range, most: number): number[] {
   const rough = length(window) / Math.max(most, 1);
   const power = 10 ** Math.floor(Math.log10(rough));

@@ -6,14 +6,14 @@ import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
 const SOURCE = fileURLToPath(new URL('./service-worker.js', import.meta.url));
-/** Not needed to work offline. */
+/** Files that are not needed offline. */
 const LEFT_OUT = /(\.map$|\.md$|^sw\.js$|^notices\.txt$|^manual\.html$|^\.)/;
-/** Kept once it was used: what only some visitors need. */
+/** Files that only some visitors need, stored after their first use. */
 const LATER = /\/(shapespline_threads|cdn|codecs)-[^/]*\.(wasm|js)$/;
 
 const sha256 = (content: Uint8Array | string): string => createHash('sha256').update(content).digest('hex');
 
-/** Writes sw.js into a folder that holds everything else of the page. */
+/** Writes sw.js into a folder that contains all other files of the page. */
 export function writeServiceWorker(folder: string): void {
   const digests = list(folder)
     .filter((file) => !LEFT_OUT.test(file))

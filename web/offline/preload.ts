@@ -1,6 +1,6 @@
 /**
- * Adds preload links to the page's head for files that its first script requests: the app, which that script does not
- * wait for, the wasm, the list of samples, and the code that makes the first sample.
+ * Adds preload links to the page's head for files requested by its first script: the app, the wasm, the list of
+ * samples, and the code that makes the first sample.
  */
 import type { Plugin } from 'vite';
 

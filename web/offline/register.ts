@@ -14,7 +14,7 @@ export interface OfflineEvents {
 
 const REPAIRED = 'A file stored by this browser was damaged. It was fetched again.';
 
-/** It fetches and compiles the whole build, so it waits until `after` and until the page is idle. */
+/** The service worker fetches and compiles the whole build, so it waits until `after` and until the page is idle. */
 export function registerServiceWorker(
   { onNewVersion, onRepaired }: OfflineEvents,
   after: Promise<unknown> = Promise.resolve(),
@@ -45,13 +45,12 @@ const ownScript = (): string => document.querySelector<HTMLScriptElement>('scrip
 
 function follow(registration: ServiceWorkerRegistration, onNewVersion: (reload: () => void) => void): void {
   const offer = async (worker: ServiceWorker): Promise<void> => {
-    // Without a worker so far this is the first visit. A page that was loaded from the new build already has nothing to
-    // gain.
+    // Without an active worker, this is the first visit. A page loaded from the new build needs no reload.
     if (!navigator.serviceWorker.controller || (await holds(worker, ownScript()))) return;
     onNewVersion(() => {
       navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
       worker.postMessage({ type: 'take over' });
-      // Another page may have called it already.
+      // Another page may already have activated it.
       if (worker.state === 'activated') location.reload();
     });
   };

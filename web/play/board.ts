@@ -1,4 +1,4 @@
-/** The figures, each with the sentence after it. */
+/** The figures, each with its sentence. */
 import { h } from '../ui/dom.ts';
 import type { Edits } from './edits.ts';
 import { createCurveFigure } from './figures/curve-figure.ts';
@@ -14,7 +14,7 @@ import { bendingNumbers, curveNumbers, systemNumbers, weightNumbers } from './nu
 import { createCurveControls, createEndsChoice, createTools } from './panels.ts';
 import type { Panel } from './panels.ts';
 
-/** `real`: the window to the app. */
+/** `real`: the panel that connects to the app. */
 export function createBoard(real: Panel, edits: Edits, onError: (error: unknown) => void): Part<HTMLElement> {
   const figure = (options: Omit<FigureOptions, 'onError'>): Part<HTMLElement> => createFigure({ ...options, onError });
   const rate = (id: 'slope' | 'bend', title: string, derivative: 1 | 2): Part<HTMLElement> =>
@@ -83,7 +83,7 @@ export function createBoard(real: Panel, edits: Edits, onError: (error: unknown)
   };
 }
 
-/** The list of curves with the controls of those that are shown. */
+/** The list of curves, with the controls of the shown ones. */
 function createCurves(edits: Edits): Part<HTMLElement> {
   const layers = createLayerList(edits.onLayer);
   const controls = createCurveControls(edits);

@@ -1,4 +1,4 @@
-/** What is written beside each figure's title, and what is said of a change. */
+/** Units beside the figures' titles, and announcements of changes. */
 import type { Axes } from '../plots/plot-files.ts';
 import type { Shown } from './derived.ts';
 import { LAYER_WORDS, number } from './figures/words.ts';
@@ -6,7 +6,7 @@ import type { PlayState } from './state.ts';
 
 export type FigureId = 'curve' | 'slope' | 'bend' | 'weights' | 'bending' | 'system';
 
-/** What each figure counts: of a coordinate that was taken by the second; the page's own numbers have no unit. */
+/** Unit of each figure: per second for a coordinate taken from a shape. The page's own numbers have no unit. */
 export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, string> {
   const common = {
     weights: `w₁ to w${subscript(keys.length)} over time`,
@@ -31,7 +31,7 @@ export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, str
   };
 }
 
-/** What is written at the axes of a figure's file. */
+/** Axis titles for a figure's file. */
 export function axesOf({ plane, taken }: PlayState, id: FigureId): Axes {
   const unit = taken?.unit ?? '';
   const of = (name: string, power = ''): string => (taken ? `${name} (${unit}${power})` : name);
@@ -40,7 +40,7 @@ export function axesOf({ plane, taken }: PlayState, id: FigureId): Axes {
   return { x, y: id in y ? y[id as keyof typeof y] : '' };
 }
 
-/** Announces the present state to screen readers. */
+/** Announces the current state to screen readers. */
 export function sentence({ state, derived: { times, bending }, touched }: Shown): string {
   const { keys, selected, plane, time } = state;
   const key = keys[selected]!;

@@ -1,16 +1,16 @@
-/** The demonstration that plays until the user touches the page: scenes, one after the other, in a loop. */
+/** The demonstration that plays until the first user action: a loop of scenes. */
 import { INITIAL, MAX_SAMPLES, MIN_SAMPLES, withKey } from './state.ts';
 import type { PlayState, Touched } from './state.ts';
 
 export interface Scene {
   seconds: number;
-  /** What is said of it, as if it had just been touched. */
+  /** Shows the sentence for this action. */
   touched: Touched;
-  /** share: of its time, from 0 to 1. */
+  /** share: progress of the scene, from 0 to 1. */
   at(share: number): PlayState;
 }
 
-/** Back and forth, gently. */
+/** Smooth back-and-forth movement. */
 const swing = (share: number): number => Math.sin(share * 2 * Math.PI);
 const rise = (share: number): number => 0.5 - 0.5 * Math.cos(Math.min(share / 0.8, 1) * Math.PI);
 
@@ -63,7 +63,7 @@ export interface Demonstration {
   stop(): void;
 }
 
-/** Shows a state with every frame while it runs. */
+/** Shows a state on every frame while running. */
 export function createDemonstration(show: (state: PlayState, scene: Scene, index: number) => void): Demonstration {
   const whole = SCENES.reduce((sum, { seconds }) => sum + seconds, 0);
   let frame = 0;

@@ -1,4 +1,4 @@
-/** What follows from the state: times, curves, weights, the system, and how much each curve bends. */
+/** Values derived from the state: times, curves, weights, the system, and total bending. */
 import { SPACINGS, spacedTimes } from '../model/key-spacing.ts';
 import { totalBending, valueAt } from './splines/curve.ts';
 import type { Curve, Derivative } from './splines/curve.ts';
@@ -12,35 +12,35 @@ import { solveDense } from './splines/solve.ts';
 import { LAYERS } from './state.ts';
 import type { Layer, PlayState, Touched } from './state.ts';
 
-/** One curve, or in two dimensions one for each coordinate: value, then across. */
+/** One curve per coordinate: value, and in two dimensions also across. */
 export type Curves = readonly Curve[];
 
 export interface Derived {
   times: number[];
-  /** First to last key. */
+  /** Times of the first and last key. */
   range: readonly [number, number];
-  /** Of all layers but the samples, shown or not. */
+  /** Curves of all layers except the samples, shown or not. */
   curves: Record<CurveKind, Curves>;
-  /** The brute force, one per coordinate; none where it would take more than MOST_SAMPLES. */
+  /** The direct minimiser, one per coordinate; empty if it needs more than MOST_SAMPLES. */
   samples: Data[];
   /** The smoothest curve through these samples and the keys, one per coordinate. */
   sampled: Curves;
-  /** K as it is taken, or would have to be. */
+  /** Number of samples in use, or required. */
   sampleCount: number;
-  /** Total bending of each layer between the first and the last key; NaN where the layer is left out. */
+  /** Total bending of each layer between the first and last key; NaN for omitted layers. */
   bending: Record<Layer, number>;
-  /** Of the curve with the chosen ends, of the values. */
+  /** The system of the value curve with the chosen ends. */
   system: System;
   slopes: number[];
   weights: Curve[];
 }
 
-/** What the figures show. */
+/** The input of the figures. */
 export interface Shown {
   state: PlayState;
   derived: Derived;
   touched: Touched;
-  /** A key to point at, in addition to the selected one; -1: none. */
+  /** A key to highlight in addition to the selected one; -1: none. */
   lit: number;
 }
 
@@ -80,7 +80,7 @@ export function derive(state: PlayState): Derived {
   };
 }
 
-/** As they were set by hand, or from how far the keys lie apart. */
+/** Times set by the user, or from the distances between keys. */
 export function timesOf({ keys, spacing, plane }: PlayState): number[] {
   if (spacing === 'hand') return keys.map(({ time }) => time);
   const distance = keys
@@ -89,7 +89,7 @@ export function timesOf({ keys, spacing, plane }: PlayState): number[] {
   return spacedTimes(keys[0]!.time, keys.at(-1)!.time, distance, SPACINGS[spacing]);
 }
 
-/** The curve's value at t; in two dimensions the length of a derivative there. */
+/** The curve's value at t; in two dimensions, the length of the derivative. */
 export function amount(curves: Curves, t: number, derivative: Derivative): number {
   const numbers = curves.map((curve) => valueAt(curve, t, derivative));
   return numbers.length > 1 && derivative > 0 ? Math.hypot(...numbers) : numbers[0]!;

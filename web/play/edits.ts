@@ -1,4 +1,4 @@
-/** What the controls and the handles do to the state. */
+/** Edits of the state by controls and handles. */
 import { clamp } from '../model/time-scale.ts';
 import { derive, timesOf } from './derived.ts';
 import type { CurveFigureEvents } from './figures/curve-figure.ts';
@@ -11,7 +11,7 @@ import type { Layer, PlayState, Touched } from './state.ts';
 export interface Edits extends PanelEvents, CurveFigureEvents, KeysTableEvents {
   onLayer(layer: Layer, on: boolean): void;
   onTime(time: number): void;
-  /** A key is pointed at; -1: none. */
+  /** The pointer is over a key; -1: over none. */
   onLit(key: number): void;
 }
 
@@ -44,7 +44,7 @@ export function createEdits(
           : withKey(get(), key, { [field]: value }),
         'key',
       ),
-    // Times that follow from distances stay where they are when the hand takes over.
+    // Switching to manual spacing keeps the current times.
     onSpacing: (spacing) => set({ spacing, keys: timedKeys(get()) }, 'spacing'),
     onLayer: (layer, on) => change(showLayer(get(), layer, on), on ? layer : 'key'),
     onEnds: (ends) => change(setEnds(get(), ends), ends),
@@ -64,13 +64,13 @@ function timedKeys(state: PlayState): PlayState['keys'] {
   return state.keys.map((key, i) => ({ ...key, time: times[i]! }));
 }
 
-/** Where the natural spline is, in two dimensions. */
+/** The natural spline's value; two coordinates in two dimensions. */
 function naturalAt(state: PlayState, time: number): { value: number; across: number } {
   const [value, across] = derive({ ...state, plane: true }).curves.natural.map((curve) => valueAt(curve, time));
   return { value: value!, across: across! };
 }
 
-/** The time, as far as plots over time go. */
+/** The time, clamped to the range of plots over time. */
 function shownTime(state: PlayState, time: number): number {
   const times = timesOf(state);
   return clamp(time, ...shownTimes([times[0]!, times.at(-1)!]));

@@ -1,4 +1,4 @@
-/** The playground's state in the page's address, and back. Whatever does not fit is left out. */
+/** Stores the playground's state in the page's URL and reads it. Leaves out everything invalid. */
 import type { Spacing } from '../model/key-spacing.ts';
 import { SPACINGS } from '../model/key-spacing.ts';
 import { leftOutSentence } from '../model/left-out.ts';
@@ -10,16 +10,16 @@ import type { Layer, PlayKey, PlayState } from './state.ts';
 
 const ENDS: readonly Ends[] = ['natural', 'hermite', 'periodic'];
 const SPACING_NAMES = ['hand', ...(Object.keys(SPACINGS) as Spacing[])] as const;
-/** Characters of a name or a unit. */
+/** Longest name or unit, in characters. */
 const LONGEST = 60;
 
 export interface Linked {
   state: PlayState;
-  /** One sentence about what of the link was left out, or null. */
+  /** A sentence about left-out parts of the link, or null. */
   leftOut: string | null;
 }
 
-/** The fragment without its '#': only what differs from how the page opens. */
+/** The fragment without '#': the differences from the initial state. */
 export function writeLink(state: PlayState): string {
   const params = new URLSearchParams();
   const put = (name: string, value: string, fallback: string): void => {
@@ -39,7 +39,7 @@ export function writeLink(state: PlayState): string {
   return params.toString();
 }
 
-/** null where the fragment says nothing. */
+/** Reads a link; null if the fragment is empty. */
 export function readLink(hash: string): Linked | null {
   const params = new URLSearchParams(hash.replace(/^#/, ''));
   if ([...params.keys()].length === 0) return null;
@@ -80,7 +80,7 @@ function keyText({ time, value, across, tension, bias }: PlayKey): string {
 }
 
 function readKeys(text: string): PlayKey[] | undefined {
-  // One more than can be shown says as much as a million more.
+  // One entry above the limit is enough to report too many.
   const entries = text.split(' ', MAX_KEYS + 1);
   const keys = entries.map((entry): PlayKey => {
     const [time = NaN, value = NaN, across = 0, tension = 0, bias = 0] = entry.split(',', 5).map(Number);
@@ -89,7 +89,7 @@ function readKeys(text: string): PlayKey[] | undefined {
   return keys.every((key) => Object.values(key).every(Number.isFinite)) ? keys : undefined;
 }
 
-/** undefined where one of them is unknown. */
+/** Reads the layers; undefined if one of them is unknown. */
 function readLayers(text: string): Layer[] | undefined {
   const words = text.split(' ', LAYERS.length + 1).filter((word) => word !== '');
   return words.every((word) => oneOf(word, LAYERS)) ? LAYERS.filter((layer) => words.includes(layer)) : undefined;
@@ -119,7 +119,7 @@ function shortest(value: number): string {
   return String(Number(value.toPrecision(5)));
 }
 
-/** Times keep their order, however close they are. */
+/** Full precision keeps the order of very close times. */
 function exact(value: number): string {
   return String(Number(value.toPrecision(10)));
 }

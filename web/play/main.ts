@@ -1,4 +1,4 @@
-/** The playground's entrance. */
+/** The playground's entry point. */
 import { registerServiceWorker } from '../offline/register.ts';
 import { createThemeButton } from '../ui/theme-button.ts';
 import { createOffer } from '../ui/messages.ts';
@@ -24,7 +24,7 @@ const page = createPlayPage({
   onLeftOut: (message) => problem.offer(message === null ? null : { message }),
 });
 themeButton.update(theme.theme());
-// As a part of another page it leaves out what that page has.
+// Inside another page, the playground leaves out parts that this page has.
 if (window !== window.parent) document.documentElement.dataset['framed'] = '';
 document.getElementById('play')?.replaceChildren(page.element);
 registerServiceWorker({

@@ -1,4 +1,4 @@
-/** After each figure: what the hand has just felt, with the numbers as they are now. */
+/** The sentence after each figure: the effect of the user's last action, with current numbers. */
 import type { Derived } from './derived.ts';
 import { largestJump } from './figures/rate-figure.ts';
 import { LAYER_WORDS, number } from './figures/words.ts';
@@ -62,7 +62,7 @@ function keyNotice({ selected }: PlayState, { curves, times, weights }: Derived,
 
 const SAMPLED = 40;
 
-/** The most that a key weighs beyond its neighbours, over the intervals that it does not end. */
+/** The largest weight of a key beyond the intervals that it bounds. */
 function reach(weight: Curve, times: readonly number[], key: number): number {
   let most = 0;
   times.slice(1).forEach((to, i) => {
@@ -73,7 +73,7 @@ function reach(weight: Curve, times: readonly number[], key: number): number {
   return most;
 }
 
-/** The largest distance of two curves between the keys. */
+/** The largest distance between two curves in the range of the keys. */
 function apart(a: Curve, b: Curve, times: readonly number[]): number {
   const [start, end] = [times[0]!, times.at(-1)!];
   const at = (i: number): number => start + ((end - start) * i) / 200;

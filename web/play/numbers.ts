@@ -1,4 +1,4 @@
-/** The numbers behind each figure, for its table and its file. */
+/** The numbers of each figure, for its table and its file. */
 import type { Derived } from './derived.ts';
 import { amount } from './derived.ts';
 import { LAYER_WORDS } from './figures/words.ts';
@@ -11,7 +11,7 @@ import type { PlayState } from './state.ts';
 
 const ROWS = 201;
 
-/** The curves that are shown, or a derivative of theirs. */
+/** The shown curves or their derivatives. */
 export function curveNumbers(state: PlayState, derived: Derived, derivative: Derivative): NumbersTable {
   const layers = state.layers.filter((layer) => layer !== 'samples');
   const across = state.plane && derivative === 0;
@@ -44,7 +44,7 @@ export function bendingNumbers({ bending }: Derived): NumbersTable {
   return { names: LAYERS.map((layer) => LAYER_WORDS[layer].name), rows: [row], brief: [row] };
 }
 
-/** Evenly over all that is shown; in short at the keys and halfway between them. */
+/** Rows evenly over the shown range; the short table has the keys and the times halfway between them. */
 function rowsOf(derived: Derived, rowAt: (t: number) => number[]): { rows: number[][]; brief: number[][] } {
   const { times } = derived;
   const [start, end] = shownSpan(derived);

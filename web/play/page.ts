@@ -15,22 +15,22 @@ import { INITIAL } from './state.ts';
 import type { PlayState, Touched } from './state.ts';
 
 export interface PageParts {
-  /** Shown at the page's top, such as messages. */
+  /** Elements at the top of the page, such as messages. */
   notices: readonly HTMLElement[];
-  /** The window to the app: a coordinate of a real shape. */
+  /** The panel that connects to the app, for a coordinate of a real shape. */
   real: Panel;
   theme: HTMLElement;
-  /** Before the first touch the page plays by itself. */
+  /** The demonstration plays. */
   playing: boolean;
   onError(error: unknown): void;
-  /** A sentence about what the link holds that cannot be shown; null = nothing. */
+  /** A sentence about parts of the link that cannot be shown; null for none. */
   onLeftOut(sentence: string | null): void;
 }
 
 export interface PlayPage {
   element: HTMLElement;
   get(): PlayState;
-  /** Sets a state, as if the user had made it. */
+  /** Sets a state as if by the user. */
   change(state: PlayState, touched: Touched): void;
 }
 
@@ -70,7 +70,7 @@ export function createPlayPage({ notices, real, theme, playing, onError, onLeftO
   const board = createBoard(real, edits, onError);
   const lead = createLead(player, () => change(INITIAL, 'natural'));
   const main = h('main', { class: 'play-main' }, lead, board.element, said);
-  // The first touch ends what plays by itself; links and the button that stops it mean something else.
+  // The first user action ends the demonstration, except for links and the demonstration's own button.
   const touch = ({ target }: Event): void => {
     if (!player.button.contains(target as Node)) player.stop();
   };
@@ -99,7 +99,7 @@ function createHeader(theme: HTMLElement): HTMLElement {
   );
 }
 
-/** What the page is about. */
+/** The introduction of the page. */
 function createLead(player: Player, onReset: () => void): HTMLElement {
   const reset = button({ label: 'Back to the beginning', testId: 'reset', icon: 'reset', onClick: onReset });
   return h(
@@ -115,7 +115,7 @@ function createLead(player: Player, onReset: () => void): HTMLElement {
   );
 }
 
-/** Does it when there has been no call for so long. */
+/** Calls `work` after a pause of `ms` without further calls. */
 function afterRest(ms: number, work: () => void): () => void {
   let timer = 0;
   return () => {

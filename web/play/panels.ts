@@ -1,4 +1,4 @@
-/** The controls beside the figures: what is drawn in which way, and the numbers of the curves that have some. */
+/** The controls beside the figures: choice of plots, and options of the shown curves. */
 import { button, segments, select, slider } from '../ui/controls.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
 import type { Spacing } from '../model/key-spacing.ts';
@@ -25,7 +25,7 @@ export interface Panel {
   update(state: PlayState): void;
 }
 
-/** Above the curve: dimensions, keys, times. */
+/** Controls above the curve: dimensions, keys, times. */
 export function createTools(events: PanelEvents): Panel {
   const dimensions = segments(
     'Dimensions',
@@ -79,7 +79,7 @@ export function createTools(events: PanelEvents): Panel {
   };
 }
 
-/** Below the list of curves: what those that are shown can be given. */
+/** Controls below the list of curves: options of the shown curves. */
 export function createCurveControls(events: PanelEvents): Panel {
   const samples = slider({
     label: 'Samples of the brute force, K',
@@ -140,7 +140,7 @@ export function createCurveControls(events: PanelEvents): Panel {
   };
 }
 
-/** Above the system and the weights: which ends both have. */
+/** Controls above the system and the weights: their end conditions. */
 export function createEndsChoice(events: PanelEvents): Panel {
   const { element, update } = segments<Ends>(
     'Ends',

@@ -8,7 +8,7 @@ import type { PlayState, Touched } from './state.ts';
 
 export interface Player extends Pick<Demonstration, 'start' | 'stop'> {
   button: HTMLButtonElement;
-  /** Which scene plays. */
+  /** Describes the current scene. */
   scene: HTMLElement;
 }
 

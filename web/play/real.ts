@@ -1,4 +1,4 @@
-/** Takes a coordinate of a shape that is open in the app, in another tab, and gives times and ends back to it. */
+/** Takes a coordinate of a shape that is open in the app in another tab, and sends times and ends back. */
 import { button, select } from '../ui/controls.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
 import type { SourceShape, PlaygroundMessage } from '../model/playground-channel.ts';
@@ -10,18 +10,18 @@ import type { PlayState } from './state.ts';
 
 export interface RealParts {
   get(): PlayState;
-  /** Another state: a coordinate was taken. */
+  /** A coordinate was taken; `state` is the new state. */
   change(state: PlayState): void;
 }
 
 const TAKE = '#take';
 const ASK_AGAIN_MS = 1000;
-/** Of other tabs that are listed. */
+/** Limit for listed tabs. */
 const MOST_SHAPES = 32;
 
 export function createReal({ get, change }: RealParts): Panel {
   let chosen = '';
-  /** A link that asks for the first coordinate that is offered. */
+  /** The link requests the first offered coordinate. */
   let asked = location.hash === TAKE;
   const none = h(
     'p',
@@ -92,13 +92,13 @@ function choicesOf({ page, title, coordinates }: SourceShape): { value: string; 
 }
 
 interface Listener {
-  /** One is open, or is another than before. */
+  /** A shape was opened or changed. */
   onShape(shape: SourceShape): void;
-  /** A shape has taken what was given back. */
+  /** A shape has used the returned values. */
   onDone(): void;
 }
 
-/** The shapes that other tabs have open, by their pages: asked for whenever this one is seen. */
+/** Lists the shapes open in other tabs, by page. Asks again whenever this page becomes visible. */
 function listenForShapes({ onShape, onDone }: Listener) {
   const channel = 'BroadcastChannel' in window ? playgroundChannel() : null;
   const shapes = new Map<string, SourceShape>();
@@ -126,7 +126,7 @@ function listenForShapes({ onShape, onDone }: Listener) {
   return { shapes, send };
 }
 
-/** The coordinate's values at the shape's own times, passed as the shape passes them. */
+/** A state with the coordinate's values and the shape's own times and options. */
 function takenState(state: PlayState, shape: SourceShape, index: number): PlayState {
   const { name, unit, values } = shape.coordinates[index]!;
   const count = Math.min(values.length, MAX_KEYS);
@@ -134,7 +134,7 @@ function takenState(state: PlayState, shape: SourceShape, index: number): PlaySt
   const keys = values.slice(0, count).map((value, i) => ({
     time: shape.times[i]!,
     value,
-    // Of a second coordinate, where there is one.
+    // Takes a second coordinate, if there is one.
     across: shape.coordinates[(index + 1) % shape.coordinates.length]!.values[i]!,
     tension: tension[i]!,
     bias: bias[i]!,

@@ -1,4 +1,4 @@
-/** What the playground shows, as plain data, and pure edits of it. */
+/** The playground's state as plain data, and pure edits of it. */
 import { clamp } from '../model/time-scale.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import type { Ends } from './splines/slopes.ts';
@@ -6,42 +6,44 @@ import type { Ends } from './splines/slopes.ts';
 export interface PlayKey {
   time: number;
   value: number;
-  /** The second coordinate, which is drawn to the right in two dimensions. */
+  /** The second coordinate, drawn to the right in two dimensions. */
   across: number;
-  /** 0 leaves the slope as it is, 1 stops there. */
+  /** Tension: 0 keeps the slope, 1 makes it zero. */
   tension: number;
-  /** From -1 to 1. Below 0 the slope is biased towards the next step, above 0 towards the previous one. */
+  /**
+   * Bias from -1 to 1. Negative values bias the slope towards the next step, positive ones towards the previous step.
+   */
   bias: number;
 }
 
 export const LAYERS = ['linear', 'natural', 'samples', 'catmull-rom', 'hermite', 'periodic', 'shaped'] as const;
 export type Layer = (typeof LAYERS)[number];
 
-/** What was touched last. */
+/** The last user action. */
 export type Touched = 'key' | 'plane' | 'spacing' | 'shaping' | 'speed' | 'samples' | 'time' | Layer;
 
 /** A coordinate of a shape that is open in the app. */
 export interface CoordinateSource {
-  /** Of the page that it was taken from. */
+  /** Id of the page with the shape. */
   from: string;
   shape: string;
   name: string;
   unit: string;
-  /** Of its keys as they were then: the times and ends can go back to the shape that still has as many. */
+  /** Number of the shape's keys when taken. Times and ends can be sent back while it is unchanged. */
   keys: number;
 }
 
 export interface PlayState {
   keys: PlayKey[];
   layers: Layer[];
-  /** Of the system, of the weights, and of the curve with tensions and biases. */
+  /** Ends of the system, the weights, and the curve with tensions and biases. */
   ends: Ends;
   speeds: [number, number];
-  /** K of the brute force. */
+  /** Number K of samples in the direct minimisation. */
   samples: number;
   selected: number;
   time: number;
-  /** In two dimensions. */
+  /** Whether the playground has two dimensions. */
   plane: boolean;
   spacing: Spacing | 'hand';
   taken: CoordinateSource | null;
@@ -51,17 +53,17 @@ export const MIN_KEYS = 2;
 export const MAX_KEYS = 12;
 export const MIN_SAMPLES = 5;
 export const MAX_SAMPLES = 60;
-/** As far as handles and sliders go; faster ones can be typed. */
+/** Largest speed of handles and sliders; higher speeds can be typed. */
 export const MOST_SPEED = 4;
-/** Two keys stay at least this share of the whole time apart while one is dragged. */
+/** Smallest interval between two keys during dragging, relative to the whole time. */
 const LEAST_GAP = 0.02;
-/** How much of the time before and after the keys is shown. */
+/** Shown time before and after the keys, relative to the whole. */
 const MARGIN = 0.2;
 /** Larger times and values are not shown. */
 export const MOST = 1e6;
-/** The least time from the first key to the last, in units and as a share of the latest time. */
+/** Smallest time from the first to the last key, in units and relative to the latest time. */
 const LEAST_SPAN = 1e-3;
-/** The least interval between two keys, as a share of the whole time: below it slopes are mostly rounding. */
+/** Smallest interval between two keys, relative to the whole time. Below it, slopes are mostly rounding errors. */
 const LEAST_SHARE = 1e-6;
 
 const plain = (time: number, value: number, across: number): PlayKey => ({ time, value, across, tension: 0, bias: 0 });
@@ -79,12 +81,12 @@ export const INITIAL: Readonly<PlayState> = {
   taken: null,
 };
 
-/** First and last time that plots over time show. */
+/** First and last time of plots over time. */
 export function shownTimes([start, end]: readonly [number, number]): [number, number] {
   return [start - MARGIN * (end - start), end + MARGIN * (end - start)];
 }
 
-/** Why these keys cannot be shown, or null. */
+/** The reason why these keys cannot be shown, or null. */
 export function wrongWithKeys(keys: readonly PlayKey[]): string | null {
   if (keys.length < MIN_KEYS || keys.length > MAX_KEYS) return `there must be ${MIN_KEYS} to ${MAX_KEYS}`;
   const within = (most: number, ...numbers: number[]): boolean => numbers.every((one) => Math.abs(one) <= most);
@@ -106,7 +108,7 @@ export function withKey(state: PlayState, index: number, change: Partial<PlayKey
   return { ...state, keys: state.keys.map((key, at) => (at === index ? changed(key) : key)) };
 }
 
-/** Gives a key another value; and another time, which stays between those of its neighbours. */
+/** Changes a key's value and time; the time stays between its neighbours'. */
 export function moveKey(state: PlayState, index: number, to: { time?: number; value: number }): PlayState {
   const { keys } = state;
   const key = keys[index];
@@ -114,13 +116,13 @@ export function moveKey(state: PlayState, index: number, to: { time?: number; va
   const { time } = to;
   if (time === undefined || state.spacing !== 'hand') return withKey(state, index, { value: to.value });
   const [before, after] = [keys[index - 1], keys[index + 1]];
-  // The time as a whole keeps its length: the ends stay.
+  // The first and last key keep their times, so the whole time does not change.
   if (!before || !after) return withKey(state, index, { value: to.value });
   const gap = Math.min(LEAST_GAP * (keys.at(-1)!.time - keys[0]!.time), (after.time - before.time) / 3);
   return withKey(state, index, { value: to.value, time: clamp(time, before.time + gap, after.time - gap) });
 }
 
-/** Puts a key halfway between the selected one and the next, or the one before at the end; `at` says its value. */
+/** Adds a key halfway between the selected key and the next, or the previous one at the end. `at` gives its value. */
 export function addKey(state: PlayState, at: (time: number) => { value: number; across: number }): PlayState {
   const { keys, selected } = state;
   if (keys.length >= MAX_KEYS) return state;
@@ -142,12 +144,12 @@ export function showLayer(state: PlayState, layer: Layer, on: boolean): PlayStat
   return { ...state, layers: LAYERS.filter((one) => others.includes(one) || (on && one === layer)) };
 }
 
-/** The curve with these ends is shown with them. */
+/** Sets the ends and shows a curve that uses them. */
 export function setEnds(state: PlayState, ends: Ends): PlayState {
   return showLayer({ ...state, ends }, ends, true);
 }
 
-/** Tension or bias of the selected key; the curve that has them is shown with it. */
+/** Sets tension or bias of the selected key and shows the curve that uses them. */
 export function setShaping(state: PlayState, change: Partial<Pick<PlayKey, 'tension' | 'bias'>>): PlayState {
   return showLayer(withKey(state, state.selected, change), 'shaped', true);
 }

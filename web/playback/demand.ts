@@ -1,13 +1,13 @@
 /**
- * The wanted time (or blend of the keys) and the shown one. Of the times requested while a frame is being computed,
- * only the newest stays wanted.
+ * The requested time (or blend of the keys) and the shown one. Only the newest request is kept while a frame is being
+ * computed.
  */
 import type { FrameSet, RunningMotion } from './frame-set.ts';
 
-/** A time that was asked for; a later one has a higher number. */
+/** A requested time; later requests have higher numbers. */
 export interface Wanted {
   readonly t: number;
-  /** Instead of the motion's shape at t: the one that the keys blend to in these weights. */
+  /** Weights of a blend of the keys that replaces the motion's shape at t. */
   readonly blend: readonly number[] | null;
   readonly number: number;
 }
@@ -17,13 +17,13 @@ export type Shown = Pick<FrameSet, 't' | 'sequences'>;
 
 export class Demand {
   private newest: Wanted = { t: 0, blend: null, number: 0 };
-  /** The newest that was shown, or could not be made. */
+  /** Number of the newest request that was shown or has failed. */
   private served = 0;
   private screen: Shown = { t: NaN, sequences: [] };
 
   constructor(
     readonly sequences: () => readonly RunningMotion[],
-    /** The wanted blend; null: the motion. */
+    /** The requested blend; null: the motion. */
     private readonly blend: () => readonly number[] | null = () => null,
   ) {}
 
@@ -35,7 +35,7 @@ export class Demand {
     return this.screen;
   }
 
-  /** Whether the wanted time is not shown yet. */
+  /** Whether the requested time is not shown yet. */
   get open(): boolean {
     return this.served < this.newest.number;
   }
@@ -44,7 +44,7 @@ export class Demand {
     this.newest = { t, blend: this.blend(), number: this.newest.number + 1 };
   }
 
-  /** Whether the sequences that made it are still those that run. */
+  /** Whether the frames' sequences are still running. */
   isCurrent({ sequences }: Pick<FrameSet, 'sequences'>): boolean {
     return sequences === this.sequences();
   }
@@ -53,7 +53,7 @@ export class Demand {
     this.screen = { t, sequences };
   }
 
-  /** A frame was shown for it, or could not be made. */
+  /** The request's frame was shown or has failed. */
   close({ number }: Wanted): void {
     this.served = number;
   }

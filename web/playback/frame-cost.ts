@@ -1,8 +1,8 @@
-/** Cost of frames in the worker, measured to space the frames ahead. */
+/** Cost of frames in the worker, measured to choose the spacing of frames ahead. */
 import type { FrameSet, RunningMotion } from './frame-set.ts';
 
 const SAMPLES = 3;
-/** The first frames of a sequence are slow, and the machine may be busy, so a single one is not representative. */
+/** Several frames are needed, because a sequence's first frames are slow and the machine may be busy. */
 const ENOUGH = 2;
 
 export class FrameCost {
@@ -15,14 +15,14 @@ export class FrameCost {
     if (this.samples.length > SAMPLES) this.samples.shift();
   }
 
-  /** Milliseconds, of the last few frames the (lower) median; 0 where too few were measured yet. */
+  /** The (lower) median of the last few frames in milliseconds; 0 if too few were measured. */
   typical(sequences: readonly RunningMotion[]): number {
     this.follow(sequences);
     const sorted = [...this.samples].sort((a, b) => a - b);
     return sorted.length < ENOUGH ? 0 : sorted[(sorted.length - 1) >> 1]!;
   }
 
-  /** Other shapes and methods have other costs; other motions of the same ones have not. */
+  /** Resets the costs for other shapes and methods, but not for other motions of the same ones. */
   private follow(sequences: readonly RunningMotion[]): void {
     const before = this.sequences;
     this.sequences = sequences;

@@ -1,6 +1,6 @@
 /**
- * Requests frames and shows them: one time after another, all views together, as the demand requires. Playback is
- * computed ahead.
+ * Requests frames and shows them: one time after another, all views together, by demand. Playback frames are computed
+ * ahead.
  */
 import type { AheadOptions } from '../engine/api/api.ts';
 import type { Demand, Shown, Wanted } from './demand.ts';
@@ -15,12 +15,12 @@ export interface Screen {
   show(frames: FrameSet): void | Promise<void>;
   /** Resolves when the shown content has been drawn. */
   drawn(): Promise<void>;
-  /** Other work waits for the machine. */
+  /** Whether other work is waiting for the machine. */
   yields?(): boolean;
   onError(error: unknown): void;
 }
 
-/** Milliseconds of a drawing that takes a processor from other work. */
+/** Drawings that take longer, in milliseconds, are done by a processor that other work needs. */
 const SLOW_MS = 50;
 /** When drawing is slow, a playing frame stays for STAYS times its draw time (at most LONGEST_MS). */
 const [STAYS, LONGEST_MS] = [4, 1000];
@@ -36,7 +36,7 @@ export class FrameLoop {
   private running: Promise<void> | null = null;
   private waiting: Waiting[] = [];
   private calls: (() => void)[] = [];
-  /** Until then playback leaves the machine to other work. */
+  /** Until this time, playback leaves the machine to other work. */
   private yieldsUntil = -Infinity;
   private readonly cost = new FrameCost();
 
@@ -53,14 +53,14 @@ export class FrameLoop {
     return this.demand.shown;
   }
 
-  /** Resolves when this time, or a newer one that overtook it, has been drawn. */
+  /** Resolves when this time, or a newer requested time, has been drawn. */
   request(t: number): Promise<void> {
     this.demand.want(t);
     this.begin();
     return this.idle();
   }
 
-  /** While the time or the motion changes. Playback continues. */
+  /** Shows t; call when the time or the motion changes. Playback continues. */
   follow(t: number): void {
     if (!this.lookAhead) this.demand.want(t);
     this.begin();
@@ -88,7 +88,7 @@ export class FrameLoop {
     this.wake();
   }
 
-  /** Stops playback; resolves when nothing is requested. */
+  /** Stops playback; resolves when no request is open. */
   async rest(): Promise<void> {
     this.pause();
     await this.running;
@@ -101,7 +101,7 @@ export class FrameLoop {
   }
 
   private begin(): void {
-    // Computed ahead for a motion that may have changed.
+    // Frames ahead may belong to an old motion.
     this.lookAhead?.discard();
     this.wake();
     this.start();
@@ -120,7 +120,7 @@ export class FrameLoop {
   }
 
   private async run(): Promise<void> {
-    // A waiting caller may request the next frame immediately, so the end of the work must be known by then.
+    // A waiting caller may request the next frame immediately, so the state must be final by then.
     await Promise.resolve();
     while (this.busy || this.lookAhead) {
       if (this.busy) await this.serve(this.demand.wanted);
@@ -142,7 +142,7 @@ export class FrameLoop {
     });
   }
 
-  /** False if the sequences were replaced in the meantime. */
+  /** False if the sequences were replaced meanwhile. */
   private async draw(wanted: Wanted): Promise<boolean> {
     const frames = await this.ask(wanted);
     if (!frames) return false;
@@ -155,7 +155,10 @@ export class FrameLoop {
     }
   }
 
-  /** null if the sequence was replaced in the meantime: its successor must be asked for the same time. */
+  /**
+   * Requests the frames of a time; null if the sequence was replaced meanwhile. Its successor must be asked for the
+   * same time.
+   */
   private async ask({ t, blend }: Wanted): Promise<FrameSet | null> {
     const sequences = this.demand.sequences();
     try {

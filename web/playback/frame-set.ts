@@ -1,33 +1,33 @@
-/** The frames of one time, one per running sequence: shown together or not at all. */
+/** The frames at one time, one per running sequence, shown together or not at all. */
 import type { Motion } from '../engine/api/api.ts';
 import type { Frame, Method } from '../engine/api/types.ts';
 
 /** One of the motions shown side by side. */
 export interface Variant {
   method: Method;
-  /** Faces of the ghost mesh that leads it; 0 without one. */
+  /** Faces of the leading ghost mesh; 0 without one. */
   ghost: number;
   /** The method as published, without holding and pins. */
   plain?: true;
 }
 
-/** With the motion that makes its frames. */
+/** A variant with its motion. */
 export interface RunningMotion extends Variant {
   readonly sequence: Motion;
 }
 
 export interface FrameSet {
   t: number;
-  /** The weights of the keys, where these are blended shapes instead of the motions' at t. */
+  /** Weights of a blend of the keys that is shown instead of the motions' shapes at t. */
   blend: readonly number[] | null;
   frames: readonly Frame[];
   sequences: readonly RunningMotion[];
-  /** Milliseconds of the slowest. */
+  /** Milliseconds of the slowest frame. */
   ms: number;
   release(): void;
 }
 
-/** Null if another request overtook a sequence; throws a sequence's error after all have answered. */
+/** Collects the frames; null if a newer request replaced one. Throws a sequence's error after all have answered. */
 export async function gather(
   sequences: readonly RunningMotion[],
   t: number,

@@ -1,9 +1,9 @@
-/** Frames computed ahead of the clock during playback; frames of a replaced motion are released. */
+/** Frames computed ahead of the clock during playback. Frames of a replaced motion are released. */
 import { FramePlayer } from '../engine/api/frame-player.ts';
 import type { FrameSource } from '../engine/api/frame-player.ts';
 import type { FrameSet } from './frame-set.ts';
 
-/** The time that plays, in ticks: about one per screen refresh. */
+/** Playback time in ticks, about one per screen refresh. */
 export interface Clock {
   readonly tick: number;
   /** The time at a tick. */
@@ -24,7 +24,7 @@ export class LookAhead {
 
   constructor(private readonly parts: LookAheadParts) {}
 
-  /** The newest frames that are due and were not taken yet. */
+  /** The newest due frames that were not taken yet. */
   take(): FrameSet | null {
     const { clock, source, frameMs, onError } = this.parts;
     this.player ??= new FramePlayer(source, {

@@ -1,4 +1,4 @@
-/** Moves the time while the motion plays: one pure step, called once per drawn frame. */
+/** Advances the time during playback: a pure step, called once per drawn frame. */
 import type { LoopMode } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { length, wrap } from '../model/time-scale.ts';
@@ -12,14 +12,14 @@ export interface Tick {
 export interface ClockInput {
   time: number;
   direction: 1 | -1;
-  /** Units of time to move by, at least 0. */
+  /** Step in units of time, at least 0. */
   step: number;
   range: Range;
   loop: LoopMode;
   periodic: boolean;
 }
 
-/** A time outside the range first runs towards it, so playing from a margin does not jump. */
+/** From outside the range, the time first runs towards it, so playback from a margin does not jump. */
 export function tick({ time, direction, step, range, loop, periodic }: ClockInput): Tick {
   const [start, end] = range;
   if (length(range) <= 0) return { time: start, direction: 1, playing: false };

@@ -1,4 +1,4 @@
-/** Playback: advances the time once per screen refresh; whole frames are held until the next begins. */
+/** Playback: advances the time once per screen refresh. A whole frame is held until the next begins. */
 import { heldTime, loopRange, playRange } from '../model/frames.ts';
 import type { Play } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -12,23 +12,23 @@ export interface PlayerView {
   periodic: boolean;
 }
 
-/** After a pause of the whole page (a hidden tab, a long task) the motion continues where it was. */
+/** After a pause of the whole page (a hidden tab, a long task), the motion continues from where it stopped. */
 const LONGEST_STEP_MS = 100;
-/** How much of the latest refresh enters the running mean. */
+/** Weight of the latest refresh in the running mean. */
 const NEW_SHARE = 0.1;
 
 export class Player implements Clock {
-  /** Screen refreshes since the page was opened, with those that a busy page has missed. */
+  /** Screen refreshes since the page was opened, including those missed by a busy page. */
   tick = 0;
   private refreshMs = 1000 / 60;
   private frame = 0;
   private last = 0;
   private direction: 1 | -1 = 1;
-  /** The time that has been reached, of which a whole frame may be shown. */
+  /** The current time before rounding to a whole frame. */
   private reached = 0;
   private shown = NaN;
 
-  /** `onTick` is called on every refresh, `move` if the time changes. */
+  /** `onTick` is called on every refresh, `move` when the time changes. */
   constructor(
     private readonly view: () => PlayerView,
     private readonly move: (time: number, playing: boolean) => void,
@@ -42,9 +42,9 @@ export class Player implements Clock {
     this.last = performance.now();
     this.reached = time;
     this.shown = time;
-    // Played once and at its end: from the start again.
+    // At the end of a single play, starts again from the beginning.
     if (play.loop === 'once' && !periodic && time >= this.lastShown(range, play)) this.jump(range[0]);
-    // Running from outside to a chosen range would take that range's time, so playback starts in it.
+    // Playback starts inside a chosen range, because running to it from outside would take time.
     else if (chosen && (time < range[0] || time > range[1])) this.jump(range[0]);
     this.frame = requestAnimationFrame(() => this.step());
   }
@@ -73,7 +73,7 @@ export class Player implements Clock {
     this.move(time, true);
   }
 
-  /** The range that plays; a part of a closed motion is not closed. */
+  /** The playing range. A part of a closed motion is not closed. */
   private stretch(): PlayerView & { chosen: boolean } {
     const view = this.view();
     const chosen = loopRange(view.play.between, view.range) !== null;

@@ -1,4 +1,4 @@
-/** Follows a pointer from its press on an element to its release. */
+/** Follows a pointer from press to release. */
 export function drag(
   element: SVGElement,
   { pointerId }: PointerEvent,

@@ -1,5 +1,5 @@
 /**
- * A handle at an end of the curve: along the tangent there, the longer the faster; dragged, or moved with the arrow
+ * A handle along the tangent at an end of the curve. A longer handle means a higher speed. Drag it or use the arrow
  * keys.
  */
 import { drag } from './drag.ts';
@@ -13,12 +13,12 @@ export interface EndHandleEvents {
   label(end: End): string;
   words(speed: number): string;
   onSpeed(end: End, speed: number): void;
-  /** A key was pressed on the handle; what it means is for the caller. */
+  /** A key was pressed on the handle; the caller interprets it. */
   onKey(end: End, event: KeyboardEvent): void;
   onReset(end: End): void;
 }
 
-/** Where a handle starts and where one of speed 1 ends, from there, in a picture of this size. */
+/** Start of a handle, and its vector at speed 1, in a plot of this size. */
 export interface Placed {
   from: Vector;
   unit: Vector;
@@ -29,13 +29,13 @@ export interface Placed {
 export interface EndHandle {
   element: SVGGElement;
   place(placed: Placed | null): void;
-  /** `most`: the fastest on offer. Speed null = there is no handle. */
+  /** `most`: the largest offered speed. Speed null: no handle. */
   setSpeed(speed: number | null, most: number): void;
 }
 
-/** Shorter than this at its longest, a handle could not be dragged. */
+/** A handle whose longest length is below this could not be dragged. */
 const LEAST_LENGTH = 56;
-/** Distance that the grip keeps from the picture's edge. */
+/** Distance between the grip and the plot's edge. */
 const EDGE = 10;
 
 export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHandleEvents): EndHandle {
@@ -102,17 +102,17 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
   };
 }
 
-/**
- * Where the middle of the number's line goes: on the upper side of the handle, or on the lower one at the picture's
- * top.
- */
+/** Position of the number's centre: above the handle, or below it at the top of the plot. */
 function beside([x, y]: Vector, [ux, uy]: Vector): { x: number; y: number } {
   const length = Math.hypot(ux, uy);
   const side = ((ux < 0 ? -1 : 1) * (y < 24 ? -1 : 1)) / length;
   return { x: x + 18 * uy * side, y: y - 13 * ux * side + 4 };
 }
 
-/** Long enough to be dragged and, at its longest, inside the picture; null where the tangent has no direction in it. */
+/**
+ * A handle that can be dragged and stays inside the plot at its longest; null if the tangent has no direction in the
+ * plane.
+ */
 function usable(placed: Placed, most: number): Placed | null {
   const { from, unit, width, height } = placed;
   const length = Math.hypot(...unit);

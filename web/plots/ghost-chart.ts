@@ -1,22 +1,22 @@
-/** Error or time over sizes of the ghost mesh (the paper's Fig. 8): one line for each transfer, or for each shape. */
+/** Error or time over ghost mesh sizes (the paper's Fig. 8): one line per transfer or per shape. */
 import { make, named, namedCurve, text } from './svg-parts.ts';
 import { extent, linearScale, padded, tickLabel, ticks } from './scale.ts';
 
 export interface GhostSeries {
   label: string;
-  /** One value for each size, or for the first ones. */
+  /** One value per size; may cover only the first sizes. */
   values: readonly number[];
-  /** CSS class that colours it. */
+  /** CSS class for its colour. */
   style: string;
 }
 
 export interface GhostChartData {
   title: string;
   unit: string;
-  /** Names of the sizes along the axis, evenly spaced. */
+  /** Labels of the sizes along the axis, evenly spaced. */
   sizes: readonly string[];
   series: readonly GhostSeries[];
-  /** A level to compare with, drawn across. */
+  /** A horizontal reference line. */
   level: { label: string; value: number } | null;
 }
 

@@ -1,4 +1,4 @@
-/** Curves over time with the keys marked, the extrapolated ends shaded, and a cursor at the current moment. */
+/** Curves over time, with key marks, shaded extrapolation, and a cursor at the current time. */
 import { createReadOut } from './read-out.ts';
 import { apart, decades, extent, linearScale, logScale, padded, tickLabel, ticks, written } from './scale.ts';
 import type { Scale } from './scale.ts';
@@ -6,28 +6,28 @@ import { make, namedCurve, text } from './svg-parts.ts';
 
 export interface Series {
   label: string;
-  /** One value for each of the chart's times. */
+  /** One value per time of the chart. */
   values: readonly number[];
-  /** CSS class that colours it. */
+  /** CSS class for its colour. */
   style: string;
 }
 
 export interface LineChartData {
   title: string;
-  /** What the vertical axis counts, with its unit. */
+  /** Quantity and unit of the vertical axis. */
   unit: string;
   times: readonly number[];
   series: readonly Series[];
   keyTimes: readonly number[];
-  /** Where the keys define the curve; outside it is extrapolated. */
+  /** The range of the keys; outside it the curve is extrapolated. */
   range: readonly [number, number];
-  /** The smallest span of the vertical axis, so noise does not fill the plot. */
+  /** Smallest span of the vertical axis, so noise does not fill the plot. */
   leastSpan?: number;
-  /** Always show this value. */
+  /** A value that is always visible. */
   include?: number;
-  /** The vertical axis is in powers of ten from this one on; what is below lies on the edge. */
+  /** Lower end of a logarithmic vertical axis; lower values lie on the edge. null: linear. */
   floor?: number | null;
-  /** Mark every series at the keys, whose times are among the chart's. */
+  /** Marks every series at the keys, whose times are among the chart's. */
   dots?: boolean;
 }
 
@@ -37,15 +37,18 @@ const LEFT = 36;
 const RIGHT = 6;
 const TOP = 8;
 const BOTTOM = 16;
-/** Numbers of keys are at least so far from each other. */
+/** Smallest distance between key numbers. */
 const KEY_NUMBERS = 13;
-/** Beyond the keys, curves are followed this far off what they span between them: a share of the highest, at least. */
+/**
+ * Beyond the keys, curves extend the axis at most by their span between the keys, or by this share of the highest value
+ * if larger.
+ */
 const FOLLOWED = 0.2;
 
 export interface LineChart {
   element: SVGSVGElement;
   draw(data: LineChartData): void;
-  /** Moves the cursor without drawing the rest again. */
+  /** Moves the cursor without redrawing the rest. */
   setCursor(t: number): void;
 }
 
@@ -64,7 +67,7 @@ export function createLineChart(onPick: (t: number) => void): LineChart {
   let x: Scale | null = null;
   let drawn: { data: LineChartData; seen: (value?: number) => number } | null = null;
   let now = 0;
-  /** Under the mouse or the finger. */
+  /** Time under the mouse or finger. */
   let pointed: number | null = null;
 
   const read = (): void => {
@@ -119,7 +122,7 @@ export function createLineChart(onPick: (t: number) => void): LineChart {
   };
 }
 
-/** The place of a value; NaN where it has left the picture. */
+/** Position of a value; NaN outside the plot. */
 function within(y: Scale, { floor }: LineChartData): (value?: number) => number {
   return (value = NaN) => (value > y.domain[1] || (value < y.domain[0] && !floor) ? NaN : y(value));
 }
@@ -159,7 +162,7 @@ function parts(data: LineChartData, x: Scale, { y, levels }: Axis, seen: (value?
   ];
 }
 
-/** The vertical axis, and what is written beside it. */
+/** The vertical axis and its labels. */
 interface Axis {
   y: Scale;
   levels: { value: number; label: string }[];
@@ -178,7 +181,7 @@ function vertical(data: LineChartData): Axis {
   return { y, levels: ticks(y.domain, 3).map((value) => ({ value, label: tickLabel(value) })) };
 }
 
-/** Lowest and highest value of the picture: what lies far off beyond the keys leaves it. */
+/** Lowest and highest visible value; values far off beyond the keys are cut off. */
 function followed({ times, series, range: [start, end], include, leastSpan = 0 }: LineChartData): [number, number] {
   const spanOf = (isIn: (t: number) => boolean): [number, number] =>
     extent([

@@ -1,17 +1,17 @@
-/** What is dragged in the shape plane: the point of the shape that is shown, and paths that are drawn. */
+/** Draggable items of the shape plane: the shown shape's point, and drawn paths. */
 import { drag } from './drag.ts';
 import { make } from './svg-parts.ts';
 
 type Vector = readonly [number, number];
 
 export interface PlanePointEvents {
-  /** What the point is, for those who do not see it. */
+  /** Description of the point for screen readers. */
   pointLabel: string;
-  /** Dragged to a place of the picture. */
+  /** Dragged to a position in the plot. */
   onDrag(place: Vector): void;
-  /** A key was pressed on the point; what it means is for the caller. */
+  /** A key was pressed on the point; the caller interprets it. */
   onPointKey(event: KeyboardEvent): void;
-  /** A path was drawn, as places of the picture. */
+  /** A path was drawn, as positions in the plot. */
   onStroke(places: readonly Vector[]): void;
 }
 
@@ -22,7 +22,7 @@ export interface PlanePoint {
   setDrawing(on: boolean): void;
 }
 
-/** Places of a stroke closer than this, in the picture's pixels, are one. */
+/** Positions of a stroke closer than this, in plot pixels, are merged. */
 const STEP = 2;
 
 export function createPlanePoint(picture: SVGSVGElement, width: number, events: PlanePointEvents): PlanePoint {

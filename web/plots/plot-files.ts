@@ -1,44 +1,43 @@
-/** A plot as a file: an SVG that needs no style sheet, the same as a PNG, and numbers as CSV. */
+/** A plot as a file: a self-contained SVG, a PNG, and numbers as CSV. */
 
-/** What the style sheet says of a plot's parts. */
+/** Styles to copy from the style sheet. */
 const STYLED = [
   ...['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'stroke-linejoin'],
   ...['opacity', 'paint-order', 'font-family', 'font-size', 'font-weight', 'text-anchor'],
 ] as const;
 
-/** What is written along the axes, with its unit. */
+/** Axis titles with units. */
 export interface Axes {
   x: string;
   y: string;
 }
 
-/** What is written around a picture that stands alone. */
+/** Text around a standalone plot. */
 export interface Heading extends Partial<Axes> {
   title: string;
   unit?: string;
 }
 
-/** As wide as a column of a paper, or as its page: as large as its type is meant to be read. */
+/** Widths of a paper's column and of its page, so type has its intended size. */
 const COLUMN_MM = 85;
 const PAGE_MM = 170;
-/** Pictures of more units fill the page. */
+/** Wider plots fill the page. */
 const COLUMN_UNITS = 400;
-/** Of a PNG: what journals ask of drawings. */
+/** Resolution of a PNG, as journals require for drawings. */
 const DPI = 600;
-/** Families that other programs have. */
+/** Fonts that other programs have. */
 const FONT = 'Arial, Helvetica, sans-serif';
-/** What shows where the page is: the time, what is pointed at, and what can be dragged. */
+/** Elements that exist only on the page: cursor, read-out, handles. */
 const LIVE = '.cursor, .read-out, .now-mark, .plane-point, .end-handle, .drawn';
 
 /**
- * The picture in the page's colours, under its title and the names of its curves, with titles along its axes; nothing
- * of the page's present state. In millimetres.
+ * The plot in the page's colours, in millimetres, with title, legend and axis titles, but without interactive elements.
  */
 export function svgOf(element: SVGSVGElement, heading: Heading): string {
   return new XMLSerializer().serializeToString(standing(element, heading));
 }
 
-/** Errors: where the browser cannot draw the picture. */
+/** Throws if the browser cannot draw the plot. */
 export async function pngOf(element: SVGSVGElement, heading: Heading): Promise<Blob> {
   const picture = standing(element, heading);
   const size = (name: string): number => Math.round((DPI / 25.4) * parseFloat(picture.getAttribute(name)!));
@@ -83,14 +82,14 @@ function standing(element: SVGSVGElement, heading: Heading): SVGSVGElement {
   return copy;
 }
 
-/** In the units of a picture. */
+/** A box in plot units. */
 interface Box {
   left: number;
   right: number;
   bottom: number;
 }
 
-/** Beside what is written at the ticks, and below it. */
+/** Axis titles beside and below the tick labels. */
 function axisTitles({ x = '', y = '' }: Partial<Axes>, { left, bottom }: Box, element: SVGSVGElement): SVGElement {
   const { width, height } = element.viewBox.baseVal;
   const { color } = getComputedStyle(element);
@@ -105,20 +104,20 @@ function axisTitles({ x = '', y = '' }: Partial<Axes>, { left, bottom }: Box, el
   return group;
 }
 
-/** How large what is written at its ticks is. */
+/** Font size of the tick labels. */
 function typeOf(element: SVGSVGElement): number {
   const tick = element.querySelector('text');
   return tick ? parseFloat(getComputedStyle(tick).fontSize) : TYPE;
 }
 
-/** A copy that needs no style sheet, and the room that it takes with all that is written at its ticks. */
+/** A self-contained copy, and its bounding box including tick labels. */
 function plain(element: SVGSVGElement): { copy: SVGSVGElement; box: Box } {
   const copy = element.cloneNode(true) as SVGSVGElement;
   for (const live of copy.querySelectorAll(LIVE)) live.remove();
   for (const name of ['lit', 'selected'])
     for (const one of copy.querySelectorAll(`.${name}`)) one.classList.remove(name);
   copy.classList.add('filed');
-  // Styles and sizes are those that it has on the page, for as long as nothing is painted.
+  // Computed styles and sizes are those of the page while the copy is in it; nothing is painted meanwhile.
   element.after(copy);
   const all = [copy, ...copy.querySelectorAll('*')];
   const hidden = all.filter((one) => getComputedStyle(one).display === 'none');
@@ -143,18 +142,18 @@ function plain(element: SVGSVGElement): { copy: SVGSVGElement; box: Box } {
 }
 
 const LINE = ['stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity'] as const;
-/** The type of ticks that what is written around them fits. */
+/** Font size of ticks that matches the sizes of the other text. */
 const TYPE = 10;
 const LARGE = 12;
 const SMALL = 9;
 const MARGIN = 8;
 const LEADING = 14;
-/** For a piece of a curve, and the space after it. */
+/** Width of a line sample, including the following space. */
 const SAMPLE = 22;
-/** Of a letter, of its height: there is nothing to measure text with in a file. */
+/** Mean width of a letter relative to its height, because a file cannot measure text. */
 const LETTER = 0.62;
 
-/** Title and names of the curves, from the upper edge down; how tall they are. */
+/** Title and legend from the top down, and their height. */
 function headed(element: SVGSVGElement, { title, unit }: Heading, width: number): { head: SVGElement; tall: number } {
   const { color } = getComputedStyle(element);
   const head = part('g', { 'font-family': FONT, fill: plainColour(color).colour });
@@ -199,7 +198,7 @@ function wrapped(text: string, width: number): string[] {
   return lines;
 }
 
-/** What the style sheet says of an element, colours as any program reads them. */
+/** Computed styles of an element, with colours in a common format. */
 function styleOf(element: Element, names: readonly string[]): [string, string][] {
   const style = getComputedStyle(element);
   return names.map((name) => {
@@ -217,7 +216,7 @@ function part(tag: 'g' | 'rect' | 'text' | 'line', attributes: Record<string, st
   return element;
 }
 
-/** A computed colour as any program reads it: what is mixed or transparent is written in newer ways by browsers. */
+/** A computed colour in a common format, because browsers use newer notations for mixed or transparent colours. */
 export function plainColour(computed: string): { colour: string; opacity: number } {
   const [kind = '', inside = ''] = /^(color\(srgb|rgba?\()(.*)\)$/.exec(computed)?.slice(1) ?? [];
   const numbers = (inside.match(/[\d.e-]+/g) ?? []).map(Number);
@@ -227,13 +226,13 @@ export function plainColour(computed: string): { colour: string; opacity: number
   return { colour: `rgb(${[r, g, b].map(channel).join(', ')})`, opacity };
 }
 
-/** Rows of numbers under their names; what is not finite is left empty. */
+/** Rows of numbers under a header; values that are not finite are empty. */
 export function csvOf(names: readonly string[], rows: readonly (readonly number[])[]): string {
   const cell = (value: number): string => (Number.isFinite(value) ? String(Number(value.toPrecision(9))) : '');
   return [names.join(','), ...rows.map((row) => row.map(cell).join(',')), ''].join('\n');
 }
 
-/** The first ground behind the element that can be seen. */
+/** The first visible background behind the element. */
 function groundOf(element: Element): string {
   for (let at: Element | null = element; at; at = at.parentElement) {
     const { backgroundColor } = getComputedStyle(at);

@@ -1,9 +1,9 @@
-/** What every curve of a chart says at one of its times: a line there, a dot on each curve, the numbers in words. */
+/** The values of all curves at one time of a chart: a vertical line, a dot per curve, and the numbers. */
 import { make, text } from './svg-parts.ts';
 import type { LineChartData } from './line-chart.ts';
 import { tickLabel } from './scale.ts';
 
-/** Where it may stand, in the chart's units. */
+/** Area for the text, in the chart's units. */
 export interface Room {
   left: number;
   right: number;
@@ -13,14 +13,14 @@ export interface Room {
 
 export interface ReadOut {
   element: SVGGElement;
-  /** The chart's time nearest to `t`; null: nothing. `x` and `y` lead to places of the picture, NaN outside of it. */
+  /** Shows the chart's time nearest to `t`; null hides it. `x` and `y` give positions in the plot, NaN outside. */
   show(data: LineChartData, t: number | null, x: (t: number) => number, y: (value?: number) => number): void;
 }
 
 const LINE = 12;
 const PAD = 5;
 const SAMPLE = 12;
-/** Of more curves than these, those that are drawn over the others. */
+/** With more curves than this, only the topmost are shown. */
 const MOST = 6;
 
 export function createReadOut(room: Room): ReadOut {
@@ -57,7 +57,7 @@ export function createReadOut(room: Room): ReadOut {
       const size = { width: width + 2 * PAD, height: LINE * (curves.length + 1) + PAD };
       box.setAttribute('width', String(size.width));
       box.setAttribute('height', String(size.height));
-      // Beside the line, on the side with more room.
+      // The text is beside the line, on the side with more room.
       const isRight = place - room.left < room.right - place;
       const from = isRight ? place + PAD : place - PAD - size.width;
       const kept = Math.min(Math.max(from, room.left), Math.max(room.right - size.width, room.left));
@@ -70,7 +70,7 @@ function nearest(times: readonly number[], t: number): number {
   return times.reduce((best, time, index) => (Math.abs(time - t) < Math.abs(times[best]! - t) ? index : best), 0);
 }
 
-/** What is written behind a number. */
+/** Unit symbol after a number. */
 function signOf(unit: string): string {
   if (unit.includes('%')) return '\u00a0%';
   return unit.includes('degrees') ? '°' : '';

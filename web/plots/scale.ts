@@ -1,4 +1,4 @@
-/** From numbers to places on a picture, and round numbers for the axes. */
+/** Maps numbers to plot positions, and chooses round numbers for axes. */
 
 export interface Scale {
   (value: number): number;
@@ -12,21 +12,21 @@ export function linearScale(domain: readonly [number, number], from: number, to:
   return Object.assign((value: number) => (factor === 0 ? middle : from + (value - low) * factor), { domain });
 }
 
-/** In powers of ten. What is below the domain, such as 0, lies on its lower edge. */
+/** Logarithmic. Values below the domain, such as 0, map to its lower edge. */
 export function logScale(domain: readonly [number, number], from: number, to: number): Scale {
   const [low, high] = domain;
   const place = linearScale([Math.log10(low), Math.log10(high)], from, to);
   return Object.assign((value: number) => place(Math.log10(Math.max(value, low))), { domain });
 }
 
-/** On a linear axis a curve that stays below this share of the highest one lies flat on the edge. */
+/** On a linear axis, a curve below this share of the highest one looks flat. */
 const FLAT = 1 / 30;
-/** Over the highest value: what is below is rounding. */
+/** Values below this share of the highest one are rounding errors. */
 const ROUNDING = 1e-9;
-/** Powers of ten that are shown below the peak of the lowest curve. */
+/** Number of decades shown below the peak of the lowest curve. */
 const BELOW = 2;
 
-/** Where an axis in powers of ten starts; null where a linear one shows every curve. */
+/** Lower end of a logarithmic axis; null if every curve is visible on a linear one. */
 export function logFloor(curves: readonly (readonly number[])[]): number | null {
   const peaks = curves.map((values) => Math.max(...values.filter(Number.isFinite)));
   const highest = Math.max(...peaks);
@@ -34,7 +34,7 @@ export function logFloor(curves: readonly (readonly number[])[]): number | null 
   return lowest < FLAT * highest ? 10 ** (Math.floor(Math.log10(lowest)) - BELOW) : null;
 }
 
-/** At most `count` + 1 powers of ten inside the interval, from the first on. */
+/** At most `count` + 1 powers of ten inside the interval, starting with the lowest. */
 export function decades([low, high]: readonly [number, number], count: number): number[] {
   const first = Math.ceil(Math.log10(low) - 1e-9);
   const last = Math.floor(Math.log10(high) + 1e-9);
@@ -44,7 +44,7 @@ export function decades([low, high]: readonly [number, number], count: number): 
   );
 }
 
-/** Lowest and highest of the finite values; [0, 1] without any. */
+/** Lowest and highest finite value; [0, 1] if there are none. */
 export function extent(values: Iterable<number>): [number, number] {
   let low = Infinity;
   let high = -Infinity;
@@ -56,7 +56,7 @@ export function extent(values: Iterable<number>): [number, number] {
   return low <= high ? [low, high] : [0, 1];
 }
 
-/** The interval widened by a share of itself, and by something where it is a point. */
+/** The interval widened by a share of its length; a single point gets a default width. */
 export function padded([low, high]: readonly [number, number], share: number, least = 0): [number, number] {
   const pad = Math.max((high - low) * share, least, Math.abs(high) * 1e-9, 1e-12);
   return [low - pad, high + pad];
@@ -80,7 +80,7 @@ function niceStep(rough: number): number {
   return power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
 }
 
-/** Indices of ascending places, each at least `least` from the one before: the first, and what fits after it. */
+/** Indices of ascending positions at least `least` apart: the first, and each next one that fits. */
 export function apart(places: readonly number[], least: number): number[] {
   let last = -Infinity;
   return [...places.keys()].filter((index) => {
@@ -95,7 +95,7 @@ export function tickLabel(value: number): string {
   return written(String(Number(value.toPrecision(4))));
 }
 
-/** A number as JavaScript prints it, with a minus sign and powers of ten. */
+/** A number in JavaScript's notation, with proper minus sign and powers of ten. */
 export function written(number: string): string {
   const [digits, power] = number.replace(/^-/, '−').split(/e\+?/);
   if (power === undefined) return digits!;
@@ -103,7 +103,7 @@ export function written(number: string): string {
   return `${digits === '1' ? '' : digits === '−1' ? '−' : `${digits}·`}10${raised}`;
 }
 
-/** Points of a polyline that leaves gaps where a value is not finite, as an SVG path. */
+/** SVG path of a polyline with gaps at values that are not finite. */
 export function path(points: readonly (readonly [number, number])[]): string {
   let pen = 'M';
   return points

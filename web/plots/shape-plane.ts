@@ -1,4 +1,4 @@
-/** The motion as a curve in the plane of the two leading principal components of the keys (the paper's Fig. 2b, 3). */
+/** The motion as a curve in the plane of the keys' two leading principal components (the paper's Fig. 2b, 3). */
 import { ENDS, createEndHandle } from './end-handle.ts';
 import type { End, EndHandleEvents } from './end-handle.ts';
 import { make, namedCurve, text } from './svg-parts.ts';
@@ -8,14 +8,14 @@ import { extent, path, tickLabel, ticks } from './scale.ts';
 
 export interface PlaneCurve {
   label: string;
-  /** 2 numbers for each time. */
+  /** 2 numbers per time. */
   points: readonly number[];
   style: string;
 }
 
-/** A curve of points that have times of their own, or none. */
+/** A curve with its own times, or without times. */
 export interface PlaneOverlay extends PlaneCurve {
-  /** Its points are marked. */
+  /** Whether its points are marked. */
   marked: boolean;
 }
 
@@ -23,26 +23,26 @@ export interface ShapePlaneData {
   times: readonly number[];
   /** 2 numbers per key. */
   keys: readonly number[];
-  /** The first is the motion that is shown; its parts outside the range are drawn as extrapolated. */
+  /** The first curve is the shown motion; its parts outside the range are drawn as extrapolated. */
   curves: readonly PlaneCurve[];
   range: readonly [number, number];
-  /** null = there are no handles at the ends of the curve. */
+  /** End tangents; null hides the handles at the ends of the curve. */
   tangents: Readonly<Record<End, PlaneTangent>> | null;
 }
 
 export interface PlaneTangent {
-  /** From the end, for speed 1. */
+  /** Vector from the end at speed 1. */
   handle: Vector;
-  /** The shape that the tangent comes from, where it is none of the neighbours. */
+  /** The shape that gives the tangent, if not a neighbour. */
   shape: Vector | null;
 }
 
 type Vector = readonly [number, number];
 
 export interface ShapePlaneEvents extends EndHandleEvents, Pick<PlanePointEvents, 'pointLabel' | 'onPointKey'> {
-  /** The point was dragged there, in the plane's own coordinates; onto a key where it came near to one. */
+  /** The point was dragged to these plane coordinates; snaps to keys. */
   onPoint(point: Vector): void;
-  /** A path was drawn: 2 numbers for each of its points. */
+  /** A path was drawn: 2 numbers per point. */
   onPath(points: readonly Vector[]): void;
 }
 
@@ -54,15 +54,15 @@ export interface ShapePlanePlot {
   element: SVGSVGElement;
   draw(data: ShapePlaneData): void;
   setCursor(t: number): void;
-  /** Of the motion at t; [0, 0] before anything is drawn. */
+  /** The motion's point at t; [0, 0] before the first drawing. */
   curvePoint(t: number): Vector;
-  /** Where the shape lies that is shown instead of the motion's; null: on the curve. */
+  /** Position of the shape shown instead of the motion's; null: on the curve. */
   setPoint(point: Vector | null): void;
   setOverlays(overlays: readonly PlaneOverlay[]): void;
-  /** The path that was drawn, or null. */
+  /** The drawn path, or null. */
   setPath(points: readonly Vector[] | null): void;
   setDrawing(on: boolean): void;
-  /** Length of the handles before the curve is computed again, and their largest length. */
+  /** Length of the handles until the curve is computed again, and their largest length. */
   setSpeeds(speeds: Readonly<Record<End, number>> | null, most: Readonly<Record<End, number>>): void;
 }
 
@@ -70,7 +70,7 @@ const EXTRAPOLATED = 'extrapolated';
 
 type Place = (x: number, y: number) => [number, number];
 
-/** A point this near to a key, in the picture's pixels, is the key. */
+/** A point within this distance of a key, in plot pixels, snaps to it. */
 const SNAP = 7;
 
 export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
@@ -101,7 +101,7 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
   const drawOver = (): void => {
     if (!current) return;
     const { place } = current;
-    // What falls onto the motion's curve shows by its marks alone.
+    // Curves that coincide with the motion's are visible by their marks.
     under.replaceChildren(...overlays.map((overlay) => overlayLine(overlay, place)));
     over.replaceChildren(...overlays.flatMap((overlay) => (overlay.marked ? overlayMarks(overlay, place) : [])));
     drawn.setAttribute('d', path(line.map(([x, y]) => place(x, y))));
@@ -155,7 +155,7 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
 interface Current {
   data: ShapePlaneData;
   place: Place;
-  /** From the picture to the plane. */
+  /** Maps plot positions to the plane. */
   back: (place: Vector) => Vector;
 }
 
@@ -182,7 +182,7 @@ function overlayMarks(overlay: PlaneOverlay, place: Place): SVGElement[] {
   );
 }
 
-/** Numbers outside of the picture, for a file. */
+/** Tick labels outside the plot, for a file. */
 function axisTicks(place: Place, back: Current['back']): SVGElement[] {
   const [[left, bottom], [right, top]] = [back([PAD, HEIGHT - PAD]), back([WIDTH - PAD, PAD])];
   return [
@@ -191,12 +191,12 @@ function axisTicks(place: Place, back: Current['back']): SVGElement[] {
   ];
 }
 
-/** One scale for both axes: distances in the plane mean the same in every direction. */
+/** Both axes have the same scale, so distances in the plane are the same in every direction. */
 function placing(data: ShapePlaneData): [Place, Current['back']] {
   const { keys, curves, times, range } = data;
   const points = [...keys, ...shapesOf(data).flat()];
   const first = curves[0]?.points ?? [];
-  // The margins are shown as far as they fit; the keys and the curve between them decide the scale.
+  // The keys and the curve between them determine the scale. Margins are shown as far as they fit.
   times.forEach((t, index) => {
     if (t >= range[0] && t <= range[1]) points.push(first[2 * index] ?? NaN, first[2 * index + 1] ?? NaN);
   });
@@ -214,7 +214,7 @@ function placing(data: ShapePlaneData): [Place, Current['back']] {
   ];
 }
 
-/** An end of the curve and the way a handle of speed 1 goes from there, in the picture's own pixels. */
+/** An end of the curve and the handle vector at speed 1, in plot pixels. */
 function onPicture(
   { keys, tangents }: ShapePlaneData,
   end: End,
@@ -253,7 +253,7 @@ function shapesOf({ tangents }: ShapePlaneData): Vector[] {
   return tangents ? [tangents.start.shape, tangents.end.shape].filter((shape) => shape !== null) : [];
 }
 
-/** A shape that gives an end tangent, and the way that it is seen from its end. */
+/** A shape that gives an end tangent, and its direction from that end. */
 function tangentMarks({ keys, tangents }: ShapePlaneData, place: Place): SVGElement[] {
   return ENDS.flatMap((end) => {
     const shape = tangents?.[end].shape;
@@ -279,7 +279,7 @@ function keyMarks({ keys }: ShapePlaneData, place: Place): SVGElement[] {
   }).flat();
 }
 
-/** The point of the first curve at t, between the computed ones in a straight line. */
+/** The first curve's point at t, interpolated linearly between computed points. */
 function at({ times, curves }: ShapePlaneData, t: number): [number, number] {
   const points = curves[0]?.points ?? [];
   const after = times.findIndex((time) => time >= t);

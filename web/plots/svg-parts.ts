@@ -1,4 +1,4 @@
-/** Parts of a picture, by what they are and where. */
+/** Basic parts of a plot. */
 import { path } from './scale.ts';
 
 export function make<Tag extends keyof SVGElementTagNameMap>(
@@ -12,7 +12,7 @@ export function make<Tag extends keyof SVGElementTagNameMap>(
   return element;
 }
 
-/** Its name is seen under the mouse, and beside a piece of it in a file. */
+/** A tooltip shows its name; a file's legend shows it with a sample. */
 export function namedCurve(
   name: string,
   style: string,

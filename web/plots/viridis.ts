@@ -1,6 +1,6 @@
 /**
- * The colour map for amounts: viridis, which is even to the eye and to the colour-blind. Ten of its colours, mixed
- * between.
+ * The colour map for amounts: viridis, which is perceptually uniform and readable for colour-blind users. Interpolates
+ * ten of its colours.
  */
 
 const STOPS: readonly (readonly [number, number, number])[] = [
@@ -16,7 +16,7 @@ const STOPS: readonly (readonly [number, number, number])[] = [
   [253, 231, 37],
 ];
 
-/** sRGB in [0, 255] at a share in [0, 1]; shares beyond take the colour of the end. */
+/** sRGB in [0, 255] at a share in [0, 1]; values beyond are clamped. */
 export function viridis(share: number): [number, number, number] {
   const place = Math.min(Math.max(share, 0), 1) * (STOPS.length - 1);
   const below = Math.min(Math.floor(place), STOPS.length - 2);
@@ -27,7 +27,7 @@ export function viridis(share: number): [number, number, number] {
   return [mix(0), mix(1), mix(2)];
 }
 
-/** The map as a CSS gradient, lowest first. */
+/** The colour map as a CSS gradient, lowest value first. */
 export function viridisGradient(direction: string): string {
   return `linear-gradient(${direction}, ${STOPS.map((stop) => `rgb(${stop.join(' ')})`).join(', ')})`;
 }

@@ -18,7 +18,7 @@ export function column(detail: number): Promise<Sculpture> {
   return striped(detail, BRICK, TURNS.map(twisted));
 }
 
-/** A column of lobes in cream and another colour. */
+/** A column of lobes in cream and a second colour. */
 export async function striped(detail: number, colour: Colour, poses: readonly Place[]): Promise<Sculpture> {
   const surface = skin(Math.round(84 * detail), LOBES * Math.round(13 * detail));
   const picture = await painted(256, 4, (u) => {
@@ -47,7 +47,7 @@ export function lobed(level: Level): Place {
   };
 }
 
-/** Radius and height along the outline: a flat foot, a round corner, the side, and the same above. */
+/** Radius and height along the outline: flat bottom, round corner, side, and the same at the top. */
 function profile(along: number): readonly [number, number] {
   const [flat, round] = [RADIUS - CORNER, (CORNER * Math.PI) / 2];
   const half = flat + round + HEIGHT / 2 - CORNER;

@@ -1,4 +1,4 @@
-/** Key poses of a painted skin as one GLB: the first is the mesh, every other one a morph target. */
+/** Key poses of a painted skin as a GLB. The first pose is the mesh; the others are morph targets. */
 import type { Skin } from './skin.ts';
 
 export interface Sculpture {

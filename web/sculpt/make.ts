@@ -1,4 +1,4 @@
-/** Samples made in the browser: their formulas are a thousandth of the size of their files. */
+/** Samples made in the browser. Their formulas are a thousandth of their files' size. */
 import { column } from './column.ts';
 import type { Sculpture } from './glb.ts';
 import { glb } from './glb.ts';
@@ -9,7 +9,7 @@ import { turret } from './turret.ts';
 
 const SCULPTORS: Record<string, (detail: number) => Promise<Sculpture>> = { column, serpent, turret };
 
-/** As a GLB and as its arrays; `detail` 1 is the shown shape, less is coarser. */
+/** A sample as a GLB and as arrays; `detail` 1 is the shown shape, smaller values are coarser. */
 export async function make(id: string, detail = 1): Promise<{ bytes: Uint8Array; mesh: Mesh }> {
   const sculptor = SCULPTORS[id];
   if (!sculptor) throw new Error(`Nothing is known of how ${id} is made.`);

@@ -1,4 +1,4 @@
-/** Key poses of a painted skin as the engine takes arrays, with the look that the GLB gives them. */
+/** Key poses of a painted skin as arrays for the engine, with the same look as in the GLB. */
 import type { Sculpture } from './glb.ts';
 
 export type Mesh = ReturnType<typeof meshOf>;

@@ -1,4 +1,4 @@
-/** A serpent in scales, each of them modelled: it winds, winds the other way, coils and raises its head. */
+/** A serpent with modelled scales. It winds to either side, coils and raises its head. */
 import type { Sculpture } from './glb.ts';
 import { painted } from './png.ts';
 import { placed, skin } from './skin.ts';
@@ -8,13 +8,13 @@ const LENGTH = 9;
 /** Number of scales along and around the body, and their height in radii. */
 const SCALES = { along: 112, around: 26, height: 0.075 };
 
-/** Direction of the body, from its tail at 0 to its head at 1, in radians. */
+/** Direction of the body in radians, from its tail at 0 to its head at 1. */
 interface Bearing {
   yaw(along: number): number;
   pitch(along: number): number;
 }
 
-/** A quarter of a wave apart: between opposite waves it is straight, and longer than a view that is fitted to them. */
+/** A quarter of a wave apart. Between opposite waves the serpent would be straight, and longer than the fitted view. */
 const POSES: readonly Bearing[] = [winding(0), winding(Math.PI / 2), coiled()];
 
 export async function serpent(detail: number): Promise<Sculpture> {
@@ -30,7 +30,7 @@ function winding(phase: number): Bearing {
   };
 }
 
-/** Almost a turn, ever tighter; the neck stands up at its end. */
+/** Nearly one turn with increasing curvature; the neck rises at its end. */
 function coiled(): Bearing {
   return {
     yaw: (along) => LENGTH * (along / 2.3 + 0.22 * along * along) - 2.2,
@@ -64,14 +64,14 @@ function bodyAlong(pose: Bearing): Place {
     const scales = scalesAt(along);
     return (angle) => {
       const radius = plain * (1 + SCALES.height * scales(angle));
-      // Broader than high, and flat below.
+      // Wider than high, with a flat underside.
       const [across, over] = [1.06 * radius * Math.cos(angle), radius * Math.max(Math.sin(angle), -0.8)];
       return [cx + across * sx + over * ux, cy + across * sy + over * uy, cz + across * sz + over * uz];
     };
   };
 }
 
-/** The centre line with its axes, over its own middle. */
+/** The centre line with its axes, centred at the origin. */
 function line({ yaw, pitch }: Bearing): Frame[] {
   const frames: Frame[] = [];
   let [x, y, z] = [0, 0, 0];
@@ -100,7 +100,7 @@ function radiusAt(along: number): number {
   return (body + head + 0.014) * ends;
 }
 
-/** In [0, 1]: scales in rows that are shifted by half of one, smooth below and at both ends. */
+/** In [0, 1]: scales in rows offset by half a scale, smooth below and at both ends. */
 function scalesAt(along: number): (angle: number) => number {
   const row = along * SCALES.along;
   const below = Math.floor(row);

@@ -1,15 +1,15 @@
-/** A striped column whose upper part shrinks equally in all directions, to compare stretches beyond the keys. */
+/** A striped column whose upper part shrinks uniformly, to compare stretches beyond the keys. */
 import { lobed, striped } from './column.ts';
 import type { Colour, Level } from './column.ts';
 import type { Sculpture } from './glb.ts';
 
-/** Size of the upper part, and degrees by which it is turned, in each pose. */
+/** Size and rotation in degrees of the upper part, in each pose. */
 const POSES = [
   [1, 0],
   [0.6, 50],
   [0.2, 0],
 ] as const;
-/** Heights between which it begins. */
+/** Heights of the transition to the upper part. */
 const [FROM, TO] = [1.2, 2.2];
 const TEAL: Colour = [58, 134, 138];
 
@@ -21,7 +21,7 @@ export function turret(detail: number): Promise<Sculpture> {
   );
 }
 
-/** As high as all that is below has become. */
+/** Vertical position follows from the shrunk height below. */
 function shrunk(size: number, degrees: number): Level {
   return (height) => {
     const share = Math.min(Math.max((height - FROM) / (TO - FROM), 0), 1);

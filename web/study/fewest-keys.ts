@@ -1,6 +1,6 @@
 /**
- * Finds the fewest shapes of an animation that the method needs as keys to complete the others: keys are added where
- * the motion is farthest off, until the error is small enough.
+ * Finds the fewest shapes of an animation that the method needs as keys to reproduce the others. Adds keys at the
+ * motion's largest errors until the error is small enough.
  */
 import type { CallOptions, Engine } from '../engine/api/api.ts';
 import { farthest } from '../engine/api/distances.ts';
@@ -10,21 +10,21 @@ import type { ReferenceMotion } from './reference-motion.ts';
 export interface FewestKeys {
   times: number[];
   /**
-   * The largest distance of a vertex at a sample, relative to the diagonal; above the limit if `most` keys do not
+   * Largest distance of a vertex at a sample, relative to the diagonal. It exceeds the limit if `most` keys do not
    * suffice.
    */
   error: number;
 }
 
 export interface FewestKeysOptions extends CallOptions {
-  /** As a share of the diagonal. */
+  /** Tolerance as a share of the diagonal. */
   tolerance: number;
   most: number;
   /** Options of the motion between the keys. */
   options: Partial<SequenceOptions>;
 }
 
-/** An interval with at least this share of the largest error gets a key in the same round. */
+/** In each round, every interval with at least this share of the largest error gets a key. */
 const NEAR_WORST = 0.6;
 
 export async function fewestKeys(
@@ -40,7 +40,7 @@ export async function fewestKeys(
     const worst = await worstSamples(engine, reference, chosen, options, signal);
     const error = Math.max(...worst.map((one) => one.distance));
     first ||= error;
-    // Errors fall about as the fourth power of the distance of the keys.
+    // Errors decrease roughly with the fourth power of the key distance.
     onProgress?.({
       stage: `${chosen.length} keys`,
       fraction: first <= target ? 1 : Math.min(Math.max(Math.log(first / error) / Math.log(first / target), 0), 1),
@@ -63,7 +63,7 @@ interface Sample {
   distance: number;
 }
 
-/** For every interval between two keys, the sample with the largest error. */
+/** The sample with the largest error in each interval between two keys. */
 async function worstSamples(
   engine: Engine,
   reference: ReferenceMotion,

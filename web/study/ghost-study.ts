@@ -1,6 +1,6 @@
 /**
- * Costs and benefits of a ghost mesh (the paper's Fig. 8): the error against the motion without a ghost, and the time
- * of a frame, over ghost sizes and both transfers. Every motion is built in a worker of its own and released.
+ * Costs and benefits of a ghost mesh (the paper's Fig. 8): error against the motion without a ghost, and frame time,
+ * over ghost sizes and both transfers. Each motion has a separate worker and is released afterwards.
  */
 import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { KgError } from './kg-error.ts';
@@ -10,27 +10,27 @@ import type { SequenceOptions, SequenceStats, Transfer } from '../engine/api/typ
 export const GHOST_SIZES: readonly number[] = [500, 1000, 2000, 3000, 5000, 10000];
 export const TRANSFERS: readonly Transfer[] = ['exact', 'paper'];
 const FRAMES = 24;
-/** Two times of a frame that differ by less than this share are called the same. */
+/** Relative difference up to which two frame times are reported as equal. */
 const SAME_MS = 0.1;
 
 export interface GhostRow {
-  /** Faces that were asked for, and those that the ghost has. */
+  /** Requested number of faces, and the ghost's number. */
   wanted: number;
   faces: number;
   transfer: Transfer;
-  /** Against the motion without a ghost, in percent. */
+  /** Error against the motion without a ghost, in percent. */
   kg: number;
   /** Median time of a frame in the worker. */
   ms: number;
-  /** Milliseconds from the keys to the first frame's readiness. */
+  /** Milliseconds from the keys until the first frame can be computed. */
   buildMs: number;
   stats: SequenceStats;
 }
 
 export interface GhostStudy {
-  /** Faces of the shape itself. */
+  /** Number of faces of the shape. */
   faces: number;
-  /** Without a ghost. */
+  /** Frame time without a ghost. */
   ms: number;
   buildMs: number;
   rows: GhostRow[];
@@ -38,12 +38,12 @@ export interface GhostStudy {
 
 export interface GhostStudyOptions extends CallOptions {
   times: readonly number[];
-  /** Default: those of the figure. Only ghosts smaller than the shape are made. */
+  /** Default: those of the paper's figure. Only ghosts smaller than the shape are made. */
   sizes?: readonly number[];
   transfers?: readonly Transfer[];
 }
 
-/** Where a motion is measured between two times. */
+/** Times between start and end at which motions are measured. */
 export function studyTimes(start: number, end: number): number[] {
   return Array.from({ length: FRAMES }, (_, i) => start + ((i + 0.5) / FRAMES) * (end - start));
 }
@@ -123,7 +123,7 @@ interface Built {
   evaluated(fraction: number): void;
 }
 
-/** One frame after the other, so memory stays low and the two times are independent. */
+/** One frame after the other, which saves memory and keeps the two time measurements independent. */
 async function compare(
   { sequence, evaluated }: Pick<Built, 'sequence' | 'evaluated'>,
   reference: Sequence | null,

@@ -1,7 +1,7 @@
 /**
  * Single coordinates of a shape at its keys, to explain the values that splines interpolate: rotations between
  * neighbouring patches (log(G_i^-1 G_j) in the paper's Eq. 5, about its main axis) and stretches. The core computes the
- * method's own coordinates; these are measured again from the keys' vertices.
+ * method's coordinates; these are measured independently from the keys' vertices.
  */
 import { rotationVector, unwound } from './rotation-vectors.ts';
 import type { Quaternion, Vector } from './rotation-vectors.ts';
@@ -9,9 +9,9 @@ import { leadingEigenvector } from './symmetric-eigen.ts';
 
 export interface KeyCoordinate {
   kind: 'angle' | 'stretch';
-  /** Numbered from 0; of an angle both, of a stretch one. */
+  /** Indices of the patches, 0-based: two for an angle, one for a stretch. */
   patches: number[];
-  /** One per key: degrees, or the length of edges over that in the reference. */
+  /** One value per key: degrees, or edge length relative to the reference. */
   values: number[];
 }
 
@@ -22,7 +22,7 @@ export interface KeyPoses {
   patches: Int32Array;
   /** 3 x vertices per key. */
   poses: readonly Float32Array[];
-  /** Index of the key that is measured from. */
+  /** Index of the reference key. */
   reference: number;
 }
 
@@ -32,7 +32,7 @@ const EDGES = [
   [2, 0],
 ] as const;
 
-/** The coordinates that change most, angles first: at most `count` of either kind. */
+/** The coordinates that change most, angles first: at most `count` of each kind. */
 export function keyCoordinates(keys: KeyPoses, count: number): KeyCoordinate[] {
   const fitted = keys.poses.map((pose) => fitPatches(keys, pose));
   const angles = neighbours(keys).map(([i, j]): KeyCoordinate => {
@@ -56,7 +56,7 @@ interface FittedPatches {
   stretch: number[];
 }
 
-/** For every patch, the rotation that best maps its edges in the reference to those in the pose (Horn 1987). */
+/** Per patch, the rotation that best maps its edges in the reference to those in the pose (Horn 1987). */
 function fitPatches({ faces, patches, poses, reference }: KeyPoses, pose: Float32Array): FittedPatches {
   const count = patches.reduce((most, patch) => Math.max(most, patch + 1), 0);
   const products = Array.from({ length: count }, () => new Float64Array(9));
@@ -93,7 +93,7 @@ function rotationOf(m: Float64Array): Quaternion {
   return leadingEigenvector(matrix, 4) as unknown as Quaternion;
 }
 
-/** The vectors' components in the direction in which they change most; the last is not below the first. */
+/** Components of the vectors along their direction of largest change, with the last not below the first. */
 function alongMainAxis(vectors: readonly Vector[]): number[] {
   const mean = [0, 1, 2].map((i) => vectors.reduce((sum, vector) => sum + vector[i]!, 0) / vectors.length);
   const products = Array.from({ length: 9 }, (_, entry) => {

@@ -1,13 +1,13 @@
 /**
  * The error of a motion relative to a reference, after Karni and Gotsman (2004), in percent: 100 |A - A~| / |A - E(A)|,
- * Frobenius norms over all vertices of all frames, where E(A) puts every vertex of a frame at the frame's centroid. The
- * core's tests have their own (tests/native/kg_error.h).
+ * with Frobenius norms over all vertices of all frames. E(A) puts every vertex of a frame at the frame's centroid. The
+ * core's tests have a separate implementation (tests/native/kg_error.h).
  */
 export class KgError {
   private difference = 0;
   private spread = 0;
 
-  /** One frame of both motions, 3 x vertices. */
+  /** Adds one frame of both motions, 3 x vertices. */
   add(reference: Float32Array, other: Float32Array): void {
     const centroid = [0, 1, 2].map((axis) => meanOf(reference, axis));
     for (let i = 0; i < reference.length; i += 3) {

@@ -1,8 +1,8 @@
-/** Error of a motion relative to another at the same times: distances of vertices, and the KG error. */
+/** Error of a motion relative to another at the same times: vertex distances and the KG error. */
 import { KgError } from './kg-error.ts';
 
 export interface ErrorsOverTime {
-  /** Per time, in percent of the diagonal; NaN without a reference. */
+  /** Largest distance per time, in percent of the diagonal; NaN without a reference. */
   largest: number[];
   mean: number[];
 }
@@ -14,7 +14,7 @@ export class MotionError {
   /** `diagonal`: the reference length of distances. */
   constructor(private readonly diagonal: number) {}
 
-  /** The next time, 3 x vertices of both; null without a reference. */
+  /** Adds the next time, 3 x vertices of both; null without a reference. */
   add(reference: Float32Array | null, positions: Float32Array): void {
     if (!reference) {
       this.over.largest.push(NaN);

@@ -1,21 +1,21 @@
-/** Volume, area, bending energy and shape plane of a motion over time, and a table of several motions. */
+/** Volume, area, bending energy and shape plane of a motion over time, and a table for several motions. */
 import { METHOD } from '../engine/api/methods.ts';
 import type { Motion } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
 
-/** Identifies a measured motion; `plain`: nothing is held, as in the method as published. */
+/** Identifies a measured motion; `plain`: without holding, as published. */
 export interface MotionName {
   method: Method;
   plain?: true;
 }
 
 export interface MotionMeasures extends MotionName {
-  /** In cubic and square units of the positions. */
+  /** Volume and area, in cubic and square units of the positions. */
   volume: number[];
   area: number[];
   /**
    * Per unit of time to the fourth, relative to the mean deformation energy between keys. For vertex blends, in the
-   * space of vertices, as the paper compares methods (Fig. 9).
+   * space of vertices, as in the paper's comparison (Fig. 9).
    */
   bending: number[];
   /** Displacement of resting vertices, % of the diagonal; NaN if none rest. */
@@ -34,16 +34,16 @@ export async function measureMotion(sequence: Motion, name: MotionName, times: n
   return { method, ...(plain && { plain }), volume, area, bending, sliding, plane };
 }
 
-/** In a range of length 1: the bending of a straight motion is rounding. */
+/** Bending energy below this, for a range of length 1, is rounding error of a straight motion. */
 const NO_BENDING = 1e-12;
 
-/** A value for each time; NaN: none there. */
+/** One value per time; NaN if undefined. */
 export interface Column {
   name: string;
   values: readonly number[];
 }
 
-/** Significant digits: the engine computes in single precision. */
+/** Significant digits, limited by the engine's single precision. */
 const DIGITS = 7;
 /** Enough digits to distinguish times. */
 const TIME_DIGITS = 12;
@@ -84,8 +84,8 @@ export function tableOf(times: readonly number[], speed: number, columns: readon
 }
 
 /**
- * The JSON of a value for a comment line of a table. Names in it have no separators and begin with no sign: a
- * spreadsheet takes none for a formula. It reads back as the same value.
+ * The JSON of a value for a comment line of a table. Names contain no separators and no leading sign, so spreadsheets
+ * do not read them as formulas. Parses back to the same value.
  */
 export function tableJson(value: unknown): string {
   return JSON.stringify(value).replace(/"(?:[^"\\]|\\.)*"/g, (name) =>

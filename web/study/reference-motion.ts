@@ -1,27 +1,29 @@
-/** An animation, sampled densely: the reference for completed motions. */
+/** A densely sampled animation, used as the reference for completed motions. */
 import type { CallOptions, Engine, Keys } from '../engine/api/api.ts';
 import type { AnimationInfo, ImportOptions, InputFile } from '../engine/api/types.ts';
 
-/** Samples per second, as far as the limit allows. */
+/** Samples per second, if the limit allows. */
 const RATE = 30;
 const [FEWEST, MOST] = [9, 241];
 const MOST_BYTES = 192e6;
 
 export interface TimedShapes {
   readonly times: readonly number[];
-  /** Straight between two samples, and the end ones beyond: 3 x vertices, the same array for every time. */
+  /**
+   * The shape at t, 3 x vertices in a reused array. Interpolates linearly between samples, and is constant beyond them.
+   */
   at(t: number): Float32Array;
 }
 
 export interface ReferenceMotion extends TimedShapes {
-  /** One key a sample. */
+  /** Keys of the animation, one per sample. */
   readonly keys: Keys;
   dispose(): void;
 }
 
 /**
- * `vertices`: number of vertices, which limits the samples. `options`: how the files were read, and the keys that they
- * match.
+ * `vertices`: number of vertices, which limits the samples. `options`: the files' import options, and the keys that
+ * they match.
  */
 export async function readReference(
   engine: Engine,
@@ -46,7 +48,7 @@ export async function readReference(
 class Samples implements ReferenceMotion {
   readonly times: readonly number[];
   private readonly shape: Float32Array;
-  /** The samples that the last shape lies between. */
+  /** The samples around the last requested shape. */
   private ends: { index: number; before: Float32Array; after: Float32Array } | null = null;
 
   constructor(readonly keys: Keys) {

@@ -1,10 +1,10 @@
-/** Rotations as vectors along their axis, radians. */
+/** Rotation vectors: axis times angle in radians. */
 
-/** w, x, y, z. */
+/** A unit quaternion w, x, y, z. */
 export type Quaternion = readonly [number, number, number, number];
 export type Vector = [number, number, number];
 
-/** log(a^-1 b), of at most half a turn. */
+/** The rotation vector log(a^-1 b), of at most 180 degrees. */
 export function rotationVector([a, b, c, d]: Quaternion, [w, x, y, z]: Quaternion): Vector {
   const real = a * w + b * x + c * y + d * z;
   const sign = real < 0 ? -1 : 1;
@@ -18,7 +18,7 @@ export function rotationVector([a, b, c, d]: Quaternion, [w, x, y, z]: Quaternio
   return imaginary.map((part) => part * factor) as Vector;
 }
 
-/** Each the same rotation, by whole turns as near as can be to the one before. */
+/** Adds whole turns to make each vector as close as possible to the previous one. */
 export function unwound(vectors: readonly Vector[]): Vector[] {
   let last: Vector = [0, 0, 0];
   return vectors.map((vector) => {

@@ -1,6 +1,6 @@
 /** Eigenvectors of small symmetric matrices (cyclic Jacobi). */
 
-/** The eigenvector of the largest eigenvalue, of unit length. matrix: n x n, row by row. */
+/** The unit eigenvector of the largest eigenvalue. matrix: n x n, row by row. */
 export function leadingEigenvector(matrix: readonly number[], n: number): number[] {
   const a = [...matrix];
   const vectors = Array.from({ length: n * n }, (_, i) => (i % (n + 1) === 0 ? 1 : 0));

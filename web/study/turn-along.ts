@@ -1,17 +1,14 @@
-/**
- * How far a shape is turned from one end to the other: the rotations between neighbouring patches, added up along the
- * way from the one to the other.
- */
+/** Rotation of a shape between its two ends: the sum of the rotations between neighbouring patches along a path. */
 import type { PatchCurve } from '../engine/api/types.ts';
 import { rotationVector } from './rotation-vectors.ts';
 import type { Quaternion, Vector } from './rotation-vectors.ts';
 
 export interface TurnAlong {
-  /** Patches on the way, both ends included. */
+  /** Number of patches on the path, including both ends. */
   patches: number;
-  /** Degrees, at each time. */
+  /** Total rotation in degrees, per time. */
   total: number[];
-  /** Degrees: the largest between two neighbours on the way, at any of the times. */
+  /** Largest rotation between two neighbours on the path at any time, in degrees. */
   largest: number;
 }
 
@@ -20,8 +17,8 @@ type Turns = ReadonlyMap<number, Vector[]>;
 const DEGREES = 180 / Math.PI;
 
 /**
- * `curveOf` gives a patch at the times, of which there are `count`. The ends are the patches farthest apart. The sum is
- * meaningful if all rotations have nearly the same axis, as in a twisted bar. null without neighbours.
+ * `curveOf` returns a patch's curve at `count` times. The ends are the patches farthest apart. The sum is meaningful if
+ * all rotations have nearly the same axis, as in a twisted bar. null without neighbours.
  */
 export async function turnAlong(
   patches: number,
@@ -43,7 +40,7 @@ export async function turnAlong(
   };
 }
 
-/** For each neighbour: its rotation vector at each time. */
+/** The rotation vectors of each neighbour over time. */
 function turnsOf({ neighbours, numbers }: PatchCurve, count: number): Turns {
   const width = 1 + 4 * neighbours.length;
   const turnAt = (time: number, place: number): Vector => {
@@ -54,7 +51,7 @@ function turnsOf({ neighbours, numbers }: PatchCurve, count: number): Turns {
   return new Map(neighbours.map((patch, place) => [patch, times.map((time) => turnAt(time, place))]));
 }
 
-/** From one patch to one of those that are most steps away, over as few as can be. */
+/** A shortest path from one patch to one of the farthest patches. */
 function wayToFurthest(turns: readonly Turns[], from: number): number[] {
   const before = new Map<number, number>([[from, from]]);
   const reached = [from];

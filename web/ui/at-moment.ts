@@ -1,4 +1,4 @@
-/** Positions elements of the timeline at a time, or over a range of time. */
+/** Positions timeline elements at a time, or over a range of time. */
 import type { Range } from '../model/time-scale.ts';
 import { clamp } from '../model/time-scale.ts';
 import { fractionIn } from '../model/time-window.ts';
@@ -11,7 +11,7 @@ export function place(element: HTMLElement, t: number | null, window: Range): vo
   setStyle(element, 'left', percent(at));
 }
 
-/** Stretches an element over the visible part of a range of time. */
+/** Fits an element to the visible part of a range of time. */
 export function stretch(element: HTMLElement, [from, to]: Range, window: Range): void {
   const [left, right] = [clamp(fractionIn(from, window), 0, 1), clamp(fractionIn(to, window), 0, 1)];
   setHidden(element, right <= left);

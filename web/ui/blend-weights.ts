@@ -1,14 +1,14 @@
-/** The weights of a blend of keys: a row with a bar for each key, and the same in one sentence for screen readers. */
+/** The weights of a blend of keys: a bar per key, and a sentence for screen readers. */
 import { keyLabel } from '../model/key-names.ts';
 import { h, memo, setHidden, setStyle, setText } from './dom.ts';
 
 export interface BlendWeightsProps {
-  /** One per key, sum 1; null hides the list. */
+  /** One weight per key, sum 1; null hides the list. */
   weights: readonly number[] | null;
   keys: readonly { name: string }[];
 }
 
-/** The sentence follows when the weights have rested for so long. */
+/** The sentence is updated when the weights have not changed for this time. */
 const REST_MS = 400;
 
 export function createBlendWeights(): { element: HTMLElement; update(props: BlendWeightsProps): void } {

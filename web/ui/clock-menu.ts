@@ -1,4 +1,4 @@
-/** Settings of the time: whole frames, the range that plays, and the zoom of the timeline. */
+/** Time settings: whole frames, playing range, and timeline zoom. */
 import { button, checkbox, fieldRow, numberField, setIdle } from './controls.ts';
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
@@ -20,7 +20,7 @@ export interface ClockMenuEvents {
   onFps(fps: number | null): void;
   onLoopEnd(end: 'start' | 'end', t: number): void;
   onBetween(between: Range | null): void;
-  /** About the playhead. */
+  /** Zooms about the playhead. */
   onZoom(factor: number): void;
   onWindow(window: Range | null): void;
 }
@@ -84,7 +84,7 @@ function createFrames({ onFps }: ClockMenuEvents): Component<ClockMenuProps> {
   };
 }
 
-/** The range that plays. */
+/** The playing range. */
 function createLoop({ onLoopEnd, onBetween }: ClockMenuEvents): Component<ClockMenuProps> {
   let shown: ClockMenuProps | null = null;
   const seconds = (value: number): number => (shown?.fps ? value / shown.fps : value);
@@ -131,7 +131,7 @@ function createLoop({ onLoopEnd, onBetween }: ClockMenuEvents): Component<ClockM
   };
 }
 
-/** How near the timeline is seen. */
+/** The zoom of the timeline. */
 function createZoom({ onZoom, onWindow }: ClockMenuEvents): Component<ClockMenuProps> {
   const nearer = button({
     label: 'Zoom into the timeline',

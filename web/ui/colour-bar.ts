@@ -1,25 +1,25 @@
-/** Legend of a heat map: the map with its range and unit, and the numbers at the current time. */
+/** Legend of a heat map: its colours with range and unit, and the numbers at the current time. */
 import { h, memo, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 
 export interface ColourBarProps {
   title: string;
   unit: string;
-  /** The unit as it stands behind a number. */
+  /** The unit as written after a number. */
   symbol: string;
-  /** The range starts at 0. */
+  /** Upper end of the range, which starts at 0. */
   top: number;
-  /** There is more than that, which has the same colour. */
+  /** Larger values exist and have the top colour. */
   beyond?: boolean;
   /** Numbers at the current time. */
   now: string;
-  /** Left edge and middle of the view that it belongs to, in CSS pixels. */
+  /** Left edge and middle of its view, in CSS pixels. */
   x: number;
   y: number;
-  /** It lies along the upper edge instead. */
+  /** The bar is shown along the upper edge instead. */
   along: boolean;
 }
 
-/** `gradient`: the map as CSS, upwards. */
+/** `gradient`: the colours as CSS, from bottom to top. */
 export function createColourBar(gradient: string): {
   element: HTMLElement;
   update(props: ColourBarProps | null): void;

@@ -1,6 +1,4 @@
-/**
- * The small controls that the panels are made of: each has a label, a test id, a tooltip with its key, and a way back.
- */
+/** Small controls for the panels: each has a label, a test id, a tooltip with its key, and a reset. */
 import type { Child } from './dom.ts';
 import { h, setAttribute, setField, setHidden, setText, uniqueId } from './dom.ts';
 import type { IconName } from './icons.ts';
@@ -10,11 +8,11 @@ export interface ButtonOptions {
   label: string;
   testId: string;
   icon?: IconName;
-  /** Show the label next to the icon. */
+  /** Text beside the icon. */
   text?: string;
   /** Key of the same command, shown in the tooltip. */
   shortcut?: string;
-  /** Plain with a text, quiet without. */
+  /** Look of the button; default: plain with text, quiet without. */
   kind?: 'plain' | 'primary' | 'quiet';
   onClick: (event: MouseEvent) => void;
 }
@@ -40,13 +38,13 @@ export function button(options: ButtonOptions): HTMLButtonElement {
   );
 }
 
-/** A reset button with nothing to go back from keeps its place. */
+/** Hides a reset button with nothing to reset, but keeps its space. */
 export function setIdle(reset: HTMLButtonElement, idle: boolean): void {
   reset.disabled = idle;
   setAttribute(reset, 'data-idle', idle);
 }
 
-/** Fields in a row, after their label. */
+/** Fields in a row after their label. */
 export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
   const first = typeof label === 'string' ? h('span', { class: 'label' }, label) : label;
   return h('div', { class: 'field row' }, first, ...fields);
@@ -54,7 +52,7 @@ export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
 
 export const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
 
-/** Buttons in a row, below their label. */
+/** Buttons in a row below their label. */
 export function buttonGroup(label: string, ...buttons: Node[]): HTMLElement {
   return h(
     'div',
@@ -73,11 +71,11 @@ export interface Choice<T extends string> {
 
 export interface Segments<T extends string> {
   element: HTMLElement;
-  /** `reasons` holds a sentence for each value that cannot be chosen now. */
+  /** `reasons`: for each disabled value, a sentence with the reason. */
   update(value: T, reasons?: Partial<Record<T, string>>): void;
 }
 
-/** A row of radio buttons for two to four choices. The reason of a disabled one is written under the row. */
+/** A row of radio buttons for two to four choices. The reason for a disabled choice is shown below. */
 export function segments<T extends string>(
   label: string,
   testId: string,
@@ -170,7 +168,7 @@ export interface NumberOptions {
   testId: string;
   min: number;
   max: number;
-  /** Largest number that can be typed, if larger than the slider's maximum. */
+  /** Largest typed number, if larger than the slider's maximum. */
   typedMax?: number;
   step: number;
   /** Value restored by the reset button. */
@@ -182,7 +180,7 @@ export interface NumberOptions {
 
 export interface NumberControl {
   element: HTMLElement;
-  /** `reach`: the slider's end if it differs from `max`. */
+  /** `reach`: the slider's maximum if it differs from `max`. */
   update(value: number, disabledReason?: string, reach?: number): void;
 }
 
@@ -244,8 +242,8 @@ interface NumberFieldOptions {
 export const REFUSED = 'refused';
 
 /**
- * A field for one number. On blur it shows the value in effect, as set by setField: invalid text is replaced, and a
- * number beyond a limit becomes that limit.
+ * A field for one number. On blur it shows the value in effect, as set by setField. Invalid text is replaced, and a
+ * number beyond a limit becomes the limit.
  */
 export function numberField(options: NumberFieldOptions): HTMLInputElement {
   const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, onInput } = options;
@@ -262,7 +260,7 @@ export function numberField(options: NumberFieldOptions): HTMLInputElement {
   };
   const commit = (): void => {
     take();
-    // By then the page has drawn the result.
+    // The page has drawn the result by then.
     requestAnimationFrame(() =>
       requestAnimationFrame(() => {
         if (document.activeElement !== field) field.value = field.defaultValue;
@@ -310,11 +308,11 @@ interface DialogOptions {
   testId: string;
   /** Test id of the button that closes it. */
   closeId: string;
-  /** An additional class of the style sheet. */
+  /** An additional CSS class. */
   kind?: string;
 }
 
-/** A dialog over the page with a title; its button, Escape, or a press outside closes it. */
+/** A dialog with a title over the page. Its button, Escape, or a press outside closes it. */
 export function dialog({ title, label, testId, closeId, kind }: DialogOptions, ...content: Child[]): HTMLDialogElement {
   const close = button({ label: 'Close', testId: closeId, icon: 'close', onClick: () => element.close() });
   const element = h(

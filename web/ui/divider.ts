@@ -1,4 +1,4 @@
-/** The divider between two motions of one shape; a slider for keyboard and screen-reader users. */
+/** The divider between two motions of a shape; a slider for keyboard and screen-reader users. */
 import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle } from './dom.ts';
 import { icon } from './icons.ts';
@@ -10,16 +10,16 @@ const STEP = 0.02;
 const LONG_STEP = 0.1;
 
 export interface DividerProps {
-  /** Share of the width to the left of the divider; null = no divider. */
+  /** Share of the width to the left of the divider; null: no divider. */
   share: number | null;
-  /** Names of the motions to the left and to the right. */
+  /** Names of the motions on the left and on the right. */
   left: string;
   right: string;
 }
 
 export function createDivider(onMove: (share: number) => void): Component<DividerProps> {
   let now = 0.5;
-  // Several events can arrive before the next drawing: each continues from the value last requested.
+  // Several events can arrive before the next drawing. Each continues from the last requested value.
   const move = (share: number): void => {
     now = Math.min(Math.max(share, LEAST_SHARE), 1 - LEAST_SHARE);
     onMove(now);

@@ -1,4 +1,4 @@
-/** The little that the components need to make and change elements. */
+/** Helpers to create and change elements. */
 
 export type Child = Node | string | null | undefined | false;
 type Value = string | number | boolean | null | undefined | ((event: never) => void);
@@ -10,7 +10,7 @@ export interface Component<Props> {
   update(props: Props): void;
 }
 
-/** The same for several elements inside another component. */
+/** The update function of several elements inside another component. */
 export interface Fields<Props> {
   elements: HTMLElement[];
   update(props: Props): void;
@@ -30,7 +30,7 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** The same in SVG. */
+/** Creates an SVG element in the same way. */
 export function svg<Tag extends keyof SVGElementTagNameMap>(
   tag: Tag,
   props: Props = {},
@@ -72,7 +72,7 @@ export function setHidden(element: HTMLElement | SVGElement, hidden: boolean): v
   setAttribute(element, 'hidden', hidden);
 }
 
-/** Sets a text; an element without one is hidden. */
+/** Sets an element's text, and hides the element if the text is empty. */
 export function say(element: HTMLElement, text: string): void {
   setText(element, text);
   setHidden(element, text === '');
@@ -90,7 +90,7 @@ export function setField(field: HTMLInputElement | HTMLSelectElement, value: str
   if (field.value !== value) field.value = value;
 }
 
-/** Runs `draw` only when one of the props it is given differs from the last time. */
+/** Runs `draw` only if a prop has changed since the last call. */
 export function memo<P extends object>(draw: (props: P) => void): (props: P) => void {
   let last: P | undefined;
   return (props) => {
@@ -103,7 +103,7 @@ export function memo<P extends object>(draw: (props: P) => void): (props: P) => 
 
 let count = 0;
 
-/** An id that no other element has, for labels and descriptions. */
+/** An unused element id, for labels and descriptions. */
 export function uniqueId(stem: string): string {
   count += 1;
   return `${stem}-${count}`;

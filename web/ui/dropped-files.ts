@@ -1,4 +1,4 @@
-/** Dropped items -> files: folders are walked, without files that do not belong to a model. */
+/** Converts dropped items to files. Searches folders and leaves out files that do not belong to a model. */
 
 import { CACHES, COMPANIONS, MODELS, isMeantInFolder, isModel } from '../engine/api/paths.ts';
 
@@ -8,12 +8,12 @@ export interface PickedFile {
   file: File;
 }
 
-/** The file after which several are named: the first that is not a material, buffer or image. */
+/** The file that names a group: the first that is not a material, buffer or image. */
 export function leadingName(names: readonly string[]): string {
   return names.find(isModel) ?? names[0] ?? '';
 }
 
-/** For the system's picker. */
+/** Accepted extensions for the system's file picker. */
 export const ACCEPTED = [
   ...[...MODELS, ...CACHES, ...COMPANIONS].map((extension) => `.${extension}`),
   'model/gltf-binary',
@@ -21,22 +21,23 @@ export const ACCEPTED = [
   '.zip',
 ].join();
 
-/** A whole disk dropped by mistake is not walked to its end. */
+/** Limit that stops the search of a whole disk dropped by mistake. */
 const MOST_ENTRIES = 20_000;
 
 /**
- * Call this during the drop event, because its data exists only then. Single files are always taken, so their errors
- * are reported.
+ * Call during the drop event, because its data exists only then. Single files are always taken, so their errors are
+ * reported.
  */
 export function droppedFiles({ items, files }: DataTransfer): Promise<PickedFile[]> {
   const entries = [...items].map((item) => item.webkitGetAsEntry?.() ?? null);
   const plain = [...files].map((file) => ({ name: file.name, file }));
-  // Without entries, as from another program or an older browser, a folder is an unreadable file, which is reported.
+  // Without entries, as from another program or an older browser, a folder appears as an unreadable file, which is
+  // reported.
   if (entries.every((entry) => !entry?.isDirectory)) return Promise.resolve(plain);
   return filesOf(entries.filter((entry) => entry !== null));
 }
 
-/** Files at the top, and those in folders that belong to models; their names are paths from the top. */
+/** Files at the top level, and files in folders that belong to models. Names are paths from the top level. */
 export async function filesOf(entries: readonly FileSystemEntry[]): Promise<PickedFile[]> {
   const found: PickedFile[] = [];
   let left = MOST_ENTRIES;
@@ -63,7 +64,7 @@ export async function filesOf(entries: readonly FileSystemEntry[]): Promise<Pick
 async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promise<FileSystemEntry[]> {
   const reader = folder.createReader();
   const children: FileSystemEntry[] = [];
-  // A reader hands out a hundred entries at most each time.
+  // A reader returns at most a hundred entries per call.
   for (;;) {
     const batch = await read<FileSystemEntry[]>(name, (resolve, reject) => reader.readEntries(resolve, reject));
     if (batch.length === 0) return children;

@@ -1,4 +1,4 @@
-/** Shows how to embed the open motion: a zip with all that it takes, and lines to copy into a page. */
+/** Shows how to embed the open motion: a zip with everything needed, and lines to copy into a page. */
 import { button, dialog } from './controls.ts';
 import { h, setText } from './dom.ts';
 

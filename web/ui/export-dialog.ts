@@ -1,4 +1,4 @@
-/** Export options: an animation, one pose, an image, a video, or the numbers; the size is shown first. */
+/** Export options: an animation, one pose, an image, a video, or the numbers. The size is shown first. */
 import { EXPORT } from '../engine/api/option-table.ts';
 import type {
   AnimationFormat,
@@ -84,7 +84,7 @@ const VIDEO_FORMATS: readonly Choice<VideoFormat>[] = [
   { value: 'gif', label: 'GIF' },
 ];
 
-/** The options of each kind and format, and which are visible. */
+/** The options of each kind and format, and their visibility. */
 function createFormatFields(change: Change): Fields<ExportDialogProps> {
   const kind = segments('What', 'export-kind', KINDS, (value) => change({ kind: value }));
   const animation = segments('Format', 'export-animation', ANIMATION_FORMATS, (value) => change({ animation: value }));
@@ -172,7 +172,7 @@ export interface ExportDialog {
 export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   let shown: ExportDialogProps | null = null;
   let request: ExportRequest = DEFAULT_REQUEST;
-  // Shown immediately: the next change may come before the page is redrawn, and reads the fields.
+  // Shown immediately, because the next change may read the fields before the page is redrawn.
   const change: Change = (part) => {
     const next = { ...request, ...part };
     if (shown) update({ ...shown, request: next, plan: null });

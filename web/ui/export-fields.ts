@@ -1,4 +1,4 @@
-/** Rows of the export dialog: how long and how many frames, and how large pictures are. */
+/** Rows of the export dialog: duration, number of frames, and image size. */
 import type { ExportNumbers, ExportRequest, Playing, SizeName, VideoFormat } from '../model/export-request.ts';
 import {
   LEAST_PIXELS,
@@ -21,7 +21,7 @@ export type Change = (part: Partial<ExportRequest>) => void;
 
 export interface FieldsProps extends Playing {
   request: ExportRequest;
-  /** The format, where a video is asked for. */
+  /** The format of a requested video. */
   video: VideoFormat | null;
 }
 
@@ -97,7 +97,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
       setText(speed, turns ? '' : speedWords(request, numbers.speed));
       setIdle(reset, turns || request.duration === null);
       setField(frames, String(numbers.frames));
-      // For a video, the number of frames follows from its seconds.
+      // For a video, the duration determines the number of frames.
       frames.readOnly = isVideo;
       setField(rate, shortest(numbers.rate, 3));
       bounce.update(goesBack(request));
@@ -123,7 +123,7 @@ const SIZE_WORDS: Record<SizeName, string> = {
   own: 'Own size',
 };
 
-/** Size, and for a PNG the surroundings of the shape. */
+/** Size, and for a PNG the background. */
 export function createPictureFields(change: Change): Fields<FieldsProps> {
   let request: ExportRequest | null = null;
   const size = select<SizeName>(

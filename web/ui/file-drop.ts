@@ -1,4 +1,4 @@
-/** Files from a drop anywhere on the page or from the system's picker, folders included, in natural order of name. */
+/** Files dropped anywhere on the page or chosen in the system's picker, including folders, in natural order of name. */
 import { inNaturalOrder } from '../engine/api/numbered-names.ts';
 import { ACCEPTED, droppedFiles } from './dropped-files.ts';
 import type { PickedFile } from './dropped-files.ts';
@@ -13,8 +13,8 @@ export interface DropPoint {
 }
 
 /**
- * Covers the page while files are dragged over it, except for elements with their own drop handling: `onOver` describes
- * it, null for the default. Walking folders takes time and may fail.
+ * Covers the page while files are dragged over it, except for elements with their own drop handling. `onOver` describes
+ * such an element; null for the default. Searching folders takes time and may fail.
  */
 export function createDropZone(
   onFiles: (files: Promise<PickedFile[]>, at: DropPoint) => void,
@@ -73,11 +73,11 @@ export function createDropZone(
   return { element };
 }
 
-/** In natural order of name, with what zips hold in their place. */
+/** Sorts files in natural order of name and replaces each zip by its files. */
 const ordered = async (picked: PickedFile[] | Promise<PickedFile[]>): Promise<PickedFile[]> =>
   inNaturalOrder(await unzipped(await picked));
 
-/** Opens the system's picker. */
+/** Opens the system's file picker. */
 export function createPicker(
   testId: string,
   onFiles: (files: Promise<PickedFile[]>) => void,

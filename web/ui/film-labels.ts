@@ -3,14 +3,14 @@ import { h, setHidden, setStyle, setText } from './dom.ts';
 
 export interface FilmLabel {
   text: string;
-  /** A key, which takes precedence. */
+  /** Keys take precedence. */
   isKey: boolean;
-  /** Pixels of the view. */
+  /** Position in the view, in pixels. */
   x: number;
   y: number;
 }
 
-/** Pixels of a letter, and between two names. */
+/** Width of a letter, and space between two names, in pixels. */
 const LETTER_PX = 6.6;
 const GAP_PX = 6;
 
@@ -32,7 +32,7 @@ export function createFilmLabels(): { element: HTMLElement; update(labels: reado
   };
 }
 
-/** The labels that do not overlap; of two, a key's stays. */
+/** The labels that do not overlap. Of two overlapping labels, a key's stays. */
 export function withRoom(labels: readonly FilmLabel[]): FilmLabel[] {
   const shown: FilmLabel[] = [];
   const apart = (a: FilmLabel, b: FilmLabel): boolean =>

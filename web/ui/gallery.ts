@@ -1,4 +1,4 @@
-/** The samples as animated cards, and the user's own files, behind a button that names the open shape. */
+/** The samples as animated cards, and the user's own files, in a menu whose button shows the open shape's name. */
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
@@ -11,20 +11,20 @@ export interface SampleItem {
   boundary: string;
 }
 
-/** Files of the user. */
+/** A project of the user. */
 export interface OwnItem {
-  /** Of their project. */
+  /** Project id. */
   id: string;
   title: string;
 }
 
 export interface GalleryProps {
   samples: readonly SampleItem[];
-  /** Files of the user that can be opened again. */
+  /** Projects of the user that can be opened again. */
   own: readonly OwnItem[];
-  /** Id of the open sample, or null if the user's files are open. */
+  /** Id of the open sample; null if the user's files are open. */
   sample: string | null;
-  /** Id of the user's open files, otherwise null. */
+  /** Id of the user's open project, otherwise null. */
   project: string | null;
 }
 
@@ -33,7 +33,7 @@ export interface GalleryEvents {
   onOwn(id: string): void;
 }
 
-/** Size of one frame of a sample's image, in pixels; frames are next to each other in the file. */
+/** Size of one frame of a sample's image, in pixels; the file has the frames side by side. */
 export const PICTURE = { width: 304, height: 208 };
 export const MOMENTS = 16;
 
@@ -112,7 +112,7 @@ function createCards(onChoose: (id: string) => void): Component<CardsProps> {
       h(
         'span',
         { class: 'sample-picture', 'data-loops': boundary === 'periodic', 'aria-hidden': 'true' },
-        // Fetched when the gallery is opened.
+        // Fetched when the gallery opens.
         h('img', { loading: 'lazy', src: `gallery/${id}.webp`, alt: '', draggable: 'false' }),
       ),
       h('strong', {}, title),

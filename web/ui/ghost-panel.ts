@@ -1,4 +1,4 @@
-/** The ghost mesh (paper section 4.3): whether it leads the shape, its options, and how it is shown. */
+/** The ghost mesh (paper section 4.3): switch, options, and display. */
 import { ENCODING } from '../engine/api/option-table.ts';
 import type { SequenceStats, Transfer } from '../engine/api/types.ts';
 import { DEFAULT_ENCODING, GHOST_FACES } from '../model/state.ts';
@@ -11,7 +11,7 @@ import { h, memo, setField, setHidden, setText } from './dom.ts';
 export interface GhostPanelProps {
   encoding: Encoding;
   view: View;
-  /** Of the shape. */
+  /** Number of faces of the shape. */
   faces: number;
   stats: SequenceStats | null;
   lriMethod: boolean;
@@ -36,7 +36,7 @@ const TRANSFERS: readonly Choice<Transfer>[] = [
   },
 ];
 
-/** `study`: the plot over sizes, which can be made whether a ghost leads now or not. */
+/** `study`: the plot over sizes, available with and without a ghost. */
 export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): Component<GhostPanelProps> {
   const toggle = checkbox('Ghost mesh', 'ghost', (on) => events.onEncoding({ ghostFaces: on ? GHOST_FACES : 0 }), 'N');
   const hint = h('p', { class: 'hint', 'data-testid': 'ghost-hint' });

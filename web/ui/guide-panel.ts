@@ -1,15 +1,15 @@
-/** A page of the guide next to the app: a text, a task, one sentence to keep, and navigation. */
+/** A page of the guide beside the app: a text, a task, a sentence to remember, and navigation. */
 import { button } from './controls.ts';
 import { h, say, setHidden, setText } from './dom.ts';
 
-/** A formula as MathML, and the same in words. */
+/** A formula in MathML and in words. */
 export interface Formula {
   math: string;
   words: string;
 }
 
 export interface GuidePanelProps {
-  /** Such as "Tour, 3 of 10". */
+  /** Position such as "Tour, 3 of 10". */
   place: string;
   title: string;
   text: string;
@@ -28,9 +28,9 @@ export interface GuidePanel {
   show(props: GuidePanelProps): void;
   /** Numbers at the current time; '' for none. */
   setLive(text: string): void;
-  /** Moves the keyboard focus to its title. */
+  /** Moves keyboard focus to its title. */
   focus(): void;
-  /** Follows the link, if there is one. */
+  /** Follows the link to the previous or next page, if any. */
   turn(to: 'previous' | 'next'): void;
 }
 
@@ -38,7 +38,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
   const place = h('p', { class: 'guide-place' });
   const title = h('h2', { tabindex: -1 });
   const body = h('div', { class: 'guide-body' });
-  // It changes all the time: the page is read out when it turns, this is not.
+  // Not read out, because it changes constantly; the page is read out when it opens.
   const live = h('p', { class: 'guide-live', 'aria-live': 'off', 'data-testid': 'guide-live' });
   const previous = h('a', { class: 'button', rel: 'prev', 'data-testid': 'guide-previous' });
   const next = h('a', { class: 'button primary', rel: 'next', 'data-testid': 'guide-next' });
@@ -74,7 +74,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
     turn(next, shown?.pages[current + 1], 'Next');
   };
   let asked: string | null = null;
-  // A second press before the page has turned moves on to the page after it.
+  // A second press before the page has turned moves on by another page.
   element.querySelector('footer')!.addEventListener('click', (event) => {
     if (!(event.target instanceof HTMLAnchorElement) || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();

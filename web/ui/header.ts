@@ -9,11 +9,11 @@ import type { Theme } from './theme.ts';
 
 export interface HeaderProps {
   samples: readonly SampleItem[];
-  /** Id of the loaded sample, or null where files of the user are loaded. */
+  /** Id of the loaded sample; null if the user's files are loaded. */
   sample: string | null;
-  /** Files of the user that can be opened again. */
+  /** Projects of the user that can be opened again. */
   own: readonly OwnItem[];
-  /** The loaded ones, otherwise null. */
+  /** Id of the loaded project, otherwise null. */
   project: string | null;
   theme: Theme;
 }
@@ -22,7 +22,7 @@ export interface HeaderEvents extends GalleryEvents {
   onTheme(): void;
 }
 
-/** After the gallery, for the history, and at the end. */
+/** Buttons after the gallery, in the history, and at the end. */
 export interface HeaderButtons {
   start: readonly HTMLElement[];
   history: readonly HTMLElement[];
@@ -43,7 +43,7 @@ export function createHeader({ start, history, end }: HeaderButtons, events: Hea
     ...end,
     theme.element,
   );
-  // What the gallery opens has stops of its own.
+  // The gallery's contents have their own tab stops.
   oneStop(element, 'button:not(.gallery *)');
   const draw = memo(({ samples, sample, own, project, theme: shown }: HeaderProps) => {
     gallery.update({ samples, sample, own, project });

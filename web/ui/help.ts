@@ -1,4 +1,4 @@
-/** Help: an overview of the page, its gestures and keys, and the source of the method. */
+/** Help: an overview of the page, its gestures and keys, and a reference to the method. */
 import { button, checkbox, dialog } from './controls.ts';
 import { h, setText } from './dom.ts';
 

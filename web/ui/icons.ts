@@ -56,7 +56,7 @@ export function icon(name: IconName): SVGSVGElement {
   );
 }
 
-/** Shows another icon in a button made with `icon`. */
+/** Replaces the icon of a button made with `icon`. */
 export function setIcon(holder: Element, name: IconName): void {
   const current = holder.querySelector('svg.icon');
   if (!current || current.classList.contains(`icon-${name}`)) return;

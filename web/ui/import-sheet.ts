@@ -1,11 +1,11 @@
 /**
- * Import options, shown after a file with animations opens: the choices of the Motion panel, running work and offers in
- * one sheet. Shape and time stay usable; any other press closes the sheet.
+ * Import options, shown after opening a file with animations: the Motion panel's choices, running work and offers in
+ * one sheet. The view and the time remain usable; any other press closes the sheet.
  */
 import { button } from './controls.ts';
 import { h, setHidden, setStyle } from './dom.ts';
 
-/** Elements that can be used with the sheet open, to see the effect of a choice. */
+/** Elements that stay usable while the sheet is open, to see the effect of a choice. */
 const GOES_ON = '.picture, .divider, .view-bar, .transport, .overlay-top, .toast, .opening';
 
 export interface ImportSheet {
@@ -16,11 +16,11 @@ export interface ImportSheet {
 export interface ImportSheetParts {
   /** Container of the sheet. */
   element: HTMLElement;
-  /** The choices, in their panel. */
+  /** Panel with the choices. */
   choices: HTMLElement;
   /** Messages that otherwise appear over the shape: running work, and offers. */
   over: readonly HTMLElement[];
-  /** Takes the keyboard when the sheet goes. */
+  /** Element that gets the focus when the sheet closes. */
   next: HTMLElement;
   onClose(): void;
   /** Escape was pressed in the sheet. */
@@ -38,7 +38,7 @@ export function createImportSheet(parts: ImportSheetParts): ImportSheet {
   element.append(close, end);
 
   const open = (): void => {
-    // The content below keeps its position in the panel.
+    // Keeps the position of the content below in the panel.
     setStyle(place, 'height', `${choices.offsetHeight}px`);
     panel.replaceChild(place, choices);
     end.before(choices, ...over);
@@ -56,11 +56,11 @@ export function createImportSheet(parts: ImportSheetParts): ImportSheet {
     event.stopPropagation();
     onEscape();
   });
-  // On click, because the pressed element must not move away before.
+  // Closes on click, because the pressed element must not move earlier.
   document.addEventListener('click', (event) => {
     if (!element.hidden && !(event.target as Element).closest(GOES_ON)) onClose();
   });
-  // The sheet must not cover the focused element. A press focuses as well, and is handled by the click above.
+  // The sheet must not cover the focused element. Focus by a press is handled by the click listener above.
   document.addEventListener('keyup', () => {
     if (!element.hidden && document.activeElement?.closest('.side .panel')) onClose();
   });

@@ -1,4 +1,4 @@
-/** Editor of one key. Not modal: the shape and the time can be moved while it is open. */
+/** Editor of one key. Not modal: shape and time stay usable while it is open. */
 import { button } from './controls.ts';
 import { h, setHidden, setText } from './dom.ts';
 import type { IconName } from './icons.ts';
@@ -12,7 +12,7 @@ export interface EditedKey extends KeyRef {
 
 export interface KeyEditorProps extends KeyFieldsProps {
   keys: readonly EditedKey[];
-  /** Owner of the keys: the editor closes when it changes. */
+  /** Id of the open content; the editor closes when it changes. */
   owner: string | null;
   canRemove: boolean;
 }
@@ -31,14 +31,14 @@ function isOwn(target: EventTarget | null): boolean {
 
 export interface KeyEditor {
   element: HTMLElement;
-  /** `from`: the pressed element, which gets the focus back. False if that closes the editor. */
+  /** `from`: the pressed element, which gets the focus back. False if the call closes the editor. */
   open(index: number, from: HTMLElement): boolean;
   update(props: KeyEditorProps): void;
 }
 
 export function createKeyEditor(events: KeyEditorEvents): KeyEditor {
   let index = 0;
-  /** The pose of the key that is edited: another time may give it another place. */
+  /** The pose of the edited key, because changing its time may change its index. */
   let pose: KeyRef['pose'] | null = null;
   let props: KeyEditorProps | null = null;
   let opener: HTMLElement | null = null;
@@ -113,7 +113,7 @@ export function createKeyEditor(events: KeyEditorEvents): KeyEditor {
 }
 
 function closeForOtherWork(element: HTMLElement, { close, hide }: { close(): void; hide(): void }): void {
-  // Wherever the focus is, before Escape means anything else; dialogs and menus have their own.
+  // Handles Escape before other elements, wherever the focus is. Dialogs and menus handle their own.
   window.addEventListener(
     'keydown',
     (event) => {
@@ -123,7 +123,7 @@ function closeForOtherWork(element: HTMLElement, { close, hide }: { close(): voi
     },
     { capture: true },
   );
-  // Moving the shape or the time and undo leave it open; other work closes it.
+  // Moving the shape or the time and undo keep it open; other actions close it.
   document.addEventListener('pointerdown', ({ target }) => {
     if (target instanceof Element && target.closest(OTHER_WORK) && !target.closest('.history')) hide();
   });

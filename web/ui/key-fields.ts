@@ -12,9 +12,9 @@ import { createKeyTurns } from './key-turns.ts';
 export interface KeyFieldsProps {
   keys: readonly KeyRef[];
   range: Range;
-  /** How many components the shape has. */
+  /** Number of components of the shape. */
   components: number;
-  /** Whether the method takes full turns. */
+  /** Whether the method supports added turns. */
   turns: boolean;
 }
 
@@ -23,7 +23,7 @@ export interface KeyFieldsEvents {
   onRename(key: number, name: string): void;
   onShaping(key: number, name: ShapingNumber, value: number): void;
   onTurns(key: number, added: KeyTurns): void;
-  /** The component that whole turns are given to, null for the whole shape or when the editor closes. */
+  /** The component that receives turns; null for the whole shape or when the editor closes. */
   onComponent(component: number | null): void;
 }
 
@@ -31,7 +31,7 @@ export interface KeyFields {
   elements: HTMLElement[];
   update(props: KeyFieldsProps, index: number): void;
   focus(): void;
-  /** The fields are hidden. */
+  /** Called when the fields are hidden. */
   leave(): void;
 }
 

@@ -1,6 +1,4 @@
-/**
- * The keys as thumbnails: go to one, put it elsewhere in the order, give it another time or name, remove it, add one.
- */
+/** The keys as thumbnails: go to a key, move, retime, rename or remove it, or add one. */
 import { button } from './controls.ts';
 import { h, memo, say, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
@@ -19,7 +17,7 @@ export interface KeyStripProps extends KeyEditorProps {
   keys: readonly KeyItem[];
   time: number;
   disabled: boolean;
-  /** Why the current shape cannot become a key, or null when it can. */
+  /** Why the current shape cannot become a key, or null if it can. */
   addReason: string | null;
 }
 
@@ -32,16 +30,16 @@ export interface KeyStripEvents extends KeyEditorEvents {
 
 interface Card {
   element: HTMLElement;
-  /** `short`: its name without the common start of all names. */
+  /** `short`: its name without the common first words of all names. */
   update(item: KeyItem, index: number, props: KeyStripProps, short: string): void;
 }
 
 export interface KeyStrip {
   element: HTMLElement;
   update(props: KeyStripProps): void;
-  /** The key before which something lies that is put down here, the number of keys after the last; null elsewhere. */
+  /** Index of the key after a drop position, or the number of keys at the end; null elsewhere. */
   placeAt(point: { x: number; y: number }): number | null;
-  /** Shows before which key something that is dragged would lie; null: nowhere. */
+  /** Marks the drop position before a key; null removes the mark. */
   showPlace(place: number | null): void;
 }
 
@@ -75,7 +73,7 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
   );
   oneStop(list);
   const cards: Card[] = [];
-  // The page is notified of a drag only on drop.
+  // The page is notified only on drop.
   const drag = { from: -1 };
   const edit = (index: number, from: HTMLElement, time: number): void => {
     void editor.need().then((opened) => opened?.open(index, from) && events.onSeek(time));
@@ -101,7 +99,7 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
 
   const placeAt = ({ x, y }: { x: number; y: number }): number | null => {
     const { left, right, top, bottom } = list.getBoundingClientRect();
-    // Hidden it has no extent, and lies at the corner of the page.
+    // A hidden strip has no extent and is at the page's corner.
     if (x < left || x >= right || y < top || y >= bottom) return null;
     return cards.filter((card) => middleOf(card.element) < x).length;
   };
@@ -182,7 +180,7 @@ function createCard(
 
 const DRAGGED_KEY = 'application/x-shapespline-key';
 
-/** A key is dragged to another key's position. */
+/** Moves a key by dragging it to another key's position. */
 function listenToDrags(
   element: HTMLElement,
   dragged: { from: number },

@@ -1,4 +1,4 @@
-/** The keys on the timeline: pressed to go there, dragged to other times. */
+/** The keys on the timeline: press to go to a key, drag to change its time. */
 import { momentWords, nearestFrameTime } from '../model/frames.ts';
 import { keyLabel } from '../model/key-names.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -8,20 +8,20 @@ import { place } from './at-moment.ts';
 import { h, memo, setAttribute } from './dom.ts';
 import { drag, isPress } from './pointer.ts';
 
-/** Pixels that a press on a tick may move and still be a click. */
+/** Movement in pixels up to which a press on a tick counts as a click. */
 const CLICK_PX = 4;
-/** Keys nearer to each other than this, in pixels, are drawn small. */
+/** Keys closer than this, in pixels, are drawn small. */
 const DENSE_PX = 16;
-/** Pixels that the number of a key takes. */
+/** Width of a key's number in pixels. */
 const NUMBER_PX = 20;
 
 export interface KeyTicksProps {
   keys: readonly { time: number; name: string }[];
   range: Range;
-  /** The stretch of time that is shown. */
+  /** The visible range of time. */
   part: Range;
   fps: number | null;
-  /** In pixels. */
+  /** Width of the timeline in pixels. */
   width: number;
   disabled: boolean;
 }

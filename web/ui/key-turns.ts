@@ -1,4 +1,4 @@
-/** Full turns since the previous key: of the whole shape, or of one component. */
+/** Full turns since the previous key, for the whole shape or one component. */
 import { MOST_TURNS, PER_KEY } from '../engine/api/option-table.ts';
 import type { KeyTurns, Shaping } from '../model/shaping.ts';
 import { turnsOf } from '../model/shaping.ts';
@@ -13,18 +13,18 @@ export interface KeyTurnsProps {
   shaping: Shaping;
   /** Turns can be added: not at the first key, and not with every method. */
   canTurn: boolean;
-  /** How many components the shape has. */
+  /** Number of components of the shape. */
   components: number;
 }
 
-/** onComponent receives the selected component, null for the whole shape. */
+/** onComponent receives the selected component; null for the whole shape. */
 export function createKeyTurns(
   onTurns: (added: KeyTurns) => void,
   onComponent: (component: number | null) => void,
 ): {
   elements: HTMLElement[];
   update(props: KeyTurnsProps): void;
-  /** Back to the whole shape. */
+  /** Selects the whole shape again. */
   reset(): void;
 } {
   let props: KeyTurnsProps | null = null;

@@ -1,8 +1,8 @@
-/** Code that is loaded when it is first needed. */
+/** Code loaded on first use. */
 import { h } from './dom.ts';
 
 export interface Lazy<T> {
-  /** Null until it is loaded. */
+  /** The loaded code; null until loaded. */
   readonly now: T | null;
   /** Tries again after a failure. */
   get(): Promise<T>;
@@ -35,13 +35,13 @@ interface Component<Props> {
 
 export interface LazyComponent<Props, T> {
   element: HTMLElement;
-  /** Kept for the component while it is not there. */
+  /** Stores the props until the component is loaded. */
   update(props: Props): void;
-  /** The component, as last updated; null if it cannot be loaded, which is reported. */
+  /** Loads the component with the last props; null if loading fails, which is reported. */
   need(): Promise<T | null>;
 }
 
-/** A component in the place that it then has. `element`: that place; a component may fill it itself. */
+/** A lazily loaded component. `element`: its container; a component may fill the container itself. */
 export function lazyComponent<Props, T extends Component<Props>>(
   load: () => Promise<T>,
   onError: (error: unknown) => void,

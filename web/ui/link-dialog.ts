@@ -1,11 +1,11 @@
-/** The link to the present state, as a QR code for an audience. */
+/** The link to the current state, as a QR code for an audience. */
 import { button, dialog } from './controls.ts';
 import { h, setAttribute, setHidden, setText, svg } from './dom.ts';
 import { QUIET, qrPath } from './qr.ts';
 
 export interface LinkDialog {
   element: HTMLDialogElement;
-  /** null: the open shape has no link. */
+  /** Opens the dialog; null: the open shape has no link. */
   open(link: string | null): Promise<void>;
 }
 

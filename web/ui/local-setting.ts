@@ -1,6 +1,6 @@
-/** A word that the browser keeps on this machine. Storage can be forbidden there; then nothing is kept. */
+/** A text setting stored by the browser on this machine. If storage is forbidden, nothing is stored. */
 
-/** For all visits, or for this tab until it is closed. */
+/** A setting is stored for all visits, or for this tab until it is closed. */
 const STORAGE = { browser: () => localStorage, tab: () => sessionStorage };
 type Keeper = keyof typeof STORAGE;
 
@@ -12,13 +12,13 @@ export function readSetting(key: string, keeper: Keeper = 'browser'): string | n
   }
 }
 
-/** Written before the call returns, also while the page is left; null removes it. */
+/** Written before the call returns, also while the page closes; null removes it. */
 export function writeSetting(key: string, value: string | null, keeper: Keeper = 'browser'): void {
   try {
     const storage = STORAGE[keeper]();
     if (value === null) storage.removeItem(key);
     else storage.setItem(key, value);
   } catch {
-    // Nothing to keep it with.
+    // Storage is not available.
   }
 }

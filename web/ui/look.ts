@@ -1,4 +1,4 @@
-/** Display options: colours, surroundings, and further shapes. */
+/** Display options: colours, surroundings, and additional shapes. */
 import type { Colouring, View } from '../model/state.ts';
 import { LEAST_FILM_SHAPES, LEAST_ONION_SPACING, MOST_FILM_SHAPES } from '../model/state.ts';
 import { MOST_ONION_SKINS, ONION_COLOURS } from '../model/state.ts';
@@ -8,12 +8,12 @@ import type { Component } from './dom.ts';
 import { h, setField, setHidden } from './dom.ts';
 
 export interface LookEvents {
-  /** Two motions on either side of a divider, or not. */
+  /** Turns the divider between two motions on or off. */
   onSplit(on: boolean): void;
   onView(change: Partial<View>): void;
-  /** The shape alone, in large type. */
+  /** Starts the presentation. */
   onPresent(): void;
-  /** The link as a QR code. */
+  /** Shows the link as a QR code. */
   onQr(): void;
 }
 
@@ -37,7 +37,7 @@ const SHADINGS: readonly Choice<View['shading']>[] = [
 
 export function createLook(events: LookEvents): Component<View> {
   const colouring = segments('Colour', 'colouring', COLOURINGS, (value) => events.onView({ colouring: value }));
-  // Two rows of three.
+  // The choices form two rows of three.
   colouring.element.classList.add('colourings');
   const shading = segments('Shading', 'shading', SHADINGS, (value) => events.onView({ shading: value }));
   const wireframe = checkbox('Wireframe', 'wireframe', (on) => events.onView({ wireframe: on }), 'W');

@@ -1,4 +1,4 @@
-/** In and out: two handles over the timeline between which the motion plays, dragged or moved with the arrow keys. */
+/** Two handles over the timeline for the playing range, dragged or moved with the arrow keys. */
 import { place } from './at-moment.ts';
 import type { Fields } from './dom.ts';
 import { h, setAttribute } from './dom.ts';
@@ -17,7 +17,7 @@ export interface LoopHandlesProps {
 }
 
 export interface LoopHandlesEvents {
-  /** null = the range of the keys again. */
+  /** null restores the range of the keys. */
   onBetween(between: Range | null): void;
   /** The time to snap to near t. */
   snapped(t: number, free: boolean): number;
@@ -31,7 +31,7 @@ export type LoopHandles = Fields<LoopHandlesProps>;
 export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents): LoopHandles {
   let props: LoopHandlesProps | null = null;
   const gap = (): number => (props!.fps === null ? 0.001 * length(props!.range) : 1 / props!.fps);
-  // Several events can arrive before the next drawing: each continues from the value last requested.
+  // Several events can arrive before the next drawing. Each continues from the last requested value.
   const move = (end: End, t: number): void => {
     const between = withEnd(props!.between, props!.range, end, t, gap());
     props = { ...props!, between };
@@ -91,7 +91,7 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
         const t = places[index === 0 ? 'start' : 'end'];
         place(handle, disabled ? null : t, window);
         setAttribute(handle, 'data-set', between !== null);
-        // Unset they are a mouse's convenience: the fields of the menu do the same.
+        // Before they are set, they are only a convenience for the mouse. The menu has equivalent fields.
         setAttribute(handle, 'role', between ? 'slider' : 'presentation');
         setAttribute(handle, 'tabindex', between ? 0 : null);
         setAttribute(handle, 'aria-hidden', between ? null : 'true');

@@ -5,11 +5,11 @@ import { icon } from './icons.ts';
 
 export interface Working {
   stage: string;
-  /** In [0, 1]. */
+  /** Completed share in [0, 1]. */
   fraction: number;
 }
 
-/** The engine's stages in words for users. */
+/** Texts of the engine's stages for users. */
 const STAGE_WORDS: Readonly<Record<string, string>> = {
   reading: 'Reading',
   welding: 'Joining seams',
@@ -19,10 +19,7 @@ const STAGE_WORDS: Readonly<Record<string, string>> = {
   factorising: 'Preparing the motion',
 };
 
-/**
- * The stage, a bar, and a cancel button; the open shape, or the first key of the one being opened, stays visible behind
- * it.
- */
+/** The stage, a bar, and a cancel button. The open shape, or the first key of the next one, stays visible behind it. */
 export function createProgress(onCancel: () => void): {
   element: HTMLElement;
   update(working: Working | null): void;
@@ -65,11 +62,11 @@ export function createFitHint(onFit: () => void): { element: HTMLElement; update
 }
 
 export interface ErrorMessage {
-  /** One sentence: what, where, what to do. */
+  /** One sentence: the problem, its location, and the remedy. */
   message: string;
-  /** For experts. */
+  /** Details for experts. */
   details: string;
-  /** Loading the page again may help. */
+  /** Reloading the page may help. */
   retry?: boolean;
 }
 
@@ -109,16 +106,16 @@ export function createErrorMessage(
 
 export interface Offer {
   message: string;
-  /** Label of the action; absent for a mere message. */
+  /** Label of the action; absent for a plain message. */
   action?: string;
   onAccept?(): void;
   /** Alternative actions. */
   others?: readonly { action: string; onAccept(): void }[];
-  /** It was put off. */
+  /** The user dismissed it. */
   onDecline?(): void;
 }
 
-/** Something that waits for the user's word, and goes when it is taken up or put off. */
+/** An offer that waits for the user and disappears when accepted or dismissed. */
 export function createOffer(testId: string): { element: HTMLElement; offer(offer: Offer | null): void } {
   let current: Offer | null = null;
   const show = (now: Offer | null): void => {
@@ -182,13 +179,13 @@ const WELCOME_SPLIT = ['Blended, a shape collapses between its poses. Here it ke
 
 export interface WelcomeProps {
   wanted: boolean;
-  /** Another message is in the same place. */
+  /** The welcome is hidden because another message needs its position. */
   givesWay: boolean;
-  /** A motion is compared behind a divider. */
+  /** A divider compares two motions. */
   split: boolean;
 }
 
-/** Describes the page in one sentence until the visitor acts. */
+/** Describes the page in one sentence until the user acts. */
 export function createWelcome(onPick: () => void): {
   element: HTMLElement;
   update(props: WelcomeProps): void;
@@ -214,10 +211,12 @@ export function createWelcome(onPick: () => void): {
   };
 }
 
-/** Milliseconds that a message stays, longer with a button, and that one is there before the next takes its place. */
+/**
+ * Milliseconds that a message stays, without and with a button, and the minimum before the next message replaces it.
+ */
 const [SHOWN_MS, OFFERED_MS, READING_MS] = [4000, 8000, 2000];
 
-/** What can be done about the news. */
+/** A follow-up action for the message. */
 export interface ToastAction {
   label: string;
   testId: string;
@@ -227,12 +226,12 @@ export interface ToastAction {
 export interface Toast {
   element: HTMLElement;
   say(text: string, action?: ToastAction): void;
-  /** What was offered can no longer be done. */
+  /** Removes an action that no longer applies. */
   withdraw(): void;
   clear(): void;
 }
 
-/** Short news that goes away by itself, read out by screen readers. */
+/** Short message that disappears by itself, read out by screen readers. */
 export function createToast(): Toast {
   const words = h('span', { role: 'status', 'aria-live': 'polite', 'data-testid': 'toast' });
   const element = h('div', { class: 'toast', popover: 'manual' }, words);
@@ -241,7 +240,7 @@ export function createToast(): Toast {
   let readBy = 0;
   const show = (text: string, action?: ToastAction): void => {
     setAttribute(element, 'data-shown', text !== '');
-    // The words stay while it fades.
+    // The text stays while the message fades.
     if (text !== '') words.textContent = text;
     element.replaceChildren(words, ...(action ? [actionButton(action)] : []));
   };
@@ -263,7 +262,7 @@ export function createToast(): Toast {
   const next = (): void => {
     const said = waiting.shift();
     if (!said) return show('');
-    // Above a dialog that opened meanwhile.
+    // Shows it above a dialog that opened meanwhile.
     element.hidePopover();
     element.showPopover();
     show(said.text, said.action);

@@ -29,16 +29,16 @@ const END_WORDS: Record<End, { speed: string; tangent: string; neighbour: string
   end: { speed: 'End speed', tangent: 'Arrives at the last key from', neighbour: 'the key before' },
 };
 
-/** A value that is not a pose's. */
+/** A value that no pose has. */
 const FROM_FILE = 'file';
 
 export interface MotionEndsProps {
   motion: Motion;
   encoding: Encoding;
-  /** The fastest on offer at the ends. */
+  /** The largest offered end speeds. */
   mostSpeeds: Speeds;
   keys: readonly KeyRef[];
-  /** Name of any opened pose, a key or not. */
+  /** Name of any opened pose, including poses that are not keys. */
   poseName: (pose: number) => string;
   /** The default period, for the field's placeholder. */
   period: number;
@@ -53,7 +53,7 @@ export interface MotionEndsEvents {
 }
 
 export interface MotionEnds extends Fields<MotionEndsProps> {
-  /** The end whose tangent is asked for at this place of the page, or null. */
+  /** The end whose tangent field is at this point of the page, or null. */
   endAt(at: DropPoint): End | null;
 }
 
@@ -140,7 +140,7 @@ function speedSlider(end: End, { onSpeed }: MotionEndsEvents): NumberControl {
   });
 }
 
-/** A shape for the tangent at an end: the neighbour, another key, or one of a file. */
+/** The end tangent's shape: the neighbour, another key, or one from a file. */
 function tangentSelect(
   end: End,
   { onEncoding, onTangentFile }: MotionEndsEvents,
@@ -149,7 +149,7 @@ function tangentSelect(
   const { tangent, neighbour } = END_WORDS[end];
   const field = select<string>(tangent, `${end}-tangent`, [], (value) => {
     if (value !== FROM_FILE) return onEncoding({ [TANGENT_NAME[end]]: value === '' ? null : Number(value) });
-    // The choice stays unchanged until a shape is chosen.
+    // The displayed choice stays unchanged until a shape is chosen.
     field.update(shown);
     onTangentFile(end);
   });

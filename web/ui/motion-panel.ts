@@ -1,4 +1,4 @@
-/** Interpolation of the keys: the method, motions to compare with, and the boundary. */
+/** Interpolation of the keys: method, compared motions, and boundary. */
 import { METHOD, METHODS } from '../engine/api/methods.ts';
 import type { Method } from '../engine/api/types.ts';
 import type { Motion } from '../model/state.ts';
@@ -28,7 +28,7 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
 
 export interface MotionPanelProps extends MotionEndsProps {
   compare: readonly Method[];
-  /** The next click on the shape pins it there. */
+  /** The next click on the shape pins that vertex. */
   placing: boolean;
   /** Mean tension of the keys. */
   tightness: number;
@@ -40,17 +40,17 @@ export interface MotionPanelProps extends MotionEndsProps {
 export interface MotionPanelEvents extends MotionEndsEvents {
   onCompare(methods: Method[]): void;
   onPlacing(placing: boolean): void;
-  /** Sets the same tension for every key. */
+  /** Sets the same tension for all keys. */
   onTightness(tension: number): void;
-  /** As much as keeps the slope at each key within its bound. */
+  /** Sets each key's tension to keep its slope within its bound. */
   onAutoTightness(): void;
   onSpacing(spacing: Spacing): void;
-  /** The motion is to run from its end to its beginning. */
+  /** Reverses the motion. */
   onReverse(): void;
   onReset(): void;
 }
 
-/** `animation`: the source of the keys, at the top. */
+/** `animation`: section on the source of the keys, shown at the top. */
 export function createMotionPanel(
   events: MotionPanelEvents,
   animation: HTMLElement,
@@ -81,7 +81,7 @@ export function createMotionPanel(
   return { element, update: draw, endAt: ends.endAt };
 }
 
-/** The method, and those that it is compared with. */
+/** The method, and the compared methods. */
 function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<MotionPanelProps> {
   const method = select<Method>(
     'Method',
@@ -125,7 +125,7 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
   };
 }
 
-/** Parts held in place: automatically, or by pins. */
+/** Parts held in place, automatically or by pins. */
 function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Fields<MotionPanelProps> {
   const hold = checkbox('Hold still parts', 'hold', (on) => onMotion({ hold: on ? 'on' : 'off' }));
   const holding = h('div', { class: 'group' }, hold.element, h('p', { class: 'hint' }, HOLD_HINT));
@@ -145,7 +145,7 @@ function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Fields<Motio
   };
 }
 
-/** How the keys are passed, how far they lie apart, and in which direction they follow each other. */
+/** Tension, spacing and order of the keys. */
 function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
   const tightness = slider({
     label: 'Tightness',

@@ -1,10 +1,10 @@
-/** Check boxes of the objects, if the files have several. */
+/** Check boxes for the objects, if the files have several. */
 import { checkbox } from './controls.ts';
 import { h, memo, setHidden } from './dom.ts';
 
 export interface ObjectList {
   element: HTMLElement;
-  /** `taken`: empty for all of them. The list is hidden for fewer than two objects. */
+  /** `taken`: empty for all objects. The list is hidden for fewer than two objects. */
   update(props: { names: readonly string[]; taken: readonly string[] }): void;
 }
 
@@ -27,7 +27,7 @@ export function createObjectList(onTake: (names: string[]) => void): ObjectList 
         const box = checkbox(name, `object-${index}`, (on) =>
           onTake(names.filter((other) => (other === name ? on : isTaken(other)))),
         );
-        // One has to stay.
+        // One object has to stay.
         box.update(isTaken(name), isTaken(name) && count === 1);
         return box.element;
       }),

@@ -1,4 +1,4 @@
-/** One stop of the Tab key for a row of buttons; arrow keys, Home and End go along it (WAI-ARIA: roving tabindex). */
+/** A row of buttons with one tab stop; arrow keys, Home and End move along the row (WAI-ARIA: roving tabindex). */
 
 const MOVES: Readonly<Record<string, (at: number, last: number) => number>> = {
   ArrowLeft: (at, last) => (at > 0 ? at - 1 : last),
@@ -14,7 +14,7 @@ if (typeof document !== 'undefined') {
   document.addEventListener('pointerdown', () => (byKeyboard = false), { capture: true });
 }
 
-/** `chosen`: which of its buttons take part, as a selector. */
+/** `chosen`: selector of the participating buttons. */
 export function oneStop(row: HTMLElement, chosen = 'button'): void {
   let stop: HTMLElement | null = null;
   const buttons = (): HTMLButtonElement[] =>
@@ -31,14 +31,14 @@ export function oneStop(row: HTMLElement, chosen = 'button'): void {
     const { target, key, ctrlKey, metaKey, altKey, shiftKey } = event;
     const all = buttons();
     const at = all.indexOf(target as HTMLButtonElement);
-    // If the mouse moved the focus, arrow keys step through time as everywhere.
+    // If the mouse moved the focus, arrow keys step through time as elsewhere.
     if (at < 0 || ctrlKey || metaKey || altKey || shiftKey || !byKeyboard) return;
     const next = MOVES[key]?.(at, all.length - 1);
     if (next === undefined) return;
     event.preventDefault();
     all[next]!.focus();
   });
-  // Buttons come, go, and are switched off; on a small page some are not seen. The first time is when the row is shown.
+  // Buttons can appear, disappear, or be disabled, and small pages hide some. First called when the row is shown.
   const follow = (): void => set(stop);
   new MutationObserver(follow).observe(row, {
     childList: true,

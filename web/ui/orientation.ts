@@ -1,4 +1,4 @@
-/** Orientation of files that do not state it: up axis and unit. */
+/** Orientation of files that do not specify it: up axis and unit. */
 import type { Orientation } from '../model/orientation.ts';
 import { segments, select } from './controls.ts';
 import { h, setHidden } from './dom.ts';
@@ -13,7 +13,7 @@ const UNITS: readonly [number, string][] = [
 
 export interface OrientationControl {
   element: HTMLElement;
-  /** null hides it. */
+  /** Shows the orientation; null hides it. */
   update(orientation: Orientation | null): void;
 }
 

@@ -1,4 +1,4 @@
-/** Under a timeline that is zoomed into: where its window lies in the whole; dragged, it moves the window. */
+/** Overview below a zoomed timeline: shows the window's position in the whole; dragging moves the window. */
 import { h, setHidden, setStyle } from './dom.ts';
 import type { Range, TimeScale } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';

@@ -1,4 +1,4 @@
-/** The phase of the current time in words, over the shape. */
+/** Text of the current time's phase, over the shape. */
 import type { Phase } from '../model/time-scale.ts';
 import { button } from './controls.ts';
 import type { Component } from './dom.ts';
@@ -8,23 +8,20 @@ import { h, setAttribute, setHidden, setText } from './dom.ts';
 interface LostFaces {
   /** Share of all faces, in [0, 1]. */
   share: number;
-  /** Whether one of them can be shown. */
+  /** Whether one of these faces can be shown. */
   hasPlace: boolean;
 }
 
 export interface PhaseLabelProps {
-  /** null: none is shown. */
+  /** The phase; null shows none. */
   phase: Phase | null;
   lost: LostFaces;
 }
 
-/** Fewer than this share of the faces cannot be seen. */
+/** Smaller shares of faces are invisible. */
 const SEEN_SHARE = 0.001;
 
-/**
- * The current phase, large enough to read from afar; the meaning of its colour; and a button if faces turned inside
- * out.
- */
+/** The current phase in large type, the meaning of its colour, and a button if faces have turned inside out. */
 export function createPhaseLabel(onShowLost: () => void): Component<PhaseLabelProps> {
   const text = h('span', { 'data-testid': 'phase' });
   const lostText = h('span', {});

@@ -2,16 +2,16 @@
 import { h, setAttribute, setHidden, setStyle, svg } from './dom.ts';
 import { drag, focusPressed, isPress } from './pointer.ts';
 
-/** From the top left corner of the viewport, in CSS pixels. */
+/** A position in CSS pixels from the top left corner of the viewport. */
 export interface Place {
   x: number;
   y: number;
 }
 
 export interface PinHandleEvents {
-  /** Later moves of the pin are relative to its present position. */
+  /** Later moves of the pin are relative to its current position. */
   onStart(index: number): void;
-  /** To a position in the viewport. */
+  /** Moves the pin to a position in the viewport. */
   onMove(index: number, to: Place): void;
   onRemove(index: number): void;
 }
@@ -27,9 +27,9 @@ const ARROWS: Readonly<Record<string, readonly [x: number, y: number]>> = {
 
 export interface PinHandles {
   element: HTMLElement;
-  /** null: the position is outside the viewport. `paths`: x and y along each pin's path. */
+  /** Updates the pins' positions; null for positions outside the viewport. `paths`: x and y along each pin's path. */
   update(places: readonly (Place | null)[], paths: readonly Float32Array[]): void;
-  /** Marks where a pin would be placed; null: nowhere. */
+  /** Marks the vertex that would be pinned; null removes the mark. */
   mark(place: Place | null): void;
 }
 

@@ -1,4 +1,4 @@
-/** Pins: a button that turns the next click on the shape into a pin, and a row for each pin. */
+/** Pins: a button to pin the next clicked vertex, and a row per pin. */
 import type { Pin } from '../engine/api/types.ts';
 import type { KeyRef } from '../model/state.ts';
 import type { Pins } from '../model/pins.ts';
@@ -13,7 +13,7 @@ const OWN = 'own';
 export interface PinListProps {
   pins: Pins;
   keys: readonly KeyRef[];
-  /** The next click on the shape places one. */
+  /** The next click on the shape places a pin. */
   placing: boolean;
   /** The motion is a loop. */
   periodic: boolean;
@@ -72,7 +72,7 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
         list.append(row.element);
       }
       rows.forEach((row, index) => row.update(pins[index]!, props));
-      // The next step is below the button, which may be the last visible element.
+      // The hint is below the button, which may be the last visible element.
       if (placing && !wasPlacing) hint.scrollIntoView({ block: 'nearest' });
       if (wasPlacing && pins.length > before) rows.at(-1)!.element.scrollIntoView({ block: 'nearest' });
     },
@@ -154,7 +154,7 @@ function createRow(
   };
 }
 
-/** More times than these are counted. */
+/** More times than this are shown as a count. */
 const MOST_TIMES = 4;
 
 function timesText(times: readonly number[]): string {
@@ -168,7 +168,7 @@ interface DropDown {
   fill(choices: readonly { value: string; label: string }[]): void;
 }
 
-/** A select without a label above it. */
+/** A select without a visible label. */
 function dropDown(label: string, testId: string, onChange: (value: string) => void): DropDown {
   const field = h('select', {
     'data-testid': testId,

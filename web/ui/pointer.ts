@@ -1,16 +1,16 @@
-/** Pointers that are followed from their press to their release. */
+/** Follows pointers from press to release. */
 
 export interface Dragging {
   onMove(event: PointerEvent): void;
   onEnd?(): void;
 }
 
-/** Whether a finger, a pen or the mouse's first button went down, and no other finger before. */
+/** Whether a finger, a pen or the mouse's first button went down, with no other finger down before. */
 export function isPress(event: PointerEvent): boolean {
   return event.button === 0 && event.isPrimary;
 }
 
-/** Follows one pointer. A second finger that comes down ends it: that is another gesture. */
+/** Follows one pointer. A second finger ends the drag, because it starts another gesture. */
 export function drag(element: HTMLElement, start: PointerEvent, { onMove, onEnd }: Dragging): void {
   element.setPointerCapture(start.pointerId);
   const move = (event: PointerEvent): void => {
@@ -30,16 +30,16 @@ export function drag(element: HTMLElement, start: PointerEvent, { onMove, onEnd 
 const ENDS = ['pointerup', 'pointercancel', 'pointerdown'] as const;
 
 export interface Gestures {
-  /** Larger than 1 = nearer; `x` is where, in page pixels. */
+  /** Values above 1 zoom in; `x` is the centre, in page pixels. */
   onZoom(factor: number, x: number): void;
-  /** Pixels that the content is pushed to the right. */
+  /** Pixels by which to move the content to the right. */
   onPan(pixels: number): void;
 }
 
 const WHEEL_ZOOM = 0.002;
 const LINE_PX = 16;
 
-/** Wheel and pinch zoom; the wheel with Shift or sideways, two fingers, and the middle button pan. */
+/** Zooms with wheel and pinch. Pans with Shift and wheel, sideways wheel, two fingers, and the middle button. */
 export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestures): void {
   element.addEventListener(
     'wheel',
@@ -52,7 +52,7 @@ export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestur
           ? event.deltaX
           : 0;
       if (sideways !== 0) onPan(-sideways * unit);
-      // A pinch on a trackpad comes as a wheel with Ctrl and small steps.
+      // Browsers report a trackpad pinch as a wheel event with Ctrl and small steps.
       else onZoom(Math.exp(-event.deltaY * unit * WHEEL_ZOOM * (event.ctrlKey ? 5 : 1)), event.clientX);
     },
     { passive: false },
@@ -91,7 +91,9 @@ export function listenToGestures(element: HTMLElement, { onZoom, onPan }: Gestur
     element.addEventListener(end, (event) => fingers.delete(event.pointerId));
 }
 
-/** Focus that follows a press: browsers take it for the keyboard's, so the ring waits for the first key. */
+/**
+ * Focuses an element after a press. Browsers treat this as keyboard focus, so the focus ring waits for the first key.
+ */
 export function focusPressed(element: HTMLElement): void {
   if (element.classList.contains('pressed')) return;
   element.classList.add('pressed');
@@ -106,8 +108,8 @@ export function focusPressed(element: HTMLElement): void {
 }
 
 /**
- * Withholds a finger's first moves from inner listeners until it has moved further sideways than up or down: vertical
- * moves scroll the page, and the browser takes the pointer away once it recognises that.
+ * Withholds a finger's first moves from inner listeners until it has moved further sideways than vertically. Vertical
+ * moves scroll the page, and the browser takes over the pointer when it recognises them.
  */
 export function leaveScrolling(element: HTMLElement): void {
   let start: PointerEvent | null = null;

@@ -1,7 +1,7 @@
-/** A panel that a button opens over the page; Escape, another press of the button, or one elsewhere closes it. */
+/** A panel that a button opens over the page. Escape, another press of the button, or a press elsewhere closes it. */
 import { setAttribute } from './dom.ts';
 
-/** `home` contains both. Returns functions that open and close the panel. */
+/** `home` contains both the button and the panel. Returns functions that open and close the panel. */
 export function popover(
   home: HTMLElement,
   toggle: HTMLButtonElement,

@@ -1,12 +1,12 @@
 /** A QR code: its modules as one SVG path, with the quiet zone that scanners need. */
 
 export interface Modules {
-  /** Of either side. */
+  /** Length of a side in modules. */
   readonly size: number;
   get(x: number, y: number): boolean;
 }
 
-/** Modules that stay light on every side (ISO/IEC 18004). */
+/** Light modules on every side (ISO/IEC 18004). */
 export const QUIET = 4;
 
 export function qrPath({ size, get }: Modules): string {

@@ -1,6 +1,6 @@
 /**
- * The timeline of an animation with a mark for each key: marks are dragged or moved by arrow keys, a click adds one,
- * Delete removes it.
+ * The timeline of an animation with a mark for each key. Drag marks or move them with arrow keys, click to add one,
+ * press Delete to remove one.
  */
 import { MOST_SAMPLED } from '../engine/api/option-table.ts';
 import type { Span } from '../model/sample-times.ts';

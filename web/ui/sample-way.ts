@@ -1,4 +1,4 @@
-/** Choice of an animation's keys: a number at even times, or as few as needed to stay within an error. */
+/** Choice of an animation's keys: a number of evenly spaced times, or the fewest within an error. */
 import { MOST_SAMPLED } from '../engine/api/option-table.ts';
 import { fieldRow, numberField } from './controls.ts';
 import { h, say, setField, uniqueId } from './dom.ts';
@@ -8,13 +8,13 @@ const TOLERANCE = { least: 0.1, most: 20, default: 2 };
 
 export interface SampleWayEvents {
   onCount(count: number): void;
-  /** Resolves when the keys are taken or not. */
+  /** Resolves when the keys are in use, or the search has failed or been cancelled. */
   onFewest(percent: number): Promise<void>;
 }
 
 export interface SampleWay {
   elements: HTMLElement[];
-  /** `taken`: the keys are of the animation. `fewest`: they were found for an error. */
+  /** `taken`: the keys are from the animation. `fewest`: they were found for an error. */
   update(taken: boolean, fewest: boolean): void;
   /** Shows the number of keys, even while a number is being typed. */
   setCount(count: number, taken: boolean): void;
@@ -23,7 +23,7 @@ export interface SampleWay {
 export function createSampleWay({ onCount, onFewest }: SampleWayEvents): SampleWay {
   let chosen = 0;
   let [isTaken, isFewest] = [false, false];
-  /** The fewest keys are being looked for. */
+  /** Number of running searches for the fewest keys. */
   let searching = 0;
   const most = h('p', { class: 'reason', role: 'status', 'data-testid': 'sample-most', hidden: true });
   const count = numberField({

@@ -1,5 +1,5 @@
 /**
- * Keys from an animation: which animation, how many keys or which error, and at which times. Choices take effect
+ * Keys from an animation: which animation, their number or an error bound, and their times. Choices take effect
  * immediately.
  */
 import { SAMPLED_KEYS } from '../engine/api/option-table.ts';
@@ -12,24 +12,25 @@ import { h, memo, say, setField, setHidden, setText } from './dom.ts';
 import { createSampleTrack } from './sample-track.ts';
 import { createSampleWay } from './sample-way.ts';
 
-/** A mark that is moved by an arrow key is moved again soon. */
+/** A mark moved by an arrow key is likely to move again soon. */
 const TAKE_DELAY_MS = 300;
 
 const NO_ANIMATION: AnimationInfo = { name: '', start: 0, end: 1, keys: 0, moves: false };
 
 export interface SamplingProps {
-  /** null: no animation. */
+  /** Information on the keys; null without an animation. */
   info: KeysInfo | null;
   /** Result for this error. */
   fewest: { keys: number; percent: number } | null;
-  /** The animation is shown next to the motion. */
+  /** The animation is shown beside the motion. */
   original: boolean;
 }
 
 export interface SamplingEvents {
   onTake(animation: number, times: number[]): void;
   /**
-   * Takes as few keys as needed to stay within this percentage of the diagonal; resolves when they are taken or not.
+   * Chooses the fewest keys within this percentage of the diagonal; resolves when they are in use or the search has
+   * ended without them.
    */
   onFewest(animation: number, percent: number): Promise<void>;
   onOriginal(shown: boolean): void;
@@ -41,7 +42,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   let animations: readonly AnimationInfo[] = [];
   let chosen = 0;
   let times: number[] = [];
-  /** The keys are taken from the animation, rather than compared with it. */
+  /** The keys are from the animation, rather than compared with it. */
   let taken = false;
   const soon = later(() => onTake(chosen, times), TAKE_DELAY_MS);
   const span = (): AnimationInfo => animations[chosen] ?? NO_ANIMATION;
@@ -95,7 +96,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     animations = info?.animations ?? [];
     const firstMoving = animations.findIndex(({ moves }) => moves);
     setHidden(element, firstMoving < 0);
-    // A choice made in the meantime is taken next.
+    // A choice made meanwhile is applied next.
     if (!info || firstMoving < 0 || soon.waits()) return;
     chosen = info.animation < 0 ? firstMoving : info.animation;
     animation.update(String(chosen), animations.map(choiceOf));
@@ -103,7 +104,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     const before = taken;
     taken = areSampled(info);
     const next = taken ? info.times : evenTimes(span(), SAMPLED_KEYS);
-    // The taken times are already shown, with the state of the next choice.
+    // The times in use are already shown, with the state of the next choice.
     if (taken !== before || !sameTimes(next, times)) choose(next);
     else track.update(span(), times);
   });
@@ -118,7 +119,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   };
 }
 
-/** Does something a while after it was last asked for. */
+/** Runs after a delay since the last start. */
 function later(run: () => void, ms: number): { start(): void; stop(): void; waits(): boolean } {
   let timer = 0;
   const stop = (): void => {
@@ -138,7 +139,7 @@ function later(run: () => void, ms: number): { start(): void; stop(): void; wait
   };
 }
 
-/** The times as a text that can be typed. */
+/** The times as editable text. */
 function createTimesList(span: () => Span, onTake: (times: number[]) => void): Fields<readonly number[]> {
   const list = h('input', {
     type: 'text',
@@ -166,7 +167,7 @@ function createTimesList(span: () => Span, onTake: (times: number[]) => void): F
   };
 }
 
-/** One that is a single pose is listed, but no keys can be sampled from it. */
+/** A single pose is listed, but keys cannot be sampled from it. */
 function choiceOf({ name, start, end, keys, moves }: AnimationInfo, index: number) {
   const count = keys === 1 ? '1 key' : `${keys.toLocaleString('en')} keys`;
   const what = moves ? `${(end - start).toFixed(2)} s, ${count}` : `one pose, ${count}`;
@@ -177,7 +178,7 @@ function foundText({ keys, percent }: { keys: number; percent: number }): string
   return `${keys} keys: the motion is at most ${Number(percent.toPrecision(2))} % of the model’s size off.`;
 }
 
-/** Keys far apart are not the animation. */
+/** Warns that widely spaced keys do not reproduce the animation. */
 function coarseText({ keys }: AnimationInfo, taken: number): string {
   return taken < keys ? `The animation itself has ${keys.toLocaleString('en')} keys.` : '';
 }

@@ -1,4 +1,4 @@
-/** Encoding of the shape: stretches, reference, patches, and the import's report. */
+/** Encoding of the shape: stretches, reference, patches, and the import report. */
 import type { KeysInfo, SequenceStats, Stretch } from '../engine/api/types.ts';
 import type { Orientation } from '../model/orientation.ts';
 import type { Encoding, KeyRef } from '../model/state.ts';
@@ -17,14 +17,14 @@ export interface ShapePanelProps {
   reference: number;
   info: KeysInfo | null;
   stats: SequenceStats | null;
-  /** That work on a frame. */
+  /** Number of threads for a frame. */
   threads: number | null;
   lriMethod: boolean;
   /** The user's own files are open, so keys and objects can be chosen again. */
   canSample: boolean;
-  /** Orientation of files that do not state it; null without any. */
+  /** Orientation of files that do not specify it; otherwise null. */
   orientation: Orientation | null;
-  /** The chosen objects of the files; empty for all of them. */
+  /** The chosen objects of the files; empty for all. */
   objects: readonly string[];
   /** Values restored by the reset button. */
   defaults: Encoding;

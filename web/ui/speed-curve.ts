@@ -1,4 +1,4 @@
-/** The motion's speed as a thin curve in the timeline's track; tinted where the motion overshoots a key. */
+/** The motion's speed as a thin curve in the timeline's track, tinted where the motion overshoots a key. */
 import type { SpeedCurve } from '../model/speed-curve.ts';
 import { speedPaths } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -6,9 +6,9 @@ import { memo, setAttribute, setHidden, svg } from './dom.ts';
 
 export interface SpeedCurveProps {
   speedCurve: SpeedCurve | null;
-  /** The range that the keys define. */
+  /** The range of the keys. */
   range: Range;
-  /** The stretch of time that is shown. */
+  /** The visible range of time. */
   part: Range;
 }
 

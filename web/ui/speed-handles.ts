@@ -1,6 +1,6 @@
 /**
- * The Hermite speeds as handles at the ends of the curve, under the first and the last key of the timeline: the longer
- * the handle, the faster the motion leaves the first key or arrives at the last. Dragged, or moved with the arrow keys.
+ * The Hermite speeds as handles below the first and last key of the timeline. A longer handle means a faster start or
+ * end of the motion. Drag handles or move them with the arrow keys.
  */
 import { place } from './at-moment.ts';
 import type { Component } from './dom.ts';
@@ -15,16 +15,16 @@ import { drag, focusPressed, isPress } from './pointer.ts';
 
 /** Length of a handle at speed 1 in pixels, if there is room. */
 const UNIT_PX = 40;
-/** Width in pixels of the number next to a handle, and of words if the style sheet shows them. */
+/** Width in pixels of the number beside a handle, and of the text if the style sheet shows it. */
 const NUMBER_PX = 56;
 const WORDS_PX = 112;
 const ROOM_FOR_WORDS_PX = 480;
-/** For a tangent given by a shape. */
+/** Text for a tangent given by a shape. */
 const SHAPED: Record<End, string> = {
   start: 'the first key to the shape of its tangent',
   end: 'the shape of its tangent to the last key',
 };
-/** Steps that Shift makes of one. */
+/** Number of steps with Shift. */
 const LARGE = 10;
 
 export const SPEED_WORDS: Record<End, { label: string; verb: string; neighbour: string }> = {
@@ -33,11 +33,11 @@ export const SPEED_WORDS: Record<End, { label: string; verb: string; neighbour: 
 };
 
 export interface SpeedHandlesProps {
-  /** null = the boundary has no speeds. */
+  /** End speeds; null if the boundary has none. */
   speeds: Speeds | null;
-  /** The fastest on offer. */
+  /** The largest offered speeds. */
   most: Speeds;
-  /** Targets of the end tangents; null = as speeds. */
+  /** Targets of the end tangents; null if the boundary has no speeds. */
   towards: Readonly<Record<End, Towards>> | null;
   /** Times of the first and the last key. */
   range: Range;
@@ -81,7 +81,7 @@ interface SpeedHandleProps extends SpeedHandlesProps {
   width: number;
 }
 
-/** Pixels of a handle at speed 1. Both at their longest share the room between the keys, and are as long. */
+/** Pixels per unit of speed. At their longest, both handles share the room between the keys equally. */
 function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): number {
   const room = ((length(range) / length(window)) * width) / (2 * MAX_SPEED + 1);
   return (Math.min(UNIT_PX, room) * MAX_SPEED) / most[end];
@@ -89,7 +89,7 @@ function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): num
 
 function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Component<SpeedHandleProps> {
   let props: SpeedHandleProps | null = null;
-  // Several events can arrive before the next drawing: each continues from the value last requested.
+  // Several events can arrive before the next drawing. Each continues from the last requested value.
   const set = (speed: number): void => {
     if (props) props = { ...props, speeds: { ...props.speeds, [end]: speed } };
     onSpeed(speed);
@@ -150,8 +150,7 @@ function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Componen
 }
 
 /**
- * Left and right move the handle as it lies, up and down make it faster and slower; null where the key means nothing
- * here.
+ * Left and right move the handle in its direction, up and down increase and decrease the speed; null for other keys.
  */
 export function typedSpeed(event: KeyboardEvent, speed: number, end: End, most: number): number | null {
   const step = event.shiftKey ? LARGE : 1;

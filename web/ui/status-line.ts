@@ -1,4 +1,4 @@
-/** A status line: the open shape, its speed, and the number of warnings, which opens the list. */
+/** A status line: the open shape, its frame time, and the number of warnings, which opens the list. */
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';

@@ -1,4 +1,4 @@
-/** The button that steps through the system's, light and dark colours. */
+/** The button that cycles through system, light and dark colours. */
 import { button, tooltip } from './controls.ts';
 import { setAttribute } from './dom.ts';
 import type { IconName } from './icons.ts';

@@ -1,4 +1,4 @@
-/** Light or dark: the system's choice unless the user made one, remembered on this machine only. */
+/** Light or dark: the system's choice unless the user has made one, stored only on this machine. */
 import { readSetting, writeSetting } from './local-setting.ts';
 
 export type Theme = 'system' | 'light' | 'dark';

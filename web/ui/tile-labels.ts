@@ -4,7 +4,7 @@ import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 
 export interface TileLabel {
   title: string;
-  /** Measures in percent of the first key's; empty = not known. */
+  /** Measures in percent of the first key's; empty if unknown. */
   detail: string;
   /** The volume alone, in whole percent. */
   volume: string;
@@ -15,14 +15,14 @@ export interface TileLabel {
 
 export interface TileLabelsProps {
   labels: readonly TileLabel[];
-  /** Two motions are on either side of a divider. */
+  /** A divider separates two motions. */
   split: boolean;
 }
 
-/** Closer to an edge than this, the divider leaves no room for words. */
+/** Closer to an edge than this, the divider leaves no room for text. */
 const NARROW_PX = 120;
 
-/** Name and measures of the method over each of several views; next to a divider, the volume in large figures. */
+/** The method's name and measures over each of several views; beside a divider, the volume in large digits. */
 export function createTileLabels(): Component<TileLabelsProps> {
   const element = h('div', { class: 'tile-labels' });
   return {

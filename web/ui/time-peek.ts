@@ -1,6 +1,4 @@
-/**
- * A small image of the shape at the time under the mouse, over the timeline. Not for touch, and never during a drag.
- */
+/** A small image over the timeline: the shape at the time under the mouse. Not for touch, and never during a drag. */
 import type { SpeedCurve } from '../model/speed-curve.ts';
 import { speedAt } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -12,18 +10,18 @@ export interface TimePeekProps {
   speedCurve: SpeedCurve | null;
   range: Range;
   fps: number | null;
-  /** URL of the last image; null: none of the open shape. */
+  /** URL of the last image; null if there is none of the open shape. */
   picture: string | null;
 }
 
 export interface TimePeekParts {
-  /** Over which the mouse moves. */
+  /** The element under the mouse. */
   over: HTMLElement;
-  /** The image stays within this element; positions are relative to its left edge. */
+  /** The image stays within this element. Positions are relative to its left edge. */
   frame: HTMLElement;
-  /** The time at a position on the page; null if there is none. */
+  /** The time at a position on the page; null if outside. */
   timeAt(event: PointerEvent): number | null;
-  /** Requests an image at this time; null: none. */
+  /** Requests an image at this time; null cancels it. */
   onPeek(t: number | null): void;
 }
 

@@ -4,9 +4,9 @@ import { fractionIn, rulerMarks } from '../model/time-window.ts';
 import { place } from './at-moment.ts';
 import { h, memo, setAttribute } from './dom.ts';
 
-/** Pixels that a number takes. */
+/** Width of a number in pixels. */
 const NUMBER_PX = 72;
-/** From the middle of the knob to that of a number that it would lie on. */
+/** A number closer than this to the knob's centre, in pixels, is hidden. */
 const COVERED_PX = 26;
 
 export interface TimeRulerProps {
@@ -16,7 +16,7 @@ export interface TimeRulerProps {
   width: number;
 }
 
-/** `knob`: where the playhead lies; null: nowhere. */
+/** `knob`: position of the playhead; null if not visible. */
 export function createTimeRuler(): { element: HTMLElement; update(props: TimeRulerProps, knob: number | null): void } {
   const element = h('div', { class: 'ruler', 'aria-hidden': 'true' });
   let times: number[] = [];

@@ -1,4 +1,4 @@
-/** The part of the timeline that is a slider: the track with the keys on it, the ruler, and the playhead. */
+/** The slider part of the timeline: track with keys, ruler, and playhead. */
 import { momentWords } from '../model/frames.ts';
 import type { Phase, Range, TimeScale } from '../model/time-scale.ts';
 import { clampTime } from '../model/time-scale.ts';
@@ -20,9 +20,9 @@ export interface TimeSliderProps
 
 export interface TimeSlider {
   element: HTMLElement;
-  /** The range that the window shows. */
+  /** The track, over the range of the window. */
   track: HTMLElement;
-  /** `part`: the stretch of time that is shown. */
+  /** `part`: the visible range of time. */
   update(props: TimeSliderProps, part: Range): void;
 }
 

@@ -1,4 +1,4 @@
-/** The timeline's track: the range of the keys between its margins, the part that does not play, and the speed. */
+/** The timeline's track: the keys' range between its margins, the part that is not played, and the speed. */
 import { loopRange } from '../model/frames.ts';
 import type { SpeedCurve } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -8,12 +8,12 @@ import { createSpeedCurve } from './speed-curve.ts';
 
 export interface TimeTrackProps {
   range: Range;
-  /** The stretch of time that is shown. */
+  /** The visible range of time. */
   part: Range;
-  /** The range that plays; null = the range of the keys. */
+  /** The playing range; null: the range of the keys. */
   between: Range | null;
   periodic: boolean;
-  /** null = not known yet. */
+  /** The speed curve; null if not known yet. */
   speedCurve: SpeedCurve | null;
 }
 
@@ -45,7 +45,7 @@ export function createTimeTrack(): { element: HTMLElement; update(props: TimeTra
   };
 }
 
-/** From the longest to the shortest; the style sheet shows the one that fits. */
+/** Texts for a margin from longest to shortest. The style sheet shows the longest that fits. */
 type MarginWords = readonly [string, string, string];
 const REPEATS: MarginWords = ['Repeats', 'Repeats', 'Repeats'];
 

@@ -1,8 +1,8 @@
 /**
- * The time slider: a solid range of the keys, hatched margins for extrapolation, key marks that the playhead snaps to
- * and that can be dragged, and two handles for the range that plays. It zooms around the pointer. A curve in the track
- * shows the speed, an image above it the shape at the time under the mouse. A ruler counts seconds or whole frames.
- * Handles below it set the end speeds, if the boundary has them.
+ * The time slider: a solid range for the keys, hatched margins for extrapolation, draggable key marks that the playhead
+ * snaps to, and two handles for the playing range. It zooms around the pointer. A curve in the track shows the speed;
+ * an image above it shows the shape at the time under the mouse. A ruler counts seconds or whole frames. Handles below
+ * it set the end speeds, if the boundary has them.
  */
 import { h, setAttribute } from './dom.ts';
 import type { End } from '../model/speeds.ts';
@@ -25,14 +25,14 @@ const SNAP_PX = 7;
 
 export interface TimelineProps extends TimeSliderProps {
   playing: boolean;
-  /** The visible window; null = the whole. */
+  /** The visible window; null: the whole. */
   window: Range | null;
-  /** Hermite: how fast the motion leaves the first key and arrives at the last; null = another boundary. */
+  /** Hermite: speeds at the first and the last key; null for another boundary. */
   speeds: SpeedHandlesProps['speeds'];
-  /** The fastest on offer there. */
+  /** The largest offered end speeds. */
   mostSpeeds: SpeedHandlesProps['most'];
   towards: SpeedHandlesProps['towards'];
-  /** URL of the image at the last time under the mouse; null = none of this motion. */
+  /** URL of the image at the last time under the mouse; null if there is none of this motion. */
   picture: string | null;
 }
 
@@ -40,16 +40,16 @@ export interface TimelineEvents extends KeyTicksEvents {
   onBetween(between: Range | null): void;
   onWindow(window: Range | null): void;
   onSpeed(end: End, speed: number): void;
-  /** Requests an image at this time; null: none. */
+  /** Requests an image at this time; null cancels it. */
   onPeek(t: number | null): void;
 }
 
 export interface Timeline {
   element: HTMLElement;
-  /** The element with role=slider, which takes the keyboard. */
+  /** The element with role=slider, which takes keyboard focus. */
   slider: HTMLElement;
   update(props: TimelineProps): void;
-  /** The time at which something lies that is put down here, on a whole frame where there are such; null elsewhere. */
+  /** The time of a drop position, rounded to whole frames if there are any; null elsewhere. */
   timeAt(point: { x: number; y: number }): number | null;
 }
 
@@ -59,7 +59,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const { track } = slider;
   const isOn = (): boolean => props !== null && !props.disabled;
   const shown = (): Range => windowOf(props!.window, props!);
-  // Several events can arrive before the next drawing: each continues from the value last requested.
+  // Several events can arrive before the next drawing. Each continues from the last requested value.
   const setWindow = (window: Range | null): void => {
     if (props) props = { ...props, window };
     events.onWindow(window);
@@ -97,7 +97,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
     if (!isOn() || !isPress(event)) return;
     event.preventDefault();
     focusPressed(slider.element);
-    // Keys are dragged themselves.
+    // Keys handle their own dragging.
     if ((event.target as Element).closest('.tick')) return;
     const seek = (at: PointerEvent): void => events.onSeek(pointedAt(at));
     drag(slider.element, event, { onMove: seek });
@@ -132,7 +132,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
   };
 }
 
-/** The playhead stays in sight wherever it goes, unless the user has panned away from a motion that plays. */
+/** Keeps the playhead visible, unless the user has panned away during playback. */
 function losesPlayhead(last: TimelineProps, next: TimelineProps): boolean {
   if (next.window === null || last.time === next.time || next.window !== last.window) return false;
   const [start, end] = windowOf(next.window, next);

@@ -1,4 +1,4 @@
-/** Play, loop, speed and the typed time, around the timeline. */
+/** Play, loop, speed and time fields around the timeline. */
 import type { LoopMode, Play } from '../model/state.ts';
 import { SPEEDS } from '../model/state.ts';
 import { button, numberField, select, tooltip } from './controls.ts';
@@ -30,7 +30,7 @@ const LOOPS: Record<LoopMode, { next: LoopMode; icon: IconName; label: string }>
   once: { next: 'bounce', icon: 'once', label: 'Plays once' },
 };
 
-/** The timeline stands in the middle, the clock menu at the end. */
+/** Layout with the timeline in the middle and the clock menu at the end. */
 export function createTransport(
   timeline: HTMLElement,
   clockMenu: HTMLElement,
@@ -101,7 +101,7 @@ function createPlayButtons(events: TransportEvents): Component<PlayButtonsProps>
 
 const TYPE_TIME = 'Time in seconds; type a number to go there';
 
-/** The time or the frame, as a number that can be typed. */
+/** The time or the frame, as an editable number. */
 function createTimeField({ onSeek }: TransportEvents): Fields<TransportProps> {
   let fps: number | null = null;
   const time = numberField({
@@ -126,7 +126,7 @@ function createTimeField({ onSeek }: TransportEvents): Fields<TransportProps> {
   };
 }
 
-/** The field accepts any number; its arrows move by a hundredth of the range. */
+/** The field accepts any number. Its arrows move by a hundredth of the range. */
 function stepFor([start, end]: Range): string {
   return String(Number(((end - start) / 100).toPrecision(1)));
 }

@@ -1,16 +1,16 @@
-/** The numbers of a plot as a table, and buttons that save the plot and all of its numbers. */
+/** A plot's numbers as a table, and buttons that save the plot and all numbers. */
 import { h } from './dom.ts';
 import { download } from './download.ts';
 
 export interface NumbersTable {
   names: string[];
-  /** All of them, for a file. */
+  /** All rows, for a file. */
   rows: number[][];
-  /** The numbers shown in the page. */
+  /** The rows shown in the page. */
   brief: number[][];
 }
 
-/** `word`: a number as shown. */
+/** `word`: formats a number. */
 export function valuesTable(
   title: string,
   { names, brief }: NumbersTable,
@@ -30,7 +30,7 @@ export function valuesFrame(title: string): HTMLElement {
   return h('div', { class: 'values-frame', tabindex: 0, role: 'region', 'aria-label': `${title}, values` });
 }
 
-/** `makers`: by the ending of the file. `id` names test ids and files. */
+/** `makers`: by file extension. `id` is used in test ids and file names. */
 export function saveButtons(
   id: string,
   title: string,

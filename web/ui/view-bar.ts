@@ -1,4 +1,4 @@
-/** The bar below the shape: standard views, which axis is up, and how the shape looks. */
+/** The bar below the shape: standard views, up axis, and display options. */
 import type { View } from '../model/state.ts';
 import { button } from './controls.ts';
 import type { Component } from './dom.ts';
@@ -10,7 +10,7 @@ import { popover } from './popover.ts';
 
 export interface ViewBarProps {
   view: View;
-  /** The up axis of files that do not state it. */
+  /** The up axis of files that do not specify it. */
   up: 'y' | 'z' | null;
   disabled: boolean;
 }

@@ -1,5 +1,5 @@
 /**
- * The warnings as sentences, each with a button that shows its place. Not modal: the shape stays visible and can be
+ * The warnings as sentences, each with a button that shows its location. Not modal: the shape stays visible and can be
  * rotated.
  */
 import { button } from './controls.ts';
@@ -9,13 +9,13 @@ import { icon } from './icons.ts';
 export interface WarningItem {
   code: string;
   message: string;
-  /** Whether a place or a time can be shown. */
+  /** Whether a location or a time can be shown. */
   shows: boolean;
 }
 
 export interface WarningsProps {
   items: readonly WarningItem[];
-  /** The one whose place is marked on the shape now. */
+  /** The warning whose location is marked on the shape. */
   shown: number | null;
 }
 
@@ -26,7 +26,7 @@ export interface WarningsList {
   update(props: WarningsProps): void;
 }
 
-/** onShow receives null when no mark should be shown. */
+/** onShow receives null to remove the mark. */
 export function createWarnings(onShow: (index: number | null) => void): WarningsList {
   let opener: HTMLElement | null = null;
   const list = h('ul', { class: 'warning-list' });

@@ -1,13 +1,13 @@
-/** Zips among picked files -> the models in them and what these need, as from a folder. Zips are hostile input. */
+/** Replaces zips among picked files by their models and companion files, as from a folder. Zips are untrusted input. */
 import type { Entry } from '@zip.js/zip.js';
 import { extensionOf, isMeantInFolder } from '../engine/api/paths.ts';
 import type { PickedFile } from './dropped-files.ts';
 
 const MOST_FILES = 20_000;
-/** Of all files of one zip, as they are in it and unpacked. */
+/** Limit for all files of one zip, compressed and unpacked. */
 const MOST_BYTES = 1e9;
 
-/** The files, with what zips hold in their place. The library is loaded with the first zip. */
+/** The files, with each zip replaced by its contents. The library is loaded with the first zip. */
 export async function unzipped(picked: PickedFile[]): Promise<PickedFile[]> {
   const lists = picked.map((one) => (extensionOf(one.name) === 'zip' ? filesIn(one) : [one]));
   return (await Promise.all(lists)).flat();
@@ -33,7 +33,7 @@ async function filesIn({ name, file }: PickedFile): Promise<PickedFile[]> {
   return files;
 }
 
-/** What the zip states of a size may be a lie: bytes are counted. */
+/** A zip's stated sizes may be false, so the unpacked bytes are counted. */
 async function unpack(zip: string, entry: Entry, most: number): Promise<File> {
   const parts: BlobPart[] = [];
   let bytes = 0;

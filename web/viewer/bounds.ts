@@ -8,7 +8,7 @@ const POINTS_PER_POSE = 1500;
 const TOUCHES = 0.05;
 
 /**
- * The extent that a view shows: the box, and some vertices of every pose, xyz interleaved, including the extreme ones
+ * The extent for fitting a view: the box, and some vertices of every pose, xyz interleaved, including the extreme ones
  * along each axis.
  */
 export interface Extent {

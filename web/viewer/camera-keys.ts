@@ -1,11 +1,14 @@
-/** Keys of a keyboard that move the camera. */
+/** Keyboard control of the camera. */
 import type { Viewer } from './viewer.ts';
 
 const TURN = Math.PI / 36;
 const SHIFT = 0.06;
 const ZOOM = 1.1;
 
-/** The focused viewport: arrows turn it, with Shift they move it, plus and minus zoom; while it may be turned. */
+/**
+ * In the focused viewport, arrows rotate the view, Shift with arrows pans it, and plus and minus zoom, unless the view
+ * is fixed.
+ */
 export function listenToCamera(viewer: Viewer, viewport: HTMLElement, turnable = (): boolean => true): void {
   viewport.addEventListener('keydown', (event) => {
     if (!turnable() || event.ctrlKey || event.metaKey || event.altKey) return;

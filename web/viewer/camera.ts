@@ -1,4 +1,4 @@
-/** The one camera of all views: orbit, pan, zoom, and standard views fitted tightly to the shape. */
+/** The common camera of all views: orbit, pan, zoom, and standard views fitted tightly to the shape. */
 import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraPose, ViewName } from '../model/camera.ts';
@@ -35,7 +35,7 @@ export class CameraRig {
     return this.controls.target;
   }
 
-  /** Returns a function that restores the present camera and fit. */
+  /** Returns a function that restores the current camera and fit. */
   keep(): () => void {
     const { extent, whole } = this;
     const pose = this.pose();
@@ -56,7 +56,7 @@ export class CameraRig {
     this.aspect = aspect;
   }
 
-  /** Moves the whole image to the middle of the free area, without rotation. */
+  /** Centres the image in the free area, without rotation. */
   setInsets(insets: Insets): void {
     this.insets = insets;
   }
@@ -73,7 +73,7 @@ export class CameraRig {
     this.onChange();
   }
 
-  /** Shows the whole shape from a standard direction, or from the present one. */
+  /** Shows the whole shape from a standard direction, or from the current one. */
   fit(view: ViewName | null, eased: boolean): void {
     const direction = view ? directionOf(view) : this.camera.position.clone().sub(this.target).normalize();
     const pose = this.fitted(direction);
@@ -83,7 +83,7 @@ export class CameraRig {
     this.onUserMove();
   }
 
-  /** Whether the camera is at its fitted pose, or on its way there. */
+  /** Whether the camera is at its fitted pose, or moving there. */
   get isFitted(): boolean {
     if (this.turning || !this.whole) return this.turning;
     const { position, target } = this.whole;
@@ -92,7 +92,7 @@ export class CameraRig {
     return off < 1e-4 * this.extent.radius;
   }
 
-  /** Turns about the target by angles in radians; from the keyboard. */
+  /** Rotates about the target by angles in radians; used by the keyboard. */
   orbit(horizontal: number, vertical: number): void {
     const offset = new Spherical().setFromVector3(this.camera.position.clone().sub(this.target));
     offset.theta -= horizontal;
@@ -114,7 +114,9 @@ export class CameraRig {
     this.moveTo(this.camera.position.clone().add(shift));
   }
 
-  /** Sets what depends on the size of the view and the distance; call before drawing. `zoom` below 1 shows more. */
+  /**
+   * Sets the parameters that depend on the view's size and distance; call before drawing. `zoom` below 1 shows more.
+   */
   prepare(aspect: number, zoom = 1): void {
     this.camera.zoom = zoom;
     setLens(this.camera, this.target, this.extent.radius, aspect, this.insets);
@@ -162,7 +164,7 @@ export class CameraRig {
     step();
   }
 
-  /** True while a view is being turned to. */
+  /** True while the view rotates to another direction. */
   get turning(): boolean {
     return this.turn !== 0;
   }

@@ -1,6 +1,6 @@
 /**
- * The shadow of a shape on the floor: seen from below, darker if closer, and blurred. It costs one small image, redrawn
- * only when the casters change.
+ * The shadow of a shape on the floor: a blurred view from below, darker for closer parts. It is one small image,
+ * redrawn only when the casters change.
  */
 import {
   BufferAttribute,
@@ -19,7 +19,7 @@ import type { Texture, Vector3, WebGLRenderer } from 'three';
 
 import { makePrograms } from './programs.ts';
 
-/** Casters of a layer are also on the layer this many above it. */
+/** Casters of a layer are also on the layer with this offset. */
 export const CASTER_LAYERS = 16;
 const PIXELS = 192;
 /** Half its side and its height, in radii of the shape. */
@@ -62,12 +62,12 @@ export class ContactShadow {
     this.shown = '';
   }
 
-  /** Forgets a shape that is gone. */
+  /** Call when a shape has been removed. */
   forget(): void {
     this.shown = '';
   }
 
-  /** Resolves once the graphics card has compiled its programs, which it does asynchronously. */
+  /** Resolves once the graphics card has compiled the programs asynchronously. */
   async compile(renderer: WebGLRenderer): Promise<void> {
     const caster = new Mesh(this.triangle, this.depth);
     renderer.setRenderTarget(this.targets[0]!);

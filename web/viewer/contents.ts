@@ -1,4 +1,4 @@
-/** Content of the view: the shapes, one per view, onion skins or a film strip, and the ghost mesh. */
+/** Content of the views: one shape per view, onion skins or a film strip, and the ghost mesh. */
 import { Group } from 'three';
 import type { Camera, WebGLRenderer } from 'three';
 import type { KeysInfo } from '../engine/api/types.ts';
@@ -15,8 +15,8 @@ const TEXTURES_MS = 200;
 const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe: false, floor: true, dark: false };
 
 /**
- * Layers of the scene. Light and floor are on layer 0, the default; then come the shapes of the views, at most six,
- * then their onion skins or film strips.
+ * Layers of the scene. Light and floor are on the default layer 0. Next come the shapes of at most six views, then
+ * their onion skins or film strips.
  */
 export const FIRST_SHAPE = 2;
 export const FIRST_EXTRAS = 8;
@@ -34,14 +34,14 @@ interface Preview {
 
 export class Contents {
   readonly object = new Group();
-  /** All but the first key of an import, which is shown alone. */
+  /** Everything except the first key of an import that is shown alone. */
   private readonly open = new Group();
   private opening: Preview | null = null;
-  /** The import that the topology is of. */
+  /** The import of the topology. */
   private of: KeysInfo | null = null;
   private topology: Topology | null = null;
   private shapes: Shape[] = [];
-  /** By view. */
+  /** Additional shapes, indexed by view. */
   private extras: Shape[][] = [];
   private ghost: GhostView | null = null;
   private warming: Shape | null = null;
@@ -51,7 +51,7 @@ export class Contents {
   private patchColours: Float32Array | null = null;
   private hideShapes = false;
 
-  /** `onTextures`: they are decoded later than the shapes are shown. */
+  /** `onTextures`: called when textures are decoded, after the shapes are shown. */
   constructor(
     private readonly studio: Studio,
     private readonly onTextures: () => void,
@@ -75,25 +75,28 @@ export class Contents {
   /** Textures of the open import. */
   private ownTextures: Promise<void> = Promise.resolve();
 
-  /** Resolves once the shape is seen in its own textures. */
+  /** Resolves once the shape is shown with its own textures. */
   get textured(): Promise<void> {
     return this.opening?.textured ?? this.ownTextures;
   }
 
   /**
-   * Until the first shape, draws a triangle without area with the materials for `info`, so the graphics card compiles
-   * its programs early and keeps them between imports. Resolves once all are requested and, if the card can report it,
-   * compiled.
+   * Before the first shape, draws a triangle without area with the materials for `info`. The graphics card then
+   * compiles its programs early and keeps them between imports. Resolves once all are requested and, if the card can
+   * report it, compiled.
    */
   async warm(info: KeysInfo, renderer: WebGLRenderer, camera: Camera): Promise<void> {
     this.prepare(info);
-    // With a texture a material is another program.
+    // A material with a texture uses another program.
     await Promise.race([this.ownTextures, new Promise((resolve) => setTimeout(resolve, TEXTURES_MS))]);
     if (this.topology) this.warming = this.addShape(triangleOf(this.topology), FIRST_SHAPE);
     if (this.warming) await makePrograms(renderer, this.warming.surface, camera);
   }
 
-  /** A new import: fresh buffers, or those of its first key, which stays until its first frame. */
+  /**
+   * A new import with fresh buffers. If its first key is shown, reuses its buffers and keeps the key visible until the
+   * first frame.
+   */
   setImport(info: KeysInfo): void {
     const opening = this.opening?.of === info ? this.opening : null;
     if (!opening) this.hideFirstKey();
@@ -106,10 +109,10 @@ export class Contents {
     this.colours[0] = opening.colour;
   }
 
-  /** Replaces the shown content, which is kept. Hidden until its textures are ready, so it is drawn once. */
+  /** Replaces the shown content, which is kept. Hidden until its textures are ready, so it is drawn only once. */
   showFirstKey({ info, positions, normals, colour }: FirstKey): void {
     this.hideFirstKey();
-    // The import of a first visit is prepared already.
+    // The import of a first visit is already prepared.
     const own = this.of === info ? this.topology : null;
     const topology = own ?? topologyOf(info);
     const shape = this.addShape(topology, FIRST_SHAPE, this.object);
@@ -136,7 +139,7 @@ export class Contents {
     this.open.visible = true;
   }
 
-  /** Its textures are decoded in the meantime. */
+  /** Textures are decoded meanwhile. */
   private prepare(info: KeysInfo, opening: Preview | null = null): void {
     if (this.of === info && this.shapes.length === 0) return;
     this.of = info;
@@ -152,7 +155,7 @@ export class Contents {
     return this.drawn.some(({ object }) => object.visible) || (!this.opening && this.extras.flat().length > 0);
   }
 
-  /** How many shapes are shown side by side; those that exist keep their frame. */
+  /** Sets the number of shapes side by side; existing shapes keep their frames. */
   setViews(count: number): void {
     if (!this.topology) return;
     while (this.shapes.length > count) this.shapes.pop()?.dispose();
@@ -165,7 +168,7 @@ export class Contents {
     }
   }
 
-  /** A frame of another import, which was on its way when this one came, is left out. */
+  /** Ignores a frame of a previous import that arrives late. */
   setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string): void {
     const shape = this.shapes[view];
     if (!shape || !this.fits(positions)) return;
@@ -176,7 +179,7 @@ export class Contents {
     this.applyColours();
   }
 
-  /** Onion skins or a film strip of each view; `instead` hides the moving shapes. */
+  /** Onion skins or a film strip for each view; `instead` hides the moving shapes. */
   setExtras(extras: readonly (readonly Extra[])[], instead = false): void {
     if (!extras.flat().every(({ positions }) => this.fits(positions))) return;
     const views = Math.max(extras.length, this.extras.length);
@@ -202,14 +205,14 @@ export class Contents {
     });
   }
 
-  /** Colour of each patch on the shape: 3 x vertices, linear RGB; null takes them away. */
+  /** Patch colours on the shape: 3 x vertices, linear RGB; null removes them. */
   setPatchColours(colours: Float32Array | null): void {
     this.patchColours = colours;
     for (const shape of this.shapes) shape.setPatchColours(colours);
     this.setLook(this.current);
   }
 
-  /** Amounts as colours on a view's shape: 3 x vertices, linear RGB; null takes them away. */
+  /** Heat colours on a view's shape: 3 x vertices, linear RGB; null removes them. */
   setHeatColours(colours: Float32Array | null, view: number): void {
     const shape = this.shapes[view];
     if (!shape || (colours && !this.fits(colours))) return;
@@ -218,7 +221,7 @@ export class Contents {
     this.applyColours();
   }
 
-  /** Marks faces of the first view's shape; null takes the mark away. */
+  /** Marks faces of the first view's shape; null removes the mark. */
   setMark(faces: readonly number[] | null): void {
     const corners = this.topology?.index.array;
     if (!corners) return;
@@ -247,13 +250,13 @@ export class Contents {
     this.applyColours();
   }
 
-  /** Positions drawn in a view now, copied; empty before the first frame. */
+  /** A copy of the positions drawn in a view; empty before the first frame. */
   positions(view: number): Float32Array {
     const shape = this.drawn[view];
     return shape?.object.visible ? shape.positions.slice() : new Float32Array();
   }
 
-  /** A vertex of the first view's shape; empty before its first frame, and while an import is being opened. */
+  /** A vertex of the first view's shape; empty before its first frame and while an import is being opened. */
   vertex(index: number): Float32Array {
     const shape = this.shapes[0];
     return shape?.object.visible && !this.opening
@@ -261,7 +264,7 @@ export class Contents {
       : new Float32Array();
   }
 
-  /** This many vertices of the first view's shape, or all, or none before its first frame. */
+  /** At most this many vertices of the first view's shape; none before its first frame. */
   sample(count: number): Float32Array {
     const shape = this.drawn[0];
     if (!shape?.object.visible) return new Float32Array();
@@ -274,7 +277,7 @@ export class Contents {
   }
 
   /**
-   * Masks of the layers of a view. Later layers are drawn over earlier ones, as the shape over its onion skins. The
+   * Layer masks of a view. Later layers are drawn over earlier ones, for example the shape over its onion skins. The
    * ghost belongs to the first view's motion.
    */
   layersOf(view: number): number[] {
@@ -285,7 +288,7 @@ export class Contents {
     return this.extras[view]?.length ? [around | extras, shape] : [around | shape];
   }
 
-  /** A separate shape for an image, to be disposed of by the caller; null for a frame of another import. */
+  /** A separate shape for an image, which the caller disposes of; null for a frame of another import. */
   shapeOf(positions: Float32Array, normals: Float32Array, colour: string): Shape | null {
     if (!this.topology || !this.fits(positions)) return null;
     const shape = new Shape(this.topology, this.studio);
@@ -321,7 +324,7 @@ export class Contents {
     return positions.length === 3 * (this.topology?.vertices ?? -1);
   }
 
-  /** A skin is transparent; its colour shows its time. */
+  /** A skin is transparent, and its colour shows its time. */
   private lookOf(opacity: number): Look {
     const { colouring } = this.current;
     const coloured = opacity < 1 || colouring === 'patches';

@@ -1,4 +1,4 @@
-/** Camera pose that shows a whole shape, and its lens. */
+/** Camera pose that shows a whole shape, and the camera's lens. */
 import { PerspectiveCamera, Vector3 } from 'three';
 import type { CameraPose, ViewName } from '../model/camera.ts';
 
@@ -16,13 +16,13 @@ export const directionOf = (view: ViewName): Vector3 => new Vector3(...DIRECTION
 
 /** The extent that a fitted view must show. */
 export interface Extent {
-  /** xyz interleaved: a sample of the vertices. */
+  /** A sample of the vertices, xyz interleaved. */
   points: Float32Array;
-  /** Above 0. */
+  /** Radius of the box, always positive. */
   radius: number;
 }
 
-/** Shares of a view's height that other things cover: a fitted shape stands between them. */
+/** Shares of a view's height that other elements cover. A fitted shape is placed between them. */
 export interface Insets {
   top: number;
   bottom: number;
@@ -30,7 +30,7 @@ export interface Insets {
 
 export const NO_INSETS: Readonly<Insets> = { top: 0, bottom: 0 };
 
-/** The nearest eye along a unit direction that sees every point. */
+/** The closest eye position along a unit direction that sees every point. */
 export function fittedPose(direction: Vector3, { points, radius }: Extent, aspect: number, insets: Insets): CameraPose {
   const eye = new PerspectiveCamera();
   eye.position.copy(direction);
@@ -68,7 +68,7 @@ export function setLens(
   { top, bottom }: Insets,
 ): void {
   const distance = camera.position.distanceTo(target);
-  // The lens is shifted, as in architecture: the centre of rotation stays the middle of the shape.
+  // Shifts the lens, as in architectural photography, so the centre of rotation stays the middle of the shape.
   camera.setViewOffset(aspect, 1, 0, (bottom - top) / 2, aspect, 1);
   camera.near = Math.max(distance - 12 * radius, 0.01 * radius, distance * 1e-3);
   camera.far = distance + 24 * radius;

@@ -1,5 +1,5 @@
 /**
- * The ghost mesh: its wireframe over the shape, or the mesh next to the shape with lines to the corresponding vertices.
+ * The ghost mesh: its wireframe over the shape, or the mesh beside the shape with lines to the corresponding vertices.
  */
 import {
   BufferAttribute,
@@ -47,7 +47,7 @@ export class GhostView {
   private readonly beside = new Group();
   private readonly lines = new Group();
 
-  /** For one mesh; `fits` checks whether a picture has the same mesh. */
+  /** Draws one mesh; `fits` checks whether a picture has this mesh. */
   constructor({ faces, positions, vertexOf }: GhostPicture, studio: Studio, layer: number) {
     studio.install(this.clay, new Rim());
     this.faces = faces;
@@ -73,7 +73,7 @@ export class GhostView {
     return faces === this.faces;
   }
 
-  /** `shape`: 3 x vertices of the shape that is drawn now. */
+  /** `shape`: 3 x vertices of the currently drawn shape. */
   setFrame({ positions, vertexOf, overlay, offset }: GhostPicture, shape: Float32Array, dark: boolean): void {
     this.positions.copyArray(positions).needsUpdate = true;
     this.overlay.visible = overlay;
@@ -128,7 +128,7 @@ function bringForward(material: Material): void {
   };
 }
 
-/** Both ends of each edge once. */
+/** Both ends of each edge, each edge once. */
 function edgesOf(faces: Uint32Array): Uint32Array {
   const count = faces.reduce((most, v) => Math.max(most, v), 0) + 1;
   const edges = new Set<number>();
@@ -141,7 +141,7 @@ function edgesOf(faces: Uint32Array): Uint32Array {
   return Uint32Array.from([...edges].flatMap((edge) => [Math.floor(edge / count), edge % count]));
 }
 
-/** Vertices far from each other: each next one is the farthest from those before. */
+/** Well-spread vertices: each is the farthest from all previous ones. */
 function spread(positions: Float32Array, wanted: number): Uint32Array {
   const count = positions.length / 3;
   const distance = new Float64Array(count).fill(Infinity);

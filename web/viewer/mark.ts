@@ -1,4 +1,4 @@
-/** Some faces of a shape in a colour that nothing else has, and faintly where the rest of the shape hides them. */
+/** Highlights faces of a shape in a distinct colour, faintly where the shape hides them. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -14,8 +14,8 @@ import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
 
 /**
- * As --mark of the page; it stands out from blue, green, yellow and grey, on light and dark ground, and from the first
- * in lightness.
+ * The colour of --mark in the style sheet. It contrasts with blue, green, yellow and grey on light and dark
+ * backgrounds, and in lightness with blue.
  */
 const COLOUR = 0xd6217e;
 
@@ -38,7 +38,7 @@ export class Mark {
     depthWrite: false,
   });
 
-  /** index: 3 drawn vertices a face. */
+  /** index: 3 drawn vertices per marked face. */
   constructor(index: Uint32Array, shape: BufferGeometry, studio: Studio, layer: number) {
     this.geometry.setIndex(new BufferAttribute(index, 1));
     shareBuffers(shape, this.geometry);

@@ -1,6 +1,9 @@
-/** Colours that tell patches apart. */
+/** Colours that distinguish patches. */
 
-/** One colour per patch, neighbours in number far apart in hue; a vertex takes that of one of its faces. Linear RGB. */
+/**
+ * One colour per patch; consecutive patches have very different hues. A vertex gets the colour of one of its faces.
+ * Linear RGB.
+ */
 export function patchColours(patches: Int32Array, indices: Uint32Array, vertices: number): Float32Array {
   const colours = new Float32Array(3 * vertices).fill(0.2);
   patches.forEach((patch, face) => {
@@ -12,7 +15,8 @@ export function patchColours(patches: Int32Array, indices: Uint32Array, vertices
 }
 
 /**
- * The golden angle spreads any number of hues; lightness and saturation vary so that neighbours also differ in grey.
+ * The golden angle spreads any number of hues. Lightness and saturation vary, so consecutive colours also differ in
+ * grey.
  */
 function hueColour(index: number): [number, number, number] {
   const hue = (index * 137.508) % 360;

@@ -1,4 +1,4 @@
-/** The programs of the graphics card, ahead of the first drawing with them. */
+/** Prepares shader programs before the first drawing with them. */
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 
 /** Resolves once the programs are requested and, if compiled asynchronously, ready. */

@@ -1,4 +1,4 @@
-/** One drawn shape: buffers that every frame is copied into, and the materials of the ways to look at it. */
+/** One drawn shape: buffers for the frames, and materials for its colourings. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -22,19 +22,19 @@ const CLAY = '#c9b5a4';
 /** Strength of the phase colour in the outline. */
 const RIM = 0.95;
 
-/** Data shared by the shapes of an import: everything but vertex positions. */
+/** Data shared by the shapes of an import: everything except vertex positions. */
 export interface Topology {
   vertices: number;
   scene: Scene;
   index: BufferAttribute;
   uv: BufferAttribute | null;
-  /** The file's own colours without their opacity, 3 x vertices. */
+  /** The file's own colours without opacity, 3 x vertices. */
   tint: Float32Array | null;
-  /** Per material; empty while they are decoded. */
+  /** One texture per material; empty while textures are being decoded. */
   textures: (Texture | null)[];
 }
 
-/** One triangle for each group of materials, all of them the same, without area: drawn as the shape will be. */
+/** One triangle without area per material group, drawn with the shape's materials. */
 export function triangleOf({ scene, uv, tint, textures }: Topology): Topology {
   return {
     vertices: 3,
@@ -74,7 +74,7 @@ export class Shape {
     polygonOffsetUnits: 1,
   });
   private textured: MeshStandardMaterial[] = [];
-  /** The list that these were made from: textures come later than the shape. */
+  /** The textures in use; textures arrive later than the shape. */
   private texturedBy: Topology['textures'] | null = null;
   private patchColours: Float32Array | null = null;
   private heatColours: Float32Array | null = null;
@@ -83,7 +83,7 @@ export class Shape {
   /** Created on first use. */
   private wire: Wire | null = null;
 
-  /** Drawn by cameras that see the layer. */
+  /** Visible to cameras with this layer. */
   constructor(
     private readonly topology: Topology,
     private readonly studio: Studio,
@@ -106,12 +106,12 @@ export class Shape {
     this.object.add(this.mesh);
   }
 
-  /** Without its wireframe. */
+  /** The mesh without its wireframe. */
   get surface(): Mesh {
     return this.mesh;
   }
 
-  /** The positions that are drawn now, 3 x vertices. A view, valid until the next frame. */
+  /** The drawn positions, 3 x vertices. A view, valid until the next frame. */
   get positions(): Float32Array {
     return (this.position.array as Float32Array).subarray(0, 3 * this.topology.vertices);
   }
@@ -121,17 +121,17 @@ export class Shape {
     this.fill(this.normal, normals);
   }
 
-  /** 3 x vertices, linear RGB in [0, 1], for the colouring by patches; null takes the colours away. */
+  /** Colours by patch: 3 x vertices, linear RGB in [0, 1]; null removes them. */
   setPatchColours(colours: Float32Array | null): void {
     this.patchColours = colours;
   }
 
-  /** The same for heat maps, which override every other colouring. */
+  /** Heat map colours, which override every other colouring; same format. */
   setHeatColours(colours: Float32Array | null): void {
     this.heatColours = colours;
   }
 
-  /** Marks faces, 3 drawn vertices each, over every colouring; null takes the mark away. */
+  /** Marks faces, 3 drawn vertices each, over every colouring; null removes the mark. */
   setMark(index: Uint32Array | null): void {
     this.mark?.dispose();
     this.mark = index && new Mark(index, this.geometry, this.studio, this.layer);
@@ -159,7 +159,7 @@ export class Shape {
     this.rim.set(colour, this.rimmed ? RIM : 0);
   }
 
-  /** Transparent, without writing depth. */
+  /** Makes the shape transparent, without writing depth. */
   setOpacity(opacity: number): void {
     this.plain.transparent = opacity < 1;
     this.plain.opacity = opacity;
@@ -203,7 +203,7 @@ export class Shape {
       );
   }
 
-  /** Copies 3 numbers per vertex into an attribute, and once more for every copy of a vertex at a seam. */
+  /** Copies 3 numbers per vertex into an attribute, including copies of vertices at seams. */
   private fill(attribute: BufferAttribute, values: Float32Array): BufferAttribute {
     const array = attribute.array as Float32Array;
     array.set(values);
@@ -257,7 +257,7 @@ function texturedMaterial(material: Material | undefined, map: Texture | null | 
   result.transparent = material.alphaMode === 'BLEND';
   result.alphaTest = material.alphaMode === 'MASK' ? material.alphaCutoff : 0;
   result.metalness = material.metallic;
-  // Smoother ones would mirror a studio that is not there.
+  // Smoother surfaces would mirror a studio that does not exist.
   result.roughness = Math.max(material.roughness, 0.3);
   result.map = map ?? null;
   return result;

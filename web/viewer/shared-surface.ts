@@ -1,6 +1,6 @@
 /**
  * One renderer for all element views on a page, because a browser allows about sixteen contexts. Each image is drawn
- * into the same off-page canvas and copied to the element's canvas before the next is drawn.
+ * into a common off-page canvas and copied to the element's canvas before the next is drawn.
  */
 import type { WebGLRenderer } from 'three';
 import { newRenderer } from './surface.ts';
@@ -9,7 +9,7 @@ import type { Surface } from './surface.ts';
 /** Created with the first image and kept, because creating it takes longer than drawing. */
 let shared: { renderer: WebGLRenderer; width: number; height: number; ratio: number } | null = null;
 
-/** Throws where the browser has no WebGL 2. */
+/** Throws if the browser has no WebGL 2. */
 export function sharedSurface(): Surface {
   shared ??= { renderer: newRenderer(), width: 0, height: 0, ratio: 0 };
   const all = shared;
@@ -18,7 +18,7 @@ export function sharedSurface(): Surface {
   const context = canvas.getContext('2d')!;
   let size = { width: 1, height: 1, ratio: 1 };
 
-  /** Large enough for the largest image so far. */
+  /** Enlarges it to the largest image so far. */
   const makeRoom = (): void => {
     const { width, height, ratio } = size;
     if (width <= all.width && height <= all.height && ratio === all.ratio) return;

@@ -1,10 +1,10 @@
-/** The floor: a grid that fades, the shadow of the shape, and a ring in the phase colour. */
+/** The floor: a fading grid, the shape's shadow, and a ring in the phase colour. */
 import { Color, Group, Mesh, PlaneGeometry, SRGBColorSpace, ShaderMaterial, Vector2, Vector3 } from 'three';
 import type { Camera, Scene, WebGLRenderer } from 'three';
 import { makePrograms } from './programs.ts';
 import { ContactShadow, REACH } from './contact-shadow.ts';
 
-/** Size of the stage: the box around all keys. */
+/** Bounds of the stage: the box around all keys. */
 export interface Bounds {
   min: [number, number, number];
   max: [number, number, number];
@@ -34,7 +34,7 @@ export class Stage {
     this.set('shadow', this.shadow.texture);
   }
 
-  /** Puts the floor under the shape; everything scales with it. */
+  /** Puts the floor under the shape and scales it with the shape. */
   setBounds({ min, max, foot }: Bounds): void {
     const size = new Vector3(...max).sub(new Vector3(...min));
     const centre = new Vector3(...min).addScaledVector(size, 0.5);
@@ -56,7 +56,7 @@ export class Stage {
     this.set('ringStrength', colour === null ? 0 : 1);
   }
 
-  /** Another graphics context. */
+  /** Call after the graphics context was restored. */
   restore(): void {
     this.shadow.forget();
   }
@@ -66,7 +66,7 @@ export class Stage {
     await Promise.all([makePrograms(renderer, this.floor, camera), this.shadow.compile(renderer)]);
   }
 
-  /** Before each drawing; see ContactShadow.render. */
+  /** Call before each drawing; see ContactShadow.render. */
   prepare(renderer: WebGLRenderer, scene: Scene, layers: number, version: number): void {
     if (this.floor.visible) this.shadow.render(renderer, scene, layers, version);
   }
@@ -89,13 +89,13 @@ export class Stage {
   }
 }
 
-/** As it stands in a style sheet: the floor is mixed from such colours and drawn as it is. */
+/** Colour values as in a style sheet: the floor mixes such colours and draws them without conversion. */
 function raw(colour: string): Vector3 {
   const { r, g, b } = new Color(colour).getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
   return new Vector3(r, g, b);
 }
 
-/** 1, 2 or 5 times a power of ten, about a quarter of the shape. */
+/** Grid spacing: 1, 2 or 5 times a power of ten, about a quarter of the shape. */
 function gridCell(radius: number): number {
   const wanted = radius / 2;
   const power = 10 ** Math.floor(Math.log10(wanted));
@@ -103,7 +103,7 @@ function gridCell(radius: number): number {
   return power * (digit < 2 ? 1 : digit < 5 ? 2 : 5);
 }
 
-/** All that is on the floor in one pass over it. */
+/** Draws everything on the floor in one pass. */
 function floorMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,

@@ -1,7 +1,7 @@
 /**
- * Light and surface finish of the studio. The environment is a formula, not an image: a soft sky over a warm ground and
- * three soft boxes, each a spherical Gaussian, which a rough surface sees wider and dimmer. It costs nothing before the
- * first image, and less per pixel than lamps.
+ * Light and surface finish of the studio. The environment is a formula instead of an image: a soft sky over a warm
+ * ground, and three soft boxes. Each box is a spherical Gaussian, wider and dimmer on rough surfaces. It costs nothing
+ * before the first image, and less per pixel than lamps.
  */
 import { Color, Vector3 } from 'three';
 import type { Material, PerspectiveCamera, WebGLProgramParametersWithUniforms } from 'three';
@@ -10,14 +10,14 @@ interface Box {
   /** Direction of the light: in the world, or relative to the eye (right, up, back). */
   from: readonly [number, number, number];
   seenFromEye: boolean;
-  /** The larger, the smaller the box. */
+  /** Larger values make a smaller box. */
   sharpness: number;
   colour: number;
   light: number;
   dark: number;
 }
 
-/** Key light from above, fill light next to the eye, and a strip light behind the shape, so no side is ever dark. */
+/** Key light from above, fill light beside the eye, and strip light behind the shape, so no side is dark. */
 const BOXES: readonly Box[] = [
   { from: [0.5, 1.2, 0.7], seenFromEye: false, sharpness: 7, colour: 0xfff3e4, light: 3.3, dark: 3.3 },
   { from: [-1, 0.25, 0.55], seenFromEye: true, sharpness: 5, colour: 0xe4edff, light: 1, dark: 0.9 },
@@ -25,7 +25,7 @@ const BOXES: readonly Box[] = [
 ];
 const SKY = { colour: 0xf4f7ff, light: 0.76, dark: 0.62 };
 const GROUND = { colour: 0xcfc4b8, light: 0.34, dark: 0.24 };
-/** Sharpness of the lobe from which a matt surface gathers light. */
+/** Sharpness of the lobe over which a matt surface gathers light. */
 const MATT = 2.1;
 
 export class Studio {
@@ -53,7 +53,7 @@ export class Studio {
     });
   }
 
-  /** Call before each drawing: light directions are in eye coordinates. */
+  /** Call before each drawing, because light directions are in eye coordinates. */
   follow(camera: PerspectiveCamera): void {
     camera.updateMatrixWorld();
     this.uniforms.studioUp.value.set(0, 1, 0).transformDirection(camera.matrixWorldInverse);
@@ -63,7 +63,7 @@ export class Studio {
     });
   }
 
-  /** Lights a MeshStandardMaterial; `rim` is the colour of its outline. Call before it is first drawn. */
+  /** Lights a MeshStandardMaterial; `rim` is the colour of its outline. Call before its first drawing. */
   install(material: Material, rim: Rim): void {
     extend(material, 'studio', (shader) => {
       Object.assign(shader.uniforms, this.uniforms, rim.uniforms);
@@ -74,7 +74,7 @@ export class Studio {
   }
 }
 
-/** The colour of the outline, which shows the phase, and its strength. */
+/** Colour and strength of the outline, which shows the phase. */
 export class Rim {
   readonly uniforms = { rimColour: { value: new Color() }, rimStrength: { value: 0 } };
 
@@ -134,7 +134,7 @@ vec3 filmic(vec3 colour) {
 const INSERTED: readonly (readonly [string, string])[] = [
   [
     'normal_fragment_maps',
-    // Along the outline a normal between vertices looks away from the eye, and the pixel would be a dark speck.
+    // Along the outline, an interpolated normal can face away from the eye and make a dark pixel.
     `#include <normal_fragment_maps>
     {
       vec3 toEye = normalize(vViewPosition);

@@ -1,4 +1,4 @@
-/** Encoded images of the file -> textures of its materials. An image that the browser cannot decode is left out. */
+/** Decodes images of the file into textures of its materials. Leaves out images that the browser cannot decode. */
 import {
   ClampToEdgeWrapping,
   LinearFilter,
@@ -17,7 +17,7 @@ import type { Material, TextureImage } from '../engine/api/types.ts';
 
 const WRAPPINGS = { repeat: RepeatWrapping, clamp: ClampToEdgeWrapping, mirror: MirroredRepeatWrapping } as const;
 
-/** glTF's numbers, which are OpenGL's. */
+/** glTF's numbers, which are those of OpenGL. */
 const MAG_FILTERS: Record<number, MagnificationTextureFilter> = { 9728: NearestFilter, 9729: LinearFilter };
 const MIN_FILTERS: Record<number, MinificationTextureFilter> = {
   9728: NearestFilter,
@@ -28,13 +28,13 @@ const MIN_FILTERS: Record<number, MinificationTextureFilter> = {
   9987: LinearMipmapLinearFilter,
 };
 
-/** The texture that colours each material, or null. Materials that sample an image in the same way share it. */
+/** The colour texture of each material, or null. Materials with the same image and sampling share a texture. */
 export async function decodeTextures(
   images: readonly TextureImage[],
   materials: readonly Material[],
 ): Promise<(Texture | null)[]> {
   const decoded: (Texture | null)[] = [];
-  // One after the other, because an image takes more memory while it is decoded.
+  // One after the other, because decoding an image needs more memory.
   for (const image of images) decoded.push(image.scale > 0 ? await decode(image).catch(() => null) : null);
   const shared = new Map<string, Texture>();
   return materials.map((material) => {
@@ -69,7 +69,7 @@ async function smaller(bitmap: ImageBitmap, scale: number): Promise<ImageBitmap>
   return small;
 }
 
-/** Shares the image with the texture that it is made from. */
+/** Shares the image with the given texture. */
 function sampled(image: Texture, { wrapS, wrapT, magFilter, minFilter }: Material): Texture {
   const texture = image.clone();
   texture.wrapS = WRAPPINGS[wrapS];

@@ -1,4 +1,4 @@
-/** Small images of shapes, drawn off screen, so the visible canvas is unchanged. */
+/** Small images of shapes, drawn off screen, so the visible canvas does not change. */
 import { Color, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderTarget } from 'three';
 import type { WebGLRenderer } from 'three';
 import { FIELD_OF_VIEW, NO_INSETS, directionOf, fittedPose, setLens } from './fit.ts';
@@ -7,10 +7,10 @@ import type { Shape } from './shape.ts';
 import type { Studio } from './studio.ts';
 
 const SAMPLES = 4;
-/** A shape smaller than this share of where the motion goes would be a speck: it fills the picture instead. */
+/** A shape smaller than this share of the motion's extent would be a speck, so it fills the image. */
 const TRAVELS = 0.5;
 
-/** What a picture shows of a shape among `whole`, where the motion goes. */
+/** The extent of an image of a shape whose motion covers `whole`. */
 export const pictureExtent = (own: Extent, whole: Extent): Extent =>
   own.radius < TRAVELS * whole.radius ? own : whole;
 
@@ -24,17 +24,17 @@ export class Thumbnails {
     private readonly studio: Studio,
   ) {}
 
-  /** Of a new import: all pictures are taken from where it is seen, but for shapes that travel. */
+  /** Sets the common view for images of a new import, except shapes that travel. */
   setExtent(extent: Extent): void {
     this.extent = extent;
   }
 
-  /** A data URL; `own`: the shape's; width and height in CSS pixels. */
+  /** A data URL; `own`: the shape's extent; width and height in CSS pixels. */
   draw(shape: Shape, own: Extent, width: number, height: number): string {
     return this.canvas(shape, own, width, height)?.toDataURL('image/png') ?? '';
   }
 
-  /** The same as a canvas, or null where the browser gives none. */
+  /** Returns a canvas, or null if the browser has none. */
   private canvas(shape: Shape, own: Extent, width: number, height: number): HTMLCanvasElement | null {
     if (!this.extent) return null;
     const extent = pictureExtent(own, this.extent);
@@ -60,7 +60,7 @@ export class Thumbnails {
     this.studio.follow(this.camera);
   }
 
-  /** On transparent ground, whatever is behind the shape on the canvas. */
+  /** Renders on a transparent background, whatever is behind the shape on the canvas. */
   private renderInto(target: WebGLRenderTarget): void {
     const { renderer } = this;
     const ground = renderer.getClearColor(new Color());
@@ -74,7 +74,10 @@ export class Thumbnails {
   }
 }
 
-/** Rows from the bottom up, sRGB, multiplied by alpha in linear light, as blending and multisampling produce them. */
+/**
+ * Input rows run from bottom to top, in sRGB, premultiplied by alpha in linear light, as blending and multisampling
+ * produce them.
+ */
 function canvasOf(pixels: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): HTMLCanvasElement | null {
   const canvas = document.createElement('canvas');
   canvas.width = width;

@@ -1,7 +1,7 @@
 /** Layout of one to four views on the canvas: side by side, or two across a divider. */
 import type { Rect } from './types.ts';
 
-/** Two views over each other, of which either side of a divider shows one: the first is on the right. */
+/** Two overlapping views of full size, each visible on one side of a divider; the first is on the right. */
 export function sides(share: number, width: number, height: number): Rect[] {
   const at = share * width;
   return [
@@ -10,7 +10,7 @@ export function sides(share: number, width: number, height: number): Rect[] {
   ];
 }
 
-/** Equal parts, laid out so that each is as close as possible to a square, or to the given aspect ratio. */
+/** Equal parts, arranged so that each is as close as possible to a square, or to the given aspect ratio. */
 export function tiles(count: number, width: number, height: number, aspect = 1): Rect[] {
   let columns = 1;
   let best = Infinity;

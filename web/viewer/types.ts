@@ -3,7 +3,7 @@ import type { KeysInfo } from '../engine/api/types.ts';
 
 export interface Look {
   /** `texture`: the file's own materials, or clay without any. */
-  /** Heat maps have separate colours; a shape without them, such as a thumbnail, is drawn as `texture`. */
+  /** Heat maps have separate colours. A shape without them, such as a thumbnail, is drawn as `texture`. */
   colouring: 'texture' | 'phase' | 'patches' | 'rotation' | 'stretch' | 'distance';
   shading: 'smooth' | 'flat';
   wireframe: boolean;
@@ -17,7 +17,7 @@ export interface Extra {
   positions: Float32Array;
   normals: Float32Array;
   colour: string;
-  /** 1 is solid. */
+  /** Opacity from 0 to 1. */
   opacity: number;
   /** Displacement along x. */
   offset: number;
@@ -34,19 +34,19 @@ export interface FirstKey {
 
 /** The ghost mesh at a time. */
 export interface GhostPicture {
-  /** 3 x ghost faces; the same array for the same mesh. */
+  /** 3 x ghost faces; the same array while the mesh stays the same. */
   faces: Uint32Array;
   /** Vertex of the shape for each ghost vertex. */
   vertexOf: Int32Array;
   /** 3 x ghost vertices; copied. */
   positions: Float32Array;
-  /** Its wireframe over the shape. */
+  /** Show its wireframe over the shape. */
   overlay: boolean;
-  /** Displacement along x next to the shape, with lines between both; null = hidden. */
+  /** Displacement along x beside the shape, with lines between both; null: hidden. */
   offset: number | null;
 }
 
-/** In the shapes' own space. */
+/** A ray in the shapes' coordinates. */
 export interface Ray {
   origin: readonly [number, number, number];
   direction: readonly [number, number, number];

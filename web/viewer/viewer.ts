@@ -23,9 +23,9 @@ export interface ViewerEvents {
   onCamera(pose: CameraPose): void;
   onContextLost(): void;
   onContextRestored(): void;
-  /** The canvas has another size, and the views stand elsewhere. */
+  /** The canvas size changed and the views have moved. */
   onResize(): void;
-  /** Pixels at the top and the bottom of each view that are covered by other elements; two are `split` as one. */
+  /** Pixels covered by other elements at the top and bottom of each view; two `split` views count as one. */
   covered(views: number, split: boolean): { top: number; bottom: number };
 }
 
@@ -33,7 +33,7 @@ export interface ViewerEvents {
 const STRIP_ASPECT = 6;
 /** Sample of vertices for testing whether a shape is visible. */
 const SAMPLED = 300;
-/** Between two looks whether the graphics card has finished. */
+/** Milliseconds between tests whether the graphics card has finished. */
 const FENCE_MS = 4;
 /** Largest share of a view's height for covering elements. */
 const MOST_COVERED = 0.6;
@@ -47,9 +47,9 @@ export class Viewer {
   private readonly rig: CameraRig;
   private readonly contents = new Contents(this.studio, () => this.change());
   private readonly thumbnails: Thumbnails;
-  /** How many times wider than high views side by side ought to be. */
+  /** Preferred aspect ratio of views side by side. */
   private tileAspect = 1;
-  /** Size of exported images in pixels, instead of the page's size. */
+  /** Size of exported images in pixels; null for the page size. */
   private pictureSize: PixelSize | null = null;
   private split: number | null = null;
   private phase: string | null = null;
@@ -61,7 +61,7 @@ export class Viewer {
   private pending = 0;
   private starting: Promise<void> | null = null;
   private started = false;
-  /** The floor follows the first shape, which does not wait for it. */
+  /** The floor is prepared after the first shape, which does not wait for it. */
   private flooring: Promise<void> | null = null;
   private floored = false;
   private waiting: (() => void)[] = [];
@@ -69,18 +69,18 @@ export class Viewer {
   /** Device pixels per CSS pixel, as drawn. */
   private ratio = 1;
   private readonly over = new AbortController();
-  /** Nothing more is drawn. */
+  /** Resolves when drawing has ended for good. */
   private readonly ended = new Promise<void>((resolve) => {
     this.over.signal.addEventListener('abort', () => resolve());
   });
   hasSeen = false;
   private onFirstSeen: () => void = () => undefined;
-  /** Resolves once a shape has been drawn for the first time; `hasSeen` from then on. */
+  /** Resolves once a shape has been drawn for the first time; then `hasSeen` is true. */
   readonly firstSeen = new Promise<void>((resolve) => {
     this.onFirstSeen = resolve;
   });
 
-  /** Throws where the browser has no WebGL 2. */
+  /** Throws if the browser has no WebGL 2. */
   constructor(
     private readonly host: HTMLElement,
     private readonly events: ViewerEvents,
@@ -105,9 +105,9 @@ export class Viewer {
       () => {
         events.onContextRestored();
         this.stage.restore();
-        this.started ||= this.starting !== null; // the program is gone
+        this.started ||= this.starting !== null; // the lost context has no programs
         this.floored ||= this.flooring !== null;
-        // The first drawing after it has neither floor nor transparent ground; the second one is whole.
+        // The first drawing after this has no floor and no transparent background. The second drawing is complete.
         this.draw();
         this.invalidate();
       },
@@ -121,7 +121,7 @@ export class Viewer {
       width = host.clientWidth;
       events.onResize();
     };
-    // Another screen, or the page's own `zoom`: as large as before, of other pixels.
+    // Another screen, or the page's `zoom`: the same CSS size with other pixels.
     const zoomed = (): void => {
       if (this.ratio !== this.wantedRatio) this.fitCanvas();
     };
@@ -129,15 +129,15 @@ export class Viewer {
     this.fitCanvas();
   }
 
-  /** At most two: a finer image is hardly distinguishable and costs four times as much. */
+  /** At most two, because a finer image looks nearly the same and costs four times as much. */
   private get wantedRatio(): number {
     // Not every browser reports the zoom of page parts.
     return Math.min(window.devicePixelRatio * (this.host.currentCSSZoom ?? 1), 2);
   }
 
   /**
-   * An import that is read and about to be set: while its motion is made, the graphics card makes the programs for the
-   * first shape. Nothing is drawn before. Without effect where something was drawn already.
+   * An import that has been read and will be set soon. The graphics card compiles the first shape's programs while the
+   * motion is made. Nothing is drawn yet. No effect after the first drawing.
    */
   expect(info: KeysInfo): void {
     this.starting ??= this.contents
@@ -150,7 +150,7 @@ export class Viewer {
   }
 
   private async addFloor(): Promise<void> {
-    await new Promise(requestAnimationFrame); // the first shape is on its way to the screen
+    await new Promise(requestAnimationFrame); // the first shape is being drawn
     await this.stage.compile(this.renderer, this.rig.camera).catch(() => undefined);
     this.floored = true;
     this.change();
@@ -169,8 +169,8 @@ export class Viewer {
   }
 
   /**
-   * Shows the first key of an import alone, before it is set; `camera` null: the whole key. The present content is
-   * kept: call `hideFirstKey` or `setImport` next.
+   * Shows only the first key of an import, before the import is set; `camera` null: fits the whole key. The current
+   * content is kept; call `hideFirstKey` or `setImport` next.
    */
   showFirstKey(key: FirstKey, { bounds, points }: Extent, camera: CameraPose | null): void {
     this.leaveOpening ??= this.restoring();
@@ -183,7 +183,7 @@ export class Viewer {
     this.change();
   }
 
-  /** Returns to the present camera and floor. */
+  /** Returns a function that restores the current camera and floor. */
   private restoring(): () => void {
     const restoreCamera = this.rig.keep();
     const { bounds, tileAspect, phase } = this;
@@ -209,7 +209,7 @@ export class Viewer {
     if (!this.contents.isShown) this.render();
   }
 
-  /** Resolves once the shape is seen in its own textures. */
+  /** Resolves once the shape is shown with its own textures. */
   textured(): Promise<void> {
     return this.contents.textured;
   }
@@ -218,7 +218,7 @@ export class Viewer {
     return this.contents.views;
   }
 
-  /** How many shapes are shown side by side; those that exist keep their frame. */
+  /** Sets the number of shapes side by side; existing shapes keep their frames. */
   setViews(count: number): void {
     this.contents.setViews(count);
     this.change();
@@ -231,7 +231,7 @@ export class Viewer {
     this.change();
   }
 
-  /** Onion skins or a film strip of each view; `instead` hides the moving shapes. */
+  /** Onion skins or a film strip for each view; `instead` hides the moving shapes. */
   setExtras(extras: readonly (readonly Extra[])[], instead = false): void {
     this.contents.setExtras(extras, instead);
     this.tileAspect = instead ? STRIP_ASPECT : 1;
@@ -267,8 +267,8 @@ export class Viewer {
   }
 
   /**
-   * Sets a fixed output size in pixels, with the views of the page centred and nothing covering them; null restores the
-   * page size. Throws if the graphics card does not support the size.
+   * Sets a fixed output size in pixels, with the page's views centred and uncovered; null restores the page size.
+   * Throws if the graphics card does not support the size.
    */
   setPictureSize(size: PixelSize | null): void {
     this.pictureSize = size;
@@ -285,17 +285,19 @@ export class Viewer {
     this.rig.fit(view, eased);
   }
 
-  /** The view has not moved since it was fitted. */
+  /** Whether the view has not moved since it was fitted. */
   get isFitted(): boolean {
     return this.rig.isFitted;
   }
 
-  /** Covering elements changed: fits a view that the user has not moved to the free area. */
+  /** The covered area has changed. Fits the view to the free area, unless the user has moved it. */
   refit(eased: boolean): void {
     if (this.rig.isFitted) this.fit(null, eased);
   }
 
-  /** Adapts light, floor and fitted views to shapes other than the keys: extrapolated ones, a film strip. */
+  /**
+   * Adapts light, floor and fitted views to other shapes than the keys, such as extrapolated shapes and film strips.
+   */
   setExtent(bounds: Bounds, points: Float32Array): void {
     this.setBounds(bounds);
     this.rig.setExtent({ points, radius: radiusOf(bounds) });
@@ -327,17 +329,17 @@ export class Viewer {
     this.rig.pan(right, up);
   }
 
-  /** Positions drawn in a view now, copied; empty before the first frame. */
+  /** A copy of the positions drawn in a view; empty before the first frame. */
   positions(view: number): Float32Array {
     return this.contents.positions(view);
   }
 
-  /** A vertex drawn in the first view now; empty before the first frame. */
+  /** A vertex drawn in the first view; empty before the first frame. */
   vertex(index: number): Float32Array {
     return this.contents.vertex(index);
   }
 
-  /** The point under a place of the canvas that is as far into the first view as `point`. */
+  /** The point at a canvas position with the same depth in the first view as `point`. */
   beside(point: ArrayLike<number>, x: number, y: number): [number, number, number] {
     const rect = this.rects()[0]!;
     this.rig.prepare(rect.width / rect.height, 1);
@@ -357,7 +359,7 @@ export class Viewer {
     return this.projected(points, this.rects()[view], 1);
   }
 
-  /** The same in the canvas' own pixels. */
+  /** Projects points to the canvas's own pixels. */
   projectDrawn(points: Float32Array, view: number): Float32Array {
     const rect = this.drawnRects()[view];
     return this.projected(points, rect, rect ? this.zoomOf(rect) : 1);
@@ -376,7 +378,7 @@ export class Viewer {
     return result;
   }
 
-  /** View and ray at a position in CSS pixels from the canvas' top left corner; null outside every view. */
+  /** View and ray at a position in CSS pixels from the canvas's top left corner; null outside every view. */
   rayAt(x: number, y: number): { view: number; ray: Ray } | null {
     const inside = (rect: Rect): boolean =>
       x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
@@ -402,7 +404,7 @@ export class Viewer {
     const { camera } = this.rig;
     const point = new Vector3();
     for (let i = 0; i < places.length; i += 2) {
-      // Points behind the eye are projected as if in front of it, so skip them.
+      // Skips points behind the eye, which would project as if in front of it.
       if (point.fromArray(points, (3 * i) / 2).applyMatrix4(camera.matrixWorldInverse).z >= 0) continue;
       const x = places[i]! - rect.x;
       const y = places[i + 1]! - rect.y;
@@ -411,7 +413,7 @@ export class Viewer {
     return false;
   }
 
-  /** Area in which to fit the first shape: not behind a divider, unless that hides even the middle. */
+  /** Area for fitting the first shape: the part not hidden by a divider, unless the divider hides even the middle. */
   private fittedRect(): Rect {
     const [[whole], [side]] = [this.rects(), this.seen()] as [[Rect], [Rect]];
     const middle = whole.x + whole.width / 2;
@@ -423,17 +425,17 @@ export class Viewer {
     return this.tiles(this.size());
   }
 
-  /** Their visible parts. */
+  /** Visible parts of the views on the page, in CSS pixels. */
   seen(): Rect[] {
     return this.sides(this.size());
   }
 
-  /** Their visible parts on the canvas, in its pixels. */
+  /** Visible parts of the views on the canvas, in its pixels. */
   drawnRects(): Rect[] {
     return this.sides(this.canvas);
   }
 
-  /** Two views on either side of a divider take the whole width each. */
+  /** With a divider, both views have the full width. */
   private tiles({ width, height }: PixelSize): Rect[] {
     if (this.isSplit) return this.sides({ width, height }).map(() => ({ x: 0, y: 0, width, height }));
     return tiles(Math.max(this.contents.views, 1), Math.max(width, 1), Math.max(height, 1), this.tileAspect);
@@ -443,7 +445,7 @@ export class Viewer {
     return this.isSplit ? sides(this.split!, size.width, size.height) : this.tiles(size);
   }
 
-  /** Position of a divider between two views, relative to the width; null = side by side. */
+  /** Position of a divider between two views, relative to the width; null: side by side. */
   setSplit(share: number | null): void {
     const before = this.isSplit;
     this.split = share;
@@ -451,7 +453,7 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** Whether a divider stands between the views; there must be two. */
+  /** Whether a divider separates two views. */
   get isSplit(): boolean {
     return this.split !== null && this.contents.views === 2;
   }
@@ -465,9 +467,9 @@ export class Viewer {
     if (this.pending === 0) this.pending = requestAnimationFrame(() => this.draw());
   }
 
-  /** Resolves once everything set so far has been drawn, no view is being turned to. */
+  /** Resolves once all changes so far have been drawn and no view is rotating. */
   async drawn(): Promise<void> {
-    // One draw shows all earlier changes; it does not wait for later ones, such as playback.
+    // One draw shows all earlier changes. It does not wait for later ones, such as playback.
     if (this.pending === 0 && !this.rig.turning && !this.compiling && this.floored === (this.flooring !== null)) return;
     do {
       await Promise.race([this.flooring, this.ended]);
@@ -479,7 +481,7 @@ export class Viewer {
     } while (this.rig.turning || (this.flooring !== null && !this.floored));
   }
 
-  /** The same, once the graphics card has finished. */
+  /** Resolves like `drawn`, but also waits for the graphics card. */
   async finished(): Promise<void> {
     await this.drawn();
     const context = this.renderer.getContext() as WebGL2RenderingContext;
@@ -515,7 +517,7 @@ export class Viewer {
     this.stage.dispose();
     this.over.abort();
     this.surface.dispose();
-    // Nothing more is drawn that could be waited for.
+    // No further drawing will come that a caller could wait for.
     for (const resolve of this.waiting.splice(0)) resolve();
   }
 
@@ -523,7 +525,7 @@ export class Viewer {
     return this.starting !== null && !this.started;
   }
 
-  /** Covered parts of the views relative to their height; always leaves room for the shape. */
+  /** Covered shares of the views' heights, limited to leave room for the shape. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
     const { top, bottom } = this.events.covered(this.isSplit ? 1 : this.contents.views, this.isSplit);
@@ -552,7 +554,7 @@ export class Viewer {
     cancelAnimationFrame(this.pending);
     this.pending = 0;
     if (this.compiling) return;
-    // Until the first frame of an import, the old image stays: an empty floor would flash.
+    // The old image stays until the first frame of an import, because an empty floor would flash.
     if (this.contents.isShown || !this.hasSeen) this.render();
     const waiting = this.waiting;
     this.waiting = [];
@@ -579,7 +581,7 @@ export class Viewer {
     return { width: Math.max(this.host.clientWidth, 1), height: Math.max(this.host.clientHeight, 1) };
   }
 
-  /** A narrower view than on the page shows as much more as keeps its sides in it. */
+  /** For a view narrower than on the page, zooms out until the page's width is visible. */
   private zoomOf({ width, height }: Rect): number {
     return this.pictureSize ? Math.min(width / height / this.aspect(), 1) : 1;
   }

@@ -1,10 +1,10 @@
-/** The edges of a shape's polygons as lines over it; those along which polygons were cut into faces are left out. */
+/** The edges of a shape's polygons as lines over it, without the edges from triangulation. */
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
 import { disposeShared, shareBuffers } from './shared-buffers.ts';
 
 /**
- * Two corners for each edge of each polygon. faces: 3 corners each; polygons: of how many of them each polygon was cut,
- * null where each is one.
+ * Two corners per polygon edge. faces: 3 corners each; polygons: number of faces of each polygon, null if every face is
+ * a polygon.
  */
 export function edgesOf(faces: ArrayLike<number>, polygons: Int32Array | null): Uint32Array {
   const edges = new Uint32Array(2 * faces.length);

@@ -1,4 +1,4 @@
-/** The CLI as a process of its own, in a folder of its own. */
+/** Runs the CLI as a process in a new folder. */
 import { spawn } from 'node:child_process';
 import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -14,7 +14,7 @@ afterAll(async () => {
   for (const folder of folders.splice(0)) await rm(folder, { recursive: true, force: true });
 });
 
-/** A new folder that holds these files. */
+/** A new folder with these files. */
 export async function folderOf(files: InputFile[]): Promise<string> {
   const folder = await mkdtemp(path.join(tmpdir(), 'shapespline-cli-'));
   folders.push(folder);
@@ -22,7 +22,7 @@ export async function folderOf(files: InputFile[]): Promise<string> {
   return folder;
 }
 
-/** Everything in a folder, with the paths inside it. */
+/** All paths in a folder, relative to it. */
 export async function listed(folder: string): Promise<string[]> {
   return (await readdir(folder, { recursive: true })).map((name) => name.replaceAll(path.sep, '/')).sort();
 }

@@ -1,4 +1,4 @@
-/** Poses as GLB files with compressed meshes, made by the compressors that people use. */
+/** Poses as GLB files with compressed meshes, made by common compressors. */
 import { type Accessor, type Document, WebIO } from '@gltf-transform/core';
 import { EXTMeshoptCompression, KHRDracoMeshCompression, KHRMeshQuantization } from '@gltf-transform/extensions';
 import createEncoder from 'draco3dgltf/draco_encoder_gltf_nodejs.js';
@@ -26,7 +26,7 @@ export const meshopt = (files: InputFile[]): Promise<InputFile[]> =>
     document.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method: QUANTIZE });
   });
 
-/** Positions as normalised 16-bit integers under a node that scales them back (KHR_mesh_quantization). */
+/** Positions as normalised 16-bit integers below a node that restores their scale (KHR_mesh_quantization). */
 export async function quantised(file: InputFile): Promise<InputFile> {
   const io = new WebIO().registerExtensions([KHRMeshQuantization]);
   const document = await io.readBinary(file.bytes as Uint8Array<ArrayBuffer>);

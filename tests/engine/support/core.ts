@@ -1,4 +1,4 @@
-/** The wasm modules in this very thread, for tests of the bindings and of the heap. */
+/** The wasm modules in the current thread, for tests of the bindings and the heap. */
 /// <reference path="../../../web/engine/worker/generated.d.ts" />
 import { readFile } from 'node:fs/promises';
 import createCore from '../../../build/wasm/shapespline.mjs';
@@ -40,7 +40,7 @@ export function compiled(name: string): Promise<WebAssembly.Module> {
   return compiling.get(name)!;
 }
 
-/** The glue, and what it made. */
+/** The glue and its module. */
 export function kept<M extends WasmModule>(create: CreateWasmModule<M>): { create: CreateWasmModule<M>; made(): M } {
   let module: M | null = null;
   return { create: async (settings) => (module = await create(settings)), made: () => module! };

@@ -1,6 +1,6 @@
 /**
- * Real inputs that are not part of the repository. Tests that use them are skipped where the folder is missing, or
- * fail where SHAPESPLINE_DATA_REQUIRED is set.
+ * Real inputs outside the repository. Tests that use them are skipped if the folder is missing, or fail if
+ * SHAPESPLINE_DATA_REQUIRED is set.
  */
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
@@ -21,7 +21,7 @@ export function dataFile(name: string): InputFile {
   return { name, bytes: readFileSync(path.join(folder, name)) };
 }
 
-/** Paths relative to the data folder of all files in one of its folders; empty if it is missing. */
+/** Paths of all files in a data folder, relative to the data root; empty if it is missing. */
 export function dataFiles(inside: string): string[] {
   const start = path.join(folder, inside);
   if (!isThere(start)) return [];

@@ -1,4 +1,4 @@
-/** Engines for a test file, ended after it. */
+/** Engines for a test file, disposed of after it. */
 import { afterAll, expect } from 'vitest';
 import type { Engine, Keys, Motion, Sequence } from '../../../web/engine/api/api.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
@@ -40,7 +40,7 @@ export async function bendSequence(
   return { ...bend, sequence: await engine.createSequence(bend.keys, options) };
 }
 
-/** The frame at t; fails where a newer request overtook it. */
+/** The frame at t; fails if a newer request replaced it. */
 export async function frameAt(sequence: Pick<Motion, 'evaluate'>, t: number): Promise<Frame> {
   const frame = await sequence.evaluate(t);
   if (!frame) throw new Error(`the frame at ${t} was overtaken`);

@@ -1,5 +1,5 @@
 /**
- * Requirements for every exported animation: the official validator finds nothing, and three.js plays the computed
+ * Requirements for every exported animation: the official validator reports nothing, and three.js plays the computed
  * vertices.
  */
 import { validateBytes } from 'gltf-validator';

@@ -1,7 +1,6 @@
-// The real worker, with faults that a test calls for by the time of a frame. Nothing of the worker itself is replaced:
-// the process ends, an exception is thrown, or the wasm memory is overwritten so that the next call traps. A second
-// thread is the real one, too, with a stack that ends where it begins: it traps in the middle of the first frame that
-// it helps with. An order of elimination is begun and never found, by the number of patches.
+// The real worker with faults, triggered by the time of a frame: the process ends, an exception is thrown, or wasm
+// memory is overwritten so the next call traps. No part of the worker is replaced. A real second thread gets an empty
+// stack, so it traps in its first frame. By the number of patches, an elimination order is started and never finished.
 import { syncBuiltinESMExports } from 'node:module';
 import threads, { parentPort, Worker } from 'node:worker_threads';
 
@@ -38,7 +37,7 @@ const orderFaults = {
   202: () => sleep(),
 };
 
-// The fault comes first, then the worker receives the message as usual.
+// The fault happens first; then the worker receives the message as usual.
 const on = parentPort.on.bind(parentPort);
 parentPort.on = (name, listener) => on(name, (message) => {
   if (message.type === 'evaluate') faults[message.t]?.();

@@ -1,4 +1,4 @@
-/** The smallest GLB files that hold a pose or morph targets, made without any of the code under test. */
+/** Minimal GLB files with a pose or morph targets, made without any of the tested code. */
 import type { InputFile } from '../../../web/engine/api/types.ts';
 import type { Mesh } from './shapes.ts';
 
@@ -40,7 +40,7 @@ function addAccessor(
   );
 }
 
-/** JSON and binary chunk -> GLB. */
+/** Joins JSON and binary chunk into a GLB. */
 export function glb(json: object, binary: Uint8Array = new Uint8Array(0)): Uint8Array {
   const pad = (bytes: Uint8Array, filler: number): Uint8Array => {
     const padded = new Uint8Array(Math.ceil(bytes.length / 4) * 4).fill(filler);
@@ -99,7 +99,7 @@ export function glbParts(bytes: Uint8Array): { json: Record<string, never>; bin:
   return { json, bin: bytes.slice(28 + length) };
 }
 
-/** A .gltf with its buffer inside. */
+/** A .gltf with an embedded buffer. */
 export function gltfInside(json: object, bin: Uint8Array): string {
   const uri = `data:application/octet-stream;base64,${Buffer.from(bin).toString('base64')}`;
   const { buffers } = json as { buffers: object[] };

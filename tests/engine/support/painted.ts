@@ -1,5 +1,6 @@
 /**
- * A GLB with all that a look has: seams, normals, coordinates, two materials with textures, one of them a normal map.
+ * A GLB with every part of a look: seams, normals, texture coordinates, and two textured materials, one with a normal
+ * map.
  */
 import { Document, WebIO, type Accessor } from '@gltf-transform/core';
 import type { InputFile } from '../../../web/engine/api/types.ts';
@@ -7,7 +8,7 @@ import { bar, bent, type Mesh } from './shapes.ts';
 
 const PNG = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==';
 
-/** Every corner its own vertex. */
+/** A separate vertex for every corner. */
 const apart = (values: Float32Array, { indices }: Mesh): Float32Array =>
   Float32Array.from(Array.from(indices).flatMap((v) => [...values.subarray(3 * v, 3 * v + 3)]));
 

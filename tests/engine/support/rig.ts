@@ -1,7 +1,4 @@
-/**
- * A GLB in which everything moves at once: a skinned and morphing bar under a moving root, and a box carried by a
- * joint.
- */
+/** A GLB with every kind of motion: a skinned and morphing bar below a moving root, and a box carried by a joint. */
 import { Document, WebIO, type Accessor, type Node } from '@gltf-transform/core';
 import type { InputFile } from '../../../web/engine/api/types.ts';
 import { bar, moved } from './shapes.ts';
@@ -10,7 +7,7 @@ type Path = 'translation' | 'rotation' | 'scale' | 'weights';
 type Kind = 'LINEAR' | 'STEP' | 'CUBICSPLINE';
 type Type = Parameters<Accessor['setType']>[0];
 
-/** A turn about the x axis as a quaternion. */
+/** A rotation about the x axis as a quaternion. */
 const turn = (degrees: number): number[] => [
   Math.sin((degrees * Math.PI) / 360),
   0,
@@ -100,7 +97,7 @@ export async function rigFile(name = 'rig.glb'): Promise<InputFile> {
         target((x, y, z) => [x, y + Math.sin(z), z]),
       ),
     );
-  // Its own transform does not count, because it is skinned.
+  // Its own transform has no effect, because it is skinned.
   const bodyNode = document
     .createNode('body')
     .setMesh(document.createMesh().addPrimitive(body).setWeights([0.1, 0]))

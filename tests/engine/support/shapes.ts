@@ -44,7 +44,7 @@ export function moved({ positions }: Mesh, move: (x: number, y: number, z: numbe
   return result;
 }
 
-/** Bent about an arc in the y-z plane, whose centre line keeps its length. */
+/** Bent along an arc in the y-z plane; the centre line keeps its length. */
 export function bent(mesh: Mesh, degrees: number, length = 10): Float32Array {
   const angle = (degrees * Math.PI) / 180;
   if (angle === 0) return mesh.positions.slice();
@@ -65,7 +65,7 @@ export function diagonal(positions: Float32Array): number {
   return Math.hypot(...low.map((l, i) => high[i]! - l));
 }
 
-/** The largest distance between vertices of the same number. */
+/** The largest distance between corresponding vertices. */
 export function largestDistance(a: ArrayLike<number>, b: ArrayLike<number>): number {
   if (a.length !== b.length) return Infinity;
   let largest = 0;

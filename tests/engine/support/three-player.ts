@@ -1,4 +1,4 @@
-/** An exported GLB as three.js plays it: the vertices that its morph targets and mixer give at a time. */
+/** An exported GLB played by three.js: the vertices at a time, from its morph targets and mixer. */
 import { AnimationMixer, LoopOnce, type Mesh, type Object3D, Vector3 } from 'three';
 import { MeshoptDecoder } from 'meshoptimizer';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
@@ -7,11 +7,11 @@ export interface Player {
   duration: number;
   /** Times of the weight animation's key frames, in seconds. */
   times: number[];
-  /** In double precision, because nodes may be far away. */
+  /** Positions in double precision, because nodes may be far away. */
   positionsAt(seconds: number): Float64Array;
 }
 
-/** Images cannot be decoded in Node; they matter nothing here. */
+/** Images cannot be decoded in Node and are not needed here. */
 export function withoutImages(bytes: Uint8Array): ArrayBuffer {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const length = view.getUint32(12, true);
@@ -26,7 +26,7 @@ export function withoutImages(bytes: Uint8Array): ArrayBuffer {
   return copy.buffer;
 }
 
-/** Which vertex of the mesh each of a primitive's is. */
+/** The mesh's vertex for each of a primitive's vertices. */
 function numbersOf({ geometry }: Mesh): number[] {
   const numbers = geometry.getAttribute('_shapespline_vertex');
   const { count } = geometry.getAttribute('position');

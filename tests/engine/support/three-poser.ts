@@ -1,7 +1,4 @@
-/**
- * A glTF file's scene as three.js poses it at a time of one of its animations: morph targets, skins and node
- * transforms.
- */
+/** A glTF scene posed by three.js at a time of an animation: morph targets, skins and node transforms. */
 import { AnimationMixer, LoopOnce, type Mesh, type Object3D, Vector3 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { withoutImages } from './three-player.ts';
@@ -9,7 +6,7 @@ import { withoutImages } from './three-player.ts';
 export interface Poser {
   names: string[];
   duration: number;
-  /** World positions of all vertices, mesh after mesh as the scene is walked. */
+  /** World positions of all vertices, mesh by mesh in scene order. */
   positionsAt(seconds: number): Float64Array;
 }
 

@@ -1,4 +1,4 @@
-/** Hosts of pages, and Chromium, whose requests to any other host are noted and refused. */
+/** Hosts of pages, and Chromium, whose requests to any other host are recorded and refused. */
 import { readFileSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -19,7 +19,7 @@ const TYPES: Record<string, string> = {
 
 const servers: Server[] = [];
 
-/** Longer than anything takes on a busy machine. */
+/** A time limit longer than any step on a busy machine. */
 const WAIT_MS = 90_000;
 
 async function listen(server: Server, name: string): Promise<string> {
@@ -44,7 +44,7 @@ export function host(
         const type = TYPES[path.extname(wanted)] ?? 'text/plain';
         return void response.writeHead(200, { 'content-type': type, ...headers }).end(content);
       } catch {
-        // in the next one
+        // the next folder may have the file
       }
     }
     if (spare) response.writeHead(200, { 'content-type': 'text/html', ...headers }).end(spare);
@@ -55,7 +55,7 @@ export function host(
 
 let browser: Browser;
 let proxy: string;
-/** Addresses on other hosts that something has asked for. */
+/** Requested URLs on other hosts. */
 const elsewhere: string[] = [];
 
 beforeAll(async () => {
@@ -93,7 +93,7 @@ afterAll(async () => {
 /** Requests to other hosts since the last call. */
 export const askedElsewhere = (): string[] => elsewhere.splice(0);
 
-/** A page of a reader of its own; it is the caller's to close its context. */
+/** A page in a new browser context, which the caller closes. */
 export async function newPage(options: BrowserContextOptions = {}): Promise<Page> {
   askedElsewhere();
   const context = await browser.newContext({ proxy: { server: proxy, bypass: 'localhost,127.0.0.1' }, ...options });
@@ -103,7 +103,7 @@ export async function newPage(options: BrowserContextOptions = {}): Promise<Page
   return page;
 }
 
-/** The page's final text. No other host may have received a request. */
+/** The page's final text. Also checks that no other host received a request. */
 export async function outcomeOf(url: string): Promise<Outcome> {
   const page = await newPage();
   try {
@@ -118,7 +118,7 @@ export async function outcomeOf(url: string): Promise<Outcome> {
   }
 }
 
-/** A development server may reload the page at any time, once it has found its dependencies. */
+/** A development server may reload the page at any time after finding its dependencies. */
 async function saidOn(page: Page): Promise<Outcome | null> {
   for (const end = Date.now() + WAIT_MS; Date.now() < end && !page.isClosed(); ) {
     const timeout = Math.max(1, end - Date.now());

@@ -1,7 +1,6 @@
 /**
  * Pages with <shape-spline> as a page author writes them: the one-file build on another host, on a page whose policy
- * allows scripts and styles of these two hosts and nothing inline. Events of elements and policy violations are
- * recorded.
+ * allows scripts and styles of these two hosts and nothing inline. Element events and policy violations are recorded.
  */
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -28,17 +27,17 @@ declare global {
 }
 
 export interface Setting extends BrowserContextOptions {
-  /** Instead of the one that the package's README names. */
+  /** Replaces the policy in the package's README. */
   policy?: string;
-  /** Runs before anything of the page. */
+  /** Runs before any other code of the page. */
   before?: () => void;
-  /** Content of the body, after the markup. */
+  /** Position of the script in the body, relative to the markup. */
   script?: 'first' | 'none';
-  /** The package's files come from here. */
+  /** URL of the package's files. */
   library?: string;
 }
 
-/** As in the package's README. */
+/** The policy in the package's README. */
 export const POLICY =
   "default-src 'none'; script-src 'self' LIBRARY 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
   "connect-src 'self' LIBRARY; worker-src blob: LIBRARY; frame-src 'self'";
@@ -51,7 +50,7 @@ let pages = 0;
 const open: Page[] = [];
 const problems: string[] = [];
 
-/** To be called in every file that uses it. */
+/** Call in every file that uses this module. */
 export function useElements(): void {
   beforeAll(async () => {
     library = await host([packageIn(inject('installed'))], { name: '127.0.0.1', headers: CORS });
@@ -120,14 +119,14 @@ function note(): void {
   } as never;
 }
 
-/** Events of one kind from an element so far. */
+/** Events of one kind that an element has sent so far. */
 export const told = (page: Page, type: string, id = 'a'): Promise<Told['detail'][]> =>
   page.evaluate(
     ([what, whose]) => window.told.filter((one) => one.type === what && one.id === whose).map(({ detail }) => detail),
     [type, id] as const,
   );
 
-/** The first detail of that kind. */
+/** Detail of the first event of that kind. */
 export async function when(page: Page, type: string, id = 'a', count = 1): Promise<Told['detail']> {
   await page.waitForFunction(
     ([what, whose, times]) =>
@@ -137,7 +136,7 @@ export async function when(page: Page, type: string, id = 'a', count = 1): Promi
   return (await told(page, type, id))[count - 1]!;
 }
 
-/** Runs in the page with the element. */
+/** Runs a function in the page with the element. */
 export const on = <T, A = null>(
   page: Page,
   work: (shape: ShapeSplineElement, words: A) => T | Promise<T>,

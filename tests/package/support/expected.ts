@@ -1,4 +1,4 @@
-/** Node's results for a project's poses, with the installed package. */
+/** Results of the installed package in Node for a project's poses. */
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
 import type { Outcome } from './project.ts';

@@ -1,4 +1,4 @@
-/** A page author's project: the installed package, two poses, a script that uses them. */
+/** A page author's project: the installed package, two poses, and a script that uses them. */
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { afterAll, inject } from 'vitest';
@@ -22,7 +22,7 @@ afterAll(() => {
   for (const folder of folders.splice(0)) rmSync(folder, { recursive: true, force: true });
 });
 
-/** Expected output: a number for the frame between the keys, or the sentence of the error. */
+/** Expected output: a number for the frame between the keys, or the error's message. */
 export interface Outcome {
   vertices?: number;
   /** Sum of all coordinates. */
@@ -47,7 +47,7 @@ export const script = (from = 'shapespline', first = ''): string => `
   }
 `;
 
-/** A folder of its own with the package, `index.html`, `main.js` and the poses in `public`. */
+/** A new folder with the package, `index.html`, `main.js` and the poses in `public`. */
 export async function newProject(files: Record<string, string> = {}): Promise<string> {
   const folder = mkdtempSync(path.join(path.dirname(inject('installed')), 'project-'));
   folders.push(folder);

@@ -8,7 +8,7 @@ import type { TestProject } from 'vitest/node';
 
 declare module 'vitest' {
   export interface ProvidedContext {
-    /** The folder of a project in which the package is installed. */
+    /** The folder of a project with the installed package. */
     installed: string;
     /** Every path in the tarball. */
     packed: string[];
@@ -18,7 +18,7 @@ declare module 'vitest' {
 const packageFolder = fileURLToPath(new URL('../../../build/package', import.meta.url));
 
 export default function setup({ provide }: TestProject): () => void {
-  // Far from the repository, whose own packages must not be found from there.
+  // The folder is outside the repository, so the repository's packages cannot be found from it.
   const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-package-'));
   const npm = (...args: string[]): string =>
     execFileSync('npm', args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });

@@ -122,7 +122,7 @@ describe('the values of options', () => {
         expect(() => sequenceOptions(parse(held, '--method', method))).toThrow(/--method lri/);
     expect(sequenceOptions(parse('--hold=off', '--method=linear'))).toEqual({ hold: 'off', method: 'linear' });
     expect(sequenceOptions(parse('--hold=on', '--method=lri'))).toEqual({ hold: 'on', method: 'lri' });
-    // As they were called before.
+    // Former names of the option's values.
     for (const before of ['contact', 'anchored'])
       expect(sequenceOptions(parse(`--hold=${before}`, '--precision=double'))).toEqual({
         hold: 'on',

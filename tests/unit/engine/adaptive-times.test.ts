@@ -7,7 +7,7 @@ import {
   type Motion,
 } from '../../../web/engine/caller/adaptive-times.ts';
 
-/** A point on the unit circle that turns faster and faster, and one that rests. */
+/** A point that accelerates along the unit circle, and a fixed point. */
 const angle = (t: number): number => 3 * t * t;
 const turning: Motion = {
   at: async (t) => Float32Array.of(Math.cos(angle(t)), Math.sin(angle(t)), 0, 5, 5, 5),
@@ -37,7 +37,7 @@ describe('adaptive times', () => {
     const measured = await densely(turning, times);
     expect(measured).toBeLessThan(wanted.tolerance);
     expect(error).toBeGreaterThan(0.99 * measured);
-    // A chord of the circle may span 2 acos(1 - tolerance): no fewer than this would do.
+    // A chord of the circle may span 2 acos(1 - tolerance), which gives the smallest possible number.
     const least = angle(2) / (2 * Math.acos(1 - wanted.tolerance));
     expect(times.length).toBeLessThan(1.6 * least + wanted.corners.length);
   });
@@ -69,7 +69,7 @@ describe('adaptive times', () => {
   });
 });
 
-/** A point that goes along x and swings across it. */
+/** A point that moves along x and oscillates across it. */
 const swinging = (across: (t: number) => number): Motion => ({ at: async (t) => Float32Array.of(t, across(t), 0) });
 
 describe('the largest error of a chord', () => {
@@ -83,8 +83,8 @@ describe('the largest error of a chord', () => {
     const measured = await densely(motion, [0, 1]);
     const stated = await largestError(motion, [0, 1]);
     expect(stated).toBeGreaterThan(0.97 * measured);
-    expect(stated).toBeLessThan(1.005 * measured); // which is measured at steps, too
-    // Next to a chord with about the same error in its middle.
+    expect(stated).toBeLessThan(1.005 * measured); // the error is also measured at discrete steps
+    // The chord is beside one with about the same error in its middle.
     expect(await largestError(motion, [-0.01, 0, 1])).toBeGreaterThan(0.97 * measured);
   });
 

@@ -1,4 +1,4 @@
-/** Files that belong to an export: point caches, materials, weights of a slider. */
+/** Additional files of an export: point caches, materials, weights of a slider. */
 import { describe, expect, it } from 'vitest';
 import { materialFiles, materialLibrary } from '../../../web/engine/caller/material-library.ts';
 import { PointCache } from '../../../web/engine/caller/point-cache.ts';

@@ -62,7 +62,7 @@ describe('the times of an export', () => {
   });
 
   it('are refused where the file would not open again', () => {
-    expect(plan({ frames: 3999, range: [1, 2] }).times).toHaveLength(3999); // and two stills
+    expect(plan({ frames: 3999, range: [1, 2] }).times).toHaveLength(3999); // the plan also has two stills
     expect(() => plan({ frames: 4000, range: [1, 2] })).toThrow(
       'its 4,001 morph targets need more than 16,000,000 weights',
     );
@@ -78,7 +78,7 @@ describe('the times of an export', () => {
     const { times, seconds } = plan({ fps: 2, duration: 2, range: [0.5, 1], tolerance: 0 });
     expect(times).toEqual([0.5, 0.625, 0.75, 0.875, 1]);
     expect(seconds).toEqual([0, 0.5, 1, 1.5, 2]);
-    expect(plan({ fps: 4 }).times).toEqual([0, 0.25, 0.4, 0.5, 0.75, 1]); // with the invalid key
+    expect(plan({ fps: 4 }).times).toEqual([0, 0.25, 0.4, 0.5, 0.75, 1]); // the key at 0.4 is not on the grid
     expect(() => plan({ fps: 0.5 })).toThrow('fewer than two whole frames');
     expect(() => plan({ fps: 1000, range: [0, 1e6] })).toThrow('1,000,000,001 frames');
   });

@@ -1,4 +1,4 @@
-/** A worker whose replies are made by the test. */
+/** A worker whose replies come from the test. */
 import { EngineClient, onlyOnce, type Platform } from '../../../web/engine/caller/engine.ts';
 import { EngineError } from '../../../web/engine/api/errors.ts';
 import type { FromWorker, Program, Request, ToWorker } from '../../../web/engine/wire/protocol.ts';
@@ -34,7 +34,7 @@ export class FakeWorker {
   }
 }
 
-/** Replies to everything that a test does not reply to itself: three vertices, one face, keys at 0 and 1. */
+/** Default replies, for requests that a test does not answer: three vertices, one face, keys at 0 and 1. */
 export function replyTo(request: Request): FromWorker {
   const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
   const result = (value: unknown): FromWorker => ({ type: 'result', id: request.id, value: value as never });
@@ -72,8 +72,8 @@ export function replyTo(request: Request): FromWorker {
 const EMPTY_MODULE = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
 
 /**
- * An engine over fake workers; `reply` returns null for messages that the test answers. `threaded`: as on a page where
- * threads can share memory. `fetchFiles`: before the module for files is available.
+ * An engine over fake workers; `reply` returns null for messages that the test answers. `threaded`: as on a page with
+ * shared memory. `fetchFiles`: called before the module for files is available.
  */
 export function fakeEngine(
   reply: (request: Request) => FromWorker | null = replyTo,
@@ -81,7 +81,7 @@ export function fakeEngine(
   fetchFiles: () => Promise<void> = async () => undefined,
 ): {
   engine: EngineClient;
-  /** With the core; with the module for files. */
+  /** Workers with the core, and with the module for files. */
   workers: FakeWorker[];
   filesWorkers: FakeWorker[];
 } {
@@ -107,5 +107,5 @@ export function fakeEngine(
 
 export const someFile = { name: 'a.glb', bytes: Uint8Array.of(1) };
 
-/** Until everything that is queued has happened. */
+/** Resolves once all queued tasks have run. */
 export const settled = (): Promise<void> => new Promise((wake) => setTimeout(wake, 2));

@@ -9,7 +9,7 @@ interface Asked {
   fail(): Promise<void>;
 }
 
-/** A sequence whose frames arrive when the test says so; counts those that are out. */
+/** A sequence whose frames arrive on command; counts frames that were not released. */
 function heldSequence(ms = 1) {
   const asked: Asked[] = [];
   const counts = { out: 0 };
@@ -98,14 +98,14 @@ describe('the frame player', () => {
     const slow = await drawn(40, 4);
     expect(slow.drawn).toBeGreaterThan(36);
     expect(slow.asked).toBeLessThan(1.4 * slow.drawn);
-    // A fifth of a second and more for a picture.
+    // Each image takes at least a fifth of a second.
     await drawn(20, 16);
     const slowest = await drawn(40, 16);
     expect(slowest.asked).toBeLessThan(2 * slowest.drawn);
     await drawn(80, 1);
     const fast = await drawn(40, 1);
     expect(fast).toEqual({ asked: 40, drawn: 40 });
-    // A page that was out of sight for a while.
+    // The page was hidden for some time.
     tick += 1000;
     await drawn(40, 1);
     expect(await drawn(40, 1)).toEqual({ asked: 40, drawn: 40 });

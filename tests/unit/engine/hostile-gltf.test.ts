@@ -80,7 +80,7 @@ it('files are refused by their size', () => {
 });
 
 describe('the memory of a wasm module', () => {
-  // Header, a type section of no types, a memory of 2 to 32768 pages.
+  // Header, an empty type section, and a memory of 2 to 32768 pages.
   const module = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 1, 0, 5, 6, 1, 1, 2, 0x80, 0x80, 2);
 
   it.each([

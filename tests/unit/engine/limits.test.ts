@@ -1,6 +1,6 @@
 /**
- * Limits that the engine checks before it calls the core, and the core once more, are the same numbers. They stand in
- * both languages because the engine checks before it starts a worker, and the core does not rely on that.
+ * Limits that both engine and core check have equal numbers. They exist in both languages because the engine checks
+ * before starting a worker, and the core does not rely on that.
  */
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -8,7 +8,7 @@ import { describe, expect, it } from 'vitest';
 
 const root = path.resolve(import.meta.dirname, '../../..');
 
-/** The number that a constant is set to in a source file of TypeScript or C++. */
+/** The value of a constant in a TypeScript or C++ source file. */
 function constantIn(file: string, name: string): number {
   const text = readFileSync(path.join(root, file), 'utf8');
   const found = new RegExp(`\\b${name} = (-?[\\d][\\d.e'_]*)[,;]`).exec(text)?.[1];

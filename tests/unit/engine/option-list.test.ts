@@ -23,7 +23,7 @@ const EXPECTED = [
   listOf('`export`', EXPORT),
 ].join('\n');
 
-/** Lines are broken anywhere. */
+/** Lines can break anywhere. */
 const onOneLine = (text: string): string => text.replace(/\s+/g, ' ').trim();
 
 it('the list agrees with the table', () => {

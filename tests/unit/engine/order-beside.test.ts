@@ -1,4 +1,4 @@
-/** The second worker of a large sequence: the shared memory, and that it ends with the first in any case. */
+/** The second worker of a large sequence: its shared memory, and its end together with the first worker. */
 import { describe, expect, it } from 'vitest';
 import type { FromWorker, KeyData, Request } from '../../../web/engine/wire/protocol.ts';
 import { awaitedOrder, provideOrder, type SharedOrder } from '../../../web/engine/wire/shared-order.ts';
@@ -10,7 +10,7 @@ function replyLarge(request: Request): FromWorker {
   return reply;
 }
 
-/** A large sequence that is being built; both workers wait for the test. */
+/** A large sequence under construction, whose two workers wait for the test. */
 async function building() {
   const { engine, workers } = fakeEngine(
     (request) => (request.type === 'order' || request.type === 'motion' ? null : replyLarge(request)),
@@ -33,7 +33,7 @@ async function building() {
   return { engine, workers, finder, builder, order, sequence, code, cancel: () => controller.abort(), answer };
 }
 
-/** Whether who came now would make nothing. */
+/** Whether a new worker would skip the computation. */
 function isGivenUp(order: SharedOrder): boolean {
   let begun = false;
   provideOrder(order, () => {

@@ -1,4 +1,4 @@
-/** A worker is started in the first way that works; one that says nothing has failed, too. */
+/** A worker is started by the first method that works; a silent start counts as failed. */
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import type { StartedWorker } from '../../../web/engine/caller/browser-files.ts';
 import { PatientWorker, type Way } from '../../../web/engine/caller/patient-worker.ts';
@@ -66,7 +66,7 @@ it('the time counts once the rest has loaded, and ends with the first word', asy
   loaded();
   await vi.advanceTimersByTimeAsync(20_000);
   scripts[0]!.say({ type: 'ready' });
-  // From now on work may take as long as it does.
+  // From now on, work may take any time.
   await vi.advanceTimersByTimeAsync(3_600_000);
   expect([scripts[0]!.ended, errors]).toEqual([false, []]);
 });

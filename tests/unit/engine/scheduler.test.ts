@@ -33,7 +33,7 @@ describe('the scheduler', () => {
     const play = (): Promise<void> => scheduler.run(urgency.shown, frame).then(() => again());
     let over = false;
     const again = (): Promise<void> => (over ? Promise.resolve() : play());
-    // Two, so one always waits.
+    // Two tasks, so one is always waiting.
     const playing = [play(), play()];
     const before = await scheduler.run(urgency.batch, async () => shown);
     over = true;

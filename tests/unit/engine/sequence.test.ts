@@ -12,14 +12,14 @@ const failure = (work: Promise<unknown>): Promise<EngineError> =>
     (e: EngineError) => e,
   );
 
-/** The measures at these times: the times themselves. */
+/** Measures equal to the requested times. */
 const measuredAt = (times: readonly number[], id: number): FromWorker => ({
   type: 'result',
   id,
   value: { volume: [...times], area: [...times], sliding: times.map(() => null) },
 });
 
-/** A sequence whose frames wait until the test replies; to others `reply` answers first. */
+/** A sequence whose frames wait for the test's reply; `reply` answers other requests first. */
 async function heldSequence(reply: (request: Request) => FromWorker | undefined = () => undefined) {
   const { engine, workers } = fakeEngine(
     (request) => reply(request) ?? (request.type === 'evaluate' ? null : replyTo(request)),
@@ -89,7 +89,7 @@ describe('evaluate', () => {
     expect((await second)?.positions).toBe(frame?.positions);
     void sequence.evaluate(2);
     await settled();
-    expect(worker.of('evaluate').at(-1)?.buffers).toBeNull(); // released twice, but there once
+    expect(worker.of('evaluate').at(-1)?.buffers).toBeNull(); // released twice, but pooled once
   });
 
   it('refuses a time that is no number', async () => {

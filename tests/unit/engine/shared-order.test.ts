@@ -1,4 +1,4 @@
-/** Communication of two workers about the elimination order, by memory alone. */
+/** Two workers exchange the elimination order through shared memory alone. */
 import { describe, expect, it } from 'vitest';
 import { awaitedOrder, giveUpOrder, provideOrder, sharedOrder } from '../../../web/engine/wire/shared-order.ts';
 
@@ -7,7 +7,7 @@ describe('shared order', () => {
     const order = sharedOrder(5);
     provideOrder(order, () => Int32Array.of(2, 0, 1));
     expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
-    giveUpOrder(order); // too late
+    giveUpOrder(order); // the order is given up too late
     expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
   });
 
@@ -16,7 +16,7 @@ describe('shared order', () => {
     const given = sharedOrder(3);
     giveUpOrder(given);
     expect(awaitedOrder(given)).toBeNull();
-    // A later worker must not begin: it may end in the middle without notice.
+    // A later worker must not start, because it may end midway without notice.
     provideOrder(given, () => {
       throw new Error('begun');
     });

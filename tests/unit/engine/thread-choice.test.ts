@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { ThreadChoice } from '../../../web/engine/worker/thread-choice.ts';
 
-/** Frames with these times for one thread and for two; returns the threads of each frame. */
+/** Simulates frames with these times for one and two threads; returns the threads of each frame. */
 function play(choice: ThreadChoice, ms: (threads: 1 | 2, frame: number) => number, frames: number): (1 | 2)[] {
   return Array.from({ length: frames }, (_, frame) => {
     const { threads } = choice;

@@ -1,4 +1,4 @@
-/** The page's message if the WebAssembly is missing at its URL. */
+/** The error if the WebAssembly is missing at its URL. */
 import { expect, it } from 'vitest';
 import { compileFrom } from '../../../web/engine/caller/wasm-file.ts';
 

@@ -1,4 +1,4 @@
-/** Lines are as long as pictures are large, however far a curve goes. */
+/** Drawn lines are no longer than plots, however far a curve extends. */
 import { expect, it } from 'vitest';
 import { FARTHEST, clipped } from '../../../web/play/figures/clip.ts';
 

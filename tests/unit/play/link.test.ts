@@ -105,7 +105,7 @@ describe('a link', () => {
   });
 });
 
-/** Numbers that links have tried. */
+/** Difficult numbers in links. */
 const NUMBERS = [0, 1e-300, 1e-12, 1e-6, 5e-5, 1e-4, 0.02, 1, 1.0001, 2, 1e3, 999_999, 1e6, 1e308, -1e6, NaN, Infinity];
 
 describe('whatever a link holds', () => {

@@ -92,7 +92,7 @@ describe('the demonstration', () => {
       for (const state of states) {
         const derived = derive(state);
         expect(curveNotice(state, derived, scene.touched).length).toBeGreaterThan(30);
-        // In one column with the others, nothing bends less than the natural spline.
+        // Within a column, no curve bends less than the natural spline.
         for (const layer of state.layers)
           expect(derived.bending[layer] / derived.bending.natural).toBeGreaterThan(1 - 1e-9);
       }

@@ -1,4 +1,6 @@
-/** The playground's splines against formulas of their own; against the core: tests/engine/play.test.ts. */
+/**
+ * The playground's splines compared with independent formulas; tests/engine/play.test.ts compares them with the core.
+ */
 import { describe, expect, it } from 'vitest';
 import { inInterval, totalBending, valueAt } from '../../../web/play/splines/curve.ts';
 import type { Curve } from '../../../web/play/splines/curve.ts';
@@ -96,7 +98,7 @@ describe('the system', () => {
   });
 });
 
-/** Entries that a row of the system must not have: away from the diagonals, and next to the one of given slopes. */
+/** Entries that must be zero in a row of the system: away from the diagonals, and next to a given slope's entry. */
 function isApart(i: number, j: number, ends: 'natural' | 'hermite'): boolean {
   const atEnd = i === 0 || i === times.length - 1;
   return Math.abs(i - j) > 1 || (ends === 'hermite' && atEnd && i !== j);

@@ -3,13 +3,13 @@ import type { IconName } from '../../ui/icons.ts';
 import type { Context } from './context.ts';
 
 export interface Action {
-  /** `event.key`, lower case; with 'ctrl+' and 'shift+' before it where they are needed. */
+  /** `event.key` in lower case, prefixed with 'ctrl+' and 'shift+' as needed. */
   keys?: readonly string[];
-  /** The keys in help and tooltips, separated by two spaces. */
+  /** Key names in help and tooltips, separated by two spaces. */
   shown?: string;
   /** The line in the help. */
   does?: string;
-  /** It edits the document: its key first closes the sheet that covers the panels. */
+  /** It edits the document, so its key first closes the sheet that covers the panels. */
   edits?: boolean;
   button?: Button;
   run(context: Context, ...args: never[]): unknown;
@@ -17,7 +17,7 @@ export interface Action {
 
 export type Actions = Readonly<Record<string, Action>>;
 
-/** The header's start, its history or its end, or the bar below the shape. */
+/** Header start, history or end, or the bar below the shape. */
 export type Place = 'start' | 'history' | 'end' | 'views';
 
 export interface Button {
@@ -25,13 +25,13 @@ export interface Button {
   testId: string;
   label: string;
   icon?: IconName;
-  /** Written beside the icon. */
+  /** Text beside the icon. */
   text?: string;
   kind?: 'primary';
   now?(context: Context): ButtonState;
 }
 
-/** What changes about a button. */
+/** Parts of a button that change. */
 export interface ButtonState {
   /** Replaces the label in the tooltip. */
   hint?: string;
@@ -43,12 +43,12 @@ export interface ButtonState {
 
 type Arguments<Run> = Run extends (context: Context, ...args: infer Args) => unknown ? Args : never;
 
-/** The commands without their first argument, the context. */
+/** Commands without their first argument, the context. */
 export type Bound<Table extends Actions> = {
   readonly [Id in keyof Table]: (...args: Arguments<Table[Id]['run']>) => ReturnType<Table[Id]['run']>;
 };
 
-/** Gives each command its context. A failure is shown on the page; its promise resolves all the same. */
+/** Binds each command to the context. The page shows a failure; the promise resolves anyway. */
 export function bindActions<Table extends Actions>(table: Table, context: Context): Bound<Table> {
   const { onError } = context.feedback;
   const bind =

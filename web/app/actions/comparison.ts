@@ -1,4 +1,4 @@
-/** Commands that compare motions, and the presentation. */
+/** Commands to compare motions and to present. */
 import { OWN_METHOD } from '../../engine/api/methods.ts';
 import type { Method } from '../../engine/api/types.ts';
 import { PRESENTED, holds } from '../../model/state.ts';
@@ -8,7 +8,7 @@ import type { Context } from './context.ts';
 import { jumpKey } from './time.ts';
 import { changeView } from './context.ts';
 
-/** From the best known method to the closest to ours. */
+/** Ordered from the best-known method to the closest to ours. */
 const COMPARED: readonly Method[] = [
   'linear',
   'cubic-vertex',
@@ -43,7 +43,7 @@ export const COMPARISON = {
   compare: { run: (context, methods: Method[]) => changeView(context, { compare: methods }) },
   split: { run: (context, split: number) => changeView(context, { split }) },
   present: { run: present },
-  /** Shows the plot large beside the shape, or as before. */
+  /** Enlarges the plot beside the shape, or restores its size. */
   enlarge: { run: (context, plot: Plot) => present(context, presented(context) === plot ? null : plot) },
 } satisfies Actions;
 
@@ -55,7 +55,7 @@ export function present(context: Context, what: Presented | null): void {
   changeView(context, { present: what });
 }
 
-/** Puts a divider between two motions, or removes it and restores what was compared before. */
+/** Puts a divider between two motions, or removes it and restores the previous comparison. */
 function toggleSplit(context: Context): void {
   const { doc, view } = context.session.store.get();
   const { compare, split } = view;
@@ -69,7 +69,7 @@ function toggleSplit(context: Context): void {
   changeView(context, { split: 0.5, compare: [other] });
 }
 
-/** Compares with the next method behind a divider; after the last one, with none. */
+/** Compares with the next method behind a divider. After the last method, stops comparing. */
 function nextComparison(context: Context): void {
   const { doc, view } = context.session.store.get();
   const others = COMPARED.filter((method) => method !== doc.motion.method || holds(doc.motion));
@@ -78,7 +78,10 @@ function nextComparison(context: Context): void {
   else changeView(context, { compare: [], split: null });
 }
 
-/** In the presentation: the next plot, that of the guide's page first; after the last one, the shape alone. */
+/**
+ * In a presentation, shows the next plot, starting with that of the guide's page. After the last plot, shows only the
+ * shape.
+ */
 function nextPlot(context: Context): void {
   const own = context.guide.now?.plot ?? null;
   const order: Presented[] = PRESENTED.filter((one) => one !== own);

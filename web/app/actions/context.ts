@@ -1,4 +1,4 @@
-/** What commands work on: the parts of the app. The parts do not know the commands. */
+/** The input of commands: the parts of the app. No part imports the commands. */
 import type { AppState, Plot } from '../../model/state.ts';
 import type { End } from '../../model/speeds.ts';
 import type { Lazy } from '../../ui/lazy.ts';
@@ -28,40 +28,40 @@ export interface Context extends Ways {
   analysis: AnalysisCache;
   motionSpeed: MotionSpeedFollower;
   takeFiles: TakeFiles;
-  /** Offers what can be done about the files that were just opened; null takes the offer back. */
+  /** Offers follow-up actions for the files just opened; null withdraws the offer. */
   offerImport(offer: Offer | null): void;
   guide: Lazy<GuideControl>;
-  /** Not before the page is made. */
+  /** Undefined until the page is created. */
   readonly overlays: Overlays;
 }
 
-/** What opens and saves: files and samples, work of an earlier visit, the page's address, exports. */
+/** Opening and saving: files, samples, work of an earlier visit, the page's URL, exports. */
 export interface Ways {
   files: Opener;
   remembered: RememberedFiles;
   undo: Undo;
   animation: Lazy<Animation>;
-  /** Shows the animation that the keys are of, or that of other files, beside the motion. */
+  /** Shows the source animation, or that of other files, beside the motion. */
   showOriginal(shown: boolean): Promise<void>;
-  /** Opens a project of the user again. */
+  /** Reopens a project of the user. */
   openOwn(project: string): Promise<void>;
   link: PageLink;
   exporting: Lazy<ExportController>;
   titleOf(source: AppState['source']): string;
 }
 
-/** What commands need of the guide. */
+/** The part of the guide that commands use. */
 export interface GuideControl {
-  /** The plot that the page on show speaks of, or null. */
+  /** Plot of the current page, or null. */
   readonly plot: Plot | null;
-  /** Stops opening a page of it, or the way back; false if neither was under way. */
+  /** Stops opening a page of the guide or leaving it; false if neither is in progress. */
   cancel(): boolean;
   close(): Promise<void>;
 }
 
-/** What opens over the page. */
+/** Dialogs and file choosers over the page. */
 export interface Overlays {
-  /** Have the user choose files: to open, to add as keys, for a tangent, or to compare with. */
+  /** File choosers: to open, to add keys, to set a tangent, or to compare. */
   pickFiles(): void;
   pickKeys(): void;
   pickTangent(end: End): void;
@@ -74,7 +74,7 @@ export interface Overlays {
   toggleClock(): void;
 }
 
-/** What most commands on the view do. */
+/** Shared by most commands on the view. */
 export function changeView({ session: { store } }: Context, change: Partial<View>): void {
   store.set({ view: { ...store.get().view, ...change } });
 }

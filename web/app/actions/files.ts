@@ -14,13 +14,13 @@ export const FILES = {
     button: { in: 'start', testId: 'open', label: 'Open files', icon: 'open', text: 'Open' },
     run: ({ overlays }) => overlays.pickFiles(),
   },
-  /** `place`: where among the keys the files were dropped; null: elsewhere. */
+  /** `place`: drop position among the keys; null if the files were dropped elsewhere. */
   take: { run: ({ takeFiles }, picked: Picked, place?: KeyPlace | null) => takeFiles.take(picked, place) },
   sample: { run: ({ files }, id: string) => files.sample(id) },
   own: { run: ({ openOwn }, project: string) => openOwn(project) },
-  /** Closes the sheet that asks which keys to take of an animation. */
+  /** Closes the sheet for choosing keys of an animation. */
   asked: { run: asked },
-  /** Takes the keys again, at these seconds of the animation. */
+  /** Samples the keys again at these times of the animation, in seconds. */
   takeKeys: {
     run: ({ files }, animation: number, times: number[]) => files.resample(animation, times),
   },
@@ -28,7 +28,7 @@ export const FILES = {
   takeFewest: { run: takeFewest },
   original: { run: ({ showOriginal }, shown: boolean) => showOriginal(shown) },
   pickTruth: { run: ({ overlays }) => overlays.pickTruth() },
-  /** Compares with an animation of other files; null: with none. */
+  /** Compares with the animation of other files; null stops comparing. */
   compareWith: {
     async run({ animation, showOriginal }, picked: Picked | null) {
       if (!picked) {

@@ -44,7 +44,7 @@ export const KEYS = {
     run: ({ session: { store } }, key: number, name: string) =>
       store.edit('rename a key', (doc) => renameKey(doc, key, name)),
   },
-  /** If the key is on the screen, the time moves with it. */
+  /** If the screen shows this key, the playhead moves with it. */
   retimeKey: {
     run({ session: { store }, feedback }, key: number, time: number) {
       const { doc, time: now, play } = store.get();
@@ -85,7 +85,7 @@ export const KEYS = {
   },
 } satisfies Actions;
 
-/** The spacing of the keys; null if they have changed meanwhile, or nothing is open. */
+/** The spacing of the keys; null if the keys changed while it was computed, or if nothing is open. */
 async function spacingOfKeys({ session: { store, sequence } }: Context): Promise<KeySpacing | null> {
   const { keys } = store.get().doc;
   const keySpacing = (await sequence()?.keySpacing()) ?? null;
@@ -103,7 +103,7 @@ async function autoTightness(context: Context): Promise<void> {
   store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));
 }
 
-/** Adds the shape on the screen as a key at its time. */
+/** Adds the shown shape as a key at the current time. */
 async function addCurrent({ session, display }: Context): Promise<void> {
   const { store, workspace, range } = session;
   const { pool } = workspace;
@@ -116,7 +116,7 @@ async function addCurrent({ session, display }: Context): Promise<void> {
   store.edit('add a key', (before) => addKey(before, { pose, name: '', time: t }));
 }
 
-/** Why no key can be added at t, or null. */
+/** The reason why no key can be added at t, or null. */
 export function addReason(keys: readonly KeyRef[], t: number): string | null {
   return isTaken(keys, t) ? 'There is a key at this time already. Move the slider first.' : null;
 }

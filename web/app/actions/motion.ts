@@ -50,15 +50,15 @@ export const MOTION = {
     run: (context, pins: Pin[], merge?: string) =>
       changeMotion(context, { pins: pins.length > 0 ? pins : DEFAULT_MOTION.pins }, merge),
   },
-  /** The next click on the shape pins it there. */
+  /** The next click on the shape pins that vertex. */
   placing: {
     run(context, placing: boolean) {
-      // What plays cannot be hit.
+      // A playing shape is hard to click.
       if (placing && context.session.store.get().play.playing) play(context, { playing: false });
       context.viewState.change({ placing });
     },
   },
-  /** The same shape stays on the screen, and the same part plays. */
+  /** The shown shape and the playing range stay the same. */
   reverse: {
     run(context) {
       const { store, range } = context.session;
@@ -75,7 +75,7 @@ function changeMotion({ session: { store } }: Context, change: Partial<Motion>, 
   store.edit(undoName(change), (doc) => setMotion(doc, eased(withBoundary(change, doc.motion), doc)), merge);
 }
 
-/** Ends that begin to ease do so, unless a speed or a shape was chosen for them before. */
+/** Turns on easing at the ends, unless they already have a chosen speed or tangent shape. */
 function eased(change: Partial<Motion>, { motion, encoding }: Doc): Partial<Motion> {
   const begins = change.boundary === 'hermite' && motion.boundary !== 'hermite';
   const chosen = (['start', 'end'] as const).some(
@@ -84,7 +84,7 @@ function eased(change: Partial<Motion>, { motion, encoding }: Doc): Partial<Moti
   return begins && !chosen ? { ...change, startSpeed: 0, endSpeed: 0 } : change;
 }
 
-/** A method without the present ends gets natural ones. */
+/** Uses natural ends for a method that does not have the chosen ends. */
 function withBoundary(change: Partial<Motion>, { boundary }: Motion): Partial<Motion> {
   const fits = change.method === undefined || hasEnds(change.method, boundary);
   return fits ? change : { ...change, boundary: 'natural' };

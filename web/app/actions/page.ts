@@ -110,7 +110,7 @@ function historyButton(testId: 'undo' | 'redo', verb: string, step: (context: Co
   return { in: 'history', testId, label: verb, icon: testId, now };
 }
 
-/** The choice counts at once. Its plan is worked out later. */
+/** The choice takes effect immediately. Its plan follows later. */
 async function planExport({ viewState, exporting }: Context, chosen: ExportRequest): Promise<void> {
   const request = { ...chosen };
   viewState.change({ exporting: { request, plan: null } });
@@ -132,7 +132,7 @@ function closeError({ viewState }: Context): void {
   viewState.change({ errorMessage: null });
 }
 
-/** Escape ends one thing at a time. */
+/** Each press of Escape ends one thing. */
 function stepBack(context: Context): void {
   const { viewState, session, guide } = context;
   const { placing, working, blend, errorMessage, opening } = viewState.get();

@@ -1,4 +1,4 @@
-/** Commands on reading and encoding the shape. */
+/** Commands on importing and encoding the shape. */
 import { setEncoding } from '../../model/edits.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import { undoName } from '../../model/page-options.ts';
@@ -24,7 +24,7 @@ export const SHAPE = {
       store.edit('shape defaults', (doc) => setEncoding(doc, viewState.get().initial?.encoding ?? DEFAULT_ENCODING)),
   },
   orient: { run: ({ files }, orientation: Orientation) => files.reorient(orientation) },
-  /** Sets which axis is up, for files that do not say it. */
+  /** Sets the up axis, for file formats that do not specify it. */
   standUp: {
     run({ files, viewState }, up: 'y' | 'z') {
       const { orientation } = viewState.get();

@@ -78,7 +78,7 @@ export const TIME = {
       seek(context, t);
     },
   },
-  /** The mouse points at time t on the timeline; null: it has left. */
+  /** The mouse points at time t on the timeline; null when it leaves. */
   peek: { run: ({ display }, t: number | null) => display.timePictures.want(t) },
   loop: { run: (context, loop: LoopMode) => play(context, { loop }) },
   speed: { run: (context, speed: number) => play(context, { speed }) },
@@ -89,7 +89,7 @@ export const TIME = {
   zoomTime: { run: zoomTime },
 } satisfies Actions;
 
-/** The visitor has moved through time: the welcome can go. */
+/** The user has moved through time, so the welcome can close. */
 function used({ viewState }: Context): void {
   viewState.change({ welcome: false });
 }
@@ -105,7 +105,7 @@ export function seek(context: Context, t: number): void {
   used(context);
 }
 
-/** Moves by an arrow, Home, End or page key; false for any other key. */
+/** Handles arrow, Home, End and page keys; returns false for any other key. */
 function step(context: Context, event: KeyboardEvent): boolean {
   const { store, range } = context.session;
   const { doc, time, play: clock } = store.get();
@@ -134,7 +134,7 @@ function window(context: Context, part: Range | null): void {
   changeView(context, { window: part && [part[0], part[1]] });
 }
 
-/** Sets where playing starts or ends; null: at the time on the screen. */
+/** Sets the start or end of playing; null means the current time. */
 function loopEnd(context: Context, end: 'start' | 'end', t: number | null): void {
   const { store, range } = context.session;
   const { play: clock, time } = store.get();

@@ -1,4 +1,4 @@
-/** Commands on how the shape is looked at. */
+/** Commands on the view of the shape. */
 import type { ViewName } from '../../model/camera.ts';
 import type { View } from '../../model/state.ts';
 import { reducedMotion } from '../view/window-events.ts';
@@ -51,9 +51,9 @@ export const VIEW = {
     run: (context) => changeView(context, { film: !viewOf(context).film, onion: false }),
   },
   view: { run: changeView },
-  /** Shows a mixture of the keys; null shows the motion again. */
+  /** Shows a blend of the keys; null shows the motion again. */
   blend: { run: showBlend },
-  /** Marks on the shape what a figure shows. */
+  /** Marks the faces or vertices of a figure on the shape. */
   mark: {
     run({ display: { marking } }, what: { face: number } | { patches: readonly number[] } | null) {
       if (!what) marking.component(null);

@@ -4,11 +4,11 @@ import type { Session } from '../session/session.ts';
 import { analyse, analysisInput } from './analysis.ts';
 
 export interface AnalysisObserver {
-  /** The motions have changed; `isOther`: they are of another shape than before. */
+  /** The motions have changed. `isOther`: they belong to another shape. */
   onChange(isOther: boolean): void;
-  /** What is known is out of date, and nothing is under way that would change that. */
+  /** The analysis is out of date, and no new one is being computed. */
   onStale(): void;
-  /** A new analysis of the motions as they still are. */
+  /** A new analysis of the current motions. */
   onFresh(analysis: Analysis): void;
 }
 
@@ -19,7 +19,7 @@ export class AnalysisCache {
   private observer: AnalysisObserver | null = null;
   private of: unknown = null;
 
-  /** `input` gives what to analyse now, null where nothing is open; `shape` what it is of. */
+  /** `input` returns the motions to analyse, or null if nothing is open; `shape` returns their shape. */
   constructor(
     readonly input: () => AnalysisInput | null,
     readonly onError: (error: unknown) => void,
@@ -34,7 +34,6 @@ export class AnalysisCache {
     this.observer = observer;
   }
 
-  /** The motions have changed. */
   invalidate(): void {
     this.outOfDate = true;
     const isOther = this.of !== this.shape();
@@ -43,7 +42,7 @@ export class AnalysisCache {
     if (!this.running) this.observer?.onStale();
   }
 
-  /** Computes unless that is under way; null without a motion or after a failure. */
+  /** Computes an analysis unless one is in progress; null without a motion or after a failure. */
   refresh(): Promise<Analysis | null> {
     this.running ??= this.compute().finally(() => {
       this.running = null;
@@ -52,7 +51,7 @@ export class AnalysisCache {
     return this.running;
   }
 
-  /** Of the motions as they are now, computed if it is not there yet; null without a motion or after a failure. */
+  /** The analysis of the current motions, computed if missing; null without a motion or after a failure. */
   async get(): Promise<Analysis | null> {
     if (this.running) await this.running;
     return this.outOfDate || !this.analysis ? this.refresh() : this.analysis;
@@ -74,7 +73,7 @@ export class AnalysisCache {
   }
 }
 
-/** Of what is open. `ms`: milliseconds of a frame. The end of a worker has it computed again. */
+/** Caches the analysis of the open shape. `ms`: milliseconds per frame. Recomputes when a worker ends. */
 export function createAnalysisCache(
   { store, workspace, restart, range }: Session,
   ms: () => number,

@@ -1,4 +1,4 @@
-/** Volume, area, bending energy and shape plane of the motions on the screen, as numbers over time. */
+/** Volume, area, bending energy and shape plane of the shown motions over time. */
 import { endTangents, referenceKey } from '../../model/state.ts';
 import type { Doc } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
@@ -8,7 +8,7 @@ import type { MotionMeasures, MotionName } from '../../study/motion-measures.ts'
 import type { RunningMotion } from '../../playback/frame-set.ts';
 import type { ShapePlaneInput } from './shape-plane.ts';
 
-/** Everything that is plotted, and what the CSV holds. */
+/** The data of all plots and of the CSV. */
 export interface Analysis {
   times: number[];
   keyTimes: readonly number[];
@@ -17,13 +17,13 @@ export interface Analysis {
 }
 
 export interface AnalysisInput extends ShapePlaneInput {
-  /** Milliseconds per frame: the slower, the fewer times are computed. */
+  /** Milliseconds per frame. Slow frames reduce the number of times. */
   ms: number;
-  /** Index of the key in which nothing is turned or stretched. */
+  /** Index of the reference key, whose rotations and stretches are zero. */
   reference: number;
 }
 
-/** Motions with and without a ghost mesh are not compared: those like the first one are analysed. */
+/** Motions with and without a ghost mesh are not comparable. Only those of the first one's kind are analysed. */
 export function analysisInput(running: readonly RunningMotion[], doc: Doc, range: Range, ms: number): AnalysisInput {
   const [main] = running;
   return {
@@ -47,10 +47,10 @@ export async function analyse({ sequences, keyTimes, range, ms }: AnalysisInput)
   return { times, keyTimes, range, motions };
 }
 
-/** Times that are measured at once; between two of these it can be stopped. */
+/** Times per request. The analysis can be cancelled between requests. */
 const AT_ONCE = 16;
 
-/** The same at these times, however many they are. Rejects when `signal` says so. */
+/** Analyses the motions at these times, any number of them. Rejects when `signal` aborts. */
 export async function analyseAt(
   { sequences, keyTimes, range }: AnalysisInput,
   times: readonly number[],
@@ -83,7 +83,7 @@ function joined({ method, plain }: MotionName, parts: readonly MotionMeasures[])
   };
 }
 
-/** In percent of the value at the first key; NaN where that is 0, as the volume of a flat surface. */
+/** In percent of the value at the first key; NaN if that value is 0, like the volume of a flat surface. */
 export function relativeToFirstKey(values: readonly number[], { times, keyTimes }: Analysis): number[] {
   const base = values[times.indexOf(keyTimes[0] ?? 0)] ?? NaN;
   return values.map((value) => (base === 0 ? NaN : (100 * value) / base));

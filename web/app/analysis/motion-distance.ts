@@ -1,22 +1,22 @@
-/** How far the motions on the screen are from the first one, or from an animation. */
+/** Distance of the shown motions from the first one, or from an animation. */
 import type { Method } from '../../engine/api/types.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
 import { MotionError } from '../../study/motion-error.ts';
 import type { MotionName } from '../../study/motion-measures.ts';
 import type { AnalysisInput } from './analysis.ts';
 
-/** What the motions are compared with, and the diagonal that distances are relative to. */
+/** The reference of the comparison, and the diagonal that distances are relative to. */
 export interface Compared {
-  /** Of the animation at a time, where it is shown. */
+  /** Returns the animation's shape at a time; null if no animation is shown. */
   original: ((t: number) => { positions: Float32Array }) | null;
-  /** The animation's name where it is of other files than the keys, else null. */
+  /** Name of the animation if it comes from other files than the keys, else null. */
   truth?: string | null;
   diagonal: number;
 }
 
 export interface MotionDistances {
   times: number[];
-  /** null: the animation. */
+  /** The reference motion's method; null means the animation. */
   from: Method | null;
   /** Mean distance in percent of the diagonal at each time; the KG error of all times in percent. */
   motions: (MotionName & { mean: number[]; largest: number[]; kg: number })[];
@@ -25,10 +25,13 @@ export interface MotionDistances {
 const BUDGET_MS = 1200;
 const LEAST_TIMES = 13;
 const MOST_TIMES = 97;
-/** Times whose shapes are held at once. */
+/** Number of shapes held in memory at a time. */
 const AT_ONCE = 8;
 
-/** null where there is nothing to compare. Between the keys alone: beyond them there is no animation. */
+/**
+ * Distances of the motions over the keys' range, because the animation does not extend beyond it; null without a
+ * reference.
+ */
 export async function motionDistances(
   { sequences, keyTimes, range, ms }: AnalysisInput,
   { original, diagonal }: Compared,

@@ -1,6 +1,6 @@
 /**
- * Keeps the timeline's speed and the speeds on offer in step with the motion: asked for when frames leave time, the
- * newest only.
+ * Keeps the timeline's speed curve and the offered speeds in step with the motion. Requests run when frames leave time;
+ * only the newest counts.
  */
 import type { Motion } from '../../engine/api/api.ts';
 import type { SpeedCurve } from '../../model/speed-curve.ts';
@@ -13,14 +13,13 @@ import type { ShapePlaneInput } from './shape-plane.ts';
 export interface MotionSpeedParts {
   /** The first running sequence. */
   sequence(): Motion | undefined;
-  /** What the ends lead towards. */
+  /** Shapes that give the end tangents. */
   towards(): ShapePlaneInput['towards'];
-  /** `most`: the fastest on offer at the ends. */
+  /** `most`: the largest offered end speeds. */
   onSpeed(curve: SpeedCurve | null, most: Speeds): void;
 }
 
 export interface MotionSpeedFollower {
-  /** The motion has changed. */
   refresh(): void;
 }
 
@@ -47,7 +46,7 @@ export function createMotionSpeed({ sequence, towards, onSpeed }: MotionSpeedPar
       running = true;
       while (stale) {
         stale = false;
-        // A sequence that was exchanged in the middle has a successor, which calls again.
+        // The successor of a replaced sequence calls again.
         await work().catch(() => undefined);
       }
       running = false;

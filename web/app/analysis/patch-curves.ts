@@ -1,23 +1,23 @@
-/** A patch over time as it is drawn: how far it turns against each neighbour, about which axes, how it stretches. */
+/** A patch over time: its rotation against each neighbour, the rotation axes, and its stretch. */
 import type { PatchCurve } from '../../engine/api/types.ts';
 import { rotationVector, unwound } from '../../study/rotation-vectors.ts';
 import type { Quaternion, Vector } from '../../study/rotation-vectors.ts';
 
 export interface PatchNeighbour {
   patch: number;
-  /** log(G_i^T G_j) at each time, degrees, in the axes of the reference pose; it may be longer than half a turn. */
+  /** log(G_i^T G_j) at each time, in degrees, in the axes of the reference pose; may exceed 180 degrees. */
   turn: Vector[];
 }
 
 export interface PatchCurves {
-  /** The one that turns furthest first. */
+  /** The neighbours, sorted by largest rotation, descending. */
   neighbours: PatchNeighbour[];
   stretch: number[];
 }
 
 const NONE: Quaternion = [1, 0, 0, 0];
 
-/** `rows`: numbers or natural of the curve; `reference`: the index of the time at which nothing is turned. */
+/** `rows`: numbers or natural of the curve; `reference`: index of the time with zero rotation. */
 export function patchCurves({ neighbours }: PatchCurve, rows: readonly number[], reference: number): PatchCurves {
   const width = 1 + 4 * neighbours.length;
   const count = rows.length / width;
@@ -40,7 +40,7 @@ export function patchCurves({ neighbours }: PatchCurve, rows: readonly number[],
   };
 }
 
-/** Degrees, however often it turned. */
+/** The rotation angle in degrees, including full turns. */
 export function angleOf(turn: Vector): number {
   return Math.hypot(...turn);
 }

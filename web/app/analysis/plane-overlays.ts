@@ -1,6 +1,6 @@
 /**
- * Further curves in the shape plane: the discretised minimisation that the spline solves in closed form (the paper's
- * third curve in Fig. 2b), and blends of vertices, which leave the plane.
+ * Additional curves in the shape plane: the discretised minimisation that the spline solves in closed form (the paper's
+ * third curve in Fig. 2b), and vertex blends, which leave the plane.
  */
 import { METHOD } from '../../engine/api/methods.ts';
 import type { Motion } from '../../engine/api/api.ts';
@@ -10,7 +10,7 @@ import type { AnalysisInput } from './analysis.ts';
 export interface MinimisedCurve {
   /** 2 numbers per sample. */
   points: number[];
-  /** Bending energies: of the samples, and of the spline at the same times. */
+  /** Bending energies of the samples, and of the spline at the samples' times. */
   energy: number;
   splineEnergy: number;
   /** The largest distance of a sample from the spline in the plane, as a share of the keys' extent in it. */
@@ -40,13 +40,13 @@ export async function minimisedCurve(sequence: Motion, samples: number): Promise
   return { points, energy, splineEnergy: curveEnergy, off: extent > 0 ? Math.max(...distances) / extent : 0 };
 }
 
-/** Each point is a shape to encode, which takes this many times as long as a frame. */
+/** Encoding the shape of one point takes this many times as long as a frame. */
 const ENCODE_FRAMES = 25;
 const BUDGET_MS = 1200;
 const MOST_POINTS = 49;
 const LEAST_POINTS = 13;
 
-/** The blends of vertices among the motions, over the range of the keys. */
+/** Vertex blends among the motions, over the range of the keys. */
 export async function blendCurves({ sequences, range, ms }: AnalysisInput): Promise<BlendCurve[]> {
   const affordable = BUDGET_MS / Math.max(ms * ENCODE_FRAMES, 0.1);
   const count = Math.round(Math.min(Math.max(affordable, LEAST_POINTS), MOST_POINTS));

@@ -1,32 +1,32 @@
 /**
- * From a point of the shape plane to weights of the keys. The plane has two coordinates of a shape: several mixtures
- * project to a point. The chosen one is near the shapes of the motion there: the change from them has the least norm,
- * in the weights and in the shapes.
+ * Maps a point of the shape plane to weights of the keys. The plane has only two coordinates, so several mixtures
+ * project to one point. The chosen mixture is near the motion's shapes around that point: the difference from them has
+ * the least norm, in the weights and in the shapes.
  */
 
 export type Point = readonly [number, number];
 
 export interface PlaneShapes {
-  /** 2 numbers per key, about their mean. */
+  /** 2 numbers per key, relative to their mean. */
   keys: readonly number[];
-  /** Shapes whose weights are known: 2 numbers each, and a weight per key. */
+  /** Shapes with known weights: 2 numbers per shape, and one weight per key and shape. */
   points: readonly number[];
   weights: readonly number[];
 }
 
 export interface PlaneMixture {
-  /** One per key; they sum to 1. */
+  /** One weight per key; they sum to 1. */
   weights: number[];
-  /** Where it lies: the point that was asked for, unless all keys lie on one line. */
+  /** Its point in the plane: the requested point, unless all keys are collinear. */
   at: Point;
 }
 
-/** Axes along which the keys vary less than this share of the other one are rounding. */
+/** Variance along an axis below this share of the larger variance is rounding error. */
 const LEAST_VARIANCE = 1e-10;
-/** The nearer shapes count by so high a power of their distance that others are not felt beside the curve. */
+/** Exponent of the inverse distance. It is high, so near the curve only the nearest shapes have an effect. */
 const POWER = 6;
 
-/** Keys, and every shape in `points`, give back their own weights. */
+/** Returns the exact weights at keys and at every shape in `points`. */
 export function mixtureAt(shapes: PlaneShapes, point: Point): PlaneMixture {
   const count = shapes.keys.length / 2;
   const near = nearbyWeights(shapes, point, count);
@@ -41,7 +41,7 @@ export function mixtureAt(shapes: PlaneShapes, point: Point): PlaneMixture {
   return { weights, at: placeOf(shapes.keys, weights) };
 }
 
-/** Where an affine mixture of the keys lies in their plane. */
+/** Position of an affine mixture of the keys in their plane. */
 export function placeOf(keys: readonly number[], weights: readonly number[]): Point {
   const along = (axis: 0 | 1): number => sumOf(keys.length / 2, (key) => weights[key]! * keys[2 * key + axis]!);
   return [along(0), along(1)];

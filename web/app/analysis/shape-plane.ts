@@ -13,11 +13,11 @@ export interface ShapePlaneInput {
   sequences: readonly RunningMotion[];
   keyTimes: readonly number[];
   range: Range;
-  /** Hermite: what tells the direction at an end; null = another boundary. */
+  /** Hermite: the shapes that give the end directions; null for other boundaries. */
   towards: Readonly<Record<End, Towards>> | null;
 }
 
-/** As a cubic Bézier curve has them: a third of the way at speed 1. `shape`: where a tangent shape lies. */
+/** Bézier handles: a third of the tangent at speed 1. `shape`: position of the tangent shape. */
 export interface Tangent {
   handle: [number, number];
   shape: [number, number] | null;
@@ -28,7 +28,7 @@ export type Tangents = Readonly<Record<End, Tangent>>;
 export interface ShapePlanes {
   times: number[];
   range: Range;
-  /** One per motion of LRI space, the first one's plane for all. */
+  /** One entry per motion in LRI space, all in the first one's plane. */
   planes: { method: RunningMotion['method']; plane: ShapePlane }[];
   tangents: Tangents | null;
 }
@@ -38,7 +38,7 @@ const POINTS = 97;
 export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapePlanes> {
   const { sequences, keyTimes, range, towards } = input;
   const times = plottedTimes(range, keyTimes, POINTS);
-  // What holds moves shapes, not their coordinates: without it the curve is the same.
+  // Holding moves shapes but not their coordinates, so the curve does not depend on it.
   const inLri = sequences.filter(({ method, plain }) => METHOD[method].space === 'lri' && !plain);
   const planes = await Promise.all(
     inLri.map(async ({ method, sequence }) => {
@@ -50,7 +50,10 @@ export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapeP
   return { times, range, planes, tangents: main && towards ? tangentsOf(main.plane, towards) : null };
 }
 
-/** The shapes whose weights are known: those of the motion, unless tangent shapes have a part in them, and the keys. */
+/**
+ * Shapes with known weights: the keys and the motion's shapes. The latter are left out if tangent shapes contribute to
+ * them.
+ */
 export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
   const count = keys.length / 2;
   const own = weights.length === (curve.length / 2) * count;
@@ -58,7 +61,7 @@ export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
   return { keys, points: [...keys, ...(own ? curve : [])], weights: [...units, ...(own ? weights : [])] };
 }
 
-/** The fastest that is offered at the ends, by how close the tangents' shapes lie to their keys in the plane. */
+/** The largest offered end speeds, from the distances between tangent shapes and their keys in the plane. */
 export function mostSpeeds(plane: ShapePlane, towards: ShapePlaneInput['towards']): Speeds {
   if (!towards) return USUAL_MOST;
   const { start, end } = endsOf(plane, towards);
@@ -79,7 +82,7 @@ function tangentsOf(plane: ShapePlane, towards: Readonly<Record<End, Towards>>):
 
 type Point = [number, number];
 
-/** Where an end's key lies, the key beside it, and the shape that gives the tangent, if one does. */
+/** Positions of an end's key, of its neighbouring key, and of the tangent shape, if any. */
 interface Ended {
   key: Point;
   neighbour: Point;
@@ -88,7 +91,7 @@ interface Ended {
 
 function endsOf({ keys, tangents }: ShapePlane, towards: Readonly<Record<End, Towards>>): Record<End, Ended> {
   const at = (list: readonly number[], index: number): Point => [list[2 * index]!, list[2 * index + 1]!];
-  // A motion that is still being built has none of them yet.
+  // A motion under construction has no positions yet.
   const shape = (index: number): Point | null => (2 * index < tangents.length ? at(tangents, index) : null);
   const last = keys.length / 2 - 1;
   const start = towards.start === 'shape' ? shape(0) : null;

@@ -1,19 +1,19 @@
-/** How far each vertex is from where it would be without a ghost mesh (the paper's Fig. 7), and its colour. */
+/** Distance of each vertex from its position without a ghost mesh (the paper's Fig. 7), and its colour. */
 import { viridis } from '../../plots/viridis.ts';
 
-/** What is drawn of it at a moment. */
+/** The drawn distances at one time. */
 export interface Difference {
-  /** Of each vertex, in percent of the diagonal. */
+  /** One value per vertex, in percent of the diagonal. */
   percent: Float32Array;
   largest: number;
   mean: number;
 }
 
 const SHADES = 256;
-/** Below this, in percent, there is nothing but rounding to be seen. */
+/** Values below this, in percent, are rounding errors. */
 const LEAST_TOP = 0.001;
 
-/** Positions are 3 x vertices; `percent` is filled where it is given. */
+/** Positions are 3 x vertices; fills `percent` if given. */
 export function differenceOf(
   positions: Float32Array,
   reference: Float32Array,
@@ -35,7 +35,7 @@ export function differenceOf(
   return { percent, largest, mean: percent.length > 0 ? sum / percent.length : 0 };
 }
 
-/** A round number that is not below: the colour bar's upper end. */
+/** Rounds up to a round number: the upper end of the colour bar. */
 export function roundTop(largest: number): number {
   if (!(largest > LEAST_TOP)) return LEAST_TOP;
   const power = 10 ** Math.floor(Math.log10(largest));
@@ -43,7 +43,7 @@ export function roundTop(largest: number): number {
   return Number((factor * power).toPrecision(3));
 }
 
-/** 3 x vertices, linear RGB; `colours` are filled where they are given. */
+/** The colour of each vertex, 3 x vertices, linear RGB; fills `colours` if given. */
 export function heatColours(
   { percent }: Pick<Difference, 'percent'>,
   top: number,

@@ -1,4 +1,4 @@
-/** What is on the screen, and when: the scene, the frames that it is given, thumbnails, marked places. */
+/** Schedules everything on the screen: scene, frames, thumbnails and markers. */
 import { FirstKey } from './first-key.ts';
 import { createMarking } from './marking.ts';
 import type { Marking } from './marking.ts';
@@ -19,12 +19,12 @@ import { createPlayback } from '../playback/playback.ts';
 import type { Playback } from '../playback/playback.ts';
 import type { Session } from '../session/session.ts';
 
-/** Where the scene is drawn. */
+/** The surface for drawing the scene. */
 export interface Stage {
   viewport: HTMLElement;
-  /** Names on the picture of a film strip. */
+  /** Shows names on the image of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
-  /** Pixels that bars and words take at the top and the bottom of each of the views, or of two that are `split`. */
+  /** Pixels covered by bars and text at the top and bottom of each view, or of two views that are `split`. */
   covered(views: number, split: boolean): { top: number; bottom: number };
 }
 
@@ -61,7 +61,7 @@ export function createDisplay({ session, stage, viewState, feedback, seek, onRes
   void scene.viewer.firstSeen.then(() => performance.mark('shapespline seen'));
   const yields = (): boolean => viewState.get().working !== null;
   const show = async (frames: FrameSet): Promise<void> => {
-    // What is asked for of what is open is seen.
+    // A request for the open shape ends the display of the first key.
     if (firstKey.isShown) firstKey.end();
     await scene.show(frames, store.get(), range());
     viewState.change(shownView(frames.frames[0]));
@@ -73,7 +73,7 @@ export function createDisplay({ session, stage, viewState, feedback, seek, onRes
     blend: () => viewState.get().blend?.weights ?? null,
     screen: {
       show,
-      // Only then it is known how long the machine was busy with it.
+      // The drawing time is known only after the GPU has finished.
       drawn: () => (yields() ? scene.viewer.finished() : scene.viewer.drawn()),
       yields,
       onError: (error) => {
@@ -96,7 +96,7 @@ export function createDisplay({ session, stage, viewState, feedback, seek, onRes
     store,
     workspace,
     scene,
-    // Small pictures come after the large one.
+    // Thumbnails are drawn after the main view.
     idle: () => playback.frameLoop.idle().then(() => scene.viewer.finished()),
     has: (pose) => viewState.get().thumbnails.has(pose),
     onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),

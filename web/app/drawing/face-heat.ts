@@ -7,25 +7,25 @@
 import type { FaceAmount } from '../../model/state.ts';
 
 export interface VertexAmounts {
-  /** Of each vertex: the mean of its faces by their area in the reference pose. */
+  /** Per vertex: the mean over its faces, weighted by their area in the reference pose. */
   values: Float32Array;
-  /** Of the vertices. */
+  /** Maximum over the vertices. */
   largest: number;
-  /** Over the surface of the reference pose. */
+  /** Mean over the surface of the reference pose. */
   mean: number;
 }
 
-/** Of a face in the reference: t1, t2, n in space; p, q, s of the inverse [p q; 0 s] of its edges in (t1, t2). */
+/** Per face in the reference: t1, t2, n in space; p, q, s of the inverse [p q; 0 s] of its edges in (t1, t2). */
 const NUMBERS = 12;
-/** Faces thinner than this, over the square of their longest edge, have no frame. */
+/** Faces whose area over the square of their longest edge is below this have no frame. */
 const DEGENERATE = 1e-12;
-/** Principal stretches below this count as this. */
+/** Lower bound on principal stretches. */
 const LEAST_STRETCH = 1e-3;
 
 export class FaceHeat {
   private readonly frames: Float64Array;
   private readonly area: Float64Array;
-  /** Sum of the areas at each vertex. */
+  /** Sum of face areas at each vertex. */
   private readonly share: Float64Array;
   private readonly sums: Float64Array;
 
@@ -42,7 +42,7 @@ export class FaceHeat {
     for (let face = 0; face < count; face += 1) this.encode(reference, face);
   }
 
-  /** `positions`: 3 x vertices; `values` are filled where they are given. */
+  /** `positions`: 3 x vertices; fills `values` if given. */
   amounts(
     positions: Float32Array,
     kind: FaceAmount,
@@ -70,8 +70,8 @@ export class FaceHeat {
   }
 
   /**
-   * Of one face. `rotation`: the angle of R_f in degrees. `stretch`: how far the principal stretch furthest from 1 is
-   * from it, in percent, of the longer over the shorter. 0 where the face has no area in the reference.
+   * The amount of one face. `rotation`: the angle of R_f in degrees. `stretch`: the principal stretch furthest from 1,
+   * as the ratio of the longer to the shorter length minus 1, in percent. 0 for faces without area in the reference.
    */
   amountOf(positions: Float32Array, face: number, kind: FaceAmount): number {
     const { faces, frames } = this;
@@ -92,7 +92,7 @@ export class FaceHeat {
     const p = frames[at + 9]!;
     const q = frames[at + 10]!;
     const s = frames[at + 11]!;
-    // The columns of J = [u v] [p q; 0 s], which takes the reference's (t1, t2) to space.
+    // The columns of J = [u v] [p q; 0 s], which maps the reference's (t1, t2) to space.
     const jx = ux * p;
     const jy = uy * p;
     const jz = uz * p;

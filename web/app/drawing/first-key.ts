@@ -1,34 +1,34 @@
-/** While large files are opened, what is open rests dimmed until the first key of the new motion takes its place. */
+/** While large files are being opened, dims the open shape until the first key of the new motion is shown. */
 import type { LoadedKeys } from '../session/workspace.ts';
 import type { Seen } from '../view/view-state.ts';
 
 export interface FirstKeyParts {
-  /** Resolves when what is open no longer asks for the processor; until `resume`. */
+  /** Resolves when the open shape no longer uses the processor; lasts until `resume`. */
   rest(): Promise<void>;
   resume(): void;
-  /** Resolves once the first key is seen. */
+  /** Resolves once the first key is drawn. */
   show(opening: LoadedKeys): Promise<void>;
-  /** What is open is shown again. */
+  /** Shows the open shape again. */
   hide(): void;
   onSeen(seen: Seen): void;
 }
 
 export class FirstKey {
-  /** Another promise for each opening; null while there is none. */
+  /** One promise per opening; null when nothing is being opened. */
   private rested: Promise<void> | null = null;
-  /** It is on the screen, or about to be. */
+  /** The first key is on the screen, or about to be. */
   isShown = false;
 
   constructor(private readonly parts: FirstKeyParts) {}
 
-  /** Files are being read. */
+  /** Reading starts. */
   begin(): void {
     this.parts.onSeen('dimmed');
     this.rested = this.parts.rest();
   }
 
   async show(opening: LoadedKeys): Promise<void> {
-    // Compressed files show only now that they are large.
+    // The size of compressed files is known only now.
     this.rested ??= this.parts.rest();
     const { rested } = this;
     await rested;
@@ -38,12 +38,12 @@ export class FirstKey {
     if (this.rested === rested) this.parts.onSeen('first key');
   }
 
-  /** It is open now. */
+  /** The files are open now. */
   settle(): void {
     this.leave(() => undefined);
   }
 
-  /** It is small, it will not be opened, or what is open is asked for. */
+  /** The files are small or will not be opened, or the open shape is requested. */
   end(): void {
     this.leave(this.parts.hide);
   }

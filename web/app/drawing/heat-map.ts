@@ -1,4 +1,4 @@
-/** Amounts as colours on the shapes that are drawn, and the bar that says what the colours mean. */
+/** Colours the drawn shapes by amounts and shows the colour bar. */
 import type { Frame, KeysInfo } from '../../engine/api/types.ts';
 import { motionWords } from '../../model/method-words.ts';
 import { isFaceAmount, referenceKey } from '../../model/state.ts';
@@ -20,18 +20,18 @@ const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: 
 
 interface Heat {
   kind: Colouring | 'difference';
-  /** The bar's range only grows as long as the same motions are shown. */
+  /** The bar's range only grows while the motions stay the same. */
   of: RunningMotion['sequence'];
   top: number;
 }
 
 export class HeatMap {
-  /** On the screen now; null where nothing is coloured by amounts. */
+  /** The current bar; null if no surface is coloured by amounts. */
   bar: ColourBarProps | null = null;
-  /** What the colours of the first view show now, where that is the difference. */
+  /** The difference that the first view's colours show, if they do. */
   difference: Difference | null = null;
   private heat: Heat | null = null;
-  /** Of each view: the same arrays for every frame. */
+  /** The amounts of each view, in arrays reused for every frame. */
   private values: Float32Array[] = [];
   private colours: Float32Array[] = [];
   private faces: { pool: PosePool; pose: number; heat: FaceHeat } | null = null;
@@ -47,7 +47,7 @@ export class HeatMap {
     this.colours = [];
   }
 
-  /** The next frame. `original`: of the animation that the keys were taken from, where that is shown. */
+  /** Colours the next frame. `original`: the source animation's shape, if shown. */
   show(
     { frames, sequences }: FrameSet,
     { view, doc }: AppState,
@@ -68,7 +68,7 @@ export class HeatMap {
     }
   }
 
-  /** Colours every shape that a ghost leads, where the same motion without one stands beside it (Fig. 7). */
+  /** Colours every shape with a ghost by its difference from the motion without one, if that is shown (Fig. 7). */
   private showDifferences(
     frames: readonly Frame[],
     sequences: readonly RunningMotion[],
@@ -82,7 +82,7 @@ export class HeatMap {
     this.difference = this.showApart(frames, views, reference, diagonal, main!, { kind: 'difference', unit });
   }
 
-  /** Colours every shape but the one that they are compared with: the animation, or else the first motion. */
+  /** Colours every shape by its distance from the reference: the animation, or else the first motion. */
   private showDistances(
     frames: readonly Frame[],
     sequences: readonly RunningMotion[],
@@ -101,7 +101,7 @@ export class HeatMap {
     this.showApart(frames, views, reference, diagonal, main, { kind: 'distance', unit });
   }
 
-  /** Colours these views by how far each vertex is from the reference; returns the first one's distances. */
+  /** Colours these views by each vertex's distance from the reference; returns the first view's distances. */
   private showApart(
     frames: readonly Frame[],
     views: readonly number[],
@@ -123,7 +123,7 @@ export class HeatMap {
     return apart[0]!;
   }
 
-  /** Colours every shape: by whichever method it is made, it is turned and stretched. */
+  /** Colours every shape, made by any method, by rotation or stretch. */
   private showFaces(frames: readonly Frame[], { sequence }: RunningMotion, kind: FaceAmount, heat: FaceHeat): void {
     this.difference = null;
     const amounts = frames.map(({ positions }, view) => heat.amounts(positions, kind, this.values[view]));

@@ -1,19 +1,19 @@
-/** The upper end of a colour scale that a few slivers do not set. */
+/** Chooses the upper end of a colour scale so a few slivers do not dominate it. */
 
-/** Share of the vertices within half of the scale. */
+/** Share of vertices within half of the scale. */
 const SHARE = 0.99;
-/** In percent. A scale that cuts off values reaches at least this far: smaller differences are invisible. */
+/** Minimum upper end, in percent, of a scale that clips values. Smaller differences are invisible. */
 const LEAST = 1;
 
-/** Of amounts in percent, none of them negative; `largest`: of all of them. Nothing is left out needlessly. */
+/** The upper end for non-negative amounts in percent; `largest` is their maximum. */
 export function robustLargest(values: Float32Array, largest: number): number {
   return Math.min(largest, Math.max(2 * quantile(values, SHARE), LEAST));
 }
 
-/** The upper bits of a positive float order numbers by their size, in steps of 3 %. */
+/** The upper bits of a positive float sort numbers by magnitude, in steps of 3 %. */
 const SHIFT = 18;
 
-/** What this share of the values does not exceed, at most 3 % too large. Linear in their number; none is negative. */
+/** The quantile for this share of non-negative values, overestimated by at most 3 %. Linear time. */
 export function quantile(values: Float32Array, share: number): number {
   const bits = new Uint32Array(values.buffer, values.byteOffset, values.length);
   const counts = new Uint32Array(2 ** (31 - SHIFT));

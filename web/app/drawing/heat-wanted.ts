@@ -1,4 +1,4 @@
-/** Whether amounts are to be seen as colours: what draws them is loaded then. */
+/** Tests whether colours show amounts, without loading the code that draws them. */
 import { isFaceAmount } from '../../model/state.ts';
 import type { View } from '../../model/state.ts';
 import type { Rect } from '../../viewer/types.ts';
@@ -16,10 +16,10 @@ export function differing(sequences: readonly RunningMotion[], { ghostDifference
   return sequences.findIndex(({ ghost, method }) => ghost === 0 && method === main.method);
 }
 
-/** A view as narrow as this, in CSS pixels, has no room for words beside the shape. */
+/** Views narrower than this, in CSS pixels, have no room for text beside the shape. */
 const NARROW_PX = 520;
 
-/** The place of the colour bar of a view; `whole`: of it, where a divider shows a part. */
+/** Position of a view's colour bar; `whole`: the full view if a divider shows only a part. */
 export function besideOf(rect: Rect, whole = rect): { x: number; y: number; along: boolean } {
   return { x: rect.x, y: rect.y + rect.height / 2, along: whole.width < NARROW_PX };
 }

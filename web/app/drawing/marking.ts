@@ -1,4 +1,4 @@
-/** What is marked on the shape: the place of a warning, a component, or where faces are indefinite. */
+/** Markers on the shape: a warning's faces, a component, or indefinite faces. */
 import type { Motion } from '../../engine/api/api.ts';
 import type { Warning } from '../../engine/api/types.ts';
 import { keysOf } from '../../engine/api/warning-keys.ts';
@@ -15,21 +15,20 @@ export interface MarkingParts {
   keyTimes(): number[];
   range(): Range;
   seek(t: number): void;
-  /** Which warning's place is marked now. */
+  /** Reports the index of the marked warning. */
   onWarning(index: number | null): void;
   onError(error: unknown): void;
 }
 
 export interface Marking {
-  /** Marks the place of a warning and goes to its moment; null ends that. */
+  /** Marks a warning's faces and goes to its time; null removes the marker. */
   warning(index: number | null): void;
-  /** Marks a component; null ends that. */
+  /** Marks a component; null removes the marker. */
   component(component: number | null): void;
-  /** Marks what moves with a face. */
+  /** Marks the region that moves with a face. */
   around(face: number): void;
-  /** Marks patches. */
   patches(patches: readonly number[]): void;
-  /** The motion changed, so a marked place may no longer exist. Components stay the same. */
+  /** The motion changed, so a marked face or patch may no longer exist. Components stay the same. */
   follow(): void;
 }
 
@@ -94,7 +93,7 @@ export function createMarking({
   };
 }
 
-/** The faces of the patches; of the face's own where there are none. */
+/** The faces of the patches, or of the face's own patch if the list is empty. */
 async function facesOf(sequence: Motion, patches: readonly number[], face: number): Promise<number[]> {
   const ofFace = await sequence.shape.patches();
   const wanted = new Set(patches.length > 0 ? patches : [ofFace[face] ?? -1]);
@@ -113,13 +112,13 @@ function hasPlace({ patches, face }: Warning): boolean {
   return patches.length > 0 || face >= 0;
 }
 
-/** The middle of the interval that a warning is about, or its key's time; null where it is about no moment. */
+/** The middle of a warning's interval, or its key's time; null for warnings without a time. */
 export function momentOf(warning: Warning, keyTimes: readonly number[], range: Range): number | null {
   const keys = keysOf(warning, keyTimes.length);
   if (!keys) return null;
   const [from, to] = keys.map((key) => keyTimes[key]);
   if (from === undefined || to === undefined) return null;
-  // A closed motion comes back to its first key one period later.
+  // A closed motion returns to its first key one period later.
   return (from + (to < from ? to + length(range) : to)) / 2;
 }
 

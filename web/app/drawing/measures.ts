@@ -1,6 +1,6 @@
 /**
- * Volume and area of a frame that is already on the page, without evaluating it again. The definitions are those of
- * `wasm/core/mesh/measures`, which `Sequence.measures` uses.
+ * Volume and area of a frame already on the page, without evaluating it again. Same definitions as
+ * `wasm/core/mesh/measures`, used by `Sequence.measures`.
  */
 
 export interface Measure {
@@ -9,8 +9,9 @@ export interface Measure {
 }
 
 /**
- * Signed volume and surface area. Without `Math.hypot` and arrays of three, which take ten times as long: some 4 ms for
- * 100,000 faces. The volume of an open surface is that of the cone to the first vertex. */
+ * Signed volume and surface area. Avoids `Math.hypot` and arrays of three, which take ten times as long. Takes about 4
+ * ms for 100,000 faces. An open surface has the volume of its cone to the first vertex.
+ */
 export function measure(positions: Float32Array, indices: Uint32Array): Measure {
   let volume = 0;
   let area = 0;

@@ -1,4 +1,4 @@
-/** Further shapes in the viewport: onion skins around the time, or a film strip of evenly spaced ones. */
+/** Additional shapes in the viewport: onion skins around the current time, or a film strip of evenly spaced shapes. */
 import type { Frame } from '../../engine/api/types.ts';
 import { PHASE_COLOURS, clamp, formatTime, length, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -8,9 +8,9 @@ import type { Extra } from '../../viewer/types.ts';
 
 type OnionView = Pick<View, 'onionSkins' | 'onionSpacing'>;
 
-/** Without a spacing of their own, skins stand this share of the range apart. */
+/** Default spacing of onion skins, as a share of the range. */
 const ONION_STEP = 0.09;
-/** Of the nearest and of the farthest skin. */
+/** Opacity of the nearest and of the farthest skin. */
 const SOLID = 0.35;
 const FAINT = 0.12;
 const FILM_STEPS = 6;
@@ -24,13 +24,13 @@ export interface OnionSkinInput {
   periodic: boolean;
 }
 
-/** Skins before and after the time, the farthest first, so nearer ones are drawn over them. */
+/** Skins before and after the time, the farthest first, so nearer skins are drawn over them. */
 export function onionTimes({ t, range }: OnionSkinInput, { onionSkins, onionSpacing }: OnionView): number[] {
   const step = onionSpacing ?? ONION_STEP * length(range);
   return Array.from({ length: onionSkins }, (_, i) => (onionSkins - i) * step).flatMap((away) => [t - away, t + away]);
 }
 
-/** frames: at onionTimes(). */
+/** `frames`: evaluated at onionTimes(). */
 export function onionExtras({ t }: Pick<OnionSkinInput, 't'>, frames: readonly Frame[]): Extra[] {
   const pairs = frames.length / 2;
   return frames.map((frame, index) => {
@@ -46,8 +46,8 @@ export function onionExtras({ t }: Pick<OnionSkinInput, 't'>, frames: readonly F
 }
 
 /**
- * Evenly over the keys, and a little beyond both ends; the nearest to a key is at the key. `count`: how many, null = as
- * is usual.
+ * Evenly spaced over the keys and slightly beyond both ends; the nearest time to a key becomes the key's time. `count`:
+ * number of shapes, null for the default.
  */
 export function filmTimes({ keys, range, periodic }: OnionSkinInput, count: number | null): number[] {
   const beyond = periodic ? 0 : FILM_BEYOND;
@@ -61,7 +61,7 @@ export function filmTimes({ keys, range, periodic }: OnionSkinInput, count: numb
   return times;
 }
 
-/** Where the name of each shape of a strip stands, xyz interleaved: under its middle. */
+/** Label positions for a strip's shapes, xyz interleaved: centred below each shape. */
 export function filmPlaces(strip: readonly Extra[]): Float32Array {
   const lowest = Math.min(...strip.map(({ positions }) => rangeOf(positions, 1)[0]));
   return Float32Array.from(
@@ -77,7 +77,7 @@ export interface FilmName {
   isKey: boolean;
 }
 
-/** What each shape of a strip is called: its key, or its time. */
+/** Label of each shape of a strip: its key or its time. */
 export function filmNames({ keys, range }: OnionSkinInput, times: readonly number[]): FilmName[] {
   return times.map((t) => {
     const key = keys.findIndex(({ time }) => time === t);
@@ -86,8 +86,8 @@ export function filmNames({ keys, range }: OnionSkinInput, times: readonly numbe
 }
 
 /**
- * Strips of several motions, each along x: what shows the same moment stands under each other, and columns are as far
- * apart as the widest shapes in them need.
+ * Strips of several motions, each along x. Shapes of the same time share a column, and column spacing follows the
+ * widest shapes.
  */
 export function filmStrips(input: OnionSkinInput, motions: readonly (readonly Frame[])[]): Extra[][] {
   const boxes = motions.map((frames) => frames.map(({ positions }) => rangeOf(positions, 0)));
@@ -106,10 +106,10 @@ export function filmStrips(input: OnionSkinInput, motions: readonly (readonly Fr
   );
 }
 
-/** From middle to middle, of the widths of neighbours. */
+/** Distance between centres, in mean widths of neighbours. */
 const FILM_SPACING = 1.08;
 
-/** The middles of columns, about 0. widths: of each shape of each strip. */
+/** Column centres, symmetric about 0. `widths`: of each shape in each strip. */
 export function columnsOf(widths: readonly (readonly number[])[]): number[] {
   const widest = (widths[0] ?? []).map((_, column) => Math.max(...widths.map((strip) => strip[column]!)));
   const middles: number[] = [];
@@ -125,7 +125,7 @@ function colourAt(t: number, { keys, range, periodic }: OnionSkinInput, toleranc
   return PHASE_COLOURS[phaseOf({ t, keys, range, periodic, tolerance }).kind];
 }
 
-/** The least and the largest coordinate along an axis. */
+/** Minimum and maximum coordinate along an axis. */
 function rangeOf(positions: Float32Array, axis: 0 | 1 | 2): [number, number] {
   let low = Infinity;
   let high = -Infinity;

@@ -1,9 +1,9 @@
-/** The animation that the motion is compared with, as frames beside it. */
+/** The animation shown beside the motion for comparison. */
 import type { TimedShapes } from '../../study/reference-motion.ts';
 import { vertexNormals } from './vertex-normals.ts';
 
 export interface OriginalFrame {
-  /** 3 x vertices, the same arrays for every time. */
+  /** The animation's vertices, 3 x vertices. The arrays are reused for every time. */
   positions: Float32Array;
   normals: Float32Array;
 }

@@ -1,7 +1,7 @@
-/** The face of a shape that a ray meets first. */
+/** Finds the first face of a shape that a ray hits. */
 import type { Ray } from '../../viewer/types.ts';
 
-/** `positions`: 3 x vertices; `faces`: 3 x faces. -1 where it meets none. Möller and Trumbore (1997), both sides. */
+/** `positions`: 3 x vertices; `faces`: 3 x faces. -1 if the ray hits none. Möller and Trumbore (1997), both sides. */
 export function pickFace(positions: Float32Array, faces: Uint32Array, { origin, direction }: Ray): number {
   const [ox, oy, oz] = origin;
   const [dx, dy, dz] = direction;

@@ -1,4 +1,7 @@
-/** Where pinned vertices go over the motion, for drawing. Computed when frames leave time; only the newest counts. */
+/**
+ * Paths of pinned vertices over the motion, for drawing. Computed when frames leave time; only the newest request
+ * counts.
+ */
 import type { Motion } from '../../engine/api/api.ts';
 import type { Pins } from '../../model/pins.ts';
 
@@ -6,15 +9,15 @@ export interface PinPathsParts {
   /** The first running motion. */
   motion(): Motion | undefined;
   pins(): Pins;
-  /** Resolves when nothing else is to be drawn. */
+  /** Resolves when drawing is idle. */
   idle(): Promise<void>;
   onPaths(): void;
 }
 
 export interface PinPaths {
-  /** Of each pin 3 x TIMES coordinates, from the first time of the motion to the last. */
+  /** 3 x TIMES coordinates per pin, from the motion's first time to its last. */
   readonly now: readonly Float32Array[];
-  /** The motion or its pins have changed. */
+  /** Call after changes of the motion or its pins. */
   refresh(): void;
 }
 
@@ -48,7 +51,7 @@ export function createPinPaths({ motion, pins, idle, onPaths }: PinPathsParts): 
     },
     refresh() {
       newest += 1;
-      // A motion that was exchanged in the middle has a successor, which calls again.
+      // The successor of a replaced motion calls again.
       void compute(newest).catch(() => undefined);
     },
   };

@@ -1,4 +1,4 @@
-/** Where pins are on the screen, which vertex a click means, and what a drag asks of a pin's path. */
+/** Screen positions of pins, the vertex under a click, and the path that follows from a drag. */
 import type { PathKey, Pin } from '../../engine/api/types.ts';
 import { moveAt, withPathKey } from '../../model/pins.ts';
 import type { AppState } from '../../model/state.ts';
@@ -7,9 +7,9 @@ import type { Range } from '../../model/time-scale.ts';
 import type { Place } from '../../ui/pin-handles.ts';
 import type { Viewer } from '../../viewer/viewer.ts';
 
-/** A drag of one pin, from where it was when it began. */
+/** A drag of one pin from its start position. */
 export interface PinDrag {
-  /** The pin's path with a key at the moment of the drag that puts it at a place of the picture. */
+  /** The pin's path, with a key at the drag's time that puts the pin at a point of the view. */
   pathTo(to: Place): PathKey[];
   time: number;
 }
@@ -24,7 +24,7 @@ export function pinPlaces(viewer: Viewer, pins: readonly Pick<Pin, 'vertex'>[]):
   });
 }
 
-/** Of a face's vertices the one that is nearest to a place of the picture. */
+/** The face's vertex nearest to a point of the view. */
 export function vertexAt(viewer: Viewer, faces: Uint32Array, face: number, { x, y }: Place): number {
   const off = (vertex: number): number => {
     const [px = 0, py = 0] = viewer.project(viewer.vertex(vertex));
@@ -33,12 +33,12 @@ export function vertexAt(viewer: Viewer, faces: Uint32Array, face: number, { x, 
   return faces.slice(3 * face, 3 * face + 3).reduce((best, other) => (off(other) < off(best) ? other : best));
 }
 
-/** Two keys of a path within half a frame are not intended, and the path would overshoot far between them. */
+/** Two path keys within half a frame are unintended, and the path would overshoot between them. */
 function sameMoment(range: Range): number {
   return Math.max(length(range) / 1000, Math.min(length(range) / 200, 1 / 60));
 }
 
-/** null where the pin is not drawn. It is moved parallel to the screen. */
+/** Starts a drag, which moves the pin parallel to the screen; null if the pin is not drawn. */
 export function startPinDrag(viewer: Viewer, { doc, time }: AppState, range: Range, index: number): PinDrag | null {
   const pin = doc.motion.pins[index];
   const from = pin ? viewer.vertex(pin.vertex) : [];

@@ -1,4 +1,4 @@
-/** Between the sequences and the viewer: what is drawn for a time, for a document, for a look. */
+/** Passes shapes from the sequences to the viewer, by time, document and look. */
 import { METHOD } from '../../engine/api/methods.ts';
 import type { Shape } from '../../engine/api/api.ts';
 import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
@@ -31,66 +31,64 @@ import type { FrameSet, RunningMotion } from '../../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { LoadedKeys } from '../session/workspace.ts';
 
-/**
- * While playing, a moment this near to a key (a share of the range) shows the key's colour: exact hits are rare then.
- */
+/** While playing, a time within this share of the range shows the key's colour, because exact hits are rare. */
 export const PLAYING_TOLERANCE = 0.006;
-/** Larger shapes are not measured on every frame that plays, but every MEASURE_MS. */
+/** While playing, shapes larger than this are measured only every MEASURE_MS. */
 const MEASURED_FACES = 60_000;
 const MEASURE_MS = 200;
-/** Between the shape and its ghost beside it, in widths of the shape. */
+/** Distance between the shape and its ghost, in widths of the shape. */
 const BESIDE = 1.12;
-/** A view as narrow as this, in CSS pixels, has little room for names. */
+/** Views narrower than this, in CSS pixels, have little room for names. */
 const NARROW_PX = 220;
-/** Of names under a film strip, with what parts them from it. */
+/** Height of the names under a film strip, including spacing. */
 const NAMES_PX = 24;
-/** Neither key nor between nor beyond. */
+/** This colour differs from those of keys, interpolated and extrapolated shapes. */
 const ORIGINAL_COLOUR = '#8f8f8f';
 const THUMBNAIL = { width: 88, height: 60 };
 const TIME_PICTURE = { width: 132, height: 90 };
 
 interface Film {
-  /** What the strips were made of. */
+  /** The document that the strips show. */
   of: Doc;
-  /** How many shapes were asked for. */
+  /** The requested number of shapes. */
   count: View['filmShapes'];
   views: number;
-  /** The shapes of all strips where they stand. */
+  /** All strips' shapes, at their positions. */
   shapes: Float32Array[];
   names: FilmName[];
-  /** Where the names stand, by view. */
+  /** Label positions per view. */
   places: Float32Array[];
-  /** From where the shape was looked at before; null where nothing was shown before. */
+  /** The camera before the strip; null if nothing was shown before. */
   before: CameraPose | null;
 }
 
 export class SceneController {
   readonly viewer: Viewer;
   labels: TileLabel[] = [];
-  /** Loaded when amounts are to be seen for the first time. */
+  /** The heat map, loaded with the first use of heat colours. */
   private heatMap: HeatMap | null = null;
-  /** Shown beside the motions, or null. */
+  /** The animation beside the motions, or null. */
   private original: Original | null = null;
   private look: Look | null = null;
   private floorless = false;
   private info: KeysInfo | null = null;
   private pool: PosePool | null = null;
   private base: Measure | null = null;
-  /** When volume and area were taken last. */
+  /** Time of the last measurement of volume and area. */
   private measuredAt = 0;
   private patchesOf: Shape | null = null;
   private film: Film | null = null;
   private hasOnion = false;
-  /** Something else than a film strip has been seen of the import. */
+  /** The import has been shown in a view other than a film strip. */
   private ordinary = false;
   private readonly onCamera: ViewerEvents['onCamera'];
   private named = false;
   private ghost: { of: Shape; mesh: Ghost | null } | null = null;
-  /** Of the import's poses along x. */
+  /** Width of the import's poses along x. */
   private width = 0;
-  /** How far along x the ghost stands beside the shape now. */
+  /** Current distance of the ghost from the shape along x. */
   private beside: number | null = null;
-  /** The first key of what is being opened is shown instead. */
+  /** The first key of the files being opened, if it is shown. */
   private opening: { info: KeysInfo; extent: Extent } | null = null;
 
   constructor(
@@ -98,7 +96,7 @@ export class SceneController {
     events: ViewerEvents,
     private readonly onNames: (names: readonly FilmLabel[]) => void,
   ) {
-    // Where a first key is looked at from is not of what is open.
+    // The camera for a first key does not belong to the open shape.
     this.onCamera = (pose) => {
       if (!this.opening) events.onCamera(pose);
     };
@@ -117,17 +115,17 @@ export class SceneController {
     return (this.opening ? null : this.heatMap?.bar) ?? null;
   }
 
-  /** What is written over the views. */
+  /** The labels over the views. */
   get shownLabels(): TileLabel[] {
     return this.opening ? [] : this.labels;
   }
 
-  /** What the colours of the first view show now, where that is the difference of two motions. */
+  /** The difference of two motions that the first view's colours show, if they do. */
   get difference(): Difference | null {
     return this.heatMap?.difference ?? null;
   }
 
-  /** What is written over the views stands where they stand. */
+  /** Positions the labels over the views. */
   private place(): void {
     const rects = this.viewer.seen();
     this.labels = this.labels.map((label, index) => ({ ...label, ...rects[index] }));
@@ -135,12 +133,12 @@ export class SceneController {
     this.heatMap.bar = { ...this.heatMap.bar, ...besideOf(rects[0]!, this.viewer.rects()[0]) };
   }
 
-  /** An import that will be set once its motion is made. */
+  /** Announces an import that is set once its motion exists. */
   expect(info: KeysInfo): void {
     this.viewer.expect(info);
   }
 
-  /** The first key of files that are being opened, alone in the picture; what is open stays as it is. */
+  /** Shows only the first key of the files being opened; the open shape stays in memory. */
   showFirstKey({ info, doc, pool, camera }: LoadedKeys): void {
     this.opening = { info, extent: extentOf(pool.poses(pool.imported)) };
     const pose = doc.keys[0]?.pose ?? 0;
@@ -150,7 +148,7 @@ export class SceneController {
     this.placeNames();
   }
 
-  /** What is open is seen again, as it was. */
+  /** Shows the open shape again, unchanged. */
   hideFirstKey(): void {
     if (!this.opening) return;
     this.viewer.hideFirstKey();
@@ -158,7 +156,7 @@ export class SceneController {
     this.placeNames();
   }
 
-  /** A new import: another mesh, another size. `camera` keeps a view that came with a link. */
+  /** Sets a new import with another mesh and size. `camera` keeps a view from a link. */
   setImport(info: KeysInfo, pool: PosePool, camera: View['camera']): void {
     this.original = null;
     this.info = info;
@@ -184,7 +182,7 @@ export class SceneController {
     else this.viewer.fit('home', false);
   }
 
-  /** Fits the view to the keys and to what is drawn now, which may have left them. */
+  /** Fits the view to the keys and to the drawn shape, which may extend beyond them. */
   fit(view: ViewName | null, eased: boolean): void {
     if (this.opening) return this.viewer.fit(view, eased);
     if (!this.pool) return;
@@ -197,7 +195,7 @@ export class SceneController {
     this.viewer.setExtent(bounds, points);
   }
 
-  /** The keys' poses and what is drawn now, one after the other: they are large. */
+  /** Yields the keys' poses and the drawn shape one at a time, because they are large. */
   private *shown(): Generator<Float32Array> {
     yield* this.pool?.poses() ?? [];
     for (let view = 0; view < this.viewer.views; view += 1) {
@@ -206,14 +204,14 @@ export class SceneController {
     }
   }
 
-  /** Copies the frames of a time to the screen, with what belongs to it. */
+  /** Copies the frames of a time to the screen, with their overlays. */
   async show(set: FrameSet, state: AppState, range: Range): Promise<void> {
     const { t, blend, frames, sequences } = set;
     const input = onionSkinInput(t, state, range);
     const phase = blend
       ? OFF_CURVE
       : phaseOf({ ...input, tolerance: state.play.playing ? PLAYING_TOLERANCE : undefined });
-    // The ghost is only known where it was computed: at a time.
+    // The ghost is known only at evaluated times.
     const led = blend ? undefined : sequences[0];
     const views = sequences.length + (this.original ? 1 : 0);
     if (this.viewer.views !== views) this.setViews(views);
@@ -225,7 +223,7 @@ export class SceneController {
     if (!this.heatMap && wantsHeat(sequences, state.view)) {
       const { info } = this;
       const { HeatMap: Loaded } = await import('./heat-map.ts');
-      // Something else may have been opened meanwhile.
+      // Another import may have replaced this one.
       if (this.info !== info) return;
       this.heatMap ??= new Loaded(this.viewer);
     }
@@ -239,12 +237,12 @@ export class SceneController {
     await this.showPatches(sequences[0]?.sequence.shape, state.view);
   }
 
-  /** What is shown beside the motions, or null. */
+  /** The animation beside the motions, or null. */
   get shownOriginal(): Original | null {
     return this.original;
   }
 
-  /** Shows the animation itself next to the motions with the next frame; null: hides it. */
+  /** Shows the animation beside the motions from the next frame on; null hides it. */
   setOriginal(original: Original | null): void {
     this.original = original;
   }
@@ -257,13 +255,13 @@ export class SceneController {
     this.place();
   }
 
-  /** For pictures of the shape alone. */
+  /** Hides or shows the floor, for images of the shape alone. */
   setFloorless(floorless: boolean): void {
     this.floorless = floorless;
     this.applyLook();
   }
 
-  /** Two motions are on either side of a divider. */
+  /** A divider separates two motions. */
   get isSplit(): boolean {
     return this.viewer.isSplit;
   }
@@ -276,7 +274,7 @@ export class SceneController {
     return !this.viewer.seesShape();
   }
 
-  /** The face under a place of the canvas, in CSS pixels; -1 where there is none. */
+  /** The face at a point of the canvas, in CSS pixels; -1 if none. */
   pick(x: number, y: number): number {
     const at = this.film || this.opening ? null : this.viewer.rayAt(x, y);
     return at && this.info ? pickFace(this.viewer.positions(at.view), this.info.faces, at.ray) : -1;
@@ -286,14 +284,14 @@ export class SceneController {
     return this.viewer.thumbnail(frame.positions, frame.normals, THUMBNAIL.width, THUMBNAIL.height, PHASE_COLOURS.key);
   }
 
-  /** The shape of a moment of the timeline. */
+  /** An image of the shape at a time of the timeline. */
   timePicture(frame: Frame, state: AppState, range: Range): string {
     const { kind } = phaseOf(onionSkinInput(frame.t, state, range));
     const { width, height } = TIME_PICTURE;
     return this.viewer.thumbnail(frame.positions, frame.normals, width, height, PHASE_COLOURS[kind]);
   }
 
-  /** Other tiles have another shape: the view is fitted again from where it stands. */
+  /** Other tiles have another shape, so the view is fitted again from the current direction. */
   private setViews(count: number): void {
     this.viewer.setViews(count);
     this.viewer.fit(null, false);
@@ -320,7 +318,7 @@ export class SceneController {
     });
   }
 
-  /** What rests is always measured. */
+  /** A shape at rest is always measured. */
   private measuresNow(playing: boolean): boolean {
     const now = performance.now();
     const large = (this.info?.report.faces ?? 0) > MEASURED_FACES;
@@ -351,7 +349,7 @@ export class SceneController {
       this.hasOnion = false;
       return;
     }
-    // The strip does not depend on the moment: it is made once for a document.
+    // The strip does not depend on the time, so it is made once per document.
     if (view.film && this.isFilmOf(doc, view, sequences.length)) return;
     const times = view.film ? filmTimes(input, view.filmShapes) : onionTimes(input, view);
     const frames = await Promise.all(sequences.map(({ sequence }) => sequence.evaluateMany(times)));
@@ -390,7 +388,7 @@ export class SceneController {
     return places.map((of) => of.map((value, index) => (index % 3 === 1 ? value - room : value)));
   }
 
-  /** The view is what it was before the strip. */
+  /** Restores the view from before the strip. */
   private leaveFilm(): void {
     this.ordinary = true;
     if (!this.film) return;
@@ -403,7 +401,7 @@ export class SceneController {
     this.onCamera(before);
   }
 
-  /** Names of the shapes of a film strip, where a view has them on the canvas, in its pixels. */
+  /** Names of a film strip's shapes in a view, in canvas pixels. */
   filmLabels(view: number): FilmLabel[] {
     const film = this.opening ? null : this.film;
     const places = film?.places[view];
@@ -412,7 +410,7 @@ export class SceneController {
     return film.names.map((name, i) => ({ ...name, x: at[2 * i]!, y: at[2 * i + 1]! }));
   }
 
-  /** On the page, they follow every picture: the camera may turn. */
+  /** On the page the names follow every drawing, because the camera may turn. */
   private placeNames(): void {
     if (!this.film && !this.named) return;
     this.named = this.film !== null;
@@ -457,13 +455,13 @@ export class SceneController {
   }
 }
 
-/** Among ghosts of several sizes (Fig. 7), where names have little room, the size is the name. */
+/** Labels ghosts of several sizes (Fig. 7) by size if there is little room. */
 function sizeName({ ghost }: RunningMotion, width: number): string {
   if (ghost === 0) return 'No ghost';
   return `${width < NARROW_PX ? '' : 'Ghost of '}${ghost.toLocaleString('en')} faces`;
 }
 
-/** Next to a divider, a blend has the name that newcomers know. */
+/** Beside a divider, a blend has the name that newcomers know. */
 function titleOf({ ghost, ...motion }: RunningMotion, split: boolean): string {
   const title = motionWords(motion)[split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;

@@ -1,4 +1,4 @@
-/** Small pictures of the keys, made one after the other when there is nothing else to draw. */
+/** Thumbnails of the keys, made one by one when drawing is idle. */
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import type { SceneController } from './scene-controller.ts';
@@ -7,14 +7,14 @@ export interface ThumbnailParts {
   store: Store;
   workspace: Workspace;
   scene: SceneController;
-  /** Resolves when nothing else is to be drawn. */
+  /** Resolves when drawing is idle. */
   idle(): Promise<void>;
   has(pose: number): boolean;
   onThumbnail(pose: number, url: string): void;
 }
 
 export interface Thumbnails {
-  /** Makes those that are missing. */
+  /** Makes the missing thumbnails. */
   refresh(): void;
 }
 
@@ -45,13 +45,13 @@ export function createThumbnails({ store, workspace, scene, idle, has, onThumbna
 
   const work = async (): Promise<void> => {
     running = true;
-    // What is opened in the middle of it asks while the pictures of what was open are still being made.
+    // Newly opened files request thumbnails while the previous ones are still being made.
     while (wanted) {
       wanted = false;
       try {
         while (await next());
       } catch {
-        // The sequence was exchanged in the middle; its successor calls again.
+        // The successor of a replaced sequence calls again.
       }
     }
     running = false;

@@ -1,6 +1,6 @@
 /**
- * Pictures of moments that the mouse points at on the timeline: one at a time, of the newest moment, when nothing else
- * is to be drawn. Where one takes long they wait until the pointer rests, and are not made while the motion plays.
+ * Images of the times that the mouse points at on the timeline. They are made one at a time, for the newest time, when
+ * drawing is idle. Slow images wait until the pointer rests and are not made during playback.
  */
 import type { Motion } from '../../engine/api/api.ts';
 import type { Frame } from '../../engine/api/types.ts';
@@ -9,25 +9,25 @@ export interface TimePicturesParts {
   /** The first running sequence. */
   sequence(): Motion | undefined;
   isPlaying(): boolean;
-  /** Resolves when nothing else is to be drawn. */
+  /** Resolves when drawing is idle. */
   idle(): Promise<void>;
   draw(frame: Frame): string;
   onPicture(url: string | null): void;
 }
 
 export interface TimePictures {
-  /** The pointer is at this moment; null: at none. */
+  /** The pointer is at this time; null when it leaves. */
   want(t: number | null): void;
   /** The motion or the look changed, so earlier images are outdated. */
   forget(): void;
 }
 
-/** Moments closer together than this share of the range have one picture. */
+/** Times closer than this share of the range share one image. */
 const STEP = 1 / 200;
 const MOST_KEPT = 64;
-/** Milliseconds that drawing one may take while the motion plays, */
+/** Longest drawing time of an image, in milliseconds, while the motion plays. */
 const PLAYING_MS = 8;
-/** or without the pointer at rest for REST_MS. */
+/** Longest drawing time of an image, in milliseconds, before the pointer has rested for REST_MS. */
 const MOVING_MS = 24;
 const REST_MS = 160;
 
@@ -88,7 +88,7 @@ export function createTimePictures(parts: TimePicturesParts): TimePictures {
       if (known !== undefined) return show(known);
       if (running) return;
       running = true;
-      // A sequence that was exchanged in the middle has a successor, whose picture the next movement asks for.
+      // The next pointer movement requests an image from the replaced sequence's successor.
       void work()
         .catch(() => undefined)
         .finally(() => {

@@ -1,6 +1,6 @@
 /**
- * Unit normals of the vertices of shapes that come without: faces weighted by their areas. 3 x vertices each. The core
- * makes those of motions; these shapes, a first key or an animation of others, are drawn before or beside any motion.
+ * Unit normals for shapes without normals: face normals weighted by area, 3 x vertices. The core computes the normals
+ * of motions. A first key or another animation is drawn before or beside any motion.
  */
 export function vertexNormals(p: Float32Array, faces: Uint32Array, normals = new Float32Array(p.length)): Float32Array {
   normals.fill(0);

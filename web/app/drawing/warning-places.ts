@@ -1,7 +1,7 @@
-/** Turn warnings in words that say where on the shape, each place once. */
+/** Turn warnings with their location on the shape in words; each location appears once. */
 import type { KeysInfo, Warning } from '../../engine/api/types.ts';
 
-/** About neighbours on the surface, where two tests may find the same place. */
+/** Warnings about neighbouring regions, which two tests can both report. */
 const BETWEEN_NEIGHBOURS = ['ambiguous-patch-turn', 'ambiguous-face-turn'];
 const KEYS = /^Between key \d+ and key \d+ /;
 /** Low and high along x, y and z, as seen from the front. */
@@ -31,7 +31,7 @@ export function withPlaces(
   });
 }
 
-/** In which of the thirds of the shape's box a face lies: "at the top left front". */
+/** The third of the shape's bounding box, along each axis, that contains a face: "at the top left front". */
 export function partOf(positions: Float32Array, faces: KeysInfo['faces'], face: number): string {
   const words = [1, 0, 2].flatMap((axis) => {
     const [low, high] = extentAlong(positions, axis);

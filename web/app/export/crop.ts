@@ -1,11 +1,11 @@
-/** A picture without what is empty around the shapes. */
+/** Crops the empty border around the shapes of an image. */
 import type { Rect } from '../../viewer/types.ts';
 import { titleHeight, writeTitle } from './title.ts';
 import type { Title } from './title.ts';
 
-/** The alpha from which a pixel counts as drawn. */
+/** Pixels with at least this alpha count as drawn. */
 const SEEN = 8;
-/** Kept around a shape, as a share of the larger side of its box. */
+/** Margin around a shape, as a share of its box's larger side. */
 const MARGIN = 0.03;
 
 interface Box {
@@ -15,7 +15,7 @@ interface Box {
   bottom: number;
 }
 
-/** What is drawn of a view, in pixels from its corner; null where nothing is. `pixels`: of the view alone, RGBA. */
+/** The box of a view's drawn pixels, from its corner; null for an empty view. `pixels`: of this view only, RGBA. */
 export function drawnBox({ data, width, height }: Pick<ImageData, 'data' | 'width' | 'height'>): Box | null {
   const box = { left: width, top: height, right: 0, bottom: 0 };
   for (let y = 0; y < height; y += 1) {
@@ -30,7 +30,7 @@ export function drawnBox({ data, width, height }: Pick<ImageData, 'data' | 'widt
   return box.right > box.left ? box : null;
 }
 
-/** The box that holds what every view shows, with a margin, inside them; all of a view where nothing is drawn. */
+/** A box that contains every view's drawn pixels with a margin, clipped to the view; the whole view if empty. */
 export function commonBox(boxes: readonly (Box | null)[], { width, height }: { width: number; height: number }): Box {
   const drawn = boxes.filter((box) => box !== null);
   if (drawn.length === 0) return { left: 0, top: 0, right: width, bottom: height };
@@ -47,10 +47,7 @@ export function commonBox(boxes: readonly (Box | null)[], { width, height }: { w
   };
 }
 
-/**
- * The views' parts of a picture that lie in the box, beside and under each other as the views are, each under its
- * title.
- */
+/** The part of each view inside the box, arranged like the views, each under its title. */
 export function joined(
   picture: HTMLCanvasElement,
   rects: readonly Rect[],

@@ -1,11 +1,9 @@
-/**
- * The plotted numbers as a table: comment lines with version, options and units first, then one row per frame or face.
- */
+/** The plotted numbers as a table: comment lines with version, options and units, then one row per frame or face. */
 import type { Doc, KeyRef } from '../../model/state.ts';
 import { MEASURE_UNITS, columnsOf, tableJson, tableOf } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 
-/** `speed`: how many times faster than on the timeline what is exported plays. */
+/** `speed`: playback speed of the export relative to the timeline. */
 export function measuresCsv({ times, motions }: Analysis, doc: Doc, version: string, speed: number): string {
   const table = tableOf(times, speed, motions.flatMap(columnsOf));
   return [...preamble(doc, version), MEASURE_UNITS, ...table, ''].join('\n');
@@ -30,7 +28,7 @@ function preamble(doc: Doc, version: string): string[] {
 }
 
 function keyText({ name, time, shaping }: KeyRef): string {
-  // 12 digits, as in the table.
+  // Numbers have 12 digits, as in the table.
   const numbers = JSON.stringify({ time: Number(time.toPrecision(12)), ...shaping });
   return `{"name":${tableJson(name)},${numbers.slice(1)}`;
 }

@@ -1,10 +1,10 @@
-/** What a page has to say to show what is open: the element beside the project's GLB, which has keys and options. */
+/** HTML that embeds the open shape: the element, beside the project's GLB with keys and options. */
 import { orbitWords } from '../../model/camera-words.ts';
 import type { AppState } from '../../model/state.ts';
 
 const COLOURS: readonly string[] = ['phase', 'patches'];
 
-/** `file`: the project's GLB, beside the page; `alt`: what there is to see. */
+/** `file`: the project's GLB, beside the page; `alt`: text alternative. */
 export function embedSnippet({ play, view, doc }: AppState, file: string, alt: string): string {
   const compared = view.compare.filter((method) => method !== doc.motion.method);
   const attributes: Record<string, string> = {
@@ -24,7 +24,7 @@ export function embedSnippet({ play, view, doc }: AppState, file: string, alt: s
   ].join('\n');
 }
 
-/** A page that shows nothing else, as large as its window. */
+/** A page with only the element, filling the window. */
 export const embedPage = (title: string, snippet: string): string => `<!doctype html>
 <html lang="en">
 <head>

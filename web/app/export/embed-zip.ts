@@ -1,4 +1,4 @@
-/** The files of the npm package that a page needs to show a motion, as the folder `shapespline/` beside it. */
+/** The npm package files that a page needs to show a motion, in the folder `shapespline/` beside it. */
 import cdn from '../../../build/package/cdn.js?url';
 import codecs from '../../../build/package/codecs.js?url';
 import draco from '../../../build/package/draco_decoder_gltf.wasm?url';
@@ -9,7 +9,7 @@ import type { ExportedFile } from '../../engine/api/types.ts';
 
 const FOLDER = 'shapespline';
 
-/** A page, what it shows, and the package, each fetched when the zip comes to it. */
+/** A page, its GLB and the package. Each file is fetched when the zip reaches it. */
 export async function* withPackage(
   page: string,
   shown: AsyncIterable<ExportedFile>,

@@ -1,4 +1,4 @@
-/** The export dialog's side of things: the plan while it is open, the work and its cancel afterwards. */
+/** Connects the export dialog: planning while it is open, then the export and its cancellation. */
 import { isCancelled } from '../../engine/api/errors.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import type { Motion } from '../../engine/api/api.ts';
@@ -26,18 +26,18 @@ export interface ExportParts {
   titleOf(source: AppState['source']): string;
 }
 
-/** Loaded when the dialog opens for the first time. */
+/** The export code is loaded when the dialog first opens. */
 const exporting = () => import('./export-job.ts');
 
 export class ExportController {
   private abort: AbortController | null = null;
-  /** Cancels the running plan, which evaluates the motion in vain once another is requested. */
+  /** Cancels the running plan when a new request makes it obsolete. */
   private planning: AbortController | null = null;
   private formats: Promise<VideoFormat[]> | null = null;
 
   constructor(private readonly parts: ExportParts) {}
 
-  /** Works out the size of what is asked for. */
+  /** Computes the size of the requested export. */
   plan(request: ExportRequest): void {
     const { session, display, viewState } = this.parts;
     if (!this.formats) {
@@ -75,7 +75,7 @@ export class ExportController {
     feedback.onStart();
     this.planning?.abort();
     try {
-      // What moves until now is on its way to the screen.
+      // Earlier changes are still being drawn.
       await display.playback.frameLoop.idle();
       await this.runJob(request, sequence, before, signal);
       feedback.say('Saved to your downloads.');
@@ -89,7 +89,7 @@ export class ExportController {
     }
   }
 
-  /** What a page says to show it. */
+  /** The HTML that embeds the shape. */
   snippet(): string {
     const state = this.parts.session.store.get();
     return embedSnippet(state, `${fileStem(state.source)}.glb`, this.parts.titleOf(state.source));
@@ -134,11 +134,11 @@ export class ExportController {
     });
   }
 
-  /** Draws the exact shape of a moment; resolves when it is on the screen. */
+  /** Draws the exact shape at a time; resolves when it is on the screen. */
   private async show(t: number): Promise<void> {
     const { session, display, viewState } = this.parts;
     session.store.set({ time: t });
-    // What is exported is the motion.
+    // Exports contain the motion, so a blend is hidden first.
     if (viewState.get().blend) viewState.change({ blend: null });
     await display.playback.frameLoop.request(t);
   }
@@ -153,7 +153,7 @@ function turned(viewer: Viewer): (share: number) => Promise<void> {
   };
 }
 
-/** An export of own files is not called as they are. */
+/** Suffix that keeps exports of own files from having the files' names. */
 const MOTION = '-motion';
 
 function fileStem(source: AppState['source']): string {
@@ -162,5 +162,5 @@ function fileStem(source: AppState['source']): string {
   return stem.endsWith(MOTION) ? stem : stem + MOTION;
 }
 
-/** Without what file systems refuse. */
+/** Removes characters that file systems refuse. */
 const safeName = (name: string): string => name.replace(/[/\\\p{C}]/gu, '').slice(0, 100);

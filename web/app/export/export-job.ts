@@ -1,4 +1,4 @@
-/** From what the export dialog asks for to a download. */
+/** Turns a request of the export dialog into a download. */
 import packageJson from '../../../package.json';
 import type { Motion } from '../../engine/api/api.ts';
 import { errorText } from '../../engine/api/error-text.ts';
@@ -31,9 +31,9 @@ import { timeLeft } from './time-left.ts';
 export interface ExportJob {
   sequence: Motion;
   doc: Doc;
-  /** Stem of the file's name. */
+  /** File name without its extension. */
   name: string;
-  /** That shows the GLB of this name. */
+  /** HTML that shows the GLB of this name. */
   page: string;
   time: number;
   playing: Playing;
@@ -43,22 +43,22 @@ export interface ExportJob {
     report: (fraction: number) => void,
     signal: AbortSignal,
   ): Promise<Analysis | null>;
-  /** Shows the moment and resolves when it is drawn. */
+  /** Shows the shape at a time; resolves when it is drawn. */
   show(t: number): Promise<void>;
-  /** Turns the view to a share of a whole turn about the upright axis. */
+  /** Turns the view about the upright axis by a share of a full turn. */
   turn(share: number): Promise<void>;
   onProgress(progress: Progress | null): void;
   signal: AbortSignal;
 }
 
-/** Options of the engine for the kinds of export that it writes; null for pictures, videos and tables. */
+/** Engine options for the exports that the engine writes; null for images, videos and tables. */
 export function engineOptions(request: ExportRequest, time: number, playing: Playing): Partial<ExportOptions> | null {
   if (request.kind === 'pose') return { format: request.pose, pose: time };
   if (request.kind !== 'animation' || request.animation === 'video') return null;
   const { animation: format, inPlace, compression, targets } = request;
   const bounce = goesBack(request);
   const numbers = exportNumbers(request, playing, null);
-  // The time on the timeline, unless the export runs faster or slower.
+  // The timeline's duration, unless the export changes the speed.
   const duration = numbers.speed === 1 ? null : numbers.seconds;
   if (format === 'obj' || format === 'pc2') return { format, ...gridOf(numbers, null), inPlace };
   if (format === 'mdd') return { format, ...gridOf(numbers, duration), duration, inPlace };
@@ -73,14 +73,14 @@ export function engineOptions(request: ExportRequest, time: number, playing: Pla
   };
 }
 
-/** Whole frames of the timeline, which are counted on the exported animation's where that has a duration. */
+/** Whole frames of the timeline, counted on the exported animation's timeline if that has a duration. */
 function gridOf(numbers: ExportNumbers, duration: number | null): Partial<ExportOptions> {
   const { range, frames, whole, rate, speed } = counted(numbers);
   if (!whole) return { frames, range: [...range] };
   return { fps: duration === null ? rate / speed : rate, range: [...range] };
 }
 
-/** Refuses an unintended number of frames, which only whole frames of a long range can reach. */
+/** Rejects an unintended number of frames. Only whole frames of a long range can reach it. */
 function counted(numbers: ExportNumbers): ExportNumbers {
   if (numbers.frames <= MAX_FRAMES) return numbers;
   throw new Error(
@@ -88,14 +88,14 @@ function counted(numbers: ExportNumbers): ExportNumbers {
   );
 }
 
-/** Among principal targets keys are shapes as pins held them; what moved between them by hand is not found again. */
+/** Principal targets store the keys' shapes with pins applied, but not the pins' motion between keys. */
 function lostPins({ kind, animation, targets }: ExportRequest, { options }: Motion): string[] {
   const lost = options.pins.some(({ stay, path }) => stay !== undefined || path !== undefined);
   if (kind !== 'animation' || animation !== 'glb' || targets !== 'principal' || !lost) return [];
   return ['When reopened here, only pins on their own splines are kept, so the motion between keys differs.'];
 }
 
-/** What would be made, in words. */
+/** A description of the planned export. */
 export interface ExportPlan {
   text: string;
   warnings: string[];
@@ -105,7 +105,7 @@ export interface Planned {
   sequence: Motion;
   time: number;
   playing: Playing;
-  /** What the view takes on the screen. */
+  /** Size of the view on the screen. */
   window: PictureSize;
   signal: AbortSignal;
 }
@@ -157,7 +157,7 @@ function planText(request: ExportRequest, playing: Playing, { times, targets, er
   const length = secondsText(bounces ? 2 * seconds : seconds);
   if (request.targets !== 'every')
     return `${length}${back}, ${targets} morph ${targets === 1 ? 'target' : 'targets'}${off}, ${size}`;
-  // A GLB passes through the keys, whatever frames it is given.
+  // A GLB passes through the keys at any frame count.
   const keys = times.length - frames;
   const more = keys > 0 ? ` (${grouped(frames)}, and ${keys} at keys between them)` : '';
   return `${length}${back}, ${grouped(times.length)} frames${more}${off}, ${size}`;
@@ -198,7 +198,7 @@ async function downloadAll(files: ExportedFile[], name: string): Promise<void> {
   download(new Blob([file.bytes as Uint8Array<ArrayBuffer>], { type }), `${name}.${extension}`);
 }
 
-/** The format that was chosen, or the first that the browser can write. */
+/** The chosen format, or the first that the browser can write. */
 async function formatOf({ video }: ExportRequest): Promise<VideoFormat> {
   return video ?? (await videoFormats())[0] ?? 'gif';
 }

@@ -1,4 +1,4 @@
-/** Videos as animated GIF, which loops: 256 colours chosen for each frame, and times in hundredths of a second. */
+/** Videos as animated, looping GIF: 256 colours per frame, times in hundredths of a second. */
 import { GIFEncoder, applyPalette, quantize } from 'gifenc';
 import type { VideoOptions } from './video.ts';
 
@@ -24,7 +24,7 @@ export async function write({ frames, framesPerSecond, canvas, draw, onFrame, si
   return new Blob([gif.bytes() as Uint8Array<ArrayBuffer>], { type: 'image/gif' });
 }
 
-/** Start of a frame, rounded from the beginning, so rounding errors do not add up. */
+/** Start time of a frame, rounded from the beginning so rounding errors do not accumulate. */
 function hundredths(frame: number, framesPerSecond: number): number {
   return Math.round((100 * frame) / framesPerSecond);
 }

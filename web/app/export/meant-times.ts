@@ -1,6 +1,6 @@
 /**
- * When recorded frames, which are stamped by the clock, are meant to be shown. The recorder may have left some out, or
- * taken some twice: then each keeps its place in the whole. Packets may come in another order than they are shown.
+ * Assigns intended times to recorded frames, which carry clock times. The recorder may skip or repeat frames, so each
+ * keeps its relative position in time. Packets may arrive out of display order.
  */
 export function meantTimes(
   stamps: readonly number[],

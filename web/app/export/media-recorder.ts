@@ -1,6 +1,6 @@
 /**
  * Videos in browsers without WebCodecs. The browser's recorder stamps frames by the clock, so recording takes at least
- * the duration of the video. The file is then rewritten with the intended times, and a length for seeking.
+ * the video's duration. The file is then rewritten with the intended times and a length for seeking.
  */
 import {
   BlobSource,
@@ -61,7 +61,7 @@ function until(time: number): Promise<void> {
   return new Promise((resolve) => window.setTimeout(resolve, Math.max(time - performance.now(), 0)));
 }
 
-/** The same pictures at the times that they are meant for. */
+/** The same frames with their intended times. */
 async function retimed(recorded: Blob, { format, frames, framesPerSecond }: VideoOptions): Promise<Blob> {
   const input = new Input({ source: new BlobSource(recorded), formats: [format === 'mp4' ? MP4 : WEBM] });
   const track = await input.getPrimaryVideoTrack();

@@ -7,11 +7,11 @@ import { withSheet } from './sheet.ts';
 import { pageColour } from './title.ts';
 
 export interface PictureOptions {
-  /** null: the size that the view has on the screen. */
+  /** Size of the image; null: size of the view on the screen. */
   size: PictureSize | null;
-  /** The shape alone, on nothing; else with its floor, on the page's ground. */
+  /** Only the shape on a transparent background; otherwise with floor, on the page's background. */
   transparent: boolean;
-  /** Without what is empty around the shape. */
+  /** Removes the empty border. */
   crop: boolean;
 }
 
@@ -19,7 +19,7 @@ export async function takePicture(scene: SceneController, { size, transparent, c
   const ground = transparent ? null : pageColour('--stage-centre');
   try {
     return await withSheet(scene, size, false, async (sheet) => {
-      // Pixels that are not transparent were drawn.
+      // Cropping treats every pixel that is not transparent as drawn.
       scene.setFloorless(transparent || crop);
       const box = crop ? boxOf(sheet) : null;
       scene.setFloorless(transparent);

@@ -1,4 +1,4 @@
-/** What to do with the files of a zip, in the programs that most people open them with. */
+/** Instructions for a zip's files in the most common programs. */
 import type { ExportedFile } from '../../engine/api/types.ts';
 
 type Format = 'obj' | 'pc2' | 'mdd' | 'video' | 'glb';
@@ -39,7 +39,7 @@ function text(format: Format, fps: number | null): string {
   return `${lines.join('\n').replaceAll('FORMAT', format.toUpperCase()).replaceAll('RATE', rate)}\n`;
 }
 
-/** The files, and README.txt behind them. */
+/** The files, followed by README.txt. */
 export async function* withReadme(
   format: Format,
   files: AsyncIterable<ExportedFile>,

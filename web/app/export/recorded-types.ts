@@ -1,4 +1,4 @@
-/** What the browser's recorder writes. */
+/** Formats of the browser's recorder. */
 import type { VideoFormat } from '../../model/export-request.ts';
 
 const TYPES: Record<VideoFormat, readonly string[]> = {

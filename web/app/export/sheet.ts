@@ -1,4 +1,4 @@
-/** What pictures and videos are taken on: a canvas with the view in the wanted size, its ground and its titles. */
+/** The source of images and videos: a canvas with the view in the requested size, its background and titles. */
 import type { PictureSize } from '../../model/export-request.ts';
 import type { Rect } from '../../viewer/types.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
@@ -7,17 +7,17 @@ import { writeNames, writeTitle } from './title.ts';
 export interface Sheet {
   readonly canvas: HTMLCanvasElement;
   readonly context: CanvasRenderingContext2D;
-  /** Where the views stand on it. */
+  /** Positions of the views on the sheet. */
   rects(): Rect[];
-  /** Puts the view on it, as it is drawn now, with the names of a film strip. `ground`: behind it; null: nothing. */
+  /** Copies the current view to the sheet, with a film strip's names. `ground`: background; null for none. */
   take(ground: string | null): void;
-  /** Writes over each of several views what it shows. */
+  /** Writes the title of each of several views. */
   takeTitles(): void;
 }
 
 /**
- * Has the viewer draw in a size, with a sheet of that size, and gives the page its picture back. null: in the size that
- * the view has on the screen. `even`: as encoders of videos want it.
+ * Draws the viewer in a given size, on a sheet of that size, and then restores the page's view. null: size on the
+ * screen. `even`: even dimensions, as video encoders need.
  */
 export async function withSheet<T>(
   scene: SceneController,
@@ -45,7 +45,7 @@ function sheetOf(scene: SceneController, size: PictureSize): Sheet {
   const { viewer } = scene;
   const canvas = Object.assign(document.createElement('canvas'), size);
   const context = canvas.getContext('2d', { willReadFrequently: true })!;
-  // In the middle, should the view on the screen get another size, or have an odd one.
+  // Centres the view, in case its size on the screen changes or is odd.
   const shift = (): [number, number] => [
     Math.ceil((canvas.width - viewer.canvas.width) / 2),
     Math.ceil((canvas.height - viewer.canvas.height) / 2),

@@ -1,11 +1,11 @@
-/** How long an export still takes, in words. */
+/** The remaining time of an export, in words. */
 
 /** The first frames are slower than the others. */
 const TOLD_AFTER_MS = 3000;
-/** What is soon over is not told, in seconds. */
+/** Shorter remaining times, in seconds, are not shown. */
 const WORTH_TELLING = 10;
 
-/** At the mean speed so far, as a phrase; empty before it is known. fraction: of the work, above 0. */
+/** A phrase from the mean speed so far; empty while unknown. `fraction`: completed share, above 0. */
 export function timeLeft(milliseconds: number, fraction: number): string {
   const left = (milliseconds / fraction - milliseconds) / 1000;
   if (milliseconds < TOLD_AFTER_MS || left < WORTH_TELLING) return '';

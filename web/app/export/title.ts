@@ -1,28 +1,28 @@
-/** What is written over the views of a picture: in the page's letters, as large as the picture needs them. */
+/** Titles over an image's views, in the page's font, scaled to the image. */
 import type { Rect } from '../../viewer/types.ts';
 
 export interface Title {
   title: string;
-  /** Measures; empty = not known. */
+  /** Measures; empty if unknown. */
   detail: string;
 }
 
-/** Of a view's smaller side. */
+/** Text height as a share of a view's smaller side. */
 const LETTERS = 1 / 30;
 const LEAST_LETTERS = 12;
 const LINE = 1.35;
 
-/** Height of the letters over a view. */
+/** Text height over a view. */
 function lettersOf({ width, height }: Pick<Rect, 'width' | 'height'>): number {
   return Math.max(Math.round(LETTERS * Math.min(width, height)), LEAST_LETTERS);
 }
 
-/** Height of a title with its measures, and the room around it. */
+/** Height of a title with its measures and padding. */
 export function titleHeight(rect: Pick<Rect, 'width' | 'height'>, { detail }: Title): number {
   return Math.ceil(lettersOf(rect) * LINE * (detail === '' ? 1.5 : 2.5));
 }
 
-/** At the top of a view, in its middle, no wider than it is. */
+/** Centred at the top of a view, no wider than the view. */
 export function writeTitle(context: CanvasRenderingContext2D, { title, detail }: Title, rect: Rect): void {
   const letters = lettersOf(rect);
   const family = getComputedStyle(document.body).fontFamily;
@@ -40,7 +40,7 @@ export function writeTitle(context: CanvasRenderingContext2D, { title, detail }:
   context.restore();
 }
 
-/** Names of the shapes of a film strip, under each, all as large as the least room between two of them allows. */
+/** Names under the shapes of a film strip. All have the largest size that fits the narrowest gap. */
 export function writeNames(
   context: CanvasRenderingContext2D,
   names: readonly { text: string; x: number; y: number }[],
@@ -58,7 +58,7 @@ export function writeNames(
   context.restore();
 }
 
-/** A colour of the page's style sheet, as it is in the theme that is shown. */
+/** A colour from the page's style sheet, in the current theme. */
 export function pageColour(name: string): string {
   const probe = document.createElement('span');
   probe.style.color = `var(${name})`;

@@ -1,4 +1,4 @@
-/** Videos by WebCodecs: every frame at its exact time, as fast as frames are drawn and encoded. */
+/** Videos by WebCodecs: exact frame times, as fast as drawing and encoding allow. */
 import {
   BufferTarget,
   CanvasSource,
@@ -13,7 +13,7 @@ import { bitrateOf } from './video.ts';
 import type { VideoOptions } from './video.ts';
 
 const CODECS: Record<string, VideoCodec[]> = { mp4: ['avc'], webm: ['vp9', 'vp8'] };
-/** Seconds between the frames that a player can jump to at once. */
+/** Seconds between key frames, for seeking. */
 const KEY_FRAME_INTERVAL = 1;
 
 export async function write(options: VideoOptions): Promise<Blob> {

@@ -1,12 +1,12 @@
-/** Videos of the canvas: what this browser can write, and by which of its encoders. */
+/** Videos of the canvas: finds the formats and the encoder that this browser supports. */
 import type { PictureSize, VideoFormat } from '../../model/export-request.ts';
 import { recordableFormats } from './recorded-types.ts';
 import type { VideoOptions } from './video.ts';
 
-/** Codecs that are asked about, in a profile that every encoder of theirs has; the real one follows from the size. */
+/** Codecs to test, in a profile that every encoder supports. The final profile follows from the size. */
 const CODECS = { mp4: ['avc1.42001f'], webm: ['vp09.00.10.08', 'vp8'] } as const;
 
-/** What this browser can write, the format that plays in more places first; GIF is written without its help. */
+/** Formats that this browser can write, the most widely playable first. GIF needs no browser support. */
 export async function videoFormats(): Promise<VideoFormat[]> {
   if (typeof VideoEncoder === 'undefined') return [...recordableFormats(), 'gif'];
   const formats = ['mp4', 'webm'] as const;
@@ -21,7 +21,7 @@ async function isEncodable(codecs: readonly string[], size: PictureSize): Promis
   return supports.some(({ supported }) => supported);
 }
 
-/** Encoders and muxer are loaded when the first video is made. */
+/** Loads encoders and muxer with the first video. */
 export async function writeVideo(options: VideoOptions): Promise<Blob> {
   const { write } = await encoderOf(options.format);
   return write(options);

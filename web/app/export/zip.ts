@@ -1,11 +1,11 @@
-/** A zip of files as they are, without compression: enough to hand over a folder in one download. */
+/** An uncompressed zip of files, to download a folder at once. */
 import { downloadZip } from 'client-zip';
 import type { ExportedFile } from '../../engine/api/types.ts';
 
-/** The first day of the format: the same files give the same bytes. */
+/** The first date of the format, constant so equal files give equal bytes. */
 const FIRST_DAY = new Date(1980, 0, 1);
 
-/** Files are taken one by one and let go; the browser may put what it has of the zip on its disk. */
+/** Reads files one by one and releases each. The browser may store the growing zip on disk. */
 export async function zip(files: Iterable<ExportedFile> | AsyncIterable<ExportedFile>): Promise<Blob> {
   let failure: unknown = null;
   async function* entries() {
@@ -19,7 +19,7 @@ export async function zip(files: Iterable<ExportedFile> | AsyncIterable<Exported
   try {
     return await downloadZip(entries()).blob();
   } catch (error) {
-    // Of a stream that fails browsers only tell that it did.
+    // Browsers report only that a stream failed, without the reason.
     throw failure ?? error;
   }
 }

@@ -1,4 +1,4 @@
-/** The figures of the paper as states of the app: what each shows there, what is seen here, and where that differs. */
+/** The paper's figures as states of the app: what each figure shows in the paper and here, and the differences. */
 import { MotionError } from '../../study/motion-error.ts';
 import type { GuidePage } from './guide-page.ts';
 
@@ -7,12 +7,12 @@ interface Figure extends Omit<GuidePage, 'link' | 'title'> {
   name: string;
 }
 
-/** The playground with as many values as the paper's Fig. 2a, and its three curves. */
+/** The playground with as many values as Fig. 2a of the paper, and its three curves. */
 const NINE_POINTS = `keys=${[0.3, 0.55, 0.35, 0.8, 0.6, 0.9, 0.45, 0.5, 0.2]
   .map((value, i) => `${i / 8},${value},0`)
   .join('+')}&show=linear+natural+samples&samples=60&key=5`;
 
-/** The pose of the cactus that is no key of Fig. 3. */
+/** The pose of the cactus that is not a key of Fig. 3. */
 const MIDDLE = 1;
 const middleOf: GuidePage['ask'] = async (sequence, { keyTimes }, poses) => {
   const error = new MotionError(poses.info.report.diagonal);

@@ -1,16 +1,16 @@
-/** One page of the guide: a state of the app, and what is said of it. */
+/** One page of the guide: a state of the app and its text. */
 import type { Keys, Motion } from '../../engine/api/api.ts';
 import type { SequenceStats, Stretch } from '../../engine/api/types.ts';
 import type { Plot } from '../../model/state.ts';
 import type { Formula } from '../../ui/guide-panel.ts';
 import type { PanelName } from '../panels/layout.ts';
 
-/** Numbers of what is shown, as the engine has them; null while it computes. */
+/** Numbers of the shown motion, from the engine; null while they are computed. */
 export interface Facts {
   keyTimes: readonly number[];
   faces: number;
   patches: number;
-  /** Volume in whole percent of the first key's, of this method and of the one beside it. */
+  /** Volume in whole percent of the first key's, for this method and the compared one. */
   volumes: readonly string[];
   stats: SequenceStats;
   stretch: Stretch;
@@ -19,35 +19,38 @@ export interface Facts {
 }
 
 export interface GuidePage {
-  /** The fragment of its link, without '#'. */
+  /** Fragment of the page's link, without '#'. */
   link: string;
   title: string;
-  /** The state of the app, as a link has it. */
+  /** The state of the app, encoded as in a link. */
   state: string;
-  /** The options or plots that it speaks of. */
+  /** The panel that the page describes. */
   panel?: PanelName;
-  /** What of that panel is brought in sight, by its test id. */
+  /** Test id of the panel's part to scroll to. */
   part?: string;
-  /** The plot that it speaks of: the first one of a presentation. */
+  /** The plot that the page describes; a presentation shows it first. */
   plot?: Plot;
-  /** Options and plots have more room than the rest of the time. */
+  /** Panels have more width than usual. */
   wide?: true;
-  /** A control that is pressed for the reader, by its test id; a tick is taken back with the page. */
+  /** Test id of a control that the page presses. Leaving the page clears its tick again. */
   press?: string;
-  /** A field that is filled in for the reader, by its test id; it is emptied with the page. */
+  /** A field that the page fills in, by its test id. Leaving the page empties it. */
   fill?: { field: string; value: string };
-  /** What is seen: a few sentences. */
+  /** Describes the view in a few sentences. */
   text: string;
-  /** What the reader does. */
+  /** The reader's task. */
   task: string;
-  /** What is to be remembered of it. */
+  /** The sentence to remember. */
   sentence: string;
-  /** Numbers from the engine, in words. */
+  /** Text with numbers from the engine. */
   live?(facts: Facts): string;
-  /** Numbers that the engine is asked for, in words; `poses` are those of the file, keys or not. */
+  /**
+   * Text with numbers that are requested from the engine; `poses` are all poses of the file, including those that are
+   * not keys.
+   */
   ask?(sequence: Motion, facts: Facts, poses: Keys): Promise<string>;
   formula?: Formula;
   more?: string;
-  /** A page of its own that it speaks of; where there is room it stands in the place of the options, under a title. */
+  /** A related page of this site. If there is room, it replaces the panels, under a title. */
   beside?: { label: string; href: string; framed: string };
 }

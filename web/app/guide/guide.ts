@@ -1,6 +1,6 @@
 /**
- * The guide: pages that are states of the app, named by links. Leaving it restores the content that was open before,
- * unless the user opened other content in the meantime.
+ * The guide: pages that are states of the app, each with a link. Closing it restores the earlier content, unless the
+ * user has opened something else.
  */
 import type { Plot } from '../../model/state.ts';
 import { createGuidePanel } from '../../ui/guide-panel.ts';
@@ -16,50 +16,52 @@ import type { ReturnPointParts } from './return-point.ts';
 import { filled, pressed, untilTouched, whenThere } from './when-there.ts';
 
 export interface GuideParts extends ReturnPointParts {
-  /** Where its panel stands, beside wider options where it wants them; null takes it away. */
+  /** Places the guide's panel, beside wider panels if requested; null removes it. */
   place(panel: HTMLElement | null, wide?: boolean): void;
-  /** Brings options or plots in sight. */
+  /** Scrolls to a panel or a part of it. */
   showPanel(name: PanelName, part?: string): void;
-  /** Shows another page of this site in the place of the options, where there is room; null: the options. */
+  /** Shows another page of this site instead of the panels, if there is room; null restores the panels. */
   frame(page: { href: string; title: string } | null): void;
-  /** What is open is about to be closed: what of it waits to be kept is kept now. */
+  /** Call before closing the open content; stores its pending changes. */
   keep(): void;
-  /** The address keeps this fragment; null: it follows the state. */
+  /** Fixes this fragment in the URL; null lets the URL follow the state again. */
   pin(fragment: string | null): void;
 }
 
 export interface Guide {
-  /** Turns to the page of a link; false where there is none. */
+  /** Goes to a link's page; false if the link names no page. */
   open(fragment: string): Promise<boolean>;
-  /** Gives back what was open before. */
+  /** Restores the earlier content. */
   close(): Promise<void>;
-  /** Something was opened: where it is not of the guide, the guide is over. */
+  /** Content was opened. Ends the guide if it is not the guide's own. */
   onOpened(): void;
-  /** What is shown has changed. */
+  /** The numbers of the shown motion have changed. */
   setFacts(facts: Facts | null): void;
   readonly isOpen: boolean;
-  /** The plot that the page on show speaks of, or null. */
+  /** Plot of the current page, or null. */
   readonly plot: Plot | null;
-  /** Leaves the guide if one of its pages is being opened; true if that, or the way back, is under way. */
+  /**
+   * Leaves the guide if a page is being opened. Returns true if a page was being opened or the guide was being left.
+   */
   cancel(): boolean;
 }
 
 const nothing = (): void => undefined;
 
-/** What presenters' clickers send. */
+/** The keys of presenters' clickers. */
 const CLICKS: Readonly<Record<string, 'previous' | 'next'>> = { PageUp: 'previous', PageDown: 'next' };
 
 export function createGuide(parts: GuideParts): Guide {
   const { store, workspace, files, place, keep, pin } = parts;
   let page: GuidePage | null = null;
-  /** It is opening a page of its own. */
+  /** Counts the pages that are being opened. */
   let turning = 0;
-  /** Of what the page on show has prepared. */
+  /** Undoes the preparations of the current page. */
   let takeBack = nothing;
   const back = createReturnPoint(parts);
   const panel = createGuidePanel(() => void guide.close());
   const answers = createAnswers(workspace, (answer) => panel.setLive(answer));
-  /** A presentation goes on with the next page. */
+  /** A presentation continues with the next page. */
   const presenting = (): boolean => store.get().view.present !== null;
   listenToClicker(
     () => page !== null && presenting(),
@@ -129,7 +131,7 @@ export function createGuide(parts: GuideParts): Guide {
   return guide;
 }
 
-/** Shows what a page needs in addition to its state; the result undoes that. */
+/** Applies a page's additions to its state; the result undoes them. */
 function prepare(
   { panel, part, press, fill, beside }: GuidePage,
   { frame, showPanel }: Pick<GuideParts, 'frame' | 'showPanel'>,
@@ -145,9 +147,9 @@ function prepare(
   return () => undone.forEach((one) => one());
 }
 
-/** Asks the engine what a page wants to know of the motion, once. */
+/** Requests the page's numbers of the motion once. */
 function createAnswers(workspace: Workspace, onAnswer: (answer: string) => void) {
-  /** What was asked last, and of which motion. */
+  /** The last answer and its motion. */
   let asked: { of: Facts['stats']; answer: string } | null = null;
   return {
     async ask(page: GuidePage, facts: Facts): Promise<void> {
@@ -157,7 +159,7 @@ function createAnswers(workspace: Workspace, onAnswer: (answer: string) => void)
       if (!sequence || !poses || !page.ask || asked?.of === stats) return;
       const question = { of: stats, answer: '' };
       asked = question;
-      const answer = await page.ask(sequence, facts, poses).catch(() => ''); // another motion came between
+      const answer = await page.ask(sequence, facts, poses).catch(() => ''); // The motion has changed meanwhile.
       if (asked !== question) return;
       question.answer = answer;
       onAnswer(answer);
@@ -184,7 +186,7 @@ function listenToClicker(listens: () => boolean, onTurn: (turn: 'previous' | 'ne
   );
 }
 
-/** What the pages of a kind are called together. */
+/** Titles of the kinds of pages. */
 const KINDS = [
   { name: 'Tour', pages: TOUR },
   { name: 'Figures', pages: FIGURES },

@@ -1,4 +1,4 @@
-/** What was open before the first page of the guide, and the way back to it. */
+/** The content that was open before the guide, and its restoration. */
 import { DEFAULT_VIEW } from '../../model/state.ts';
 import { currentSnapshot } from '../kept/snapshot.ts';
 import type { Snapshot } from '../kept/snapshot.ts';
@@ -10,7 +10,7 @@ export interface ReturnPointParts {
   store: Store;
   workspace: Workspace;
   files: Opener;
-  /** Opens what a visit starts with. */
+  /** Opens the initial content of a visit. */
   openInitial(): Promise<void>;
 }
 
@@ -18,11 +18,11 @@ export function createReturnPoint(parts: ReturnPointParts) {
   const { store, workspace, files } = parts;
   let before: Snapshot | null = null;
   let focused: Element | null = null;
-  /** Ways back that are under way, the last one to this. */
+  /** Counts the restorations in progress. The last one ends at this content. */
   let returning = 0;
   let comingBack: Snapshot | null = null;
   return {
-    /** The first page is about to be opened. */
+    /** Call before opening the first page. */
     remember(): void {
       before = returning > 0 ? comingBack : currentSnapshot(store, workspace);
       focused = document.activeElement;
@@ -35,7 +35,7 @@ export function createReturnPoint(parts: ReturnPointParts) {
       returning += 1;
       await giveBack(comingBack, parts).finally(() => (returning -= 1));
     },
-    /** Other content was opened, so there is no way back. */
+    /** Other content was opened, so nothing needs to be restored. */
     drop(): void {
       if (before) files.history.left(before);
       before = null;
@@ -46,16 +46,16 @@ export function createReturnPoint(parts: ReturnPointParts) {
   };
 }
 
-/** Who left with the keyboard goes on where they came from. */
+/** Returns keyboard focus to its element before the guide. */
 function focusAgain(focused: Element | null): void {
   const lost = document.activeElement === document.body;
   if (lost && focused instanceof HTMLElement && focused.checkVisibility()) focused.focus();
 }
 
-/** As it was, moving where it moved. */
+/** Restores the content exactly, including playback. */
 async function giveBack(left: Snapshot | null, { store, files, openInitial }: ReturnPointParts): Promise<void> {
   if (!left) {
-    // Of the guide's pages nothing is left: what is opened looks as on a first visit.
+    // Removes every trace of the guide's pages; new content looks as on a first visit.
     store.set({ view: DEFAULT_VIEW });
     return openInitial();
   }

@@ -7,7 +7,7 @@ const listed = (numbers: readonly number[]): string =>
   numbers.length < 2 ? numbers.join('') : `${numbers.slice(0, -1).join(', ')} and ${numbers.at(-1)!}`;
 const grouped = (count: number): string => count.toLocaleString('en');
 
-/** The same from the engine: from the first patch to the last, and from one to the next. */
+/** The rotations from the engine: from the first patch to the last, and between neighbours. */
 const twistOf: GuidePage['ask'] = async (sequence, { keyTimes }) => {
   const { patches } = await sequence.shape.stats();
   const [first, last] = [keyTimes[0]!, keyTimes.at(-1)!];
@@ -21,7 +21,7 @@ const twistOf: GuidePage['ask'] = async (sequence, { keyTimes }) => {
   );
 };
 
-/** A face in the upper part of the turret, which shrinks; described as far out as the plots go. */
+/** A face in the turret's shrinking upper part, and the farthest extrapolated time of the plots. */
 const [SHRINKING, FAR] = [116, 1.4];
 const narrownessOf: GuidePage['ask'] = async (sequence, { stretch }) => {
   const { numbers } = await sequence.faceCurve(SHRINKING, [FAR]);

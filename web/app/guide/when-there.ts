@@ -1,7 +1,7 @@
-/** What a page of the guide does with parts of the panels, which are loaded after the shape. */
+/** Actions of guide pages on panel controls, which are loaded after the shape. */
 import type { PanelName } from '../panels/layout.ts';
 
-/** Calls `act` with an element of the page as soon as it is there, once; returns what ends the waiting. */
+/** Calls `act` once, as soon as the element exists; returns a function that stops waiting. */
 export function whenThere(testId: string, act: (element: HTMLElement) => void): () => void {
   const found = (): boolean => {
     const element = document.querySelector<HTMLElement>(`[data-testid="${testId}"]`);
@@ -15,7 +15,7 @@ export function whenThere(testId: string, act: (element: HTMLElement) => void): 
   return () => waiting.disconnect();
 }
 
-/** Presses a control for the reader, unless it is a tick that is set; returns what takes a tick back. */
+/** Presses a control unless it is already ticked; returns a function that clears the tick. */
 export function pressed(control: HTMLElement): () => void {
   const tick = control instanceof HTMLInputElement ? control : null;
   if (tick?.checked) return () => undefined;
@@ -25,7 +25,7 @@ export function pressed(control: HTMLElement): () => void {
   };
 }
 
-/** Fills in a field for the reader; returns what empties it, where the reader has entered nothing else. */
+/** Fills in a field; returns a function that empties it unless the reader has changed it. */
 export function filled(field: HTMLElement, value: string): () => void {
   if (!(field instanceof HTMLInputElement)) return () => undefined;
   const enter = (text: string): void => {
@@ -41,8 +41,8 @@ export function filled(field: HTMLElement, value: string): () => void {
 const TOUCHES = ['pointerdown', 'wheel', 'keydown'] as const;
 
 /**
- * Calls `show` now and whenever a panel has another size, as its plots are loaded after the shape, until the reader's
- * hand is on the options; returns what ends it.
+ * Calls `show` now and after each size change of a panel, because plots load after the shape. Stops when the reader
+ * uses the options or calls the returned function.
  */
 export function untilTouched(panel: PanelName, show: () => void): () => void {
   const element = document.querySelector<HTMLElement>(`[data-testid="panel-${panel}"]`);

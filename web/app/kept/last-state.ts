@@ -1,10 +1,10 @@
-/** The last state of a project, noted where that takes no time: the page may be left before it is written. */
+/** Synchronous note of a project's last state, because the page may close before the state is stored. */
 import type { AppState } from '../../model/state.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 
 interface Note {
   id: string;
-  /** Of the project, to which the state was not written yet. */
+  /** Version of the project without this state. */
   version: number;
   poses: number;
   state: AppState;
@@ -13,7 +13,7 @@ interface Note {
 const NOTE = 'shapespline.last-state';
 
 export class LastState {
-  /** What this visit has noted, as text, until it is written. */
+  /** This visit's note, as text, until the state is stored. */
   private noted: string | null = null;
 
   note(note: Note): void {
@@ -21,7 +21,7 @@ export class LastState {
     this.noted = JSON.stringify(note.state);
   }
 
-  /** This state of the project, as text, is written. */
+  /** Call when this state of the project, as text, is stored. */
   written(id: string, state: string): void {
     if (this.noted !== null && state !== this.noted) return;
     this.noted = null;
@@ -34,11 +34,11 @@ export class LastState {
   }
 }
 
-/** What the last visit noted of a project as it was left, unless it was written after all. */
+/** The last visit's note of a project, unless that state was stored. */
 export function notedState(id: string, version: number, poses: number): AppState | null {
   const note = readNote();
   if (note?.id !== id || note.poses !== poses) return null;
-  // A write that was under way then may have ended since.
+  // A write in progress at that time may have completed since.
   return version === note.version || version === note.version + 1 ? note.state : null;
 }
 

@@ -1,19 +1,19 @@
-/** What was open before in this visit, to step back to and forth again like an edit. */
+/** Content opened earlier in this visit. Undo and redo step through it as through edits. */
 import type { Snapshot } from './snapshot.ts';
 import { bytesOf } from './snapshot.ts';
 
 const AT_MOST = 10;
-/** Of files and poses together; what was left last stays whatever it takes. */
+/** Limit for files and poses together; the last content stays at any size. */
 const AT_MOST_BYTES = 512e6;
 
-/** To something else, back to what was open before it, or forth to what was open after it. */
+/** To new content ('on'), to the previous content ('back'), or to the next content ('forth'). */
 export type Step = 'on' | 'back' | 'forth';
 
 export class OpenHistory {
   private earlier: Snapshot[] = [];
   private later: Snapshot[] = [];
 
-  /** A step was made away from `snapshot`. */
+  /** Call after a step away from `snapshot`. */
   left(snapshot: Snapshot, step: Step = 'on'): void {
     if (step === 'back') {
       this.earlier.pop();
@@ -38,13 +38,13 @@ export class OpenHistory {
     this.later = [];
   }
 
-  /** All of it, what was left last first. */
+  /** All snapshots, the last left first. */
   get all(): Snapshot[] {
     return [...this.later, ...this.earlier].reverse();
   }
 }
 
-/** The end of the list that fits. */
+/** The end of the list that fits into memory. */
 function lasting(snapshots: Snapshot[]): Snapshot[] {
   const kept: Snapshot[] = [];
   let bytes = 0;

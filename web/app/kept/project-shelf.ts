@@ -1,35 +1,35 @@
 /**
- * The projects that this browser keeps between visits, for all tabs: each written whole in one transaction or not at
- * all. Of the last ones only: older ones make room.
+ * Projects stored in the browser between visits, shared by all tabs. Each is written whole, in one transaction. New
+ * projects replace the oldest.
  */
 import { createStore, promisifyRequest } from 'idb-keyval';
 import type { Pose } from '../../engine/api/read-poses.ts';
 import type { ImportOptions, InputFile, Point } from '../../engine/api/types.ts';
 import type { AppState, KeyRef } from '../../model/state.ts';
 
-/** What changes while files are open. */
+/** The part of a project that changes while files are open. */
 export interface Changing {
   options: ImportOptions;
-  /** Poses that are not of the files: taken from shapes, or from further files. */
+  /** Poses that are not from the files: from shown shapes or added files. */
   poses: Pose[];
-  /** That these are relative to; absent: nothing, as in earlier versions. */
+  /** The offset of these poses; missing in earlier versions, for none. */
   offset?: Point;
   state: AppState;
 }
 
-/** Everything that opens the files again as they were left. */
+/** Everything needed to reopen the files in their last state. */
 export interface StoredProject extends Changing {
   files: InputFile[];
 }
 
-/** A project as a list shows it. */
+/** A project for display in a list. */
 export interface ProjectOnShelf {
   id: string;
-  /** Of the files that were opened. */
+  /** File names. */
   names: readonly string[];
-  /** Milliseconds since 1970 of the last change, or of its opening. */
+  /** Time of the last change, or of opening, in milliseconds since 1970. */
   changed: number;
-  /** The last attempt to open it failed or did not end. */
+  /** The last attempt to open it failed or did not finish. */
   opening: boolean;
 }
 
@@ -38,24 +38,24 @@ interface ProjectRecord extends Changing {
   id: string;
   opening: boolean;
   changed: number;
-  /** Differs for every write, so a tab notices the writes of others. */
+  /** Differs for every write, so a tab notices writes of other tabs. */
   version: number;
 }
 
 export interface Shelf {
-  /** The last changed one first. */
+  /** The projects, sorted by last change, newest first. */
   projects: ProjectOnShelf[];
-  /** How many did not read, and were set aside. */
+  /** Number of unreadable projects that were set aside. */
   setAside: number;
 }
 
-/** Raised when older visits can no longer be read. Format 1 and 2 held one project, under keys without an id. */
+/**
+ * Increment the format when older projects become unreadable. Formats 1 and 2 stored one project, under keys without an
+ * id.
+ */
 const FORMAT = 3;
 const PROJECT = 'project ';
-/**
- * In a record of their own, as they may be large and stay the same while the rest changes; always of the project of the
- * same id.
- */
+/** Files have a separate record, because they can be large and do not change. Its key contains the project's id. */
 const FILES = 'files ';
 const SET_ASIDE = 'set aside ';
 const KEPT_PROJECTS = 6;
@@ -67,11 +67,11 @@ const stored = (store: IDBObjectStore, key: string): Promise<unknown> => promisi
 const projectOn = async (store: IDBObjectStore, id: string): Promise<ProjectRecord | undefined> =>
   (await stored(store, PROJECT + id)) as ProjectRecord | undefined;
 
-/** Does all of it or nothing: resolves when it is on the disk. */
+/** Does all of the work or none; resolves when it is on disk. */
 function atomically<T>(work: (store: IDBObjectStore) => T | Promise<T>): Promise<T> {
   return shelf('readwrite', async (store) => {
     const written = promisifyRequest<void>(store.transaction as never);
-    // It may fail while the work still waits for something else, which fails then, too.
+    // The transaction may fail while the work is waiting; then the work fails too.
     written.catch(() => undefined);
     try {
       const result = await work(store);
@@ -88,11 +88,11 @@ function abort(transaction: IDBTransaction): void {
   try {
     transaction.abort();
   } catch {
-    // It has ended already.
+    // The transaction has already ended.
   }
 }
 
-/** Writes a project, its files included, and resolves to its version; the oldest of too many goes. */
+/** Writes a project with its files and resolves to its version. Removes the oldest project if there are too many. */
 export function keepProject(id: string, { files, ...changing }: StoredProject): Promise<number> {
   return atomically(async (store) => {
     const version = ((await projectOn(store, id))?.version ?? 0) + 1;
@@ -105,8 +105,8 @@ export function keepProject(id: string, { files, ...changing }: StoredProject): 
 }
 
 /**
- * Writes what has changed of a project and resolves to its new version; null where it is kept no longer, or another tab
- * has written since `version`.
+ * Writes the changes of a project and resolves to its new version; null if it was removed, or if another tab has
+ * written since `version`.
  */
 export function updateProject(id: string, version: number, changing: Changing): Promise<number | null> {
   return atomically(async (store) => {
@@ -116,7 +116,7 @@ export function updateProject(id: string, version: number, changing: Changing): 
   });
 }
 
-/** Says that a visit begins to open a project, or has opened it. */
+/** Records that a visit starts to open a project, or has opened it. */
 export function markOpening(id: string, opening: boolean): Promise<void> {
   return atomically(async (store) => {
     const project = await projectOn(store, id);
@@ -128,7 +128,7 @@ export function forgetProject(id: string): Promise<void> {
   return atomically((store) => remove(store, id));
 }
 
-/** Stored content. Unreadable content moves to another key, where it stays for recovery. */
+/** All stored projects. Moves unreadable ones to another key for recovery. */
 export function readShelf(): Promise<Shelf> {
   return atomically(async (store) => {
     await upgrade(store);
@@ -138,7 +138,7 @@ export function readShelf(): Promise<Shelf> {
   });
 }
 
-/** A project with its files and its version, or null where it is kept no longer, or was set aside as unreadable. */
+/** A project with its files and version; null if it was removed or set aside as unreadable. */
 export function readProject(id: string): Promise<{ remembered: StoredProject; version: number } | null> {
   return atomically(async (store) => {
     const [project, files] = [await projectOn(store, id), await stored(store, FILES + id)];
@@ -152,7 +152,7 @@ export function readProject(id: string): Promise<{ remembered: StoredProject; ve
   });
 }
 
-/** Makes room for what can be opened, and keeps the record for those who may need it. */
+/** Moves an unreadable record to another key, to free its place and allow recovery. */
 async function setAside(store: IDBObjectStore, id: string): Promise<void> {
   store.put({ project: await stored(store, PROJECT + id), files: await stored(store, FILES + id) }, SET_ASIDE + id);
   remove(store, id);
@@ -185,7 +185,7 @@ async function readAll(store: IDBObjectStore): Promise<{ projects: ProjectOnShel
   return { projects: projects.sort((a, b) => b.changed - a.changed), broken };
 }
 
-/** What stands in a record that could be opened. */
+/** List entry of a readable record. */
 export function readRecord(record: unknown): ProjectOnShelf | null {
   const { format, id, opening, changed, options, poses, offset, state } = (record ?? {}) as Partial<ProjectRecord>;
   const source: Partial<AppState['source'] & { names: unknown }> = state?.source ?? {};
@@ -207,7 +207,7 @@ export function readRecord(record: unknown): ProjectOnShelf | null {
   return { id, names: names as string[], changed: Number(changed) || 0, opening: opening === true };
 }
 
-/** Of the files of a record: with their bytes. */
+/** Whether a record's files have their bytes. */
 export function areFiles(files: unknown): files is InputFile[] {
   return isListOf(files, (file: Partial<InputFile> | null) => {
     return typeof file?.name === 'string' && file.bytes instanceof Uint8Array;
@@ -218,7 +218,7 @@ function isListOf<T>(list: unknown, isOne: (one: T) => boolean): boolean {
   return Array.isArray(list) && list.every(isOne);
 }
 
-/** Format 1 had `rest` and `files`, format 2 `project` and `files`. */
+/** Format 1 had `rest` and `files`; format 2 had `project` and `files`. */
 async function upgrade(store: IDBObjectStore): Promise<void> {
   const files = await stored(store, 'files');
   const [rest, project] = [await stored(store, 'rest'), await stored(store, 'project')];

@@ -1,6 +1,5 @@
 /**
- * The user's own files with all that is done to them, kept in this browser between visits unless the user wants
- * otherwise. They are sent nowhere.
+ * Stores the user's files and edits in this browser between visits, unless the user declines. They are never uploaded.
  */
 import type { InputFile } from '../../engine/api/types.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
@@ -22,36 +21,36 @@ import { bytesOf, currentSnapshot } from './snapshot.ts';
 export interface RememberedFilesParts {
   store: Store;
   workspace: Workspace;
-  /** Whether what is open is kept for the next visit, and all that is kept, the last changed first. */
+  /** Whether the open files are stored for the next visit, and all stored projects, the last changed first. */
   onChange(remembered: boolean, shelf: readonly ProjectOnShelf[]): void;
   say(text: string): void;
   onError(error: unknown): void;
 }
 
-/** What this visit knows of a project on the shelf. */
+/** This visit's knowledge of a stored project. */
 interface Kept {
   version: number;
-  /** How many that are not of the files. */
+  /** Number of poses that are not from the files. */
   poses: number;
   files: InputFile[];
-  /** The state that is written, as text; null: none that is known. */
+  /** The stored state as text; null if unknown. */
   state: string | null;
 }
 
-/** A page that is left while it opens files has not been ended by them. */
+/** Marks a page closed during opening, so opening is not blamed for its end. */
 const LEFT = 'shapespline.left-while-opening';
-/** The project that this tab had last: another tab may have written since. */
+/** The last project of this tab; another tab may have written since. */
 const OF_TAB = 'shapespline.project-of-tab';
-/** Kept where the user wants no files to be kept. */
+/** Storage key for the user's choice to store no files. */
 const UNWANTED = 'shapespline.keep-no-files';
-/** After the first change that is not kept: further ones do not put it off. */
+/** Delay after the first unsaved change; further changes do not extend it. */
 const SAVE_DELAY_MS = 500;
-/** Another tab can hold a browser's storage for any time: the page starts without it then. */
+/** Another tab can block the browser's storage indefinitely. After this time the page starts without it. */
 const RECALL_MS = 10_000;
-/** More is kept only where the user asks for it: the page stands still while a copy is made. */
+/** Larger files are stored only on request, because the page freezes while copying them. */
 const UNASKED_BYTES = 128e6;
 
-/** What was said of opening can be read first. */
+/** Leaves time to read the opening message first. */
 const TELL_DELAY_MS = 4000;
 
 const KEPT = 'These files are remembered on this computer for your next visit. They are sent nowhere.';
@@ -64,19 +63,19 @@ export class RememberedFiles {
   private readonly tabs =
     typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('shapespline remembered files');
   private readonly kept = new Map<string, Kept>();
-  /** Projects not to be written: forgotten, or without room. */
+  /** Projects that are not written: forgotten by the user, or without room. */
   private readonly dropped = new Set<string>();
   private readonly lastState = new LastState();
   private shelf: readonly ProjectOnShelf[] = [];
-  /** What was said of it last. */
+  /** The last reported state. */
   private shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
-  /** What was opened or written last: the next visit starts with it. */
+  /** The last project opened or written. The next visit opens it first. */
   private newest: string | null = null;
-  /** The project that is written when the time is up. */
+  /** The project to write when the delay ends. */
   private waiting: string | null = null;
   private timer = 0;
   private saving: Promise<void> = Promise.resolve();
-  /** The user knows that files are kept, or will. */
+  /** The user has been informed that files are stored. */
   private told = false;
   private telling = 0;
 
@@ -88,18 +87,18 @@ export class RememberedFiles {
     });
   }
 
-  /** Remembers what is open, and what is opened from now on; or forgets it, and keeps nothing from now on. */
+  /** Starts storing the open files and all later ones, or removes all and stores nothing from now on. */
   async toggle(): Promise<void> {
     const id = this.own;
     if (id !== null) await (this.isKept ? this.forget(id) : this.remember(id));
   }
 
-  /** The state has changed. */
+  /** Call when the state has changed. */
   follow(): void {
     const id = this.own;
     this.tellChange();
     if (id !== this.waiting) this.stopWaiting();
-    // A new pose does not wait: leaving would lose it.
+    // A new pose is written immediately, because leaving the page would lose it.
     const atOnce = id !== null && this.isKept && this.kept.get(id)!.poses !== this.added;
     if (atOnce) this.stopWaiting();
     if (this.timer || id === null || this.dropped.has(id) || !this.isWanted) return;
@@ -107,7 +106,7 @@ export class RememberedFiles {
     this.timer = window.setTimeout(() => this.keep(id), atOnce ? 0 : SAVE_DELAY_MS);
   }
 
-  /** The page may be left: what waits to be written is noted where that takes no time, and then written. */
+  /** The page may close: notes pending changes synchronously, then writes them. */
   flush(): void {
     const { waiting: id } = this;
     if (!this.timer || id === null) return;
@@ -119,7 +118,7 @@ export class RememberedFiles {
     this.keep(id);
   }
 
-  /** The projects of earlier visits: first that of this tab, then the last changed. A failure stops nothing. */
+  /** Projects of earlier visits: this tab's first, then by last change. Errors are not fatal. */
   async recall(): Promise<readonly ProjectOnShelf[]> {
     const setAside = await within(RECALL_MS, this.readList()).catch(() => 0);
     if (setAside)
@@ -130,8 +129,8 @@ export class RememberedFiles {
   }
 
   /**
-   * Opens what is kept by `open`, which resolves to null where something else was asked for meanwhile. A failure leaves
-   * a mark, and so does a visit that ends meanwhile: the next one does not open it unasked.
+   * Opens a stored project through `open`, which resolves to null if another request replaced it. A failure, or the end
+   * of the visit, leaves a mark. The next visit does not open a marked project by itself.
    */
   async reopen(id: string, open: (remembered: StoredProject) => Promise<boolean | null>): Promise<boolean> {
     const project = await readProject(id);
@@ -161,7 +160,7 @@ export class RememberedFiles {
     return opened === true;
   }
 
-  /** Nothing was ever kept, in this visit or before. */
+  /** Removes all stored files, as if nothing had ever been stored. */
   async forgetAll(): Promise<void> {
     this.stopWaiting();
     window.clearTimeout(this.telling);
@@ -178,14 +177,14 @@ export class RememberedFiles {
     this.tellChange();
   }
 
-  /** Whether leaving the page now would lose the user's work. */
+  /** Whether closing the page now would lose work. */
   get unsaved(): boolean {
     const { store, workspace } = this.parts;
     const { source, doc } = store.get();
     const { pool } = workspace;
     const edited = store.history().past.length > 0;
     if (source.kind === 'files') return this.isKept ? this.added > this.kept.get(this.own!)!.poses : edited;
-    // A link holds all of a sample but the poses that were added.
+    // A link stores everything about a sample except added poses.
     return pool !== null && doc.keys.some(({ pose }) => pose >= pool.imported);
   }
 
@@ -208,7 +207,7 @@ export class RememberedFiles {
     return snapshot !== null && bytesOf(snapshot) <= UNASKED_BYTES;
   }
 
-  /** How many poses there are that are not of the files. */
+  /** Number of poses that are not from the files. */
   private get added(): number {
     const { pool } = this.parts.workspace;
     return pool ? pool.count - pool.imported : 0;
@@ -221,7 +220,7 @@ export class RememberedFiles {
     this.parts.onChange(remembered, shelf);
   }
 
-  /** Resolves to how many projects did not read. */
+  /** Resolves to the number of unreadable projects. */
   private async readList(): Promise<number> {
     const { projects, setAside } = await readShelf();
     this.shelf = projects;
@@ -267,7 +266,7 @@ export class RememberedFiles {
     this.timer = 0;
   }
 
-  /** One after the other, so no state overtakes a later one. */
+  /** Writes in sequence, so newer states are never overwritten by older ones. */
   private writeInTurn(id: string): Promise<void> {
     this.saving = this.saving
       .then(() => this.write(id))
@@ -305,7 +304,7 @@ export class RememberedFiles {
     this.lastState.written(id, text);
   }
 
-  /** Under a name of its own where another tab has written since: both versions stay. */
+  /** Writes a copy with a new id if another tab has written since, so both versions remain. */
   private async branch(id: string): Promise<void> {
     if (this.dropped.has(id)) return;
     this.kept.delete(id);

@@ -1,4 +1,4 @@
-/** What is open with all that was done to it: enough to open it again as it was left. */
+/** The open content with all edits, enough to restore it exactly. */
 import type { History, Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import type { StoredProject } from './project-shelf.ts';
@@ -7,7 +7,7 @@ export interface Snapshot extends StoredProject {
   history: History;
 }
 
-/** null where nothing is open. */
+/** A snapshot of the open content; null if nothing is open. */
 export function currentSnapshot(store: Store, workspace: Workspace): Snapshot | null {
   const { options, pool, input } = workspace;
   if (!pool) return null;

@@ -30,10 +30,10 @@ export interface AnalysisPanel {
   clicked: FacesFigure['clicked'];
 }
 
-/** While edits follow each other nothing is computed. */
+/** Nothing is computed during rapid edits. */
 const DELAY_MS = 200;
 
-/** Fills its place, `element`. */
+/** Fills `element`. */
 export function createAnalysisPanel(
   element: HTMLElement,
   cache: AnalysisCache,

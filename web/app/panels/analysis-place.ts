@@ -1,4 +1,4 @@
-/** The place of the Analysis panel, which is filled once the first shape is on the screen. */
+/** The container of the Analysis panel, filled once the first shape is on the screen. */
 import { h } from '../../ui/dom.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { LazyComponent } from '../../ui/lazy.ts';
@@ -7,7 +7,7 @@ import type { AnalysisPanel, AnalysisPanelEvents, AnalysisPanelProps } from './a
 
 export type AnalysisPlace = LazyComponent<AnalysisPanelProps, AnalysisPanel>;
 
-/** `onFilled`: there are figures now. */
+/** `onFilled`: the figures now exist. */
 export function createAnalysisPlace(
   cache: AnalysisCache,
   events: AnalysisPanelEvents,

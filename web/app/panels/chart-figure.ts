@@ -1,4 +1,4 @@
-/** A chart over time in its figure, with the tools that every figure has. */
+/** A chart over time with the tools of all figures. */
 import type { Plot } from '../../model/state.ts';
 import { createLineChart } from '../../plots/line-chart.ts';
 import type { LineChart, LineChartData } from '../../plots/line-chart.ts';
@@ -14,12 +14,12 @@ export interface ChartEvents extends FigureEvents {
 export interface ChartCaption {
   title: string;
   unit: string;
-  /** Before the unit. */
+  /** Element before the unit. */
   value?: HTMLElement;
   legend?: HTMLElement;
 }
 
-/** Title and unit: where they are others than before. */
+/** Title and unit only if they changed. */
 export type ChartData = Omit<LineChartData, 'title' | 'unit'> & Partial<Pick<LineChartData, 'title' | 'unit'>>;
 
 export interface ChartFigure extends Pick<LineChart, 'setCursor'> {
@@ -57,7 +57,7 @@ export function createChartFigure(
   };
 }
 
-/** Names a line of this style. */
+/** Label for a line of this style. */
 export function legendEntry(style: string, label: string): HTMLElement {
   const line = svg('line', { class: style, x1: 0, x2: 22, y1: 4, y2: 4 });
   return h('span', {}, svg('svg', { viewBox: '0 0 22 8', 'aria-hidden': 'true' }, line), label);

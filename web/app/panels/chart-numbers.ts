@@ -1,4 +1,4 @@
-/** The numbers of a chart over time. */
+/** The values of a chart over time. */
 import type { LineChartData } from '../../plots/line-chart.ts';
 import type { FigureNumbers } from './figure-files.ts';
 

@@ -1,4 +1,4 @@
-/** What the page shows, and how its components get their share. */
+/** Distributes the shown state to the page's components. */
 import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { Component } from '../../ui/dom.ts';
@@ -46,7 +46,7 @@ export function createConnections(): Connections {
   };
 }
 
-/** The same result as long as the arguments are the same. */
+/** Returns the previous result while the arguments stay the same. */
 export function latest<Args extends readonly unknown[], Result>(
   make: (...args: Args) => Result,
 ): (...args: Args) => Result {

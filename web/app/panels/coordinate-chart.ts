@@ -1,13 +1,13 @@
-/** A chart of coordinates over time in its figure, with key dots and the natural spline's curves under its own. */
+/** A chart of coordinates over time, with key dots and the natural spline's curves behind the motion's. */
 import type { Plot } from '../../model/state.ts';
 import type { Series } from '../../plots/line-chart.ts';
 import { h } from '../../ui/dom.ts';
 import { createChartFigure } from './chart-figure.ts';
 import type { ChartEvents, ChartFigure } from './chart-figure.ts';
 
-/** Marks a curve as the natural spline's. */
+/** Marks a curve of the natural spline. */
 const UNSHAPED = 'unshaped';
-/** Of curves that are drawn behind one, and named together. */
+/** Group name of the background curves. */
 export const OTHERS = 'others';
 
 export function createCoordinateChart(name: Plot, title: string, unit: string, events: ChartEvents): ChartFigure {
@@ -30,7 +30,7 @@ export function createCoordinateChart(name: Plot, title: string, unit: string, e
   };
 }
 
-/** The curves with those of the natural spline under them; null: they are the natural spline's own. */
+/** The curves above those of the natural spline; null if the motion is the natural spline. */
 export function overNatural(own: readonly Series[], natural: readonly Series[] | null): Series[] {
   const under = natural ?? [];
   return [

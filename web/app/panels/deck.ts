@@ -1,4 +1,4 @@
-/** Below the shape: the keys, the timeline with its transport, the status line and the warnings. */
+/** The area below the shape: keys, timeline, transport, status line and warnings. */
 import { METHOD } from '../../engine/api/methods.ts';
 import type { AppState } from '../../model/state.ts';
 import { endTangents, referenceKey } from '../../model/state.ts';
@@ -102,13 +102,13 @@ function createTime(commands: Commands, connect: Connect): Pick<Deck, 'timeline'
   return { timeline, transport: element, toggleClock: clockMenu.toggle };
 }
 
-/** Where the time lies among the keys. */
+/** Phase of the current time: at, between or beyond the keys. */
 export function shownPhase({ state: { doc, play, time }, range }: Shown): Phase {
   const tolerance = play.playing ? PLAYING_TOLERANCE : undefined;
   return phaseOf({ t: time, keys: doc.keys, range, periodic: doc.motion.boundary === 'periodic', tolerance });
 }
 
-/** The speeds at Hermite ends; null at other ends. */
+/** The speeds at Hermite ends; null for other ends. */
 export function endSpeeds({ state: { doc }, disabled }: Shown): Speeds | null {
   const { boundary, startSpeed: start, endSpeed: end } = doc.motion;
   return boundary === 'hermite' && !disabled ? { start, end } : null;
@@ -156,7 +156,7 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
   };
 }
 
-// The same lists until something in them changes, so strip and warnings are not redrawn on every frame.
+// Returns the same list until its content changes, so strip and warnings are not redrawn on every frame.
 const itemsOf = latest(warningItems);
 const keyItems = latest((doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] => {
   const reference = referenceKey(doc);

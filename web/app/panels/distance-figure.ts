@@ -1,4 +1,4 @@
-/** The distance of the motions on the screen from one of them, or from the animation, over time. */
+/** Distance over time from the shown motions to one of them or to the animation. */
 import { METHOD_WORDS, lineStyle, motionWords } from '../../model/method-words.ts';
 import { button } from '../../ui/controls.ts';
 import { h, setHidden } from '../../ui/dom.ts';
@@ -16,10 +16,10 @@ export interface DistanceFigureParts extends ChartEvents {
 }
 
 export interface DistanceFigureProps {
-  /** The surface is coloured by distance. */
+  /** Colours show the distance. */
   shown: boolean;
   cursor: number;
-  /** Another number: the motions are others. */
+  /** A number that increases when the motions change. */
   version: number;
 }
 

@@ -9,7 +9,7 @@ import { createCoordinateChart, overNatural } from './coordinate-chart.ts';
 
 export interface PartCharts {
   element: HTMLElement;
-  /** Draws those of a face or patch of the first motion; what is said of it. null: nothing is drawn. */
+  /** Draws the coordinates of a face or patch of the first motion and returns a description. null clears the charts. */
   load(index: number | null, input: AnalysisInput | null): Promise<string>;
   setCursor(t: number): void;
 }
@@ -66,7 +66,7 @@ function seriesOf(
   return overNatural(of(numbers), isOther(numbers, natural) ? of(natural) : null);
 }
 
-/** Where ends or keys are shaped, the natural spline says what that does. */
+/** Draws the natural spline for comparison if ends or keys are shaped. */
 export function isOther(numbers: readonly number[], natural: readonly number[]): boolean {
   return natural.some((value, index) => value !== numbers[index]);
 }

@@ -1,4 +1,4 @@
-/** Patches and faces: heat maps on the surface, and the coordinates of what is clicked over time. */
+/** Patches and faces: heat maps on the surface, and the clicked face's or patch's coordinates over time. */
 import { isFaceAmount } from '../../model/state.ts';
 import type { Colouring, FaceAmount } from '../../model/state.ts';
 import { segments } from '../../ui/controls.ts';
@@ -15,25 +15,25 @@ import type { Part } from './picked-part.ts';
 
 export interface FacesFigureEvents extends ChartEvents {
   onColouring(colouring: Colouring): void;
-  /** What distances are from; null where nothing is open. */
+  /** Reference of distances; null if nothing is open. */
   compared(): Compared | null;
-  /** Lets the user choose an animation to compare with, or removes it. */
+  /** Lets the user choose or remove an animation to compare with. */
   onPickTruth(): void;
   onLeaveTruth(): void;
-  /** Marks what moves with a face, or these patches; null: nothing. */
+  /** Marks the region that moves with a face, or these patches; null clears the marker. */
   onMark(what: { face: number } | { patches: number[] } | null): void;
 }
 
 export interface FacesFigureProps {
   cursor: number;
   colouring: Colouring;
-  /** Another number: the motions may be others. */
+  /** A number that increases when the motions may have changed. */
   version: number;
 }
 
 export interface FacesFigure {
   element: HTMLElement;
-  /** The picture was clicked: where the figure's panel is open, what is there is shown; -1 for none. */
+  /** The viewport was clicked. If the figure's panel is open, shows the picked face; -1 for none. */
   clicked(pick: () => number): void;
   update(props: FacesFigureProps): void;
 }
@@ -73,7 +73,7 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       ...eventsOf('face'),
       onShow: (face) => onMark(face === null ? null : { face }),
     }),
-    // A patch is marked with its neighbour, as soon as that is known.
+    // Marks a patch and its neighbour, as soon as the neighbour is known.
     patch: createPickedPart('patch', neighbours, {
       ...eventsOf('patch'),
       onShow: (patch) => patch === null && onMark(null),
@@ -118,7 +118,7 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
   };
 }
 
-/** What colours the surface; and the figure of the distance, while that does. */
+/** The choice of surface colours, and the distance figure while colours show the distance. */
 function createSurfaceColours(input: () => AnalysisInput | null, events: FacesFigureEvents) {
   const heat = segments<Heat>(
     'Colour the surface',
@@ -150,7 +150,7 @@ function createSurfaceColours(input: () => AnalysisInput | null, events: FacesFi
   };
 }
 
-/** The patch of a face; null: it is of none. */
+/** The patch of a face; null if it belongs to none. */
 async function patchAt(input: AnalysisInput | null, face: number): Promise<number | null> {
   const patches = await input?.sequences[0]?.sequence.shape.patches();
   const patch = patches?.[face] ?? -1;

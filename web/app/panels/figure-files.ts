@@ -1,4 +1,4 @@
-/** The values of a figure as a table, and the figure as SVG, PNG and CSV. */
+/** A figure's values as a table, and the figure as SVG, PNG and CSV. */
 import type { Plot } from '../../model/state.ts';
 import { csvOf, pngOf, svgOf } from '../../plots/plot-files.ts';
 import type { Axes, Heading } from '../../plots/plot-files.ts';
@@ -6,7 +6,7 @@ import { written } from '../../plots/scale.ts';
 import { h } from '../../ui/dom.ts';
 import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
 
-/** What is written at the axes of a file. */
+/** Axis labels in files. */
 const AXES: Readonly<Record<Plot, Axes>> = {
   plane: { x: 'First component, relative to the distance of keys', y: 'Second component' },
   ...overTime({ volume: 'Volume (%)', area: 'Area (%)', bending: 'Bending (1/s⁴)', sliding: 'Sliding (%)' }),
@@ -24,18 +24,18 @@ function overTime<Name extends Plot>(names: Record<Name, string>): Record<Name, 
 /** Approximate number of rows shown. */
 const READ = 24;
 
-/** The numbers of a figure: all rows go into a file, those at the keys and some between are read. */
+/** The values of a figure. A file contains all rows; the table shows rows at the keys and a selection in between. */
 export interface FigureNumbers {
   names: readonly string[];
   rows: readonly (readonly number[])[];
-  /** First numbers of rows that are always read. */
+  /** First values of rows that the table always shows. */
   keep?: readonly number[];
 }
 
 export interface FigureFilesOptions {
   plot: Plot;
   title: string;
-  /** null before anything is drawn. */
+  /** The figure's values; null before the first drawing. */
   numbers(): FigureNumbers | null;
   onError(error: unknown): void;
 }
@@ -78,7 +78,7 @@ export function createFigureFiles(
   };
 }
 
-/** Evenly chosen rows, and those that are always read. */
+/** Evenly chosen rows, and those that are always shown. */
 export function briefly({ rows, keep = [] }: FigureNumbers): number[][] {
   const step = Math.max(Math.ceil(rows.length / READ), 1);
   return rows.filter((row, index) => index % step === 0 || keep.includes(row[0]!)).map((row) => [...row]);
@@ -89,7 +89,7 @@ function word(value: number): string {
   return written(String(Number(value.toPrecision(4))));
 }
 
-/** A name with a separator in it is one cell. */
+/** Quotes names that contain a separator. */
 function cell(name: string): string {
   return name.includes(',') ? `"${name}"` : name;
 }

@@ -1,21 +1,18 @@
-/** What every figure of the page has: it is enlarged, read as numbers and saved. */
+/** Tools of every figure: enlarge, show values, save. */
 import type { Plot } from '../../model/state.ts';
 import { button } from '../../ui/controls.ts';
 import { h, setAttribute, setText } from '../../ui/dom.ts';
 import type { FigureFilesOptions } from './figure-files.ts';
 
 export interface FigureEvents {
-  /** This plot is to fill the screen. */
+  /** Enlarges this plot to fill the screen. */
   onEnlarge(plot: Plot): void;
   onError(error: unknown): void;
 }
 
 export type FigureToolsOptions = FigureFilesOptions & FigureEvents;
 
-/**
- * Gives a figure its button to enlarge it, and its values and files, which are loaded when they are opened. Returns
- * what is called when it is drawn again.
- */
+/** Adds the enlarge button, and values and files, which are loaded on first use. Call the result after each redraw. */
 export function addFigureTools(figure: HTMLElement, options: FigureToolsOptions): () => void {
   const { plot, title, onEnlarge, onError } = options;
   setAttribute(figure, 'data-plot', plot);

@@ -1,14 +1,14 @@
-/** The KG error of several samples over sizes of the ghost mesh (the paper's Fig. 8a), one sample after the other. */
+/** The KG error of several samples over ghost mesh sizes (the paper's Fig. 8a), one sample at a time. */
 import type { CallOptions, Engine } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import { GHOST_SIZES, studyGhosts, studyTimes } from '../../study/ghost-study.ts';
 import { fetchSample, readingOf } from '../sources/samples.ts';
 import type { Sample } from '../sources/samples.ts';
 
-/** They differ in shape and error; the largest error first, as in the chart from the top down. */
+/** Samples of different shape and error, sorted by decreasing error as in the chart. */
 const SHAPES: readonly string[] = ['octopus', 'hand', 'dachshund', 'cactus'];
 
-/** Those of the page's samples that are compared. */
+/** The page's samples that are compared. */
 export function chosenSamples(samples: readonly Sample[]): Sample[] {
   return SHAPES.map((id) => {
     const sample = samples.find((one) => one.id === id);
@@ -20,7 +20,7 @@ export function chosenSamples(samples: readonly Sample[]): Sample[] {
 export interface ShapeErrors {
   id: string;
   title: string;
-  /** In percent, for the first of the sizes: a ghost has fewer faces than its shape. */
+  /** KG errors in percent, for the first sizes. A ghost has fewer faces than its shape. */
   kg: number[];
 }
 
@@ -29,7 +29,7 @@ export interface ShapesCall {
   onProgress: NonNullable<CallOptions['onProgress']>;
 }
 
-/** With the transfer of the paper. */
+/** Uses the paper's transfer. */
 export async function studyShapes(
   engine: Engine,
   samples: readonly Sample[],
@@ -56,12 +56,12 @@ export async function studyShapes(
   return found;
 }
 
-/** Progress of one of several equal parts, as that of the whole. */
+/** Converts progress of one of several equal parts into total progress. */
 export function partOf({ stage, fraction }: Progress, name: string, index: number, count: number): Progress {
   return { stage: `${name}: ${stage}`, fraction: (index + fraction) / count };
 }
 
-/** One line for each shape, over the sizes that at least one of them has. */
+/** One line per shape, over all sizes that any of the shapes has. */
 export function shapeLines(shapes: readonly ShapeErrors[]) {
   return {
     faces: GHOST_SIZES.slice(0, Math.max(...shapes.map(({ kg }) => kg.length))),

@@ -1,6 +1,6 @@
 /**
- * "Compare sizes" measures error and time of the open shape over sizes of the ghost mesh. "Compare shapes" measures the
- * error of several samples as well. Both run when asked for, in workers of their own.
+ * "Compare sizes" measures error and time of the open shape over ghost mesh sizes. "Compare shapes" also measures the
+ * error of several samples. Both run on request, in separate workers.
  */
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Engine } from '../../engine/api/api.ts';
@@ -48,7 +48,7 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
   const result = h('div', { class: 'group', 'data-testid': 'study', hidden: true });
   const element = h('div', { class: 'group', 'data-testid': 'study-charts' }, starts, working.element, result);
   let abort: AbortController | null = null;
-  /** What the study is of; null without one. */
+  /** The pose pool and document of the study; null without a study. */
   let of: { pool: PosePool; subject: string } | null = null;
 
   const run = async (measure: Measure): Promise<void> => {
@@ -70,7 +70,7 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
     }
   };
 
-  /** null while it is being worked out. */
+  /** Shows the result; `done` is null while the study is running. */
   const show = (done: boolean | null): void => {
     if (done === null) result.replaceChildren();
     setHidden(working.element, done !== null);
@@ -91,7 +91,7 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
   };
 }
 
-/** How far the comparison is, and the button that ends it. */
+/** Progress of the comparison, and its cancel button. */
 function createWorking(onCancel: () => void) {
   const stage = h('span', { class: 'muted stage', role: 'status' });
   const bar = h('div', { class: 'bar' });
@@ -123,7 +123,7 @@ type Measure = (
   onProgress: (progress: Progress) => void,
 ) => Promise<Found>;
 
-/** Of the bar: the samples' share. */
+/** The samples' share of the progress bar. */
 const SHAPES_SHARE = 0.8;
 
 const studyWithShapes: Measure = async (parts, poses, signal, onProgress) => {
@@ -156,7 +156,7 @@ const studyOf: Measure = async ({ engine, store, range }, poses, signal, onProgr
   }
 };
 
-/** What a study depends on: the motion as it is without a ghost. */
+/** The study's input: the motion without a ghost. */
 function subjectOf(store: Store): string {
   const { doc, source } = store.get();
   const {

@@ -1,4 +1,4 @@
-/** What a comparison over sizes of the ghost mesh has found: a sentence, two charts, and their numbers. */
+/** The result of a comparison of ghost mesh sizes: a sentence, two charts, and their values. */
 import type { Transfer } from '../../engine/api/types.ts';
 import type { Plot } from '../../model/state.ts';
 import { drawGhostChart } from '../../plots/ghost-chart.ts';
@@ -12,7 +12,7 @@ import type { FigureEvents } from './figure-tools.ts';
 import { shapeLines } from './ghost-shapes.ts';
 import type { ShapeErrors } from './ghost-shapes.ts';
 
-/** What was measured; `shapes`: null for the open shape only. */
+/** The measurements; `shapes`: null for the open shape only. */
 export interface Found {
   study: GhostStudy;
   shapes: readonly ShapeErrors[] | null;
@@ -26,12 +26,12 @@ type SizesChart = Omit<GhostChartData, 'sizes'> & { faces: readonly (number | nu
 type Measured = Pick<GhostRow, 'kg' | 'ms'>;
 
 export interface SizeRow {
-  /** null: without a ghost mesh. */
+  /** Size of the ghost mesh; null without a ghost mesh. */
   size: number | null;
   measured: Record<Transfer, Measured>;
 }
 
-/** With shapes, the chart of the error is theirs; time and numbers are always those of the open shape. */
+/** With several shapes, the error chart shows all of them. Time and values are always those of the open shape. */
 export function ghostStudyResult({ study, shapes }: Found, events: FigureEvents): HTMLElement[] {
   const verdict = h('p', { class: 'verdict', 'data-testid': 'study-verdict' }, verdictOf(study));
   const rows = sizeRows(study);
@@ -57,7 +57,7 @@ function shapesChart(shapes: readonly ShapeErrors[]): SizesChart {
   return { title: 'Error by shape', unit: 'KG error, transfer as published, %', level: null, ...shapeLines(shapes) };
 }
 
-/** Those of the study by their sizes; the last is without a ghost mesh. */
+/** The study's rows by size; the last row is without a ghost mesh. */
 export function sizeRows({ rows, ms }: GhostStudy): SizeRow[] {
   const sizes = [...new Set(rows.map(({ wanted }) => wanted))];
   const at = (size: number, transfer: Transfer): Measured =>

@@ -1,9 +1,9 @@
-/** What can be done at once about what is found in files: an offer over the viewport, gone with the next ones. */
+/** An offer over the viewport: actions for the files just opened. The next files remove it. */
 import type { Offer } from '../../ui/messages.ts';
 import { isClosed } from '../sources/closed-motion.ts';
 import type { OpenResult, Opener } from '../sources/opener.ts';
 
-/** null where there is nothing to be done. `onLoop` makes the motion periodic. */
+/** The offer for opened files; null without a suitable action. `onLoop` makes the motion periodic. */
 export function importOffer(opened: OpenResult, files: Opener, onLoop: () => void): Offer | null {
   const { info, orientation, source, doc, pool } = opened;
   const message = (code: string): string | undefined => info.warnings.find((warning) => warning.code === code)?.message;

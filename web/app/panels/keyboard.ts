@@ -1,4 +1,4 @@
-/** The keyboard, from the table of commands. */
+/** Keyboard handling, from the table of commands. */
 import type { ShortcutLine } from '../../ui/help.ts';
 import type { Action } from '../actions/action.ts';
 import type { Context } from '../actions/context.ts';
@@ -7,17 +7,17 @@ import type { Commands } from '../actions/table.ts';
 
 const TABLE = Object.entries(ACTIONS) as [keyof Commands, Action][];
 
-/** The lines of the help. */
+/** The shortcut lines of the help. */
 export const SHORTCUTS: readonly ShortcutLine[] = TABLE.flatMap(([, { shown, does }]) =>
   shown && does ? [{ keys: shown, does }] : [],
 );
 
-/** What presenters' clickers send. */
+/** The keys of presenters' clickers. */
 const PAGES: Readonly<Record<string, 1 | -1>> = { PageUp: -1, PageDown: 1 };
 
 /**
- * Listens on the whole page. Fields keep their letters, controls keep the keys that work them, and open dialogs keep
- * everything. Keys without Ctrl can be switched off: some people speak to their computer.
+ * Listens on the whole page. Fields keep letters, controls keep their own keys, and open dialogs keep all keys. Keys
+ * without Ctrl can be switched off, for users of speech input.
  */
 export function listenToKeys({ viewState }: Context, commands: Commands): void {
   const byKey = new Map(TABLE.flatMap(([id, { keys = [] }]) => keys.map((key) => [key, id] as const)));
@@ -35,10 +35,7 @@ export function listenToKeys({ viewState }: Context, commands: Commands): void {
   });
 }
 
-/**
- * Arrow keys, Home and End move through time wherever the focus is, unless a control uses them itself. The viewport
- * does.
- */
+/** Arrow keys, Home and End move through time from everywhere, including the viewport, unless a control uses them. */
 export function listenToArrows(
   { session: { store }, viewState }: Context,
   viewport: HTMLElement,
@@ -56,7 +53,7 @@ export function listenToArrows(
 
 function nameOf(event: KeyboardEvent, ctrl: boolean): string {
   const key = event.key.toLowerCase();
-  // Shift makes other characters of punctuation already; it only counts with letters and Ctrl.
+  // Shift changes punctuation characters already, so it counts only with letters and Ctrl.
   return `${ctrl ? 'ctrl+' : ''}${ctrl && event.shiftKey ? 'shift+' : ''}${key}`;
 }
 

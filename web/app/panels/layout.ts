@@ -1,4 +1,4 @@
-/** Where everything stands on the page; on a small screen the keys and panels come up as sheets. */
+/** The page layout. On small screens, keys and panels open as sheets. */
 import type { Presented } from '../../model/state.ts';
 import { h, setAttribute } from '../../ui/dom.ts';
 import { createFilmLabels } from '../../ui/film-labels.ts';
@@ -9,53 +9,53 @@ import { oneStop } from '../../ui/one-stop.ts';
 
 export interface LayoutParts {
   header: HTMLElement;
-  /** What lies over the viewport. */
+  /** Elements over the viewport. */
   overlays: HTMLElement[];
-  /** Progress and errors, on top of everything in the viewport. */
+  /** Progress and errors, above everything else in the viewport. */
   messages: HTMLElement[];
   panels: HTMLElement[];
   keyStrip: HTMLElement;
   transport: HTMLElement;
   warnings: HTMLElement;
   status: HTMLElement;
-  /** Asks about what has just been opened, beside the viewport. */
+  /** The import sheet, beside the viewport. */
   opening: HTMLElement;
   /** Dialogs, drop zone, file inputs, toast. */
   floating: HTMLElement[];
 }
 
 export interface Layout {
-  /** The viewer puts its canvas in here; takes the keyboard. */
+  /** Container of the viewer's canvas; receives keyboard focus. */
   viewport: HTMLElement;
   mount(root: HTMLElement, parts: LayoutParts): void;
-  /** Puts the guide's panel beside the viewport, with wider panels or not; null takes it away. */
+  /** Puts the guide's panel beside the viewport, optionally with wider panels; null removes it. */
   setGuide(panel: HTMLElement | null, wide?: boolean): void;
-  /** Brings a panel in sight, or a part of it by its test id, where they stand beside the viewport. */
+  /** Scrolls to a panel, or to a part by its test id, if panels are beside the viewport. */
   showPanel(name: PanelName, part?: string): void;
-  /** Another page in the place of the panels, where these stand beside the viewport; null: the panels. */
+  /** Replaces the panels beside the viewport by another page; null restores them. */
   setFramed(page: { href: string; title: string } | null): void;
-  /** Names on the picture of a film strip. */
+  /** Shows names on the image of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
-  /** Pixels that bars and words take at the top and the bottom of each of the views, or of two that are `split`. */
+  /** Pixels covered by bars and text at the top and bottom of each view, or of two views that are `split`. */
   covered(views: number, split: boolean): { top: number; bottom: number };
-  /** Nothing but this is on the page; null: all of it. */
+  /** Hides everything else; null shows the whole page. */
   present(what: Presented | null): void;
 }
 
-/** Title and measures over a view; the line in words above the buttons, on a small screen. */
+/** Title and measures over a view. On small screens, also the text line above the buttons. */
 const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
-/** The line over four views beside a page of the guide on a small screen: words stand at the left of the shapes. */
+/** The text line over four views, beside a guide page on a small screen. Text is left of the shapes. */
 const CROWDED_PX = 26;
-/** The panels stand beside the viewport. */
+/** From this width, panels are beside the viewport. */
 const BESIDE = '(min-width: 768px)';
-/** The row of the panels' names. */
+/** Height of the panel navigation. */
 const SIDE_NAV_PX = 45;
-/** Titles and volumes beside a divider, where the shape is as wide as the view. */
+/** Titles and volumes beside a divider, for a shape as wide as the view. */
 const SPLIT_LABEL_PX = { small: 80, large: 108 };
-/** How many times larger words are in a presentation. */
+/** Text scale of a presentation. */
 const LARGE_TYPE = 2.2;
-/** A panel's heading this near to the top is where one is. */
+/** A panel is current when its heading is within this distance of the top. */
 const NEAR_PX = 24;
 
 export type PanelName = 'motion' | 'shape' | 'analysis';
@@ -85,7 +85,7 @@ export function createLayout(): Layout {
     setGuide(panel, wide = false) {
       if (app) setAttribute(app, 'data-wide', wide);
       const shown = app?.querySelector('.guide') ?? null;
-      if (shown === panel) return; // put there again it would lose the focus
+      if (shown === panel) return; // Moving it again would lose the focus.
       shown?.remove();
       if (panel) app?.querySelector('main')?.before(panel);
       if (app) setAttribute(app, 'data-guide', panel !== null);
@@ -136,7 +136,7 @@ export function createLayout(): Layout {
   };
 }
 
-/** Buttons at the top of the page, visible only while one has the focus: they skip the header and the panels. */
+/** Skip links at the top of the page, visible only while focused, past the header and the panels. */
 function createSkips(places: Record<string, string>): HTMLElement {
   const skipTo = (place: string) => (): void => {
     const target = document.querySelector<HTMLElement>(place);
@@ -161,7 +161,7 @@ function coveredHeights(viewport: HTMLElement, views: number, split: boolean): {
     const box = document.querySelector(selector)?.getBoundingClientRect();
     return box && box.height > 0 ? Math.max(from(box), 0) : 0;
   };
-  // A phone held sideways: words and buttons stand beside the shape.
+  // On a phone in landscape, text and buttons are beside the shape.
   if (matchMedia('(max-height: 520px)').matches) return { top: 0, bottom: 0 };
   const small = matchMedia('(max-width: 767px)').matches;
   const crowded = small && views > 3 && app?.dataset['guide'] !== undefined && !app.dataset['sheet'];
@@ -182,7 +182,7 @@ function coveredHeights(viewport: HTMLElement, views: number, split: boolean): {
   };
 }
 
-/** The panels under each other, and a row of their names that stays in sight. */
+/** The panels in one column, with navigation that stays visible. */
 function createSide(panels: HTMLElement[]): HTMLElement {
   const names = panels.map((panel) => panel.querySelector('h2')?.textContent ?? '');
   const buttons = names.map((name, index) =>

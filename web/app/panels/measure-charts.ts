@@ -1,4 +1,4 @@
-/** The measures of the shown motions over time: volume, area, bending energy, and sliding of what rests. */
+/** Measures of the shown motions over time: volume, area, bending energy, and sliding of resting vertices. */
 import type { Plot } from '../../model/state.ts';
 import { lineStyle, motionWords } from '../../model/method-words.ts';
 import type { Series } from '../../plots/line-chart.ts';
@@ -14,7 +14,7 @@ import type { ChartData, ChartEvents, ChartFigure } from './chart-figure.ts';
 
 export interface MeasureCharts {
   elements: HTMLElement[];
-  /** Names the motions. */
+  /** Legend of the motions. */
   legend: HTMLElement;
   draw(analysis: Analysis): void;
   setCursor(t: number): void;
@@ -24,7 +24,7 @@ const RELATIVE = '% of the first key';
 const BENDING = 'squared acceleration, relative, 1/s⁴';
 const BENDING_UNIT = 'Relative to the mean deformation energy between keys';
 const SLIDING = 'displacement of resting vertices, % of the model’s size';
-/** Below it there is nothing but rounding to be seen. */
+/** Smaller values are rounding errors. */
 const LEAST_SLIDING = 0.01;
 const LEAST_BENDING = 1;
 
@@ -64,7 +64,7 @@ export function createMeasureCharts(events: ChartEvents): MeasureCharts {
           floor,
         ),
       });
-      // Where nothing rests in any interval there is nothing to plot.
+      // Hides the chart if no vertex rests in any interval.
       setHidden(
         sliding.element,
         motions.every((motion) => motion.sliding.every(Number.isNaN)),
@@ -79,7 +79,7 @@ export function createMeasureCharts(events: ChartEvents): MeasureCharts {
   };
 }
 
-/** Heights of curves compare within one space only: a blend of vertices lies below, whatever it looks like. */
+/** Bending energies are comparable within one space only. A vertex blend has a lower energy regardless of its look. */
 export function bendingUnit(methods: readonly Method[], floor: number | null): string {
   const spaces = new Set(methods.map((method) => METHOD[method].space));
   return [BENDING, ...(spaces.size > 1 ? ['each in its own coordinates'] : []), ...(floor ? ['logarithmic'] : [])].join(
@@ -87,7 +87,7 @@ export function bendingUnit(methods: readonly Method[], floor: number | null): s
   );
 }
 
-/** Its value at the cursor stands beside the title. */
+/** The value at the cursor is shown beside the title. */
 function chart(name: Plot, title: string, unit: string, events: ChartEvents): ChartFigure {
   const value = h('span', { class: 'value', 'data-testid': `plot-${name}-value` }, '');
   const { element, draw, setCursor } = createChartFigure(name, { title, unit, value }, events);
@@ -105,7 +105,7 @@ function chart(name: Plot, title: string, unit: string, events: ChartEvents): Ch
   };
 }
 
-/** Those of all curves; nothing where none has one. */
+/** The values of all curves; empty if no curve has one. */
 function valuesAt({ times, series }: ChartData, t: number): string {
   const after = times.findIndex((time) => time >= t);
   const at = after < 0 ? times.length - 1 : after;

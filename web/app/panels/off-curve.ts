@@ -1,4 +1,4 @@
-/** Leaving the curve in the shape plane: the point that is dragged, paths that are drawn, and the weights of both. */
+/** Shapes off the curve in the shape plane: dragged points, drawn paths, and their key weights. */
 import type { ShapePlanePlot } from '../../plots/shape-plane.ts';
 import { createBlendWeights } from '../../ui/blend-weights.ts';
 import { button } from '../../ui/controls.ts';
@@ -15,17 +15,17 @@ export interface OffCurve {
   onPoint(point: Point): void;
   onPath(points: readonly Point[]): void;
   onPointKey(event: KeyboardEvent): void;
-  /** What the plane shows now; null: nothing. */
+  /** Sets the shapes of the plane; null clears them. */
   setShapes(shapes: PlaneShapes | null): void;
-  /** The point of the motion on the curve. */
+  /** Sets the motion's point on the curve. */
   setCurvePoint(at: Point): void;
-  /** What is shown instead of the motion. */
+  /** The shape shown instead of the motion. */
   update(blend: Blend | null, keys: readonly { name: string }[]): void;
 }
 
 const HINT = 'Drag the point off the curve: every mixture of the keys is a shape.';
 const DRAWING_HINT = 'Draw in the plane: the shape follows your path.';
-/** A step of an arrow key, as a share of the keys' extent; with Shift, ten. */
+/** Step of an arrow key, as a share of the keys' extent. With Shift, ten steps. */
 const STEP = 0.02;
 const ARROWS: Readonly<Record<string, Point>> = {
   ArrowLeft: [-1, 0],
@@ -112,7 +112,7 @@ export function createOffCurve(
   };
 }
 
-/** Where an arrow key takes the point; null: it is none. */
+/** The point after an arrow key; null for other keys. */
 function stepped([x, y]: Point, event: KeyboardEvent, extent: number): Point | null {
   const arrow = ARROWS[event.key];
   if (!arrow || event.ctrlKey || event.altKey || event.metaKey) return null;
@@ -144,7 +144,7 @@ function createPlaneTools(onDraw: () => void, onPlay: () => void, onBack: () => 
   });
   return {
     elements: [hint, h('div', { class: 'plane-tools' }, draw, play, back)],
-    /** `off`: another shape than the motion's is shown. */
+    /** `off`: the shown shape is not the motion's. */
     update(drawing: boolean, path: PlanePath, off: boolean): void {
       setAttribute(draw, 'aria-pressed', String(drawing));
       setHidden(play, path.points === null);
@@ -155,7 +155,7 @@ function createPlaneTools(onDraw: () => void, onPlay: () => void, onBack: () => 
   };
 }
 
-/** The longer side of the box round the keys. */
+/** The longer side of the keys' bounding box. */
 function extentOf(keys: readonly number[]): number {
   const sides = [0, 1].map((axis) => {
     const along = keys.filter((_, index) => index % 2 === axis);

@@ -1,4 +1,4 @@
-/** What opens over the page: dialogs, loaded when first needed, and file choosers. */
+/** Overlays of the page: dialogs, loaded on first use, and file choosers. */
 import type { KeyPlace } from '../../model/edits.ts';
 import { playRange } from '../../model/frames.ts';
 import type { End } from '../../model/speeds.ts';

@@ -29,13 +29,13 @@ export interface PageParts {
   context: Context;
   commands: Commands;
   offers: Offers;
-  /** Everything was redrawn. */
+  /** Called after a complete redraw. */
   onDrawn(): void;
 }
 
 export interface Page {
   overlays: Overlays;
-  /** Redraws on the next animation frame. */
+  /** Schedules a redraw on the next animation frame. */
   redraw(): void;
 }
 
@@ -84,7 +84,7 @@ export function createPage(parts: PageParts): Page {
     const { placing, seen } = shown.viewState;
     setAttribute(layout.viewport, 'data-placing', placing);
     setAttribute(layout.viewport, 'data-dimmed', seen === 'dimmed' && !shown.disabled);
-    // Nothing is known yet of the motion of the shape on the screen.
+    // The shown shape's motion does not exist yet.
     setAttribute(layout.viewport.closest('.app')!, 'data-gone', seen === 'first key');
     update(shown);
     parts.onDrawn();
@@ -94,7 +94,7 @@ export function createPage(parts: PageParts): Page {
   return { redraw, overlays: { ...dialogs, ...choosers, toggleLook, toggleClock } };
 }
 
-/** The components wait for the first shape. */
+/** Components are not updated before the first shape is drawn. */
 function waits({ session: { store }, display: { scene }, viewState }: Context): boolean {
   return store.get().source.kind !== 'none' && !scene.viewer.hasSeen && !viewState.get().errorMessage;
 }

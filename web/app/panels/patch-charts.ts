@@ -1,4 +1,4 @@
-/** A patch over time: how it turns against each of its neighbours, and how its faces stretch. */
+/** A patch over time: its rotation against each neighbour, and its faces' stretches. */
 import { plottedTimes } from '../../model/time-scale.ts';
 import type { LineChartData, Series } from '../../plots/line-chart.ts';
 import { select } from '../../ui/controls.ts';
@@ -12,12 +12,12 @@ import type { PartCharts } from './face-charts.ts';
 
 interface Loaded {
   own: PatchCurves;
-  /** Of the natural spline, if it differs. */
+  /** Curves of the natural spline if they differ. */
   natural: PatchCurves | null;
   common: Pick<LineChartData, 'times' | 'keyTimes' | 'range' | 'dots'>;
 }
 
-/** `onPair`: the neighbour whose turn is drawn; null without any. */
+/** `onPair`: the neighbour of the drawn rotation; null without neighbours. */
 export function createPatchCharts(events: ChartEvents, onPair: (patch: number | null) => void): PartCharts {
   const turns = createTurnCharts(events, onPair);
   const average = 'mean over its area and both directions';
@@ -55,7 +55,7 @@ export function createPatchCharts(events: ChartEvents, onPair: (patch: number | 
   };
 }
 
-/** How far the patch turns against all of its neighbours, and in which way against one that is chosen. */
+/** The patch's rotation angle against all neighbours, and its rotation axis against a chosen one. */
 function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) => void) {
   const angles = createCoordinateChart('patch-angles', 'Turn against its neighbours', 'angle, degrees', events);
   const turned = 'degrees, as a rotation vector in the axes of the reference pose';
@@ -66,7 +66,7 @@ function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) =>
   });
   const element = h('div', { class: 'group' }, angles.element, against.element, rotation.element);
   let loaded: Loaded | null = null;
-  /** The neighbour, where this patch has it; else the one that turns furthest. */
+  /** The chosen neighbour; defaults to the one with the largest rotation. */
   let wanted = -1;
   const draw = (): void => {
     if (!loaded) return;

@@ -1,4 +1,4 @@
-/** A face or a patch that was clicked, or whose number was typed: the field of its number, and its charts. */
+/** A face or patch, picked by click or by number: its number field and charts. */
 import { EngineError } from '../../engine/api/errors.ts';
 import { numberField } from '../../ui/controls.ts';
 import { setField, setHidden } from '../../ui/dom.ts';
@@ -9,9 +9,9 @@ export type Part = 'face' | 'patch';
 
 export interface PickedPartEvents {
   input(): AnalysisInput | null;
-  /** null: none. */
+  /** Reports the shown part; null for none. */
   onShow(index: number | null): void;
-  /** What is to be said of it. */
+  /** Reports the text about the part. */
   onWords(words: string): void;
   onError(error: unknown): void;
 }
@@ -42,7 +42,7 @@ export function createPickedPart(part: Part, charts: PartCharts, events: PickedP
   field.placeholder = placeholder;
   let shown: number | null = null;
   let cursor = 0;
-  // A part chosen in another shape, or in other patches, may no longer exist, which is not an error.
+  // A part chosen earlier may not exist in another shape or in other patches. This is not an error.
   const load = (onMissing: (error: unknown) => void = nothing): void => {
     charts
       .load(shown, input())
@@ -66,12 +66,12 @@ export function createPickedPart(part: Part, charts: PartCharts, events: PickedP
   return {
     field,
     element: charts.element,
-    /** Counted from 0; null: none. */
+    /** Counted from 0; null if none is picked. */
     get index(): number | null {
       return shown;
     },
     show: (index: number | null): void => show(index),
-    /** The motion changed. */
+    /** Call when the motion has changed. */
     refresh(): void {
       if (shown !== null) load();
     },

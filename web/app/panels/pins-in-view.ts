@@ -1,4 +1,4 @@
-/** Pins on the shape: placed with a click, dragged where they are to be at a time. */
+/** Pins on the shape: placed by a click, moved by dragging. */
 import { METHOD } from '../../engine/api/methods.ts';
 import { changedPin, withPin, withoutPin } from '../../model/pins.ts';
 import { createPinHandles } from '../../ui/pin-handles.ts';
@@ -10,9 +10,9 @@ import type { Commands } from '../actions/table.ts';
 
 export interface PinsInView {
   element: HTMLElement;
-  /** Pins what is at a place of the picture. */
+  /** Pins the vertex at a point of the view. */
   place(at: Place): void;
-  /** Marks what would be pinned there. */
+  /** Marks the vertex that a click would pin. */
   mark(at: Place): void;
 }
 
@@ -33,7 +33,7 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
     },
     onRemove: (index) => commands.pins(withoutPin(pins(), index)),
   });
-  /** Of the method itself, on the curve; film strips and presentations are to be looked at. */
+  /** Pins are shown for the method itself, on the curve, and not in film strips and presentations. */
   const shown = (): boolean => {
     const { doc, view } = store.get();
     return METHOD[doc.motion.method].holds && !view.film && view.present === null && viewState.get().blend === null;

@@ -1,4 +1,4 @@
-/** Further curves of the shape plane, with what is to be said of them. */
+/** Additional curves of the shape plane, with their text. */
 import { METHOD, OWN_METHOD } from '../../engine/api/methods.ts';
 import type { Motion } from '../../engine/api/api.ts';
 import { EngineError } from '../../engine/api/errors.ts';
@@ -12,7 +12,7 @@ import type { BlendCurve, MinimisedCurve } from '../analysis/plane-overlays.ts';
 
 export interface PlaneCurves {
   element: HTMLElement;
-  /** The motions may be others. */
+  /** Call when the motions may have changed. */
   show(input: AnalysisInput): Promise<void>;
 }
 
@@ -23,7 +23,7 @@ export interface PlaneCurvesEvents {
 
 const SAMPLES = 24;
 const MOST_SAMPLES = 400;
-/** Blends of vertices take their time: not while edits follow each other. */
+/** Vertex blends are slow, so they wait for a pause between edits. */
 const REST_MS = 300;
 const percent = (share: number): string => `${Number((100 * share).toPrecision(2))}\u00a0%`;
 
@@ -72,7 +72,7 @@ interface Further {
 
 const NONE: Further = { overlays: [], sentences: [] };
 
-/** The samples that bend least, where they are wanted. */
+/** The minimiser's samples, if shown. */
 function createMinimised(onFound: (found: Further) => void, onError: (error: unknown) => void): PlaneCurves {
   let input: AnalysisInput | null = null;
   let wanted = false;
@@ -122,7 +122,7 @@ async function leastBending(spline: Motion, samples: number, onError: (error: un
     const overlay = { label: 'Least bending', points: found.points, style: 'minimised', marked: true };
     return { overlays: [overlay], sentences: [minimisedWords(found, samples)] };
   } catch (error) {
-    // This number of samples does not work with these keys: the core gives the reason.
+    // This sample count is invalid for these keys. The core gives the reason.
     if (error instanceof EngineError && error.code === 'invalid-option') return { ...NONE, sentences: [error.message] };
     onError(error);
     return NONE;

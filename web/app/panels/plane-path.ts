@@ -1,9 +1,9 @@
-/** A path in the shape plane, played once from its start to its end at one speed. */
+/** A path in the shape plane, played once at constant speed. */
 
 type Point = readonly [number, number];
 
 export interface PlanePath {
-  /** Stops what plays. */
+  /** Sets the path and stops playback. */
   set(points: readonly Point[] | null): void;
   play(): void;
   stop(): void;
@@ -13,7 +13,7 @@ export interface PlanePath {
 
 const SECONDS = 4;
 
-/** `onPoint` is called on every refresh while it plays, `onEnd` when it has ended or was stopped. */
+/** `onPoint` is called on every refresh during playback; `onEnd` when it ends or is stopped. */
 export function createPlanePath(onPoint: (point: Point) => void, onEnd: () => void): PlanePath {
   let points: readonly Point[] | null = null;
   let frame = 0;

@@ -1,13 +1,13 @@
 /**
- * Presentation: the shape alone, or beside one plot, in large type over the whole screen. The state says what is
- * presented; the screen follows, as far as the browser lets it.
+ * Presentation: full-screen view of the shape, alone or beside one plot, in large type. The screen follows the state as
+ * far as the browser allows.
  */
 import type { Presented } from '../../model/state.ts';
 import { button } from '../../ui/controls.ts';
 import { h } from '../../ui/dom.ts';
 
 export interface PresentationParts {
-  /** Leaves nothing but this on the page; null: all of it. */
+  /** Hides everything else; null shows the whole page. */
   show(what: Presented | null): void;
   presented(): Presented | null;
   present(what: Presented | null): void;
@@ -15,20 +15,20 @@ export interface PresentationParts {
 }
 
 export interface Presentation {
-  /** The way out for users without a keyboard. */
+  /** The close button for users without a keyboard. */
   element: HTMLElement;
   update(what: Presented | null): void;
 }
 
-/** The way out is seen for so long after the mouse has moved. */
+/** The close button stays visible for this time after a mouse movement. */
 const AWAKE_MS = 2000;
 
 export function createPresentation({ presented, present, show, say }: PresentationParts): Presentation {
   let before: Presented | null = null;
-  /** What had the focus; who works with keys goes on there. */
+  /** The element that had the focus, to return the focus later. */
   let left: HTMLElement | null = null;
   let timer = 0;
-  /** What is presented fills the screen. */
+  /** The presentation is in full screen. */
   let fills = false;
   const element = h(
     'div',
@@ -45,15 +45,16 @@ export function createPresentation({ presented, present, show, say }: Presentati
 
   const enter = (): void => {
     say('Space plays, [ and ] go to the keys, C compares, A shows a plot, Esc leaves.');
-    // Keys are the teacher's from here on: the arrows step through time.
+    // Removes the focus, so the presenter's arrow keys step through time.
     left = document.activeElement as HTMLElement | null;
     left?.blur();
-    // Without the user's word, as from a link, the browser refuses; the presentation fills the window then.
+    // Without a user gesture, as after opening a link, the browser refuses full screen. The presentation then fills the
+    // window.
     if (navigator.userActivation?.isActive ?? true)
       document.documentElement.requestFullscreen?.().catch(() => undefined);
   };
   const leave = (): void => {
-    // Its end is reported later, when other content may be presented.
+    // The end of full screen is reported later, when other content may be presented.
     fills = false;
     if (document.fullscreenElement) document.exitFullscreen().catch(() => undefined);
     if (left?.checkVisibility()) left.focus({ preventScroll: true });

@@ -1,4 +1,4 @@
-/** The figure of the shape plane: its curve takes a millisecond to compute and follows every change at once. */
+/** The figure of the shape plane. Its curve takes a millisecond to compute, so it follows every change immediately. */
 import { DEFAULT_SPEED, USUAL_MOST, formatSpeed, offeredSpeed } from '../../model/speeds.ts';
 import type { End, Speeds } from '../../model/speeds.ts';
 import type { EndHandleEvents } from '../../plots/end-handle.ts';
@@ -24,12 +24,12 @@ export interface ShapePlaneFigureEvents extends FigureEvents {
 
 export interface ShapePlaneFigure {
   element: HTMLElement;
-  /** The curve has changed. */
+  /** Call when the curve has changed. */
   refresh(): void;
   setCursor(t: number): void;
-  /** The shape that is shown instead of the motion's, or null. */
+  /** The shape shown instead of the motion's, or null. */
   setBlend(blend: Blend | null, keys: readonly { name: string }[]): void;
-  /** Hermite: the lengths of the handles at the ends, null = none; and the longest on offer. */
+  /** Hermite: lengths of the end handles (null for none), and the largest offered lengths. */
   setSpeeds(speeds: Speeds | null, most: Speeds): void;
 }
 
@@ -94,11 +94,11 @@ export function createShapePlaneFigure(
   };
 }
 
-/** What the handles at the ends do to the speeds there. */
+/** Maps the end handles to end speeds. */
 function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']) {
   let speeds: Speeds | null = null;
   let most = USUAL_MOST;
-  // Several events can come before the page is drawn again: each goes on from what the one before has asked for.
+  // Several events can arrive before the page is redrawn. Each builds on the previous request.
   const set = (end: End, speed: number): void => {
     if (speeds) speeds = { ...speeds, [end]: speed };
     onSpeed(end, speed);
@@ -121,7 +121,7 @@ function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']) {
   return { events, setSpeeds };
 }
 
-/** Does the work once more after calls that came in the middle of it. */
+/** Repeats the work once if it was called again in the meantime. */
 function oneAfterTheOther(work: () => Promise<void>, onError: (error: unknown) => void): () => Promise<void> {
   let stale = false;
   let running = false;

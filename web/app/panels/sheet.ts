@@ -1,4 +1,4 @@
-/** The sheet that asks which keys to take of an animation that was just opened. */
+/** The sheet for choosing keys of an animation that was just opened. */
 import { h } from '../../ui/dom.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { ImportSheet } from '../../ui/import-sheet.ts';

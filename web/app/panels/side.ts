@@ -1,4 +1,4 @@
-/** Beside the shape: the panels, and the sheet that asks which keys to take of an animation. */
+/** The area beside the shape: the panels, and the sheet for choosing keys of an animation. */
 import { METHOD } from '../../engine/api/methods.ts';
 import { tightness } from '../../model/edits.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../../model/state.ts';
@@ -22,7 +22,7 @@ export interface SideParts {
   context: Context;
   commands: Commands;
   connect: Connect;
-  /** Called when the figures exist: a presentation can then show them. */
+  /** Called when the figures exist and a presentation can show them. */
   onFilled(): void;
 }
 
@@ -132,7 +132,7 @@ function createShape(context: Context, commands: Commands, connect: Connect): HT
     disabled,
   }));
   connect(ghostStudy, ({ viewState }) => {
-    // The first shape does not need it.
+    // The study is loaded after the first shape, which does not need it.
     if (viewState.ms !== null) void ghostStudy.need();
   });
   return shapePanel.element;

@@ -1,4 +1,4 @@
-/** Over the shape: views, labels, divider, phase and messages. */
+/** Overlays of the viewport: views, labels, divider, phase and messages. */
 import { OFF_CURVE } from '../../model/time-scale.ts';
 import { viridisGradient } from '../../plots/viridis.ts';
 import { createColourBar } from '../../ui/colour-bar.ts';
@@ -17,7 +17,7 @@ import { shownPhase } from './deck.ts';
 
 export interface Stage {
   labels: HTMLElement;
-  /** Over the labels. */
+  /** Elements over the labels. */
   overlays: HTMLElement[];
   progress: HTMLElement;
   error: HTMLElement;
@@ -66,7 +66,7 @@ export function createStage(context: Context, commands: Commands, connect: Conne
   };
 }
 
-/** A film strip shows many times; a first key does not belong to the open motion. */
+/** No phase for a film strip, which shows many times, or for a first key, which is not part of the open motion. */
 function phaseProps(shown: Shown): PhaseLabelProps {
   const { state, viewState, disabled } = shown;
   const none = disabled || state.view.film || viewState.seen === 'first key';
@@ -86,7 +86,7 @@ function welcomeProps({ state: { view }, viewState }: Shown, { display: { scene 
   return {
     wanted: viewState.welcome,
     givesWay: scene.colourBar !== null || labelled || message,
-    // The divider may not be drawn yet: its sentence comes at once.
+    // The sentence appears immediately, even before the divider is drawn.
     split: view.split !== null && view.compare.length === 1,
   };
 }

@@ -1,4 +1,4 @@
-/** What changes in the state becomes what is asked of the frame loop and of the clock that plays. */
+/** Translates changes of the state into requests to the frame loop and the playback clock. */
 import type { AppState } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { RunningMotion } from '../../playback/frame-set.ts';
@@ -14,7 +14,7 @@ export interface PlaybackParts {
   screen: Screen;
   sequences(): readonly RunningMotion[];
   range(): Range;
-  /** The blend of the keys that is shown instead of the motion, or null. */
+  /** The blend of keys shown instead of the motion, or null. */
   blend(): readonly number[] | null;
 }
 
@@ -23,7 +23,7 @@ export interface Playback {
   /** Stops playback until `resume`, whatever the state; resolves when no work is left. */
   rest(): Promise<void>;
   resume(): void;
-  /** The state has changed. */
+  /** Call when the state has changed. */
   follow(state: AppState, changed: StateChanges): void;
 }
 

@@ -1,4 +1,4 @@
-/** The document that an import starts with: its keys, and the options that a saved project brought along. */
+/** The initial document of an import: its keys, and the options of a saved project. */
 import { ENCODING, MOTION } from '../../engine/api/option-table.ts';
 import type { OptionTable, ShapeName } from '../../engine/api/option-table.ts';
 import { modelName } from '../../engine/api/paths.ts';
@@ -39,7 +39,9 @@ function tangentPose(project: Project, end: ShapeName, pool: PosePool): number |
   return shape ? pool.add(end === 'startTangent' ? 'start tangent' : 'end tangent', shape) : null;
 }
 
-/** Keys of an animation come named by their time, which is no name: it stays when the key is moved. */
+/**
+ * Keys of an animation are named by their time. Such a name is dropped, because it would not change when the key moves.
+ */
 const A_TIME = /^-?\d+(\.\d+)?(e[+-]?\d+)? s$/;
 
 function ownName(name: string): string {

@@ -1,8 +1,10 @@
-/** Where the keys define the motion. */
+/** The time range that the keys define. */
 import type { Doc } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 
-/** `served` is the running sequence's: only the engine knows the period of a closed motion that names none. */
+/**
+ * `served`: range of the running sequence. Only the engine knows the period of a closed motion without a given period.
+ */
 export function motionRange({ keys, motion }: Doc, served: Range): Range {
   const first = keys[0]?.time ?? 0;
   const last = keys.at(-1)?.time ?? 1;

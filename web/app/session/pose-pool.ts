@@ -1,9 +1,9 @@
-/** The poses of an import and those taken from shapes since; an index into it never changes its meaning. */
+/** The poses of an import, and poses added from shapes. Indices into the pool never change. */
 import type { Keys } from '../../engine/api/api.ts';
 
 export class PosePool {
   count: number;
-  /** How many of them are the import's own. */
+  /** Number of imported poses. */
   readonly imported: number;
 
   constructor(public keys: Keys) {
@@ -11,7 +11,7 @@ export class PosePool {
     this.count = this.imported;
   }
 
-  /** The first poses, one after the other: each is a copy. */
+  /** The first poses, one at a time, because each is a copy. */
   *poses(count = this.count): Generator<Float32Array> {
     for (let pose = 0; pose < count; pose += 1) yield this.keys.positions(pose);
   }

@@ -1,4 +1,4 @@
-/** What the document asks of the engine, as plain data: which keys, encoded how, moved how. */
+/** The document's requests to the engine as plain data: keys, encoding, motion. */
 import { METHOD, hasEnds } from '../../engine/api/methods.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
@@ -11,13 +11,13 @@ import { DEFAULT_VIEW, holds, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
 
-/** What of the view decides which motions run. */
+/** The parts of the view that determine the running motions. */
 export type ShownMotions = Pick<View, 'compare' | 'ghostDifference' | 'ghostSizes'>;
 
-/** The ghost meshes that are set side by side, as multiples of the chosen one (Fig. 7). */
+/** Ghost mesh sizes shown side by side, as multiples of the chosen size (Fig. 7). */
 const SIZES = [2, 4];
 
-/** One motion is made per variant; they share everything else. */
+/** One motion per variant; all else is shared. */
 export interface SequencePlan {
   order: number[];
   names: string[];
@@ -29,14 +29,14 @@ export interface SequencePlan {
   variants: Variant[];
 }
 
-/** Where a ghost leads, other sizes and the motion without one can stand beside it. */
+/** Beside a motion with a ghost, other sizes and the motion without a ghost can be shown. */
 export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): SequencePlan {
   const { keys, motion, encoding } = doc;
   const { method, ...rest } = motion;
   const { referencePose: _, startTangentPose, endTangentPose, ...plain } = encoding;
   const hermite = motion.boundary === 'hermite';
   const ghost = plain.ghostFaces;
-  // Faces that rotate by themselves need stretches of their own, which the paper's transfer does not keep.
+  // Faces that rotate by themselves need their own stretches, which the paper's transfer does not keep.
   const leading = (one: Method): number =>
     plain.transfer === 'paper' && !['lri', 'vertices'].includes(METHOD[one].space) ? 0 : ghost;
   const sizes = ghost > 0 && METHOD[method].space === 'lri' ? besides(ghost, shown) : [];
@@ -67,7 +67,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   };
 }
 
-/** A motion that holds something stands beside the same method without that. */
+/** Compares a motion that holds or pins with the same method without it. */
 function besideMethod(motion: Motion, other: Method): Omit<Variant, 'ghost'>[] {
   if (other !== motion.method) return [{ method: other }];
   return holds(motion) ? [{ method: other, plain: true }] : [];
@@ -97,7 +97,7 @@ export function shapeKey(plan: SequencePlan, variant: Variant): string {
   return JSON.stringify([order, withGhost(plan, variant), startTangentPose, endTangentPose]);
 }
 
-/** What is built for a plan, and takes a while: its shapes, and motions whose shapes are fitted. */
+/** Identifies the slow parts of a plan: its shapes, and motions with fitted shapes. */
 export function buildKey(plan: SequencePlan): string {
   const keys = plan.variants.flatMap((variant) => [
     shapeKey(plan, variant),
@@ -106,7 +106,7 @@ export function buildKey(plan: SequencePlan): string {
   return [...new Set(keys)].join();
 }
 
-/** What a variant's shape is encoded with; `keys` hold every pose. */
+/** A variant's encoding; `keys` hold every pose. */
 export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): Partial<EncodingOptions> {
   const pose = (index: number | null): Float32Array | null => (index === null ? null : keys.positions(index));
   return {
@@ -117,8 +117,8 @@ export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): P
 }
 
 /**
- * What a method makes use of: straight motion has no end derivatives, fitted motion has natural ends and no tension,
- * some methods hold and turn nothing.
+ * The options that a method uses. Straight motion has no end derivatives, and fitted motion has natural ends and no
+ * tension. Some methods ignore holding and added turns.
  */
 export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
   const { curve, holds: can, turns } = METHOD[method];

@@ -1,4 +1,4 @@
-/** The motions that are shown, of as few shapes as they need. Follows the wanted plan, the newest one wins. */
+/** The shown motions, made from as few shapes as possible. Follows the requested plan; the newest counts. */
 import type { Engine, Keys, Shape } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import { ENCODING_SHARE, partOf } from '../../engine/api/progress.ts';
@@ -9,24 +9,24 @@ import { buildKey, encodingFor, motionFor, shapeKey } from './sequence-plan.ts';
 
 export interface SequenceSetEvents {
   onProgress(progress: Progress | null): void;
-  /** The motions now serve this plan: draw again. */
+  /** The motions now match this plan and need a redraw. */
   onReady(plan: SequencePlan): void;
-  /** The wanted plan was refused; the motions still serve `current`, if there is one. */
+  /** The requested plan was refused; the motions still match `current`, if any. */
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
 interface EncodedShape {
   shape: Shape;
-  /** The keys that it was made of. */
+  /** The keys of the shape. */
   keys: Keys;
 }
 
 interface Running extends RunningMotion {
-  /** What it was made for. */
+  /** The shape's cache key (shapeKey). */
   key: string;
 }
 
-/** By what they were encoded for (shapeKey). */
+/** Encoded shapes by shapeKey. */
 type Shapes = ReadonlyMap<string, EncodedShape>;
 
 export class SequenceSet {
@@ -51,19 +51,19 @@ export class SequenceSet {
     return this.served;
   }
 
-  /** Resolves when nothing is left to be done. */
+  /** Resolves when no work is left. */
   async idle(): Promise<void> {
     while (this.running) await this.running;
   }
 
   want(plan: SequencePlan): void {
     this.wanted = plan;
-    // Other key times or speeds are moved in afterwards.
+    // Changed key times or speeds are applied afterwards.
     if (this.building && this.building.key !== buildKey(plan)) this.building.abort.abort();
     this.running ??= this.run();
   }
 
-  /** Goes back to what is served now; only a build can be cancelled. */
+  /** Returns to the current motions. Only a build can be cancelled. */
   cancel(): void {
     if (!this.building) return;
     this.wanted = this.served;
@@ -80,7 +80,7 @@ export class SequenceSet {
   }
 
   private async run(): Promise<void> {
-    // The caller's store is in the middle of telling everyone about the change that led here.
+    // The caller's store is still notifying its subscribers of this change.
     await Promise.resolve();
     while (this.wanted && this.wanted !== this.served) {
       const plan = this.wanted;
@@ -134,12 +134,12 @@ export class SequenceSet {
       const call = { signal: abort.signal, onProgress: progress.of(key, 0, ENCODING_SHARE) };
       return [key, { keys, shape: await this.engine.encode(keys, encodingFor(plan, variant, this.pool.keys), call) }];
     };
-    // Each in a worker of its own.
+    // Each shape has a separate worker.
     const encodings = missing.map(encodeOne);
     try {
       return new Map(await Promise.all(encodings));
     } catch (error) {
-      // One without the others is of no use.
+      // A plan needs all of its shapes.
       abort.abort();
       for (const one of await Promise.allSettled(encodings))
         if (one.status === 'fulfilled') disposeAll(new Map([one.value]));
@@ -148,7 +148,7 @@ export class SequenceSet {
   }
 }
 
-/** How far all shapes are that are made at the same time. */
+/** Total progress of all shapes that are made at the same time. */
 class BuildProgress {
   private readonly fractions = new Map<string, number>();
 
@@ -157,7 +157,7 @@ class BuildProgress {
     private readonly tell: SequenceSetEvents['onProgress'],
   ) {}
 
-  /** What a part of one shape's work reports to. */
+  /** The progress callback for one part of a shape's work. */
   of(shape: string, from: number, to: number): (progress: Progress) => void {
     return partOf(
       ({ stage, fraction }) => {
@@ -175,7 +175,7 @@ class BuildProgress {
   }
 }
 
-/** One motion for each variant, those that are there among them. Made are all of them or none. */
+/** One motion per variant, reusing existing ones. Makes all of them or none. */
 async function makeMotions(
   plan: SequencePlan,
   shapes: Shapes,
@@ -200,7 +200,7 @@ async function makeMotions(
   throw failure.reason;
 }
 
-/** All but those that are kept. */
+/** All motions except those that are kept. */
 function disposeMotions(motions: readonly Running[], kept: readonly Running[]): void {
   for (const { sequence } of motions) if (!kept.some((other) => other.sequence === sequence)) sequence.dispose();
 }

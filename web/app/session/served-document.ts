@@ -1,4 +1,4 @@
-/** The document that the running sequences serve: an edit that is refused or cancelled is taken back to it. */
+/** The document of the running sequences. A refused or cancelled edit returns to it. */
 import type { AppState, Doc } from '../../model/state.ts';
 import type { ShownMotions } from './sequence-plan.ts';
 import { showsOtherMotions } from './state-changes.ts';
@@ -9,7 +9,7 @@ export class ServedDocument {
 
   constructor(private readonly store: Store) {}
 
-  /** The sequences serve this state now. */
+  /** The sequences match this state now. */
   note({ doc, view: { compare, ghostDifference, ghostSizes } }: AppState): void {
     this.served = { doc, view: { compare, ghostDifference, ghostSizes } };
   }

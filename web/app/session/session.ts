@@ -1,4 +1,4 @@
-/** What is open, with the engine that serves it: every edit becomes sequences, or is taken back. */
+/** The open content with its engine. Every edit updates the sequences or is undone. */
 import type { Engine, Motion } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import { EMPTY_STATE } from '../../model/state.ts';
@@ -14,18 +14,18 @@ import type { WorkspaceEvents } from './workspace.ts';
 
 export interface SessionEvents extends Pick<WorkspaceEvents, 'onRead' | 'onLarge' | 'onKeys' | 'onGivenUp'> {
   onWorking(working: Progress | null): void;
-  /** The sequences follow the document now. */
+  /** The sequences match the document now. */
   onServed(): void;
-  /** The engine refused an edit, which is taken back. */
+  /** The engine refused an edit, which is undone. */
   onError(error: unknown): void;
-  /** A worker has ended; requesting a frame starts a new one. */
+  /** A worker has ended. Requesting a frame starts a new one. */
   onRestart(): void;
 }
 
-/** An engine that was started before its listeners existed. */
+/** An engine that started before its listeners existed. */
 export interface StartedEngine {
   engine: Engine;
-  /** A worker has ended by itself. */
+  /** A worker has ended unexpectedly. */
   onLost(): void;
 }
 
@@ -37,9 +37,9 @@ export interface Session {
   /** The first running sequence. */
   sequence(): Motion | undefined;
   range(): Range;
-  /** Updates the sequences if the document now looks different. */
+  /** Updates the sequences if the document has changed. */
   serve(): void;
-  /** Ends what is under way and takes back the edit that led to it. */
+  /** Cancels the work in progress and undoes its edit. */
   cancel(): void;
 }
 

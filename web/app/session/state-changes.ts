@@ -1,11 +1,11 @@
-/** What of the state has changed, as those tell it apart who follow it. */
+/** Classifies changes of the state for its followers. */
 import type { AppState, View } from '../../model/state.ts';
 import type { ShownMotions } from './sequence-plan.ts';
 
 export interface StateChanges {
-  /** Other sequences are needed, or the same ones refitted. */
+  /** Other sequences are needed, or the current ones need refitting. */
   motions: boolean;
-  /** The viewer draws otherwise without asking for another frame. */
+  /** The viewer's look changes without a new frame. */
   look: boolean;
   /** The shown frame must be drawn again, exactly. */
   drawing: boolean;
@@ -39,7 +39,7 @@ export function changesBetween(before: AppState, after: AppState): StateChanges 
     time: after.time !== before.time,
     started: after.play.playing && !before.play.playing,
     stopped: !after.play.playing && before.play.playing,
-    // Files that are added to a project leave it open.
+    // Adding files to a project does not open a new one.
     opened: after.source !== before.source && (after.project === null || after.project !== before.project),
   };
 }

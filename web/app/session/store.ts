@@ -1,41 +1,42 @@
-/** Holds the state, tells who listens, and keeps the document's history for undo and redo. */
+/** Holds the state, notifies its subscribers, and keeps the document's history for undo and redo. */
 import type { Orientation } from '../../model/orientation.ts';
 import type { AppState, Doc } from '../../model/state.ts';
 
-/** Edits of the same kind closer together than this are one step back: a held key is undone as a whole. */
+/** Edits of the same kind within this time form one undo step, so a held key is undone as a whole. */
 const MERGE_MS = 1000;
 const HISTORY_LIMIT = 200;
 
 export interface Store {
   get(): AppState;
-  /** Changes what undo does not cover: the time, the playing, the view. */
+  /** Changes state without undo: time, playback, view. */
   set(change: Partial<Omit<AppState, 'doc'>>): void;
   /**
-   * Changes the document as one step back. Edits with the same `merge` become one in quick succession or while held.
+   * Changes the document as one undo step. Edits with the same `merge` form one step if they are quick or within one
+   * hold.
    */
   edit(label: string, change: (doc: Doc) => Doc, merge?: string): void;
-  /** The files were read otherwise, the document stays: a step of the history like an edit. */
+  /** The files were read with another orientation; the document stays. One undo step, like an edit. */
   turned(label: string, turn: Turn): void;
-  /** A pointer goes down or up: a drag is undone as a whole, however long it takes. */
+  /** A pointer goes down or up. A drag is one undo step, however long it takes. */
   hold(down: boolean): void;
-  /** Replaces the document without a step back, for when the engine refuses an edit. */
+  /** Replaces the document without an undo step, for refused edits. */
   revert(doc: Doc): void;
-  /** A new import: everything is replaced, and the history with it. */
+  /** A new import: replaces the state and the history. */
   reset(state: AppState, history?: History): void;
-  /** The steps back and forth as they are now. */
+  /** The current undo and redo steps. */
   history(): History;
   undo(): void;
   redo(): void;
-  /** Label of the edit that undo or redo would step over, or null. */
+  /** Label of the next edit to undo or redo, or null. */
   undoLabel(): string | null;
   redoLabel(): string | null;
-  /** How the files are to be read before undo or redo goes over its step; null: as they are. */
+  /** The orientation that the files need for the next undo or redo step; null if unchanged. */
   undoTurn(): Orientation | null;
   redoTurn(): Orientation | null;
   subscribe(listener: (state: AppState) => void): () => void;
 }
 
-/** How files were read before and after a step. */
+/** The files' orientation before and after a step. */
 export interface Turn {
   before: Orientation;
   after: Orientation;
@@ -47,7 +48,7 @@ interface Step {
   turn?: Turn;
 }
 
-/** What undo and redo step to, the next step last. */
+/** The steps of undo and redo, the next step last. */
 export interface History {
   past: readonly Step[];
   future: readonly Step[];

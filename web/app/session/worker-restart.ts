@@ -1,20 +1,20 @@
 /** Handles the end of a worker: the engine starts a new one with the next requested frame. */
 
-/** Every caller that waited for a result reports the same end. */
+/** Every caller that waits for a result reports the same end within this time. */
 const SAME_END_MS = 1000;
-/** Another end so soon is a matter of the shape. */
+/** Another end within this time is caused by the shape. */
 const NEXT_END_MS = 10_000;
 
 export class WorkerRestart {
   private restartedAt = -Infinity;
 
-  /** `again` asks for a frame. */
+  /** `again` requests a frame. */
   constructor(
     private readonly again: () => void,
     private readonly now: () => number = () => performance.now(),
   ) {}
 
-  /** A worker has ended. Returns whether another try is worth it. */
+  /** A worker has ended. Returns whether to try again. */
   tryAgain(): boolean {
     const since = this.now() - this.restartedAt;
     if (since < SAME_END_MS) return true;
@@ -24,7 +24,7 @@ export class WorkerRestart {
     return true;
   }
 
-  /** Whether this failure is the end of a worker, and another try is under way. */
+  /** Whether this failure is a worker's end that another try handles. */
   takesUp(error: unknown): boolean {
     return error instanceof Error && 'code' in error && error.code === 'crashed' && this.tryAgain();
   }

@@ -1,4 +1,4 @@
-/** What is open: the poses, the sequences made of them, and the way a new import takes the place of the old one. */
+/** The open content: poses and sequences, and its replacement by a new import. */
 import type { CallOptions, Engine, Keys } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeyMesh, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
@@ -14,11 +14,11 @@ import { sequencePlan } from './sequence-plan.ts';
 
 export interface Start {
   doc: Doc;
-  /** From where its first key is seen; null: as a whole. */
+  /** Camera for the first key; null to fit the whole shape. */
   camera: View['camera'];
 }
 
-/** What is being opened: its keys are read, its motion is not made yet. */
+/** Content being opened: its keys are read, its motion does not exist yet. */
 export interface LoadedKeys extends Start {
   info: KeysInfo;
   pool: PosePool;
@@ -26,26 +26,26 @@ export interface LoadedKeys extends Start {
 
 export interface WorkspaceEvents {
   onProgress(progress: Progress | null): void;
-  /** Files are read; the motion is not made yet. */
+  /** Files are read; the motion does not exist yet. */
   onRead(info: KeysInfo): void;
-  /** Files that may be large are about to be read. */
+  /** Files of unknown, possibly large size are about to be read. */
   onLarge(): void;
-  /** Keys are read. null: what is open is seen, and used, until their motion is made. */
+  /** Keys are read. null: the open content stays visible and usable until the new motion exists. */
   onKeys(opening: LoadedKeys | null): void;
-  /** What was being opened will not be. */
+  /** Opening was given up. */
   onGivenUp(): void;
   onReady(plan: SequencePlan): void;
   onRefused(error: unknown, current: SequencePlan | null): void;
 }
 
 export interface LoadSteps<S extends Start> {
-  /** The same mesh: what is open is seen, and used, until then. */
+  /** The mesh is the same, so the open content stays visible and usable until then. */
   stays: boolean;
-  /** How the files are to be read after all, for what was found in them; null: as they were. */
+  /** Other import options that follow from the files' content; null to keep the given ones. */
   otherwise(info: KeysInfo): ImportOptions | null;
-  /** What becomes of the document that the files start with. */
+  /** Turns the files' document into the document to open. */
   start(doc: Doc, pool: PosePool): S;
-  /** The last moment of what was open before. */
+  /** Called just before the open content is replaced. */
   leave(): void;
 }
 
@@ -57,15 +57,15 @@ interface Current {
   options: ImportOptions;
 }
 
-/** A file. Of a sample that is made here its arrays are known: no reader is loaded for it. */
+/** A file. Samples made in the page have arrays, so no reader is loaded for them. */
 export interface OpenFile extends InputFile {
   mesh?: KeyMesh;
 }
 
-/** Files, or their source: `report` receives the fetched share. */
+/** Files or their source; `report` receives the fetched share. */
 export type Input = OpenFile[] | ((report: (fraction: number) => void, signal: AbortSignal) => Promise<InputFile[]>);
 
-/** Share of reading in the progress bar, and of fetching in reading; the rest is encoding and factoring. */
+/** Share of reading in the progress bar, and of fetching in reading. The rest is encoding and factoring. */
 const READING = 0.3;
 const FETCHING = 0.3;
 const NOTHING_RUNNING: readonly RunningMotion[] = [];
@@ -84,17 +84,17 @@ export class Workspace {
     return this.current?.set.all ?? NOTHING_RUNNING;
   }
 
-  /** Of the first running sequence. */
+  /** Range of the first running sequence. */
   get range(): Range {
     return this.sequences[0]?.sequence.range ?? UNIT_RANGE;
   }
 
-  /** What the import found. */
+  /** Information on the import. */
   get info(): KeysInfo | null {
     return this.current?.info ?? null;
   }
 
-  /** Of the import and of the first running sequence, each once: the same of two places is two warnings. */
+  /** Warnings of the import and of the first running sequence, each once. Equal warnings at two locations are two. */
   get warnings(): Warning[] {
     const all = [...(this.info?.warnings ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
     const texts = all.map((warning) => JSON.stringify(warning));
@@ -105,19 +105,19 @@ export class Workspace {
     return this.current?.pool ?? null;
   }
 
-  /** The files that are open, to take other keys from. */
+  /** The open files, for choosing other keys. */
   get input(): OpenFile[] {
     return this.current?.input ?? [];
   }
 
-  /** How they were read. */
+  /** Import options of the open files. */
   get options(): ImportOptions {
     return this.current?.options ?? {};
   }
 
   /**
-   * Reads files and makes the motion; only when both have succeeded does it replace what is open. Resolves to null when
-   * it was cancelled or overtaken by another call.
+   * Reads files and makes the motion. Replaces the open content only after both have succeeded. Resolves to null if it
+   * was cancelled or replaced by another call.
    */
   async open<S extends Start>(
     source: Input,
@@ -177,7 +177,7 @@ export class Workspace {
     this.current?.set.want(plan);
   }
 
-  /** Ends what is under way; what is open stays. */
+  /** Cancels the work in progress; the open content stays. */
   cancel(): void {
     this.opening?.abort();
     this.current?.set.cancel();

@@ -1,4 +1,4 @@
-/** Poses of the open mesh, from files of their own, become keys or tangents at the ends. */
+/** Adds poses of the open mesh from other files, as keys or end tangents. */
 import type { Engine } from '../../engine/api/api.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import { readPoses } from '../../engine/api/read-poses.ts';
@@ -18,15 +18,15 @@ export interface AddPosesParts {
   workspace: Workspace;
 }
 
-/** A pose of the pool and what it is called. */
+/** A pose in the pool with its name. */
 interface Pooled {
   pose: number;
   name: string;
 }
 
 /**
- * Adds all that the files hold, by default after the last key. Resolves to how many there were; null where other files
- * were opened meanwhile, or none are. Fails on another mesh.
+ * Adds all poses of the files, by default after the last key. Resolves to their number; null if other files were opened
+ * meanwhile, or nothing is open. Fails for another mesh.
  */
 export async function addPoses(
   parts: AddPosesParts,
@@ -43,7 +43,7 @@ export async function addPoses(
   return added.length;
 }
 
-/** The motion is of these files, too. */
+/** Adds the files' names to the motion's source. */
 function nameSource(store: Store, files: readonly PickedFile[]): void {
   const { source } = store.get();
   if (source.kind !== 'files') return;
@@ -52,8 +52,8 @@ function nameSource(store: Store, files: readonly PickedFile[]): void {
 }
 
 /**
- * The shape of a file gives the tangent at an end. Resolves to its name; null where other files were opened meanwhile,
- * or none are. Fails on another mesh, and on several poses.
+ * Uses a file's shape for the tangent at an end. Resolves to its name; null if other files were opened meanwhile, or
+ * nothing is open. Fails for another mesh, and for several poses.
  */
 export async function takeTangent(
   parts: AddPosesParts,

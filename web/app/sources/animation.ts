@@ -1,6 +1,6 @@
 /**
- * The animation that the open files hold: how few of its shapes suffice as keys, and itself to compare with; or that of
- * other files to compare with.
+ * The animation in the open files: finds the fewest keys that suffice, and provides the animation for comparison. An
+ * animation of other files can replace it in comparisons.
  */
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
@@ -35,7 +35,7 @@ export interface Fewest {
   percent: number;
 }
 
-/** The animation of other files, of the mesh of these poses. */
+/** An animation from other files, with the mesh of these poses. */
 interface Truth {
   name: string;
   pool: PosePool;
@@ -44,7 +44,7 @@ interface Truth {
 
 interface Read {
   input: InputFile[];
-  /** How it was read, as text. */
+  /** Its import options as text. */
   how: string;
   motion: ReferenceMotion;
 }
@@ -54,16 +54,19 @@ export class Animation {
   private other: Truth | null = null;
   private stop = new AbortController();
   private seeking = new AbortController();
-  /** The last that was asked for, and what has to end before. */
+  /** The last request. The next one waits for it. */
   private last: Promise<unknown> = Promise.resolve();
   private waiting = 0;
 
   constructor(private readonly parts: AnimationParts) {}
 
-  /** Takes as few keys as keep the motion so near, in percent of the diagonal; null where they are not taken. */
+  /**
+   * Chooses the fewest keys that keep the motion within this error, in percent of the diagonal; null if they are not
+   * used.
+   */
   async takeFewest(animation: number, percent: number): Promise<Fewest | null> {
     const { engine, store, files, onWorking } = this.parts;
-    // Another error takes the place of the one before.
+    // A new error bound replaces the previous one.
     this.seeking.abort();
     this.seeking = new AbortController();
     const { signal } = this.seeking;
@@ -86,7 +89,7 @@ export class Animation {
     return { keys: found.times.length, percent: 100 * found.error };
   }
 
-  /** The animation to compare with; null where there is none, or it could not be read. */
+  /** The animation for comparison; null if there is none, or if it was unreadable. */
   async reference(): Promise<TimedShapes | null> {
     const { store, workspace } = this.parts;
     const given = this.truthNow;
@@ -94,7 +97,7 @@ export class Animation {
     return this.guarded((signal) => this.referenceOf(workspace.info?.animation ?? -1, signal));
   }
 
-  /** What other files hold is compared with from now on, not the animation of the keys; false where it is not taken. */
+  /** Compares with other files' animation instead of the keys' from now on; false if it is not used. */
   async takeTruth(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean> {
     const { workspace } = this.parts;
     const picked = await files;
@@ -104,7 +107,7 @@ export class Animation {
       this.readTruth(await readFiles(picked, undefined, signal), pool, signal),
     );
     if (!motion || workspace.pool !== pool) return false;
-    // The one before is not disposed of: it is on the screen until this one is.
+    // The previous animation is not disposed of, because it stays on the screen until this one is ready.
     this.other = { name: modelName(leadingName(picked.map(({ name }) => name))), pool, motion };
     return true;
   }
@@ -113,7 +116,7 @@ export class Animation {
     this.other = null;
   }
 
-  /** What it is called; null: there is none. */
+  /** Name of the other files' animation; null if there is none. */
   get truth(): string | null {
     return this.truthNow?.name ?? null;
   }
@@ -123,12 +126,12 @@ export class Animation {
     this.stop = new AbortController();
   }
 
-  /** Of what is open now. */
+  /** The other files' animation, if it matches the open content. */
   private get truthNow(): Truth | null {
     return this.other?.pool === this.parts.workspace.pool ? this.other : null;
   }
 
-  /** Read once for the same files. */
+  /** The animation of the keys, cached for the same files. */
   private async referenceOf(animation: number, signal: AbortSignal): Promise<ReferenceMotion | null> {
     const { engine, workspace } = this.parts;
     const { input, info, options } = workspace;
@@ -157,7 +160,7 @@ export class Animation {
     return readReference(engine, files, at, span, keys.info.report.vertices, options, { signal });
   }
 
-  /** One after the other: what is asked for while something works waits for it. */
+  /** Runs requests one after the other. */
   private guarded<T>(work: (signal: AbortSignal) => Promise<T | null>): Promise<T | null> {
     const { signal } = this.stop;
     this.waiting += 1;
@@ -182,13 +185,13 @@ export class Animation {
   }
 }
 
-/** Where the animation lies in the motion; null: at its own times, which the keys have, too. */
+/** Range of the animation in the motion; null for its own times, which the keys also have. */
 function keyRange(store: Store, { info }: Workspace): Range | null {
   const { keys } = store.get().doc;
   return info && info.animation >= 0 ? null : [keys[0]!.time, keys.at(-1)!.time];
 }
 
-/** The animation from the first key to the last. */
+/** Maps the animation to the time from the first key to the last. */
 function spread(motion: ReferenceMotion, range: () => Range | null): TimedShapes {
   const [start, end] = [motion.times[0]!, motion.times.at(-1)!];
   return {

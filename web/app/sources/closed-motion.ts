@@ -1,12 +1,12 @@
-/** Whether a motion ends as it began, which allows a loop. */
+/** Tests whether a motion ends in its first pose, so it can loop. */
 import { farthest } from '../../engine/api/distances.ts';
 import type { Doc } from '../../model/state.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 
-/** Of the diagonal: what a file's rounding or a hand's placing may leave between two poses that are meant as one. */
+/** Share of the diagonal. Equal poses can differ by this much through rounding in files or manual placement. */
 const SAME = 0.01;
 
-/** The last pose is the first again, but for where it stands; two keys make no loop. */
+/** The last pose equals the first up to its position. Two keys make no loop. */
 export function isClosed({ keys }: Doc, { keys: poses }: PosePool): boolean {
   const [first, last] = [keys[0], keys.at(-1)];
   if (!first || !last || keys.length < 3) return false;

@@ -1,8 +1,8 @@
-/** Picked files -> bytes. */
+/** Reads the bytes of picked files. */
 import type { InputFile } from '../../engine/api/types.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 
-/** One after the other; `report` receives the fetched share of all bytes. */
+/** Reads one file after the other; `report` receives the fetched share of all bytes. */
 export async function readFiles(
   files: readonly PickedFile[],
   report?: (fraction: number) => void,

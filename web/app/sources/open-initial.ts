@@ -1,6 +1,6 @@
 /**
- * What a visit starts with: what a link names, else what an earlier visit left, else the first sample; a first visit
- * with what the page is for.
+ * The initial content: from the link, else from an earlier visit, else the first sample. A first visit also shows the
+ * page's purpose.
  */
 import type { Offer } from '../../ui/messages.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
@@ -13,7 +13,9 @@ import { fetchSamples, makeSample } from './samples.ts';
 import type { Sample } from './samples.ts';
 
 const VISITED = 'shapespline.visited';
-/** Blended positions on the left of a divider, this method on its right; at a time that tells even if nothing moves. */
+/**
+ * Blended positions on the left of a divider, this method on the right. The time shows the difference without playback.
+ */
 const FIRST_SAMPLE = 'column';
 const FIRST_VISIT = `sample=${FIRST_SAMPLE}&compare=linear&split=0.5&t=0.25&play=1`;
 
@@ -24,11 +26,11 @@ export interface OpenInitialParts {
   say(text: string): void;
   /** The link names a page of the guide. */
   onGuide(fragment: string): Promise<unknown>;
-  /** These files did not open before. They may end this visit, too, so they are opened on demand. */
+  /** Opening these files failed before and may end this visit too, so they wait for the user. */
   onStopped(offer: Offer): void;
 }
 
-/** `address`: the fragment, which may change before there is something to open. */
+/** `address`: the fragment, which may change before anything is open. */
 export async function openInitial(
   { files, remembered, onSamples, say, onGuide, onStopped }: OpenInitialParts,
   address: () => string,
@@ -38,8 +40,8 @@ export async function openInitial(
   const isNew = readSetting(VISITED) === null;
   const begun = address();
   const made = isNew && opensFirstSample(begun) ? makeSample(FIRST_SAMPLE) : null;
-  made?.catch(() => undefined); // said where it is opened
-  // What the address is changed to meanwhile comes after what was asked for until then.
+  made?.catch(() => undefined); // The error is reported when the sample is opened.
+  // A later change of the URL comes after the requests so far.
   let isChanged = false;
   const onAddress = (): void => {
     const named = address();
@@ -51,7 +53,7 @@ export async function openInitial(
   const [samples, kept] = await Promise.all([fetchSamples(), remembered.recall()]).finally(() =>
     window.removeEventListener('hashchange', onAddress),
   );
-  // The files that were dropped before are what is given back.
+  // Files dropped earlier are the content to restore.
   if (isChanged) await files.idle();
   onSamples(samples);
   if (isOvertaken()) return;
@@ -87,7 +89,7 @@ export async function openInitial(
     say(`There is no sample named “${named.sample}”. This is “${first.title}”; choose another under Samples.`);
 }
 
-/** Opens what was kept; null where something else is asked for before it is there. */
+/** Opens a stored project; null if another request replaces it. */
 export function reopening(files: Opener): (project: StoredProject) => Promise<boolean | null> {
   return async (project) => {
     const opened = files.again(project);

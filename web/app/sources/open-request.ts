@@ -1,4 +1,6 @@
-/** What is to be open, as plain data: of a sample and a link, picked files, what was left, or the open files again. */
+/**
+ * A request to open content, as plain data: a sample, a link, picked files, earlier content, or the open files again.
+ */
 import { IMPORT } from '../../engine/api/option-table.ts';
 import { extensionOf, isModel } from '../../engine/api/paths.ts';
 import type { ImportOptions, InputFile } from '../../engine/api/types.ts';
@@ -17,29 +19,29 @@ import type { Sample } from './samples.ts';
 
 export interface OpenRequest {
   input: Input;
-  /** How it is read. */
+  /** Import options. */
   options: ImportOptions;
   source: Source;
-  /** Of files of the user; null: a new one. */
+  /** The project of the user's files; null for a new one. */
   project: string | null;
-  /** What undo goes back over; null: nothing. */
+  /** The history step for undo; null for none. */
   step: Step | null;
-  /** The document begins as one of a sample or of files does; absent: as it is read. */
+  /** The initial document follows the rules for a sample or for files; absent: unchanged from the import. */
   begins?: Sample | 'files';
   link?: Permalink | null;
-  /** By the user just now, who has chosen nothing about them yet: shapes that seem to lie are stood up. */
+  /** Just picked by the user, without chosen options. Shapes that seem to lie down are stood up. */
   picked?: boolean;
-  /** Restored exactly as it was left. */
+  /** Content to restore exactly. */
   left?: StoredProject | Snapshot;
-  /** The document that settings are taken from. */
+  /** The document that provides the settings. */
   settings?: Doc;
-  /** The same mesh: time, view and playing go on. */
+  /** The mesh is the same, so time, view and playback stay. */
   stays?: boolean;
-  /** The files lie otherwise: the document stays, and its history. */
+  /** The files have another orientation; document and history stay. */
   turn?: Turn;
 }
 
-/** What is open: its files, how they were read, and its state. */
+/** The open content: files, import options and state. */
 export type Present = Pick<Snapshot, 'files' | 'options' | 'state'>;
 
 export function sampleRequest(
@@ -52,14 +54,14 @@ export function sampleRequest(
   return { input, options, source: { kind: 'sample', id: sample.id }, project: null, step, begins: sample, link };
 }
 
-/** Files that were dropped or chosen are the keys of a motion. */
+/** Dropped or chosen files are the keys of a motion. */
 export function pickedRequest(files: readonly PickedFile[]): OpenRequest {
   const source: Source = { kind: 'files', names: files.map(({ name }) => name) };
   const input: Input = (report, signal) => readFiles(files, report, signal);
   return { input, options: {}, source, project: null, step: 'on', begins: 'files', picked: true };
 }
 
-/** By an earlier visit, or by this one for something else. */
+/** Restores content of an earlier visit, or of this one. */
 export function leftRequest(
   left: StoredProject | Snapshot,
   samples: readonly Sample[],
@@ -71,7 +73,7 @@ export function leftRequest(
   return { input: files, options, source, project, step, begins: sample ?? 'files', left };
 }
 
-/** Takes the keys again, at these seconds of the animation's own timeline. */
+/** Samples the keys again at these times of the animation's own timeline, in seconds. */
 export function momentsRequest(present: Present, animation: number, times: number[]): OpenRequest {
   return { ...readAgain(present, { animation, sample: times }), stays: true };
 }
@@ -81,13 +83,13 @@ export function animationRequest(present: Present): OpenRequest {
   return { ...readAgain(present, { animation: 0 }), stays: true, begins: 'files' };
 }
 
-/** Of these objects of the files; with none, of all of them. */
+/** Uses only these objects of the files; an empty list means all. */
 export function objectsRequest(present: Present, objects: string[]): OpenRequest {
   const { animation, sample } = present.options;
   return readAgain(present, { animation, sample, objects: objects.length > 0 ? objects : undefined });
 }
 
-/** Lying as they were said to lie. */
+/** Keeps the orientation. */
 function readAgain({ files, options, state }: Present, change: ImportOptions): OpenRequest {
   const { up, unit, objects } = options;
   const { source, project, doc } = state;
@@ -95,14 +97,14 @@ function readAgain({ files, options, state }: Present, change: ImportOptions): O
   return { input: files, options: read, source, project, step: 'on', settings: doc };
 }
 
-/** With another axis up or another unit. */
+/** Uses another up axis or unit. */
 export function turnRequest({ files, options, state }: Present, after: Orientation, step: Step | null): OpenRequest {
   const { source, project } = state;
   const turn = { before: orientationOf(files, options) ?? after, after };
   return { input: files, options: { ...options, ...after }, source, project, step, stays: true, turn };
 }
 
-/** glTF says which way is up and how long a metre is; the other formats do not. */
+/** glTF defines up axis and unit; the other formats do not. */
 export function orientationOf(
   input: readonly InputFile[],
   { up = IMPORT.up.default, unit = IMPORT.unit.default }: ImportOptions,

@@ -1,4 +1,4 @@
-/** Opens what is asked for: reads it, makes its motion, and puts it in the place of what is open. */
+/** Opens requested content: reads it, makes its motion, and replaces the open content. */
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { InputFile, Progress } from '../../engine/api/types.ts';
@@ -33,13 +33,13 @@ import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
 
-/** What is open now, while the state does not say so yet. Its camera is of a link or an earlier visit. */
+/** The new content, before it is in the state. The camera comes from a link or an earlier visit. */
 export interface OpenResult extends LoadedKeys, StartState, Pick<OpenRequest, 'source' | 'picked' | 'stays'> {
-  /** How the files were read where they do not say it themselves. */
+  /** Orientation of files that do not specify it. */
   orientation: Orientation | null;
-  /** They were stood up for how their shapes look. */
+  /** The files were stood up because of their shapes. */
   stoodUp: boolean;
-  /** The objects of the files that were taken; empty for all of them. */
+  /** The chosen objects of the files; empty for all. */
   objects: readonly string[];
 }
 
@@ -50,20 +50,20 @@ export interface OpenerParts {
   samples(): readonly Sample[];
   reducedMotion(): boolean;
   say(text: string): void;
-  /** Something else is asked for: what went wrong before is of no interest. */
+  /** Another request starts, so earlier errors no longer matter. */
   onStart(): void;
   onOpened(opened: OpenResult): void;
-  /** The files were read again for the same document: the motions are to be made from them. */
+  /** The files were read again for the same document, and the motions must be made again. */
   onRead(): void;
-  /** Progress of reading more poses; the workspace reports imports. */
+  /** Progress of reading additional poses; the workspace reports imports. */
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;
 }
 
-/** What opens something resolves to whether that is open now, and fails only where it says so. */
+/** Methods that open content resolve to whether it is open now. They reject only where their comments say so. */
 export class Opener {
   readonly history = new OpenHistory();
-  /** How often anything was asked for so far. */
+  /** Number of requests so far. */
   asks = 0;
   private fetching = new AbortController();
   private readonly running = new Set<Promise<unknown>>();
@@ -79,7 +79,7 @@ export class Opener {
     while (this.busy) await Promise.all(this.running);
   }
 
-  /** `files`: those of the sample, where they are on their way. `step`: what undo goes back over; null: nothing. */
+  /** `files`: the sample's files, if already being fetched. `step`: history step for undo; null for none. */
   sample(
     id: string,
     link: Permalink | null = null,
@@ -94,7 +94,7 @@ export class Opener {
       if (!input) return false;
       const request = sampleRequest(sample, input, link, step);
       return this.meet(request).catch(async (error: unknown) => {
-        // What the engine refuses of a link must not keep the sample closed.
+        // A sample must open even if the engine refuses a part of the link.
         const final = isCancelled(error) || (error as { code?: unknown }).code === 'not-loaded';
         if (!link || final || !(await this.meet({ ...request, link: null }))) throw error;
         this.parts.onError(error);
@@ -103,12 +103,12 @@ export class Opener {
     });
   }
 
-  /** Opens what a link names, without a step that undo goes back over. */
+  /** Opens a link's content without an undo step. */
   show(link: Permalink): Promise<boolean> {
     return this.sample(link.sample, link, null, null);
   }
 
-  /** Does with the files what `work` says, unless other ones are asked for before they are there. */
+  /** Runs `work` on the files, unless other files are requested before they are ready. */
   run(given: PickedFile[] | Promise<PickedFile[]>, work: (files: PickedFile[]) => Promise<boolean>): Promise<boolean> {
     return this.guarded(async () => {
       const files = await this.fetched(() => given);
@@ -116,17 +116,19 @@ export class Opener {
     });
   }
 
-  /** Opens them as the keys of a motion. To be run; fails where they are not. */
+  /** Opens the files as keys of a motion. Call within `run`; fails if they have no keys. */
   open(files: readonly PickedFile[]): Promise<boolean> {
     return this.meet(pickedRequest(files));
   }
 
-  /** Adds their poses at this place, by default after the last key. To be run; fails on another mesh. */
+  /**
+   * Adds the files' poses at this position, by default after the last key. Call within `run`; fails for another mesh.
+   */
   addPoses(files: readonly PickedFile[], place?: KeyPlace | null): Promise<number | null> {
     return this.reading(() => addPoses(this.parts, files, place));
   }
 
-  /** Opens what an earlier visit left, or this one; false where there is none. */
+  /** Restores earlier content; false if there is none. */
   again(left: StoredProject | Snapshot | null, step: Step | null = 'on'): Promise<boolean> {
     return this.guarded(async () => {
       if (!left) return false;
@@ -136,32 +138,32 @@ export class Opener {
     });
   }
 
-  /** What was open before this, as it was left; opening is undone by it. */
+  /** Restores the content before this one; undoes opening. */
   back(): Promise<boolean> {
     return this.again(this.history.before, 'back');
   }
 
-  /** Redoes that. */
+  /** Redoes opening. */
   forth(): Promise<boolean> {
     return this.again(this.history.after, 'forth');
   }
 
-  /** Takes the keys again, at these seconds of the animation's own timeline. */
+  /** Samples the keys again at these times of the animation's own timeline, in seconds. */
   resample(animation: number, times: number[]): Promise<boolean> {
     return this.guarded(() => this.meet(momentsRequest(this.present, animation, times)));
   }
 
-  /** Takes the keys from the animation that the files hold themselves, at the times that are taken by default. */
+  /** Takes the keys from the files' own animation, at the default times. */
   takeAnimation(): Promise<boolean> {
     return this.guarded(() => this.meet(animationRequest(this.present)));
   }
 
-  /** Reads the files again with these of their objects; with none, all of them. */
+  /** Reads the files again with only these objects; an empty list means all. */
   takeObjects(objects: string[]): Promise<boolean> {
     return this.guarded(() => this.meet(objectsRequest(this.present, objects)));
   }
 
-  /** Reads the files again with another axis up or another unit. */
+  /** Reads the files again with another up axis or unit. */
   reorient(orientation: Orientation, step: Step | null = 'on'): Promise<boolean> {
     return this.guarded(() => this.meet(turnRequest(this.present, orientation, step)));
   }
@@ -171,7 +173,7 @@ export class Opener {
     await this.guarded(async () => (await this.addPoses(await files)) !== null);
   }
 
-  /** The shape of a file gives the tangent at an end of the motion. */
+  /** Uses a file's shape for the tangent at an end of the motion. */
   async takeTangent(given: PickedFile[] | Promise<PickedFile[]>, end: End): Promise<void> {
     const { say } = this.parts;
     await this.guarded(async () => {
@@ -187,7 +189,7 @@ export class Opener {
     return { files: workspace.input, options: workspace.options, state: store.get() };
   }
 
-  /** The one way in. */
+  /** The common path of all requests. */
   private async meet(request: OpenRequest): Promise<boolean> {
     const { store, workspace, reducedMotion, say, onStart, onOpened, onRead } = this.parts;
     const { options, source, step, picked = false, left, stays = false, turn } = request;
@@ -225,7 +227,7 @@ export class Opener {
     return true;
   }
 
-  /** Replaces what is being loaded; null if this is replaced as well before it is ready. */
+  /** Replaces the current fetch; null if a later fetch replaces this one. */
   private async fetched<T>(get: (signal: AbortSignal) => T | Promise<T>): Promise<T | null> {
     this.fetching.abort();
     this.fetching = new AbortController();
@@ -250,7 +252,7 @@ export class Opener {
     }
   }
 
-  /** Says what goes wrong. */
+  /** Reports errors to the user. */
   private guarded(work: () => Promise<boolean>): Promise<boolean> {
     this.asks += 1;
     const task = work().catch((error: unknown) => {

@@ -1,4 +1,4 @@
-/** The user's own files that can be gone back to: those that are open, of this visit, and of earlier ones. */
+/** The user's own files to return to: the open ones, those of this visit, and of earlier visits. */
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { AppState, Source } from '../../model/state.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
@@ -6,12 +6,12 @@ import type { Sample } from './samples.ts';
 import type { Snapshot } from '../kept/snapshot.ts';
 
 export interface OwnFiles {
-  /** The project. */
+  /** Project id. */
   id: string;
   title: string;
 }
 
-/** Each project once: what is open first, then what was left last. */
+/** Each project once: the open one first, then by time, newest first. */
 export function ownFiles(
   { source, project }: AppState,
   earlier: readonly Snapshot[],
@@ -29,7 +29,7 @@ export function ownFiles(
   return [...titles].map(([id, title]) => ({ id, title }));
 }
 
-/** What is open in a few words. */
+/** Short title of the open content. */
 export function sourceTitle(source: Source, samples: readonly Sample[]): string {
   if (source.kind === 'files') return filesTitle(source.names);
   return source.kind === 'sample' ? (samples.find(({ id }) => id === source.id)?.title ?? source.id) : '';

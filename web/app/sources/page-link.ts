@@ -1,4 +1,4 @@
-/** The state in the page's URL: written while nothing plays, read when the user changes it, copied on demand. */
+/** The state in the page's URL: written while playback is stopped, read when the user changes it, copied on request. */
 import type { Doc } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
 import { readPermalink, writePermalink } from './permalink.ts';
@@ -6,43 +6,43 @@ import type { Permalink } from './permalink.ts';
 
 export interface PageLinkParts {
   store: Store;
-  /** The document that the open files started with: links are written against it. */
+  /** The initial document of the open files; links store differences from it. */
   initial(): Doc | null;
   say(text: string): void;
-  /** The address names another state. */
+  /** The URL names another state. */
   onLink(link: Permalink): void;
   /** The URL names a page of the guide; null: it no longer does. */
   onGuide(fragment: string | null): void;
 }
 
 export interface PageLink {
-  /** From now on, changes of the URL are opened; the code that opens the page reads the initial one. */
+  /** Opens later changes of the URL. The initial URL is read by the code that opens the page. */
   listen(): void;
-  /** The state has changed: the address follows where it is listened to. */
+  /** The state has changed. Updates the URL once listening. */
   follow(): void;
   copy(): Promise<void>;
-  /** Keeps a fragment in the address, whatever the state becomes; null: no longer. */
+  /** Fixes a fragment in the URL, whatever the state; null releases it. */
   pin(fragment: string | null): void;
-  /** Writes a fragment (with its `#`, or '') into the address. */
+  /** Writes a fragment (with its `#`, or '') to the URL. */
   replace(fragment: string): void;
-  /** The whole address; null where the user's own files are open, or nothing. */
+  /** The full URL; null for the user's own files or if nothing is open. */
   address(): string | null;
 }
 
-/** The page of the guide that a fragment names, or null. */
+/** The guide page that a fragment names, or null. */
 export function guideLink(fragment: string): string | null {
   return /^#?(tour=\d+|figure=\w+)$/.exec(fragment)?.[1] ?? null;
 }
 
-/** A fragment that names nothing that there is; null where it names nothing at all. */
+/** A fragment with an unknown name; null if it names nothing. */
 export function strangeLink(fragment: string): string | null {
   if (fragment.replace(/^#/, '') === '') return null;
   return 'The link names no sample and no page of the tour: it was left out.';
 }
 
 /**
- * Delay after the first change that is not in the URL; later changes do not extend it. Shorter than the delay of
- * storing the user's files, so a returning user finds these and not the sample before them.
+ * Delay after the first change that is not in the URL; later changes do not extend it. It is shorter than the delay for
+ * storing the user's files. A returning user therefore finds these files, not the earlier sample.
  */
 const WRITE_DELAY_MS = 300;
 
@@ -74,8 +74,8 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   };
 
   const onChange = ({ newURL }: HashChangeEvent): void => {
-    stopWaiting(); // it would write what was, while the new one is on its way
-    // What was written into the address since then is not what was asked for.
+    stopWaiting(); // A pending write would store the old state while the new one is loading.
+    // The URL may have been rewritten since; the event has the requested one.
     const { hash } = new URL(newURL);
     known = hash;
     const page = guideLink(hash);
@@ -100,7 +100,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
       if (!listening || timer) return;
       timer = window.setTimeout(() => {
         timer = 0;
-        if (location.hash !== known) return; // the user has gone elsewhere, and its event is still to come
+        if (location.hash !== known) return; // The user has navigated elsewhere, and the event is still to come.
         const link = pinned ?? text();
         replace(link ? `#${link}` : '');
       }, WRITE_DELAY_MS);

@@ -1,6 +1,6 @@
 /**
- * The state of a built-in sample as a link's fragment, and back. Only what differs from the defaults is written. A link
- * comes from anywhere: whatever it holds that does not fit is left out.
+ * Converts the state of a built-in sample to a link's fragment and back. Only differences from the defaults are
+ * written. Links are untrusted, so invalid values are left out.
  */
 import { METHODS } from '../../engine/api/methods.ts';
 import { ENCODING, MOST_TIME, MOST_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
@@ -22,11 +22,11 @@ import { MOST_COMPARED, MOST_ONION_SKINS, PRESENTED, SPEEDS } from '../../model/
 
 export interface Permalink {
   sample: string;
-  /** [pose, time] of each key; null = the sample's own. */
+  /** [pose, time] of each key; null for the sample's own. */
   keys: [number, number][] | null;
-  /** One value per key. */
+  /** Each list has one value per key. */
   shaping: Record<ShapingNumber, number[]>;
-  /** Of the whole shape, one value per key. */
+  /** Added turns of the whole shape, one value per key. */
   turns: number[];
   partTurns: Required<AddedTurns>[];
   motion: Partial<Motion>;
@@ -38,7 +38,7 @@ export interface Permalink {
   between: [number, number] | null;
   fps: number | null;
   playing: boolean;
-  /** Names of what was given, but is none of what it can be. */
+  /** Names of values that are invalid. */
   unfit: string[];
 }
 
@@ -54,10 +54,10 @@ const FLAGS = [
 ] as const;
 const MAX_KEYS = 256;
 const MAX_PART_TURNS = 1024;
-/** Of a camera: farther off nothing of a shape is seen. */
+/** Largest camera distance; beyond it the shape is invisible. */
 const MAX_DISTANCE = 1e9;
 
-/** The fragment without its '#', or null where the user's own files are open: they stay on this machine. */
+/** The fragment without '#', or null for the user's own files, which stay on this machine. */
 export function writePermalink(state: AppState, initial: Doc): string | null {
   if (state.source.kind !== 'sample') return null;
   const { doc, view } = state;
@@ -111,7 +111,7 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   return params.toString();
 }
 
-/** What stands for a motion in a link. */
+/** The part of a motion that links store. */
 function linked({ pins, ...motion }: Motion): object {
   return { ...motion, pins: pinsText(pins, shortest) };
 }
@@ -148,7 +148,7 @@ export function readPermalink(fragment: string): Permalink | null {
   };
 }
 
-/** A sentence about what of the link is not in the document that it was applied to, or null. */
+/** A sentence about parts of the link that are missing from the resulting document, or null. */
 export function leftOut({ unfit, motion, keys }: Permalink, doc: Doc): string | null {
   const names = [...unfit];
   if ((motion.period ?? null) !== doc.motion.period) names.push('period');
@@ -157,10 +157,7 @@ export function leftOut({ unfit, motion, keys }: Permalink, doc: Doc): string | 
   return leftOutSentence(names);
 }
 
-/**
- * Applies a link to the document that its sample starts with; poses and components that the sample has not are left
- * out.
- */
+/** Applies a link to its sample's initial document. Leaves out poses and components that the sample lacks. */
 export function applyPermalink(doc: Doc, link: Permalink, components = Infinity): Doc {
   const poses = doc.keys.length;
   const known = (pose: number | null | undefined): boolean => pose === null || pose === undefined || pose < poses;
@@ -169,7 +166,7 @@ export function applyPermalink(doc: Doc, link: Permalink, components = Infinity)
   const encoding = { ...doc.encoding, ...link.encoding };
   for (const name of POSES) if (!known(encoding[name])) encoding[name] = null;
   const motion = { ...doc.motion, ...link.motion };
-  // A loop takes longer than its keys: the way back to the first needs time, too.
+  // A loop takes longer than its keys, because the way back to the first also takes time.
   if (motion.period !== null && motion.period <= keys.at(-1)!.time - keys[0]!.time) motion.period = null;
   let next: Doc = { keys, encoding, motion };
   const each = (values: number[], set: (key: number, value: number) => void): void => {
@@ -191,10 +188,10 @@ const POSES = pageOptions(ENCODING).flatMap(({ page, option }) =>
   isPose(option) ? [page as 'referencePose' | 'startTangentPose' | 'endTangentPose'] : [],
 );
 
-/** Reads a value of the link; undefined where it is not there or is none of what it can be. */
+/** Reads a value of the link; undefined if it is missing or invalid. */
 type Take = <T>(name: string, read: (text: string) => T | undefined) => T | undefined;
 
-/** The value of an option, where it is one that the option can have. */
+/** The value of an option, if valid. */
 function optionValue(option: Option, text: string): unknown {
   if (isPose(option)) return index(text);
   if (option.kind === 'pins') return pinsFromText(text);
@@ -237,7 +234,7 @@ function readView(take: Take): Partial<View> {
   });
 }
 
-/** Those that there are; undefined where none is. */
+/** The known methods; undefined if none is known. */
 function methods(text: string): Method[] | undefined {
   const known = text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []);
   return known.length > 0 ? [...new Set(known)].slice(0, MOST_COMPARED) : undefined;
@@ -261,7 +258,7 @@ function stretch(text: string): [number, number] | undefined {
   return values?.length === 2 && values[0]! < values[1]! ? [values[0]!, values[1]!] : undefined;
 }
 
-/** Strictly increasing times, or the whole list is left out. */
+/** Times must increase strictly, otherwise the whole list is left out. */
 function readKeys(text: string): [number, number][] | undefined {
   const keys = text.split(',').map((entry) => entry.split('@').map(Number) as [number, number]);
   const good =
@@ -272,7 +269,7 @@ function readKeys(text: string): [number, number][] | undefined {
   return good ? keys : undefined;
 }
 
-/** Those of the entries that can be meant; undefined where none can. */
+/** The valid entries; undefined if there are none. */
 function readPartTurns(text: string): Required<AddedTurns>[] | undefined {
   const entries = text
     .split(',')
@@ -291,7 +288,7 @@ function numbers(text: string): number[] | undefined {
   return values.length <= MAX_KEYS && values.every(Number.isFinite) ? values : undefined;
 }
 
-/** A list with one value that cannot be meant is left out as a whole: the others would go to other keys. */
+/** One invalid value invalidates the whole list, because the other values would move to other keys. */
 function allGood(values: number[] | undefined, good: (value: number) => boolean): number[] | undefined {
   return values?.every(good) ? values : undefined;
 }

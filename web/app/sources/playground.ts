@@ -1,4 +1,4 @@
-/** Answers the playground where it is open in another tab: coordinates of the shape, and how its keys are passed. */
+/** Serves the playground in another tab: coordinates of the open shape, and the options of its keys. */
 import type { Motion } from '../../engine/api/api.ts';
 import { MOST_TIME, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import { wrongWith } from '../../engine/api/options.ts';
@@ -14,12 +14,12 @@ export interface PlaygroundParts {
   store: Store;
   workspace: Workspace;
   sequence(): Motion | undefined;
-  /** What is open, in a few words. */
+  /** Short title of the open content. */
   title(): string;
   onError(error: unknown): void;
 }
 
-/** Of either kind. */
+/** Number of offered curves of each kind. */
 const OFFERED = 12;
 
 export function listenToPlayground({ store, workspace, sequence, title, onError }: PlaygroundParts): void {
@@ -77,7 +77,7 @@ function passingOf({ keys, motion }: Doc): KeyPassing {
   };
 }
 
-/** Whether the engine takes these numbers. */
+/** Whether the engine accepts these numbers. */
 function fits({ times, startSpeed, endSpeed, tension, bias }: KeyPassing): boolean {
   const speeds = wrongWith(MOTION.startSpeed, startSpeed) ?? wrongWith(MOTION.endSpeed, endSpeed);
   const wrong = [
@@ -87,7 +87,7 @@ function fits({ times, startSpeed, endSpeed, tension, bias }: KeyPassing): boole
   return speeds === null && wrong.every((one) => one === null) && times.every((time) => Math.abs(time) <= MOST_TIME);
 }
 
-/** Other times, ends, tensions and biases; the shapes stay. */
+/** Replaces times, ends, tensions and biases; the shapes stay. */
 function withPassing(doc: Doc, { times, boundary, startSpeed, endSpeed, tension, bias }: KeyPassing): Doc {
   const keys = doc.keys.map((key, i) => ({
     ...key,

@@ -1,4 +1,4 @@
-/** The built-in samples: a list and their files, fetched from beside the page. */
+/** The built-in samples: their list and files, fetched from beside the page. */
 import type { Boundary, Hold, ImportOptions, InputFile } from '../../engine/api/types.ts';
 import { BOUNDARIES } from '../../model/state.ts';
 import type { OpenFile } from '../session/workspace.ts';
@@ -8,11 +8,11 @@ export interface Sample {
   title: string;
   description: string;
   files: string[];
-  /** Made on the spot by `web/sculpt`; else fetched. */
+  /** Made in the page by `web/sculpt`; otherwise fetched. */
   made: boolean;
-  /** Of the keys; null = as the files have them. */
+  /** Key names; null for those in the files. */
   names: string[] | null;
-  /** Times of the keys; null = the file's own or evenly spaced. */
+  /** Key times; null for those in the file, or even spacing. */
   times: number[] | null;
   boundary: Boundary;
   hold: Hold;
@@ -20,7 +20,7 @@ export interface Sample {
 
 const FOLDER = 'samples/';
 
-/** Those that are made where they are shown. */
+/** Samples made in the page. */
 const MADE: readonly Sample[] = [
   {
     id: 'column',
@@ -64,7 +64,7 @@ export async function fetchSamples(): Promise<Sample[]> {
   return [...(Array.isArray(list) ? list.flatMap(readSample) : []), ...MADE];
 }
 
-/** `detail`: less than 1 is enough for a small picture, where a sample is made on the spot. */
+/** `detail`: values below 1 suffice for thumbnails of samples made in the page. */
 export async function fetchSample(sample: Sample, signal: AbortSignal, detail = 1): Promise<InputFile[]> {
   if (sample.made) return makeSample(sample.id, detail);
   return Promise.all(
@@ -75,10 +75,10 @@ export async function fetchSample(sample: Sample, signal: AbortSignal, detail = 
   );
 }
 
-/** How its files are read. */
+/** Import options of its files. */
 export const readingOf = ({ times }: Sample): ImportOptions => (times ? { keyTimes: times } : {});
 
-/** One of those that are made. */
+/** Makes one of the samples of `web/sculpt`. */
 export async function makeSample(id: string, detail = 1): Promise<OpenFile[]> {
   const { make } = await import('../../sculpt/make.ts');
   return [{ name: `${id}.glb`, ...(await make(id, detail)) }];

@@ -1,4 +1,4 @@
-/** What is shown first of what was opened: its document with what is known of it, view, time and playing. */
+/** Initial state of opened content: document, view, time and playback. */
 import type { KeysInfo } from '../../engine/api/types.ts';
 import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
@@ -21,13 +21,13 @@ import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 
 export interface StartState extends Start {
-  /** The document that the files start with when nothing else is known: links are written against it. */
+  /** The files' initial document without other settings; links store differences from it. */
   initial: Doc;
-  /** What is followed of a link. */
+  /** The applied part of a link. */
   link: Permalink | null;
 }
 
-/** What becomes of the document of files that are read; `present`: what is still open. */
+/** Initial document of imported files; `present`: the content that is still open. */
 export function startOf(request: OpenRequest, read: Doc, pool: PosePool, present: Snapshot | null): StartState {
   const { begins, left, settings, turn } = request;
   const { info } = pool.keys;
@@ -40,7 +40,7 @@ export function startOf(request: OpenRequest, read: Doc, pool: PosePool, present
   return { initial, doc, camera: link?.view.camera ?? null, link };
 }
 
-/** The poses that are not of the files come back first: the document's keys name them by their place. */
+/** Added poses come first, because the document's keys refer to poses by index. */
 export function restored({ poses, offset = [0, 0, 0], state }: StoredProject, pool: PosePool, turn?: Turn): Doc {
   const offsets = [offset, pool.keys.info.offset] as const;
   for (const { name, positions } of poses.slice(pool.count - pool.imported))
@@ -48,7 +48,7 @@ export function restored({ poses, offset = [0, 0, 0], state }: StoredProject, po
   return keptDoc(state.doc);
 }
 
-/** With the settings of another document, but for those that name its keys. */
+/** Applies the settings of another document, except those that refer to its keys. */
 function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
   const { referencePose, startTangentPose, endTangentPose } = fresh.encoding;
   return {
@@ -58,15 +58,15 @@ function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
   };
 }
 
-/** The document of a sample: its end condition, what it holds, and the names of its poses. */
+/** A sample's document: its end condition, holding and pose names. */
 function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
   const keys = doc.keys.map((key, index) => ({ ...key, name: names?.[index] ?? key.name }));
   return setMotion({ ...doc, keys }, { boundary, hold });
 }
 
 /**
- * The document of the user's files. Moments that are sampled from an animation, which are others than its own keys, are
- * of a world in which feet stand; poses move by the method as published, and a project as it says.
+ * The document of the user's files. Keys sampled from an animation, other than its own keys, hold resting parts by
+ * default. Poses use the published method, and projects their own settings.
  */
 export function ofFiles(doc: Doc, { animation, animations, project }: OfFiles): Doc {
   const keys = animations[animation]?.keys ?? doc.keys.length;
@@ -76,7 +76,7 @@ export function ofFiles(doc: Doc, { animation, animations, project }: OfFiles): 
 
 type OfFiles = Pick<KeysInfo, 'animation' | 'animations' | 'project'>;
 
-/** What is there when the request is met: what is shown of it first, for what was shown before. */
+/** The initial state after opening, based on the previous state. */
 export function openedState(
   { source, project, left, stays, turn }: OpenRequest,
   opening: LoadedKeys & StartState,
@@ -87,7 +87,7 @@ export function openedState(
   const { doc, link } = opening;
   const own = source.kind === 'files' ? (project ?? newProjectId()) : null;
   const wanted = stays ? before.time : (link?.time ?? doc.keys[0]?.time ?? 0);
-  // No further than the slider reaches.
+  // Limited to the slider's range.
   const time = clampTime(wanted, motionRange(doc, range));
   const opened = { source, project: own, doc, time, view: before.view, play: before.play };
   if (left) {
@@ -100,17 +100,17 @@ export function openedState(
   return { ...opened, view: openingView(before.view, link), play };
 }
 
-/** What an earlier version did not have starts as it is by default. */
+/** Defaults for everything that an earlier version lacked. */
 const leftView = ({ state }: StoredProject): View => ({ ...DEFAULT_VIEW, ...state.view });
 
-/** The look stays, but not a divider; the camera is fitted unless a link says where it was. */
+/** The look stays, but the divider does not. The camera is fitted unless a link specifies it. */
 function openingView(view: View, link: Permalink | null): View {
   if (link) return { ...DEFAULT_VIEW, ...link.view };
   const compare = view.split === null ? view.compare : [];
   return { ...view, compare, split: null, camera: null, window: null, film: false };
 }
 
-/** What is opened moves at once, unless the visitor wants no motion or came by a link to a moment. */
+/** Opened content plays immediately, unless the user prefers reduced motion or follows a link to a time. */
 function openingPlay(
   { info, doc, link }: LoadedKeys & StartState,
   source: Source,
@@ -118,7 +118,7 @@ function openingPlay(
   reducedMotion: boolean,
 ): Play {
   const range = [doc.keys[0]?.time ?? 0, doc.keys.at(-1)?.time ?? 1] as const;
-  // Samples and projects of earlier versions have times of no unit.
+  // Samples and projects of earlier versions have times without a unit.
   const timed = source.kind === 'files' && info.project === null;
   const own = timed ? 1 : info.speed !== null ? offeredSpeed(info.speed) : comfortableSpeed(length(range));
   const speed = link?.speed ?? own;
@@ -127,15 +127,15 @@ function openingPlay(
   return { playing, speed, loop: openingLoop(loop, timed && info.animation >= 0), between: null, fps };
 }
 
-/** A clip plays in a loop, poses back and forth, unless the visitor lets motions play once. */
+/** A clip loops and poses play back and forth, unless the user has chosen to play once. */
 function openingLoop(before: LoopMode, clip: boolean): LoopMode {
   if (before === 'once') return before;
   return clip ? 'loop' : 'bounce';
 }
 
 /**
- * The link without a camera that is inside of the shape at its moment, where nothing can be seen but its inner side:
- * inside of the key there, or of both that it is between.
+ * Drops a link's camera that is inside the shape at its time, where only the surface's inside is visible. Tests the key
+ * at that time, or both neighbouring keys.
  */
 function outside(link: Permalink, { keys }: Doc, pool: PosePool): Permalink {
   const { camera } = link.view;

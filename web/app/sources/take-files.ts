@@ -1,6 +1,6 @@
 /**
- * What is meant by picked files. Further poses of the open mesh become keys, anything else is opened, and undo brings
- * back what was open. One pose alone is no motion: it waits for the next.
+ * Decides how to use picked files. Poses of the open mesh become keys; other files are opened, with undo. A single pose
+ * is no motion, so it waits for the next.
  */
 import { EngineError } from '../../engine/api/errors.ts';
 import { sequenceText, sequencesIn } from '../../engine/api/numbered-names.ts';
@@ -18,19 +18,19 @@ export interface TakeFilesParts {
   store: Store;
   files: Opener;
   say(text: string): void;
-  /** The offer that waits for the user; null: none. */
+  /** The pending offer; null for none. */
   onOffer(offer: Offer | null): void;
-  /** Has the user choose further files. */
+  /** Lets the user choose further files. */
   onPick(): void;
 }
 
 export class TakeFiles {
-  /** The first pose of a motion, until the next one comes. */
+  /** The first pose of a motion, until the next one arrives. */
   private waiting: readonly PickedFile[] = [];
 
   constructor(private readonly parts: TakeFilesParts) {}
 
-  /** `place`: where among the keys they were put down; null: elsewhere. */
+  /** `place`: drop position among the keys; null if dropped elsewhere. */
   async take(picked: PickedFile[] | Promise<PickedFile[]>, place: KeyPlace | null = null): Promise<void> {
     const { files, onOffer } = this.parts;
     await files.run(picked, async (all) => {
@@ -61,7 +61,7 @@ export class TakeFiles {
     return this.open(picked, other);
   }
 
-  /** `other`: they were found to be of another mesh. */
+  /** `other`: the error that they have another mesh. */
   private open(picked: readonly PickedFile[], other: EngineError | null = null): Promise<boolean> {
     return this.parts.files.open([...this.waiting, ...picked]).then(
       (opened) => this.done(opened),
@@ -71,7 +71,7 @@ export class TakeFiles {
 
   private async orElse(picked: readonly PickedFile[], error: unknown, known: EngineError | null): Promise<boolean> {
     if (this.waiting.length > 0) {
-      // The new files may be a motion without the pose that waits.
+      // The new files may form a motion without the waiting pose.
       const opened = await this.parts.files.open(picked).catch(() => false);
       if (!this.done(opened)) throw error;
       return true;
@@ -83,7 +83,7 @@ export class TakeFiles {
     return false;
   }
 
-  /** Adds the poses in the files as keys. Resolves to the mismatch if they are of another mesh, else to null. */
+  /** Adds the files' poses as keys. Resolves to the mismatch error if they have another mesh, else to null. */
   private async add(picked: readonly PickedFile[], place: KeyPlace | null): Promise<EngineError | null> {
     const { files, say } = this.parts;
     try {
@@ -119,7 +119,7 @@ export class TakeFiles {
 
 const MOST_CHOICES = 4;
 
-/** Of several numbered sequences one is meant, or the files are keys after all; null where there are not several. */
+/** Offers a choice between several numbered sequences, or all files as keys; null for fewer than two sequences. */
 function sequencesOffer(picked: readonly PickedFile[], open: (chosen: PickedFile[]) => void): Offer | null {
   const sequences = sequencesIn(picked.map(({ name }) => name));
   if (sequences.length < 2) return null;
@@ -137,7 +137,7 @@ function sequencesOffer(picked: readonly PickedFile[], open: (chosen: PickedFile
 /** More numbered files than this are an animation. */
 const MOST_POSES = 32;
 
-/** A few files of one pose each that are not among those that are open, which are a motion of the user's own. */
+/** A few new files of one pose each, added to a motion of the user's own. */
 function areFurtherPoses(picked: readonly PickedFile[], source: Source): boolean {
   const models = picked.map(({ name }) => name).filter(isModel);
   const known = source.kind === 'files' ? source.names : models;

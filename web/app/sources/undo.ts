@@ -1,4 +1,4 @@
-/** Undo and redo of edits and, after the first edit, of the opening itself. */
+/** Undo and redo of edits and, past the first edit, of opening. */
 import type { Orientation } from '../../model/orientation.ts';
 import type { Source } from '../../model/state.ts';
 import type { Store } from '../session/store.ts';
@@ -7,7 +7,7 @@ import type { Opener } from './opener.ts';
 export interface Undo {
   undo(): void;
   redo(): void;
-  /** The step that undo or redo would go over, or null. */
+  /** Label of the next step to undo or redo, or null. */
   undoLabel(): string | null;
   redoLabel(): string | null;
 }
@@ -19,7 +19,7 @@ export interface UndoParts {
 }
 
 export function createUndo({ store, files, titleOf }: UndoParts): Undo {
-  /** The step itself, once the shape lies as it did there. */
+  /** Performs the step once the shape has the orientation of that step. */
   const stepOver = (turn: Orientation | null, step: () => void): void => {
     if (turn) void files.reorient(turn, null).then((done) => done && step());
     else step();

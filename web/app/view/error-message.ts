@@ -1,4 +1,4 @@
-/** Any failure as a sentence for people and a line for experts. */
+/** Turns any failure into a sentence for users and a line for experts. */
 import type { ErrorMessage } from '../../ui/messages.ts';
 
 export function errorMessageOf(error: unknown): ErrorMessage {
@@ -12,7 +12,7 @@ export function errorMessageOf(error: unknown): ErrorMessage {
   ];
   if (places.some(([, value]) => typeof value === 'number')) parts.push('counted from 0');
   if (error.cause instanceof Error) parts.push(error.cause.message);
-  // A part of the page that did not come: browsers say so in words of their own.
+  // A part of the page failed to load. Each browser has its own message for this.
   if (/dynamically imported module|module script failed/i.test(error.message))
     return {
       message: 'A part of this page could not be loaded. Check the connection and try again.',

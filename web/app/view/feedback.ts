@@ -1,4 +1,4 @@
-/** What the page says of work: its progress, what it came to, what went wrong. */
+/** Messages about work: progress, results and errors. */
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import { createToast } from '../../ui/messages.ts';
@@ -9,11 +9,11 @@ import type { ViewStateHolder } from './view-state.ts';
 export interface Feedback {
   toast: HTMLElement;
   say(text: string, action?: ToastAction): void;
-  /** Buttons of earlier messages no longer do what they say. */
+  /** Removes buttons of earlier messages that no longer apply. */
   withdraw(): void;
-  /** Nothing was said. */
+  /** Clears all messages. */
   clear(): void;
-  /** Something else is asked for: what went wrong before is of no interest. */
+  /** Another request starts, so earlier errors no longer matter. */
   onStart(): void;
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;

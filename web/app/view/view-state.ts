@@ -1,4 +1,4 @@
-/** Content of the page outside the state: running work, results, thumbnails. It is never saved. */
+/** Page content outside the saved state: running work, results, thumbnails. */
 import type { Frame, KeysInfo, Method, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { SpeedCurve } from '../../model/speed-curve.ts';
 import { USUAL_MOST } from '../../model/speeds.ts';
@@ -13,27 +13,27 @@ import type { OpenResult } from '../sources/opener.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
 
-/** A shape off the curve: the keys blended in these weights, one per key, sum 1. */
+/** A shape off the curve: a blend of the keys with these weights, one per key, sum 1. */
 export interface Blend {
   weights: readonly number[];
-  /** Where it lies in the shape plane. */
+  /** Position in the shape plane. */
   at: readonly [number, number];
 }
 
-/** What is seen: what is open, that dimmed, or the first key of what is being opened. */
+/** The visible content: the open shape, the dimmed open shape, or the first key of files being opened. */
 export type Seen = 'open' | 'dimmed' | 'first key';
 
 export interface ViewState {
   samples: readonly Sample[];
   info: KeysInfo | null;
-  /** How the open files were read where they do not say it themselves, else null. */
+  /** Orientation of open files that do not specify it, else null. */
   orientation: Orientation | null;
-  /** The objects of the open files that were taken; empty for all of them. */
+  /** The chosen objects of the open files; empty for all. */
   objects: readonly string[];
-  /** The document that the open files started with: links are written against it. */
+  /** The initial document of the open files; links store differences from it. */
   initial: Doc | null;
   warnings: readonly Warning[];
-  /** Index of the warning whose place is marked on the shape, or null. */
+  /** Index of the warning marked on the shape, or null. */
   shownWarning: number | null;
   working: Working | null;
   seen: Seen;
@@ -41,39 +41,39 @@ export interface ViewState {
   stats: SequenceStats | null;
   /** Milliseconds of the last exact frame. */
   ms: number | null;
-  /** Threads that work on an exact frame; null before the first. */
+  /** Number of threads for an exact frame; null before the first frame. */
   threads: number | null;
-  /** Indefinite faces of the last exact frame, and one of them; -1 where none is known. */
+  /** Number of indefinite faces in the last exact frame, and one of them; -1 if unknown. */
   indefinite: number;
   indefiniteFace: number;
-  /** By pose. */
+  /** Thumbnails by pose index. */
   thumbnails: ReadonlyMap<number, string>;
-  /** How the motion goes over time; null until it is known. */
+  /** The motion's speed over time; null until known. */
   speedCurve: SpeedCurve | null;
-  /** Hermite: the fastest on offer at the ends. */
+  /** Hermite: the largest offered end speeds. */
   mostSpeeds: Speeds;
-  /** Of the moment that the mouse points at on the timeline, as an address; null = none of this motion. */
+  /** Image of the time under the mouse on the timeline, as a URL; null for none. */
   timePicture: string | null;
   welcome: boolean;
   offline: boolean;
-  /** The user's files are kept in this browser for the next visit. */
+  /** This browser stores the user's files for the next visit. */
   remembered: boolean;
-  /** All files of the user that are kept, the last changed first. */
+  /** All stored files of the user, the last changed first. */
   shelf: readonly ProjectOnShelf[];
   singleKeys: boolean;
-  /** The next click on the shape pins it there. */
+  /** The next click on the shape pins that vertex. */
   placing: boolean;
-  /** What was compared before there was a divider. */
+  /** The compared methods before the divider. */
   beside: readonly Method[];
-  /** What was found when the fewest keys of an animation were looked for. */
+  /** Result of the search for the fewest keys of an animation. */
   fewest: Fewest | null;
   /** The animation is shown beside the motion. */
   original: boolean;
-  /** The sheet that asks which keys to take of an animation is up. */
+  /** The sheet for choosing keys of an animation is open. */
   opening: boolean;
-  /** Shown instead of the motion, until the time moves. */
+  /** The blend shown instead of the motion until the time changes. */
   blend: Blend | null;
-  /** What the browser can write; null until the export dialog has asked. */
+  /** Formats that the browser can write; null until the export dialog has requested them. */
   videoFormats: readonly VideoFormat[] | null;
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
 }
@@ -83,7 +83,7 @@ export interface ViewStateHolder {
   change(part: Partial<ViewState>): void;
 }
 
-/** What other files bring with them. */
+/** The view state after opening other files. */
 export function openedView(opened: OpenResult, before: ViewState): Partial<ViewState> {
   const { info, initial, orientation, objects, source } = opened;
   return {
@@ -111,7 +111,9 @@ export function openedView(opened: OpenResult, before: ViewState): Partial<ViewS
   };
 }
 
-/** There is more in the animations than the keys: project files, and poses of their own, have said what is wanted. */
+/**
+ * The animation has more frames than the keys. Project files and files with separate poses do not need the question.
+ */
 function asksForKeys({ animation, animations, names, project, warnings }: KeysInfo): boolean {
   const alike = warnings.some(({ code }) => code === 'same-poses');
   const moving = animations.filter(({ moves }) => moves);
@@ -119,7 +121,7 @@ function asksForKeys({ animation, animations, names, project, warnings }: KeysIn
   return project === null && moving.length > 0 && (animation >= 0 ? !whole : alike);
 }
 
-/** What is to be said of the frame on the screen. */
+/** The part of the view state that describes the shown frame. */
 export function shownView(frame: Frame | undefined): Partial<ViewState> {
   return {
     ms: frame?.ms ?? null,

@@ -1,6 +1,6 @@
-/** What the window tells the whole page. */
+/** Window events for the whole page. */
 
-/** Wherever a pointer goes down and up again. */
+/** Reports every pointer press and release on the page. */
 export function listenToPointer(onHold: (down: boolean) => void): void {
   window.addEventListener('pointerdown', () => onHold(true), { capture: true });
   for (const end of ['pointerup', 'pointercancel'] as const) {
@@ -8,7 +8,7 @@ export function listenToPointer(onHold: (down: boolean) => void): void {
   }
 }
 
-/** The browser asks before the page is left where that would lose something; a phone only hides it. */
+/** Asks for confirmation before closing the page would lose work. A phone only hides the page. */
 export function listenToLeaving(loses: () => boolean, onLeaving: () => void): void {
   window.addEventListener('beforeunload', (event) => {
     onLeaving();
@@ -28,10 +28,10 @@ export function reducedMotion(): boolean {
   return window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
 
-/** Further than this, in CSS pixels, it is a drag. */
+/** A pointer that moves further, in CSS pixels, is dragging. */
 const CLICK_PX = 4;
 
-/** Clicks that turn nothing: places from the element's top left corner, in CSS pixels. */
+/** Clicks without dragging: positions from the element's top left corner, in CSS pixels. */
 export function listenToClicks(element: HTMLElement, onClick: (x: number, y: number) => void): void {
   let down: { x: number; y: number } | null = null;
   element.addEventListener('pointerdown', ({ button, isPrimary, clientX: x, clientY: y }) => {
@@ -44,10 +44,10 @@ export function listenToClicks(element: HTMLElement, onClick: (x: number, y: num
   });
 }
 
-/** Long enough that a moving pointer costs nothing: picking in a million faces takes a fifth of a second. */
+/** Delays picking until the pointer rests, because picking in a million faces takes a fifth of a second. */
 const REST_MS = 60;
 
-/** Where the pointer rests, in CSS pixels from the element's corner. */
+/** Reports where the pointer rests, in CSS pixels from the element's corner. */
 export function listenToHover(element: HTMLElement, onHover: (x: number, y: number) => void): void {
   let timer = 0;
   element.addEventListener('pointermove', ({ clientX, clientY }) => {

@@ -1,6 +1,6 @@
 import type { ShapeSplineElement } from '../shape-spline.ts';
 
-/** Shows the files that the reader chooses or drops; they stay on the reader's machine. */
+/** Shows files that the user chooses or drops. They stay on the user's machine. */
 export function takeFiles(input: HTMLInputElement, shape: ShapeSplineElement): void {
   const take = (files: FileList | null | undefined) => {
     if (files && files.length > 0) shape.keys = [...files];

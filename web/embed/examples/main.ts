@@ -20,10 +20,10 @@ function list(id: string, head: readonly string[], rows: readonly (readonly stri
   );
 }
 
-/** As a page has it, which imports the package. */
+/** Rewrites imports as in a page that uses the package. */
 const forPages = (text: string): string => text.replace("'../shape-spline.ts'", "'shapespline/element-class'").trim();
 
-/** The markup as in a page with its files in the same folder. */
+/** The markup of a page with its files in the same folder. */
 function markupOf(id: string): string {
   const shape = byId(id).cloneNode() as HTMLElement;
   shape.removeAttribute('id');
@@ -32,7 +32,7 @@ function markupOf(id: string): string {
 }
 
 for (const id of ['plain', 'compared']) byId(`${id}-markup`).textContent = markupOf(id);
-// React's own code is fetched when its example comes near.
+// React is fetched when its example comes near the view.
 new IntersectionObserver(async (entries, observer) => {
   if (!entries.some((entry) => entry.isIntersecting)) return;
   observer.disconnect();

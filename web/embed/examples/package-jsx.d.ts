@@ -1,4 +1,4 @@
-/** Declarations of the package's entry `jsx`, which the build makes, as far as this example needs them. */
+/** Declarations for this example, from the package's entry `jsx`, which the build makes. */
 import type { HTMLAttributes, RefAttributes } from 'react';
 import type { ShapeSplineElement } from '../shape-spline.ts';
 

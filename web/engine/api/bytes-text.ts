@@ -1,4 +1,4 @@
-/** A size as people read it. */
+/** Formats a size for users. */
 export function bytesText(bytes: number): string {
   if (bytes < 1000) return `${bytes} B`;
   if (bytes < 999_500) return `${(bytes / 1e3).toFixed(0)} kB`;

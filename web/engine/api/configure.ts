@@ -2,7 +2,7 @@
 import { invalidOption } from './errors.ts';
 
 export interface FileUrls {
-  /** shapespline.wasm; default: next to the engine's script. */
+  /** URL of shapespline.wasm; default: next to the engine's script. */
   wasmUrl?: string | URL | undefined;
   /**
    * shapespline_files.wasm, fetched when files are first read or written; default: next to `wasmUrl` if given,
@@ -21,13 +21,13 @@ export interface FileUrls {
    * more than one processor); null: none. Default: next to the engine's script.
    */
   threadsUrl?: string | URL | null | undefined;
-  /** draco_decoder_gltf.wasm, for files with Draco compression; default: next to the engine's script. */
+  /** URL of draco_decoder_gltf.wasm, for files with Draco compression; default: next to the engine's script. */
   dracoUrl?: string | URL | undefined;
 }
 
-/** Of one engine. */
+/** URLs for one engine. */
 export interface EngineUrls extends FileUrls {
-  /** A worker ended by itself. Its requests are rejected; the next call starts a new one with the same keys. */
+  /** A worker ended unexpectedly. Its requests are rejected; the next call starts a new worker with the same keys. */
   onLost?: (() => void) | undefined;
 }
 
@@ -37,8 +37,8 @@ let configured: FileUrls = {};
 let inUse = false;
 
 /**
- * Sets the files for all engines, once. Relative URLs are resolved against the page's URL, in Node against the working
- * directory. Error: invalid-option, also if an engine already uses other files.
+ * Sets the files for all engines, once. Relative URLs are resolved against the page's URL, or in Node against the
+ * working directory. Error: invalid-option, also if an engine already uses other files.
  */
 export function configure(urls: FileUrls): void {
   const unknown = Object.keys(urls).find((name) => !NAMES.some((known) => known === name));
@@ -61,7 +61,7 @@ function checkUrl(name: string, url: unknown): void {
   }
 }
 
-/** For an engine that is made now: its own files, else those that were configured. */
+/** The files of a new engine: its own, or else the configured ones. */
 export function urlsFor(own: FileUrls): FileUrls {
   inUse = true;
   return { ...configured, ...own };

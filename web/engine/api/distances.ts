@@ -1,4 +1,4 @@
-/** Distances of shapes: of the vertex that is farthest off. */
+/** Distances between shapes: the largest over all vertices. */
 
 /** Largest distance of `shape` from the blend at `share` between `a` and `b`. */
 export function farthest(shape: Float32Array, a: Float32Array, b: Float32Array, share: number): number {

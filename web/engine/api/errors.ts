@@ -1,24 +1,24 @@
-/** The only thing that the engine throws, and the sentences of those failures that the engine itself finds. */
+/** The only error type that the engine throws, and the messages of its own failures. */
 import type { ErrorPlace } from './types.ts';
 
-/** Codes that arise outside the core; the core's own are listed in wasm/core/base/status.h. */
+/** Codes that arise outside the core. The core's codes are listed in wasm/core/base/status.h. */
 export type EngineCode =
-  | 'cancelled' // the caller's AbortSignal
-  | 'disposed' // a call on something that was disposed of
+  | 'cancelled' // the caller's AbortSignal was aborted
+  | 'disposed' // a call on a disposed object
   | 'invalid-option' // an unknown name, or a value of the wrong type or range
-  | 'crashed' // the worker trapped or ended by itself
+  | 'crashed' // the worker trapped or ended unexpectedly
   | 'out-of-memory'
   | 'no-simd' // this browser's WebAssembly lacks SIMD
   | 'not-loaded'; // the worker's script or the wasm file could not be fetched or started
 
-/** An error as plain data, as it crosses the worker boundary. */
+/** An error as plain data, for sending between workers. */
 export interface ErrorData {
   code: string;
   message: string;
   place: ErrorPlace;
 }
 
-/** A failure. `code` is stable, `message` is a sentence for the user, `place` has the numbers of the place. */
+/** A failure. `code` is stable, `message` is a sentence for the user, `place` locates it in numbers. */
 export class EngineError extends Error {
   override readonly name = 'EngineError';
   readonly code: string;
@@ -80,17 +80,17 @@ export function invalidOption(message: string): EngineError {
   return engineError('invalid-option', message);
 }
 
-/** Whether the work was cancelled, which is not a failure. */
+/** Whether the work was cancelled, as opposed to failed. */
 export function isCancelled(error: unknown): boolean {
   return error instanceof EngineError && (error.code === 'cancelled' || error.code === 'disposed');
 }
 
-/** The sentence of anything that was thrown. */
+/** The message of any thrown value. */
 export function messageOf(reason: unknown): string {
   return reason instanceof Error ? reason.message : String(reason);
 }
 
-/** Whether an engine's own words mean that memory ran out (they differ between browsers and Emscripten). */
+/** Whether a JavaScript engine's error text means out of memory; it differs between browsers and Emscripten. */
 export function isOutOfMemory(text: string): boolean {
   return /out of memory|\bOOM\b|enlarge memory|allocation (failed|size)|could not allocate|ERR_WORKER_OUT_OF_MEMORY/i.test(
     text,

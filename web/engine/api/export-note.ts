@@ -1,22 +1,22 @@
 /**
- * Comments in our OBJ and PLY files: up axis, unit, and times of the frames in the file or in its point cache. Neither
- * format has fields for these.
+ * Comments in our OBJ and PLY files: up axis, unit, and frame times of the file or of its point cache. Neither format
+ * has fields for these.
  */
 
 import { extensionOf } from './paths.ts';
 import type { InputFile } from './types.ts';
 
 const MARK = 'shapespline: Y up, metres';
-/** Uneven times that are listed. */
+/** Largest number of uneven times to list. */
 const MOST_LISTED = 4000;
-/** A note comes first in its file, in a PLY after its mark and format. */
+/** A note starts a file; in a PLY it follows the magic word and the format. */
 const BEFORE_MARK = 200;
 const HEAD = 1 << 16;
-/** Share of the length that the times cover. */
+/** Tolerance of even spacing, relative to the covered time. */
 const EVEN = 1e-9;
 
 export interface ExportNote {
-  /** On the timeline of the keys; null if not stated. */
+  /** Frame times on the timeline of the keys; null if not specified. */
   times: number[] | null;
 }
 
@@ -31,7 +31,7 @@ function timesText(times: readonly number[]): string | null {
   return times.length > 0 && times.length <= MOST_LISTED ? `times ${times.join(' ')}` : null;
 }
 
-/** The same file with the note; `times`: of its frames, empty without any. */
+/** The same file with a note; `times`: its frame times, or empty. */
 export function withNote(format: string, bytes: Uint8Array, times: readonly number[]): Uint8Array {
   if (format !== 'obj' && format !== 'ply') return bytes;
   const said = timesText(times);
@@ -39,7 +39,7 @@ export function withNote(format: string, bytes: Uint8Array, times: readonly numb
   const note = new TextEncoder().encode(
     [MARK, ...(said === null ? [] : [said])].map((line) => `${start}${line}\n`).join(''),
   );
-  const at = format === 'obj' ? 0 : endOfLine(bytes, endOfLine(bytes, 0)); // a PLY begins with its mark and format
+  const at = format === 'obj' ? 0 : endOfLine(bytes, endOfLine(bytes, 0)); // after a PLY's mark and format
   const result = new Uint8Array(bytes.length + note.length);
   result.set(bytes.subarray(0, at));
   result.set(note, at);
@@ -50,8 +50,7 @@ export function withNote(format: string, bytes: Uint8Array, times: readonly numb
 const endOfLine = (bytes: Uint8Array, from: number): number => bytes.indexOf(10, from) + 1;
 
 /**
- * The common note of our files: that of the first file, and for a series the times of its frames. null if one of the
- * files is not ours.
+ * The common note of our files: that of the first file, and for a series the frame times. null if any file is not ours.
  */
 export function noteOf(files: readonly InputFile[]): ExportNote | null {
   const notes: ExportNote[] = [];
@@ -66,7 +65,7 @@ export function noteOf(files: readonly InputFile[]): ExportNote | null {
   return { times: times.length === notes.length ? times : null };
 }
 
-/** null if a file has no such note. */
+/** Reads the note of a file; null if it has none. */
 export function readNote(bytes: Uint8Array): ExportNote | null {
   if (!new TextDecoder().decode(bytes.subarray(0, BEFORE_MARK)).includes(MARK)) return null;
   const lines = new TextDecoder()
@@ -84,5 +83,5 @@ export function readNote(bytes: Uint8Array): ExportNote | null {
   return { times: times?.every(Number.isFinite) ? times : null };
 }
 
-/** More frames than an export has. */
+/** Limit for even frames, above the frames of any export. */
 const MOST_EVEN = 100_000;

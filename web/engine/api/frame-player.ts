@@ -7,21 +7,19 @@ import type { AheadOptions } from './api.ts';
 import type { Frame } from './types.ts';
 
 export interface PlayerOptions {
-  /** Time of the sequence that a tick shows: speed, direction and loops are the caller's. */
+  /** Sequence time of a tick. The caller applies speed, direction and loops. */
   timeOf: (tick: number) => number;
-  /** Seconds from tick to tick, now. */
+  /** Current seconds per tick. */
   tickSeconds: () => number;
-  /** Frames under way or waiting to be shown; default 4. */
+  /** Number of frames requested or waiting to be shown; default 4. */
   ahead?: number;
-  /**
-   * Milliseconds that a frame costs now, where the caller measures that itself; default: the mean of those that came.
-   */
+  /** Current milliseconds per frame, if the caller measures them; default: the mean of received frames. */
   frameMs?: () => number;
-  /** Called once with the error; the player has then stopped. */
+  /** Called once with the error, after the player has stopped. */
   onError?: (error: unknown) => void;
 }
 
-/** A sequence, or several whose frames are shown together. */
+/** One sequence, or several whose frames are shown together. */
 export interface FrameSource<F> {
   evaluateAhead(t: number, options: AheadOptions): Promise<F>;
 }
@@ -31,11 +29,11 @@ interface Ready<F> {
   frame: F;
 }
 
-/** How much of the latest cost enters the running mean. */
+/** Weight of the latest cost in the running mean. */
 const NEW_SHARE = 0.25;
-/** Ticks from one taking to the next: more count as these, since they may be a pause. */
+/** Upper bound on the ticks between two calls of take, as longer gaps may be pauses. */
 const MOST_APART = 12;
-/** Ticks to search for the next different time if several ticks show the same one. */
+/** Number of ticks to search for a different time. */
 const FARTHEST = 30;
 
 export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
@@ -54,7 +52,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
     this.options = { ahead: 4, frameMs: () => this.meanMs, onError: () => undefined, ...options };
   }
 
-  /** The newest frame that is due at this tick and was not taken yet, or null: then the one on show stays. */
+  /** The newest due frame at this tick that was not taken yet; null to keep the current one. */
   take(tick: number): F | null {
     this.noteTaken(tick);
     let newest: F | null = null;
@@ -66,7 +64,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
     return newest;
   }
 
-  /** Releases waiting and arriving frames, and cancels requests that have not begun. Idempotent. */
+  /** Releases waiting and arriving frames, and cancels requests that have not started. Idempotent. */
   stop(): void {
     this.abort.abort();
     for (const { frame } of this.ready.splice(0)) frame.release();
@@ -92,7 +90,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
     }
   }
 
-  /** The next tick that shows a different time; null if it is far ahead. */
+  /** The next tick with a different time; null if it is far ahead. */
   private next(now: number): { tick: number; t: number } | null {
     // In ticks: the cost of a frame, and the share of frames drawn.
     const cost = Math.ceil(this.options.frameMs() / 1000 / this.options.tickSeconds());

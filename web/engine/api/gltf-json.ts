@@ -1,6 +1,6 @@
 /**
- * Parses the JSON of a glTF file after measuring it: a few bytes of text can take a lot of memory. wasm/io/base/limits
- * has the same limits and reports which one a file exceeds.
+ * Parses the JSON of a glTF file after checking its size, because a few bytes of text can need much memory.
+ * wasm/io/base/limits has the same limits and reports which one a file exceeds.
  */
 const DEEPEST = 100;
 const MOST_OBJECTS = 250_000;
@@ -29,7 +29,7 @@ function canBeHeld(text: string): boolean {
   return true;
 }
 
-/** undefined if broken or too large: the core reads the same text and reports the error. */
+/** The parsed JSON; undefined if broken or too large. The core reads the same text and reports the error. */
 export function parseGltf(text: string): unknown {
   if (!canBeHeld(text)) return undefined;
   try {

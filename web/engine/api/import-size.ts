@@ -1,11 +1,11 @@
-/** Limits the bytes read together: the files, the worker's copy and the results are in memory at the same time. */
+/** Limits the total bytes of an import, because files, the worker's copy and the results are in memory together. */
 import { EngineError } from './errors.ts';
 
 export const MOST_BYTES = 2 ** 30;
 
 const gigabytes = (bytes: number): string => `${(bytes / 1e9).toFixed(2)} GB`;
 
-/** Refuses files that exceed the limit together. */
+/** Refuses files whose total size exceeds the limit. */
 export function checkImportSize(bytes: number): void {
   if (bytes <= MOST_BYTES) return;
   throw new EngineError(

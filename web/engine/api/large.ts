@@ -1,9 +1,12 @@
-/** In vertices. Smaller shapes are made quickly: neither a second thread nor an early first key pays off. */
+/**
+ * Number of vertices from which a shape is large. For smaller shapes, neither a second thread nor showing the first key
+ * early pays off.
+ */
 export const LARGE = 40_000;
-/** Fewest bytes of a vertex in a file without compression. */
+/** Least bytes per vertex in an uncompressed file. */
 const VERTEX_BYTES = 12;
 
-/** Before files are read. */
+/** Estimates the size before files are read. */
 export function mayBeLarge(files: readonly { bytes: Uint8Array }[]): boolean {
   return files.reduce((sum, { bytes }) => sum + bytes.length, 0) >= LARGE * VERTEX_BYTES;
 }

@@ -1,22 +1,22 @@
-/** What each method interpolates, and its options. */
+/** Interpolated quantity and options of each method. */
 import { MOTION } from './option-table.ts';
 import type { Boundary, Method } from './types.ts';
 
 export interface MethodFacts {
   /**
-   * Interpolated quantity: shapes in LRI space, which has stretches, a ghost mesh and a plane; positions; or faces of
-   * the whole shape: how each rotates by itself (rotation-strain coordinates) or against its neighbours (RIMD); or
-   * lengths of edges and angles at them.
+   * Interpolated quantity. 'lri': shapes in LRI space, with stretches, ghost mesh and shape plane. 'vertices':
+   * positions. 'rotation-strain' and 'rimd': faces of the whole shape, with each rotation absolute or relative to the
+   * neighbours. 'shells': edge lengths and dihedral angles.
    */
   space: 'lri' | 'vertices' | 'rotation-strain' | 'rimd' | 'shells';
   /**
-   * Straight from key to key, a polygon has no end derivatives, no tension and no bias. Fitted shapes are found while a
-   * motion is made, which takes seconds: natural ends, no tension, no bias, and the motion cannot be updated.
+   * A polygon is straight between keys and has no end derivatives, tension or bias. A fitted motion takes seconds to
+   * create and cannot be updated. It has natural ends, without tension and bias.
    */
   curve: 'spline' | 'polygon' | 'fitted';
   /** Supports holding and pins. */
   holds: boolean;
-  /** Whole turns can be added on the way to a key. */
+  /** Supports added full turns before a key. */
   turns: boolean;
 }
 

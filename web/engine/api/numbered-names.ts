@@ -1,11 +1,11 @@
 /**
- * The order of files by their names, and the numbered sequences among them: walk0001.obj, walk0002.obj, sim.-1.obj.
- * `wasm/io/numbered_files` has the same rule for the times of frames; both pass `tests/numbered-names.json`.
+ * Natural order of file names, and numbered sequences among them: walk0001.obj, walk0002.obj, sim.-1.obj.
+ * `wasm/io/numbered_files` has the same rule for frame times; `tests/numbered-names.json` tests both.
  */
 import { extensionOf, fileName, isModel } from './paths.ts';
 
 export interface NumberedSequence {
-  /** Common start of the names, before the number. */
+  /** Common part of the names before the number. */
   start: string;
   extension: string;
   names: string[];
@@ -13,9 +13,9 @@ export interface NumberedSequence {
 
 interface Numbered {
   name: string;
-  /** Among the names. */
+  /** Index among the names. */
   place: number;
-  /** Before the number and its sign. */
+  /** Part before the number and its sign. */
   start: string;
   extension: string;
   number: number;
@@ -36,8 +36,8 @@ function numberAt(pattern: RegExp, name: string, place: number): Numbered | null
 }
 
 /**
- * A hyphen or plus before the number is its sign after a dot, after an underscore or at the start. Elsewhere it
- * separates the number from the name, unless another file has the same name and a number without it: walk-1, walk0.
+ * A hyphen or plus before the number is its sign after a dot, after an underscore, or at the start. Elsewhere it is a
+ * separator, unless another file has the same name and an unsigned number: walk-1, walk0.
  */
 function withSign(file: Numbered, unsigned: ReadonlySet<string>): Numbered {
   const sign = file.start.at(-1);
@@ -47,7 +47,7 @@ function withSign(file: Numbered, unsigned: ReadonlySet<string>): Numbered {
   return isSign ? { ...file, start, number: sign === '-' ? -file.number : file.number } : file;
 }
 
-/** Fractional frames: sim.1.25 between sim.1 and sim.2 is frame 1.25, not frame 25 of a sequence sim.1. */
+/** Fractional frames: between sim.1 and sim.2, sim.1.25 is frame 1.25, not frame 25 of a sequence sim.1. */
 function numbered(names: readonly string[]): Numbered[] {
   const files = names.flatMap((name, place) => numberAt(NUMBER_AT_END, name, place) ?? []);
   const unsigned = new Set(files.map(sequenceOf));
@@ -71,7 +71,7 @@ function grouped(names: readonly string[]): Numbered[][] {
   return [...groups.values()];
 }
 
-/** Natural order of names, and within a sequence that of the numbers: -2, -1, 0, +1, 1.5. */
+/** Natural order of names. Within a sequence, the order of the numbers: -2, -1, 0, +1, 1.5. */
 export function inNaturalOrder<T extends { name: string }>(files: readonly T[]): T[] {
   const sorted = [...files].sort((a, b) => naturally.compare(a.name, b.name));
   const result = [...sorted];
@@ -93,6 +93,6 @@ export function sequencesIn(names: readonly string[]): NumberedSequence[] {
     }));
 }
 
-/** A sequence in a sentence: run_0001.obj to run_0003.obj. */
+/** Text for a sequence: run_0001.obj to run_0003.obj. */
 export const sequenceText = ({ names }: NumberedSequence): string =>
   `${fileName(names[0]!)} to ${fileName(names.at(-1)!)} (${names.length} files)`;

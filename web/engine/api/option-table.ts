@@ -1,58 +1,60 @@
 /**
- * Every option of the engine, described once: allowed values, default, command-line flag, name in the page. Types and
- * defaults (types.ts), checks (options.ts), project files, the command line with its help, the page's document with
- * links, undo and CSV, and OPTIONS.md all come from these tables. Plain data; imports nothing.
+ * Every option of the engine, described once: allowed values, default, command-line flag, name in the page. The
+ * following are derived from these tables: types and defaults (types.ts), checks (options.ts), project files, the
+ * command line with its help, the page's document with links, undo and CSV, and OPTIONS.md. Plain data without imports.
  */
 
 /** Largest absolute time. A difference of 1e-6 is still representable there. */
 export const MOST_TIME = 1e9;
 export const MOST_FRAMES = 100_000;
 export const MOST_KEYS = 10_000;
-/** Pins, and keys of a path of one. */
+/** Limit for pins, and for keys of a pin's path. */
 export const MOST_PINS = 100;
 export const MOST_PATH_KEYS = 1000;
-/** More added turns than anybody means. */
+/** Upper bound on added turns. */
 export const MOST_TURNS = 100;
 /** Upper bound on slopes, relative to the default slope at a key. */
 const MOST_SLOPE = 1000;
 
-/** Full turns between a key and the one before it, of the whole shape, or of a component relative to its parent. */
+/**
+ * Full turns added between a key and the previous one: of the whole shape, or of a component relative to its parent.
+ */
 export interface AddedTurns {
-  /** 0-based, at least 1. */
+  /** Index of the key, 0-based and at least 1. */
   key: number;
-  /** Negative ones go the other way. */
+  /** Negative numbers turn in the opposite direction. */
   turns: number;
   /** 0-based, counted by the components' first faces in the file; absent: the whole shape. */
   component?: number;
 }
 
-/** A key of the path that a pin is moved along. */
+/** A key of a pin's path. */
 export interface PathKey {
   time: number;
-  /** From where the pin would be without a path, in the unit of the positions. */
+  /** Offset from the pin's position without a path, in the unit of the positions. */
   move: [x: number, y: number, z: number];
 }
 
-/** Vertices that are held by hand: those around one of the mesh. They follow their own splines, unless they stay. */
+/** Vertices held by the user, around one vertex of the mesh. They follow their own splines unless `stay` is set. */
 export interface Pin {
-  /** 0-based index in the file. */
+  /** Index of the vertex in the file, 0-based. */
   vertex: number;
   /** Radius of the held ball, relative to the size of the shape; 0: the patch at the vertex. */
   radius: number;
-  /** 0-based key whose positions they keep. */
+  /** Index of the key whose positions the vertices keep, 0-based. */
   stay?: number;
   /** Offsets over time, in increasing order. */
   path?: PathKey[];
 }
 
-/** An object's run of faces. */
+/** An object's range of faces. */
 export interface SceneObject {
-  /** Made up where the file has none. */
+  /** Generated if the file has no name. */
   name: string;
   /** First face and number of faces. */
   start: number;
   count: number;
-  /** As the file has them, or empty: of the node, its mesh, and the nodes above it. */
+  /** Names from the file, or empty: of the node, its mesh, and the node's ancestors. */
   nodeName: string;
   meshName: string;
   path: string;
@@ -60,7 +62,7 @@ export interface SceneObject {
   isGroup: boolean;
 }
 
-/** The values of each kind, if the kind determines them. */
+/** Value types, for kinds that determine them. */
 interface Values {
   number: number;
   flag: boolean;
@@ -71,13 +73,13 @@ interface Values {
   turns: AddedTurns[];
   pins: Pin[];
   numbers: number[];
-  /** One per key, sum 1. */
+  /** One weight per key, sum 1. */
   weights: number[];
-  /** First and last of a stretch of numbers. */
+  /** First and last number of a range. */
   range: [number, number];
   /** Name or index of an animation. */
   animation: string | number;
-  /** Increasing times, or how many evenly spaced ones. */
+  /** Increasing times, or the number of evenly spaced ones. */
   sample: number[] | number;
   /** 3 x faces. */
   faces: Uint32Array;
@@ -90,24 +92,24 @@ interface Values {
 interface Described {
   /** Text of the command-line help and OPTIONS.md. */
   help: string;
-  /** On the command line: the flag without its dashes, and the placeholder of its value. */
+  /** Command line: the flag without dashes, and the placeholder of its value. */
   flag?: string;
   value?: string;
-  /** In the page: name in the document and in links. Absent: the page does not offer it. */
+  /** Page: name in the document and in links. Absent if the page does not offer it. */
   page?: string;
-  /** In the page: undo's name of a change. */
+  /** Page: label of a change in undo. */
   undo?: string;
-  /** In the page: label and tooltip of the control. */
+  /** Page: label and tooltip of the control. */
   label?: string;
   hint?: string;
 }
 
 export interface NumberOption extends Described {
   kind: 'number';
-  /** null: it may be null. Absent: it may be absent. */
+  /** null: the value can be null. Absent: the value can be absent. */
   default?: number | null;
   whole?: true;
-  /** Bounds, which every number has; `above` is not reached itself. */
+  /** Bounds of every number; `above` is an exclusive lower bound. */
   above?: number;
   least?: number;
   most: number;
@@ -118,7 +120,7 @@ export interface NumberOption extends Described {
 export interface ChoiceOption extends Described {
   kind: 'choice';
   choices: readonly string[];
-  /** Former names of choices: still read in links, projects and commands. */
+  /** Former names of choices, still accepted in links, projects and commands. */
   formerly?: Readonly<Record<string, string>>;
   default?: string;
 }
@@ -126,7 +128,7 @@ export interface ChoiceOption extends Described {
 export interface OtherOption extends Described {
   kind: Exclude<keyof Values, 'number'>;
   default?: null | boolean | number | readonly never[];
-  /** Of lists: at least one entry, and the largest number of entries. */
+  /** For lists: requires at least one entry; and the largest number of entries. */
   some?: true;
   most?: number;
 }
@@ -170,7 +172,7 @@ export const MOTION = {
     page: 'hold',
     undo: 'hold',
   },
-  /** Held by hand, with the method 'lri'; the first pin that would hold a vertex has it. */
+  /** Held by the user, with the method 'lri'. A vertex in several pins belongs to the first. */
   pins: {
     kind: 'pins',
     most: MOST_PINS,
@@ -192,7 +194,7 @@ export const MOTION = {
     page: 'boundary',
     undo: 'ends',
   },
-  /** Hermite: times the one-sided difference at the first key; 0 = ease. */
+  /** Hermite: factor of the one-sided difference at the first key; 0 = ease. */
   startSpeed: {
     kind: 'number',
     least: -MOST_SLOPE,
@@ -204,7 +206,7 @@ export const MOTION = {
     page: 'startSpeed',
     undo: 'start speed',
   },
-  /** Hermite: the same at the last key. */
+  /** Hermite: factor of the one-sided difference at the last key; 0 = ease. */
   endSpeed: {
     kind: 'number',
     least: -MOST_SLOPE,
@@ -216,7 +218,7 @@ export const MOTION = {
     page: 'endSpeed',
     undo: 'end speed',
   },
-  /** Periodic: the whole period in units of time; null = the default. */
+  /** Periodic: length of the period in units of time; null = the default. */
   period: {
     kind: 'number',
     above: 0,
@@ -228,7 +230,7 @@ export const MOTION = {
     page: 'period',
     undo: 'period',
   },
-  /** With the method 'lri' and no whole turns. */
+  /** This option requires the method 'lri' and no added turns. */
   ownPaths: {
     kind: 'choice',
     choices: ['off', 'absolute', 'root'],
@@ -238,7 +240,7 @@ export const MOTION = {
       'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
       "(absolute), or against the largest patch, so a key's own orientation changes nothing (root)",
   },
-  /** Faces of the mesh that the methods lengths and shell fit: the shape's own if it has at most this number. */
+  /** Largest number of faces of the mesh that the methods lengths and shell fit. */
   spaceFaces: {
     kind: 'number',
     whole: true,
@@ -249,7 +251,7 @@ export const MOTION = {
     value: 'N',
     help: 'lengths, shell: faces of the coarse mesh; default: 1,000',
   },
-  /** Intervals between the times at which they fit shapes. */
+  /** Number of intervals between the times of the fitted shapes. */
   spaceSamples: {
     kind: 'number',
     whole: true,
@@ -260,13 +262,13 @@ export const MOTION = {
     value: 'K',
     help: 'lengths, shell: shapes are fitted at K + 1 times; default: 24',
   },
-  /** Take out the translation that accumulates along the sequence. */
+  /** Removes the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
 } as const satisfies OptionTable;
 
 /**
- * Options per key, which refit the spline only. In the page's document each key has its own; the engine takes lists: of
- * numbers (empty, or one per key), and of turns.
+ * Options per key, which refit the spline only. In the page's document, each key stores its values. The engine takes
+ * lists of numbers (empty, or one per key) and of turns.
  */
 export const PER_KEY = {
   /** Slope at the key = (1 - tension) times the C2 spline's own. */
@@ -283,7 +285,10 @@ export const PER_KEY = {
     hint: 'Scales the slope at this key. 0: smooth; 1: stops at the key, which removes overshoot',
     slider: [0, 1],
   },
-  /** Above 0 the slope goes over to the difference from the key before, below 0 to that to the key after. */
+  /**
+   * Positive values blend the slope toward the difference from the previous key, negative values toward that to the
+   * next key.
+   */
   bias: {
     kind: 'number',
     least: -1,
@@ -317,9 +322,9 @@ export const PER_KEY = {
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
-/** Choices that change the encoding: a new sequence is built for them. */
+/** Options that change the encoding and require a new sequence. */
 export const ENCODING = {
-  /** 0-based key that deformation gradients are measured from. */
+  /** Index of the key that deformation gradients are measured from, 0-based. */
   reference: {
     kind: 'key',
     default: 0,
@@ -352,7 +357,8 @@ export const ENCODING = {
     undo: 'stretch',
   },
   /**
-   * 0 = off, otherwise at least 4: the splines run on a ghost mesh of about this many faces, and the shape follows it.
+   * Number of faces of a ghost mesh, at least 4, or 0 for none. The splines run on the ghost mesh, and the shape
+   * follows it.
    */
   ghostFaces: {
     kind: 'number',
@@ -367,7 +373,7 @@ export const ENCODING = {
     page: 'ghostFaces',
     undo: 'ghost faces',
   },
-  /** With a ghost mesh. */
+  /** This option requires a ghost mesh. */
   transfer: {
     kind: 'choice',
     choices: ['exact', 'paper'],
@@ -394,7 +400,7 @@ export const ENCODING = {
     flag: 'precision',
     help: 'exact: double-precision coordinates, and a solution refined to that precision',
   },
-  /** Hermite: a shape that takes the neighbour key's place in the difference at that end. */
+  /** Hermite: a shape that replaces the neighbouring key in the difference at that end. */
   startTangent: {
     kind: 'shape',
     default: null,
@@ -417,12 +423,12 @@ export const ENCODING = {
 
 /** Default number of evenly spaced keys from an animation. */
 export const SAMPLED_KEYS = 8;
-/** Most keys from an animation in the page: more cannot be distinguished on a timeline. */
+/** Limit for keys from an animation in the page, as more are indistinguishable on a timeline. */
 export const MOST_SAMPLED = 64;
 
 /** Options of an import. */
 export const IMPORT = {
-  /** Key times; default: the animation's own, else a second from one key to the next. */
+  /** Key times; default: the animation's own, or else one second apart. */
   keyTimes: {
     kind: 'numbers',
     most: MOST_KEYS,
@@ -437,7 +443,7 @@ export const IMPORT = {
     value: 'NAME|INDEX',
     help: 'take the keys from this animation of the file; default: the first one that moves',
   },
-  /** Times on the animation's own timeline, in seconds, or how many evenly spaced ones; default 8. */
+  /** Times on the animation's own timeline, in seconds, or the number of evenly spaced ones; default 8. */
   sample: {
     kind: 'sample',
     most: MOST_KEYS,
@@ -475,12 +481,12 @@ export const IMPORT = {
     value: 'NAME',
     help: 'use only this object of the files; repeatable; default: all objects',
   },
-  /** 3 x faces of the mesh that the files must match: their polygons are cut into its triangles. */
+  /** 3 x faces of the mesh that the files must match. Their polygons are triangulated like this mesh. */
   like: {
     kind: 'faces',
     help: 'faces of the mesh that the files must match; their polygons are cut into its triangles',
   },
-  /** 3 x vertices of that mesh in some pose: the keys come in its vertices, however the files split them. */
+  /** 3 x vertices of that mesh in any pose. The keys use its vertices, however the files split theirs. */
   likePose: {
     kind: 'shape',
     help: 'positions of that mesh; the keys then use its vertices, however the files split theirs',
@@ -490,14 +496,14 @@ export const IMPORT = {
     kind: 'point',
     help: 'offset to subtract from positions before rounding to single precision; for added poses, the offset of the keys; default: zero, or the middle of a shape far from the origin',
   },
-  /** `scene.objects` of that mesh: objects of the files are matched with these. */
+  /** `scene.objects` of that mesh, for matching the files' objects. */
   likeObjects: {
     kind: 'objects',
     help: "`scene.objects` of that mesh: the files' objects are matched with these",
   },
 } as const satisfies OptionTable;
 
-/** Frames of an export with neither a number of frames nor a tolerance. */
+/** Default frames of an export without a number of frames or a tolerance. */
 export const USUAL_FRAMES = 60;
 
 export const EXPORT = {
@@ -507,7 +513,7 @@ export const EXPORT = {
     default: 'glb',
     help: 'one file with an animation, one file per shape, or a point cache with one OBJ',
   },
-  /** These times instead of frames and range, in any order; a GLB gets the keys between them too. */
+  /** Times that replace frames and range, in any order. A GLB also includes the keys between them. */
   times: {
     kind: 'numbers',
     some: true,
@@ -517,7 +523,7 @@ export const EXPORT = {
     value: 'T,T,...',
     help: 'times to export, which may lie beyond the keys: --at=-0.3,1.3',
   },
-  /** Evenly spaced frames over the range; a GLB also includes the keys in it, so it passes through them. */
+  /** Evenly spaced frames over the range. A GLB also includes the keys in the range, to pass through them. */
   frames: {
     kind: 'number',
     whole: true,
@@ -529,8 +535,8 @@ export const EXPORT = {
     help: `number of evenly spaced times; default: GLB: as few as --tolerance allows; otherwise ${USUAL_FRAMES}`,
   },
   /**
-   * Whole frames of the motion's time, or of the exported time if a duration is given; a GLB omits frames that the
-   * tolerance allows to omit.
+   * Whole frames of the motion's time, or of the exported time if a duration is given. A GLB omits frames within the
+   * tolerance.
    */
   fps: {
     kind: 'number',
@@ -542,8 +548,8 @@ export const EXPORT = {
     help: 'frames per second; the times are whole frames, to match those of an animation program',
   },
   /**
-   * How far a vertex may be off when a GLB is played, in percent of the bounding box's diagonal: without it every frame
-   * is written.
+   * Largest error of a vertex in GLB playback, in percent of the bounding box's diagonal. Without it, every frame is
+   * written.
    */
   tolerance: {
     kind: 'number',
@@ -555,7 +561,7 @@ export const EXPORT = {
     value: 'PERCENT|off',
     help: "GLB: largest error of linear playback, in % of the model's size; off: every frame; default: 0.1",
   },
-  /** 'principal': the keys and a few corrections that the animation mixes, instead of a target per time. */
+  /** 'principal': blends the keys and a few corrections, instead of one target per time. */
   targets: {
     kind: 'choice',
     choices: ['frames', 'principal'],
@@ -578,7 +584,7 @@ export const EXPORT = {
     value: 'A:B',
     help: 'time range to export; may extend beyond the keys; default: first to last key: --range=-0.3:1.3',
   },
-  /** Seconds that the exported animation plays; default: the length of the range. GLB and MDD. */
+  /** Duration of the exported animation in seconds; default: the length of the range. GLB and MDD. */
   duration: {
     kind: 'number',
     above: 0,
@@ -588,14 +594,14 @@ export const EXPORT = {
     value: 'SECONDS',
     help: 'length of the exported animation; its times start at 0 and include the keys in the range',
   },
-  /** GLB: then backwards, which doubles the duration. */
+  /** GLB: appends the motion in reverse, which doubles the duration. */
   bounce: {
     kind: 'flag',
     default: false,
     flag: 'bounce',
     help: 'GLB: play forwards, then backwards (twice as long), for a seamless loop',
   },
-  /** One pose only: the shape that the keys blend to, which need not lie on the curve. */
+  /** Exports only one pose: a blend of the keys, which may lie off the curve. */
   blend: {
     kind: 'weights',
     default: null,
@@ -603,10 +609,10 @@ export const EXPORT = {
     value: 'W,W,...',
     help: 'instead of the motion, one mixture of the keys in shape space: a weight per key, sum 1',
   },
-  /** One pose only, at this time: frames, range and duration are ignored. */
+  /** Exports only the pose at this time; frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'a single pose at this time' },
   inPlace: { kind: 'flag', default: MOTION.inPlace.default, help: MOTION.inPlace.help },
-  /** Name of the files, of the mesh in a GLB and its node; null: 'shapespline'. */
+  /** Name of the files, and of the mesh and node in a GLB; null: 'shapespline'. */
   name: {
     kind: 'text',
     default: null,
@@ -616,7 +622,7 @@ export const EXPORT = {
   },
 } as const satisfies OptionTable;
 
-/** The entries of a table, with the type that every option has. */
+/** The entries of a table, with the common option type. */
 export function optionsIn(table: OptionTable): [name: string, option: Option][] {
   return Object.entries(table);
 }

@@ -1,5 +1,5 @@
 /**
- * Checks options: an unknown name, a wrong type or a value out of range is refused with code 'invalid-option' and the
+ * Checks options. An unknown name, a wrong type or a value out of range is refused with code 'invalid-option' and the
  * option's name, before anything is sent to a worker.
  */
 import { invalidOption, type EngineError } from './errors.ts';
@@ -65,7 +65,7 @@ const isRecord = (value: unknown): value is Record<string, unknown> => typeof va
 /** Largest allowed offset. */
 const MOST_MOVE = 1e12;
 
-/** Of a pin's path. */
+/** Checks a pin's path. */
 const path: Check = (v) => {
   if (!Array.isArray(v)) return 'whose path is not an array';
   if (v.length > MOST_PATH_KEYS) return `with more than ${MOST_PATH_KEYS} keys in its path`;
@@ -78,7 +78,7 @@ const path: Check = (v) => {
   return good ? null : 'whose path is not { time, move: [x, y, z] } in increasing times';
 };
 
-/** The problem with a pin, after 'must not have a pin'. */
+/** The problem with a pin, for a sentence after 'must not have a pin'. */
 function wrongWithPin(pin: unknown): string | null {
   if (!isRecord(pin)) return 'that is not an object';
   const { vertex, radius, stay = 0, path: keys = [], ...rest } = pin;
@@ -108,11 +108,11 @@ const isObject = (v: unknown): boolean =>
   typeof v['isGroup'] === 'boolean' &&
   ['name', 'nodeName', 'meshName', 'path'].every((name) => typeof v[name] === 'string');
 
-/** Of a file's name. */
+/** Longest file name, in characters. */
 const LONGEST_NAME = 120;
-/** As in wasm/core/spline/discrete_spline. */
+/** Same limit as in wasm/core/spline/discrete_spline. */
 const MOST_SAMPLES = 1000;
-/** How far the sum of weights may be from 1. */
+/** Allowed deviation of the sum of weights from 1. */
 const SUM_TOLERANCE = 1e-6;
 
 const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
@@ -182,7 +182,7 @@ function checkOf(option: Option): Check {
   return (v) => ofKind[kind](v) ?? (COUNTED.includes(kind) ? count(v) : null);
 }
 
-/** The present name of a choice. */
+/** The current name of a choice. */
 export function choiceNow<T>(option: Option, value: T): T | string {
   const before = option.kind === 'choice' ? option.formerly : undefined;
   return before && typeof value === 'string' && Object.hasOwn(before, value) ? before[value]! : value;
@@ -193,7 +193,7 @@ export function wrongWith(option: Option, value: unknown): string | null {
   return value === null && option.default === null ? null : checkOf(option)(value);
 }
 
-/** Checks the list with an option's values for the keys. */
+/** Checks the list of an option's values per key. */
 function listCheck(option: KeyOption): Check {
   if (option.kind === 'turns') return turns;
   const good = numberCheck(option);
@@ -203,7 +203,7 @@ function listCheck(option: KeyOption): Check {
       : `must be an array with ${inWords(option)} per key`;
 }
 
-/** The problem with an option's list for the keys, or null. */
+/** The problem with an option's list of values per key, or null. */
 export function wrongWithList(option: KeyOption, value: unknown): string | null {
   return listCheck(option)(value);
 }
@@ -218,7 +218,7 @@ const sequenceChecks: Checks = { ...encodingChecks, ...motionChecks };
 const importChecks = checksOf(IMPORT);
 const exportChecks = checksOf(EXPORT);
 
-/** The given options over the defaults; undefined means the default. */
+/** Fills in defaults; undefined means the default. */
 function checked<T extends object>(what: string, checks: Checks, defaults: Readonly<T>, given: object | undefined): T {
   const result: Record<string, unknown> = { ...defaults };
   for (const [name, value] of Object.entries(given ?? {})) {
@@ -249,7 +249,7 @@ export function checkEncodingOptions(given?: object): EncodingOptions {
   return checked('encoding', encodingChecks, ENCODING_DEFAULTS, given);
 }
 
-/** Merges a change of motion options into the present ones, and separates the key times. */
+/** Merges a change into the motion options and separates the key times. */
 export function checkUpdate(
   present: MotionOptions,
   change: object,
@@ -280,12 +280,12 @@ export function encodingOf(options: SequenceOptions): EncodingOptions {
   return picked(options, ENCODING_DEFAULTS);
 }
 
-/** The options that are in `like`. */
+/** The options that also exist in `like`. */
 function picked<T extends object>(options: T, like: Readonly<T>): T {
   return Object.fromEntries((Object.keys(like) as (keyof T)[]).map((name) => [name, options[name]])) as T;
 }
 
-/** Names of the call options, checked like the rest. */
+/** Checks the names of call options. */
 export function checkCall(call: object | undefined): void {
   const names = ['signal', 'onProgress'];
   const name = Object.keys(call ?? {}).find((key) => !names.includes(key));
@@ -297,7 +297,7 @@ export function checkTime(t: unknown): number {
   return t;
 }
 
-/** Checks the weights of a blend of this number of keys. */
+/** Checks the weights of a blend of this many keys. */
 export function checkWeights(given: unknown, keys: number): number[] {
   const wrong = ofKind.weights(given);
   if (wrong) throw invalidOption(`The weights of a blend ${wrong}.`);
@@ -314,7 +314,7 @@ export function checkSamples(given: unknown): number {
   return given as number;
 }
 
-/** Checks a face index, or a patch index, of which there are no more than faces. */
+/** Checks a face index. Also used for patch indices, which never exceed the number of faces. */
 export function checkFace(given: unknown, faces: number, what = 'face'): number {
   if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) >= faces)
     throw invalidOption(`A ${what} must be a whole number below ${grouped(faces)}.`);

@@ -1,7 +1,7 @@
 /**
- * Names and paths of given files, and the URIs in them that refer to other files. All parsing and joining of paths is
- * here, except for the disk (`web/cli`). `wasm/io/base/uri` follows the same rules for files that only the core reads;
- * both pass `tests/uri-cases.json`.
+ * Names and paths of given files, and URIs in them that refer to other files. All path parsing is here, except for disk
+ * access (`web/cli`). `wasm/io/base/uri` follows the same rules for files that only the core reads;
+ * `tests/uri-cases.json` tests both.
  */
 import { EngineError } from './errors.ts';
 import type { InputFile } from './types.ts';
@@ -9,30 +9,30 @@ import type { InputFile } from './types.ts';
 export const MODELS: readonly string[] = ['glb', 'gltf', 'obj', 'ply', 'off'];
 /** Point caches: motions of a model's vertices in a separate file. */
 export const CACHES: readonly string[] = ['pc2', 'mdd'];
-/** Files that a model may need. */
+/** Companion files of a model. */
 export const COMPANIONS: readonly string[] = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
 
 const MEANT: readonly string[] = [...MODELS, ...CACHES, ...COMPANIONS];
 
-/** Characters of a hostile file's text in a sentence. */
+/** Longest quote from an untrusted file in a message, in characters. */
 const LONGEST_QUOTE = 80;
-/** Control characters, and marks that would change how a sentence is shown; the core has the same. */
+/** Control characters, and marks that change how text is displayed; the core has the same list. */
 const NO_TEXT = /[\p{Cc}\p{Cs}\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]/gu;
 
 const nameStart = (path: string): number => Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1;
 
-/** Without its folders. */
+/** The path without folders. */
 export const fileName = (path: string): string => path.slice(nameStart(path));
 
-/** In lower case, without the dot; '' without an extension. */
+/** The extension in lower case without the dot; '' without an extension. */
 export const extensionOf = (path: string): string => /\.([^./\\]*)$/.exec(path)?.[1]?.toLowerCase() ?? '';
 
-/** Files that systems leave in folders, even under names of models: ._walk.obj, Thumbs.db. */
+/** Files that operating systems leave in folders, even with model extensions: ._walk.obj, Thumbs.db. */
 export const isLeftover = (path: string): boolean =>
   /^(\._.*|\.ds_store|\.localized|(eh)?thumbs\.db|desktop\.ini|icon\r)$/is.test(fileName(path)) ||
   /(^|[/\\])__MACOSX[/\\]/.test(path);
 
-/** Leftovers are never meant, unless there is nothing else. */
+/** Removes leftovers, unless all files are leftovers. */
 export function withoutLeftovers<T extends { name: string }>(files: readonly T[]): T[] {
   const meant = files.filter(({ name }) => !isLeftover(name));
   return meant.length > 0 ? meant : [...files];
@@ -44,7 +44,7 @@ export const isModel = (path: string): boolean => MODELS.includes(extensionOf(pa
 export const isMeantInFolder = (path: string): boolean =>
   !fileName(path).startsWith('.') && !isLeftover(path) && MEANT.includes(extensionOf(path));
 
-/** A model's name without folders and extension: the user's own word for it. */
+/** A model's name without folders and extension, as the user knows it. */
 export function modelName(path: string): string {
   const name = fileName(path);
   return isModel(name) ? name.slice(0, name.lastIndexOf('.')) : name;
@@ -53,7 +53,7 @@ export function modelName(path: string): string {
 /** Resolves a path relative to the file `from`. */
 export const beside = (from: string, path: string): string => normalised(from.slice(0, nameStart(from)) + path);
 
-/** Invalid escapes are kept. */
+/** Keeps invalid escapes. */
 export function decodedUri(uri: string): string {
   return uri.replace(/(%[0-9a-f]{2})+/gi, (escaped) => {
     try {
@@ -64,7 +64,7 @@ export function decodedUri(uri: string): string {
   });
 }
 
-/** The start of a URI as browsers read it, without leading spaces and line breaks: enough for a scheme. */
+/** The start of a URI without leading spaces and line breaks, as in browsers; sufficient to find a scheme. */
 function headOf(uri: string): string {
   let start = 0;
   while (uri.charAt(start) !== '' && uri.charAt(start) <= ' ') start += 1;
@@ -72,20 +72,20 @@ function headOf(uri: string): string {
 }
 const HEAD = 64;
 
-/** Another host or scheme; one letter alone is a drive of Windows. */
+/** Whether the URI has another host or scheme; a single letter is a Windows drive. */
 const isElsewhere = (uri: string): boolean => /^([a-z][a-z0-9+.-]+:|\/\/)/i.test(headOf(uri));
 
 const isAbsolute = (path: string): boolean => /^([a-z][a-z0-9+.-]*:|[/\\])/i.test(headOf(path));
 
-/** Leaves the folder where it starts. */
+/** Whether the path leaves its starting folder. */
 const leaves = (path: string): boolean => /^\.\.(\/|$)/.test(normalised(path));
 
-/** Names another host, scheme or root. */
+/** Whether the URI has another host, scheme or root. */
 export const isExternal = (uri: string): boolean => isElsewhere(uri) || isAbsolute(decodedUri(uri));
 
 /**
- * Resolves a URI in a model from the web; null if it leaves the model's folder: another host, another scheme, or above.
- * Also null if a host that decodes %2F or %5C would leave the folder.
+ * Resolves a URI in a model from the web. null if it leaves the model's folder: another host, another scheme, or a
+ * parent folder. Also null if it would leave the folder on a host that decodes %2F or %5C.
  */
 export function urlBeside(uri: string, model: URL): URL | null {
   if (!/^(https?|file):$/.test(model.protocol) || !URL.canParse(uri, model)) return null;
@@ -97,10 +97,7 @@ export function urlBeside(uri: string, model: URL): URL | null {
   return isSameHost && inside ? url : null;
 }
 
-/**
- * URIs of the buffers and images of a glTF, but for those that hold the bytes themselves. The JSON is trusted in
- * nothing.
- */
+/** URIs of the buffers and images of a glTF, except those with embedded bytes. The JSON is untrusted. */
 export function resourceUris(json: unknown): { buffers: string[]; images: string[] } {
   const { buffers, images } = (json ?? {}) as Record<string, unknown>;
   const uris = (list: unknown): string[] =>
@@ -113,13 +110,13 @@ export function resourceUris(json: unknown): { buffers: string[]; images: string
 /** Target of a URI in a file. */
 export type UriTarget =
   | { kind: 'file'; file: InputFile }
-  /** On another host, or of another scheme. */
+  /** The URI has another host or scheme. */
   | { kind: 'external' }
-  /** A path that leaves the given files. */
+  /** A path outside the given files. */
   | { kind: 'outside' }
   | { kind: 'missing' };
 
-/** Follows a URI in the file `from`: by its path, or by its name alone where files came without their folders. */
+/** Resolves a URI in the file `from`: by path, or by name alone if files were given without folders. */
 export function resolveUri(uri: string, from: string, files: readonly InputFile[]): UriTarget {
   if (isElsewhere(uri)) return { kind: 'external' };
   const path = decodedUri(uri);
@@ -136,7 +133,7 @@ function findByName(path: string, files: readonly InputFile[]): InputFile | unde
   return others.length === 0 ? file : undefined;
 }
 
-/** Why a URI in the file `from` brings no bytes. */
+/** The reason why a URI in the file `from` has no bytes. */
 export function uriError(kind: Exclude<UriTarget['kind'], 'file'>, uri: string, from: string): EngineError {
   const name = fileName(from);
   const text = [...uri];
@@ -150,7 +147,7 @@ export function uriError(kind: Exclude<UriTarget['kind'], 'file'>, uri: string, 
   return new EngineError(kind === 'missing' ? 'missing-resource' : 'external-resource', sentence, { file: name });
 }
 
-/** Joined by slashes, with '.' and '..' resolved. */
+/** Joins the parts with slashes and resolves '.' and '..'. */
 function normalised(path: string): string {
   const parts: string[] = [];
   for (const part of path.split(/[/\\]/)) {

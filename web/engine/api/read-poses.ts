@@ -11,7 +11,7 @@ export interface Pose {
 }
 
 /**
- * Every pose in the files; `options`: how the keys were read. Errors: those of an import, and a different number of
+ * All poses in the files; `options`: the keys' import options. Errors: those of an import, and a different number of
  * vertices or different faces.
  */
 export async function readPoses(
@@ -24,7 +24,7 @@ export async function readPoses(
   const like = likeOf(keys);
   const { poses, count } = await importAny(engine, files, { up, unit, objects, ...like }).catch((error: unknown) => {
     if (!isMismatch(error)) throw error;
-    // The core knows the pose by its name alone.
+    // The core knows only the pose's name.
     const message = error.message.replace(/^.*?(?= has )/, file);
     throw new EngineError(error.code, message, { ...error.place, file });
   });
@@ -36,13 +36,13 @@ export async function readPoses(
   }
 }
 
-/** Import options for more poses of the mesh of these keys, in its vertices. */
+/** Import options for additional poses that match the mesh and vertices of these keys. */
 export function likeOf(keys: Keys): Required<Pick<ImportOptions, 'like' | 'likePose' | 'likeObjects' | 'offset'>> {
   const { faces, scene, offset } = keys.info;
   return { like: faces, likePose: keys.positions(0), likeObjects: scene.objects ?? [], offset };
 }
 
-/** The first pose that the files hold, 3 x vertices. */
+/** The first pose in the files, 3 x vertices. */
 export async function readPose(
   engine: Engine,
   files: InputFile[],
@@ -53,7 +53,7 @@ export async function readPose(
   return pose!.positions;
 }
 
-/** An import holds at least two keys: a file with one pose stands for both. */
+/** An import needs at least two keys, so a file with one pose is used for both. */
 async function importAny(
   engine: Engine,
   files: InputFile[],
@@ -72,12 +72,12 @@ async function importAny(
 
 const MISMATCHES = ['vertex-count-mismatch', 'face-count-mismatch', 'face-mismatch'];
 
-/** The files hold another mesh than the keys. */
+/** Whether the files have another mesh than the keys. */
 export function isMismatch(error: unknown): error is EngineError {
   return error instanceof EngineError && MISMATCHES.includes(error.code);
 }
 
-/** What differs, with counts: the first sentence, without what to do about it. */
+/** The difference with counts: the message's first sentence, without the advice. */
 export const differenceOf = ({ message }: EngineError): string =>
   /^.*? has .*?\.(?= |$)/s.exec(message)?.[0] ?? message;
 
@@ -96,7 +96,7 @@ function checkSameMesh(file: string, { report, faces }: KeysInfo, keys: KeysInfo
   if (face >= 0) throw refused('face-mismatch', `other faces than the keys from face ${face + 1} on`, face);
 }
 
-/** The first different triangle, or -1; triangles may start at any corner. */
+/** Index of the first different triangle, or -1. Triangles may start at any corner. */
 function firstOtherFace(a: Uint32Array, b: Uint32Array): number {
   const same = (at: number, turn: number): boolean =>
     [0, 1, 2].every((corner) => a[at + corner] === b[at + ((corner + turn) % 3)]);

@@ -1,12 +1,12 @@
 /**
- * The engine's public types: plain data only. No DOM, no three.js; the same in the browser and in Node.
+ * The engine's public types: plain data only, without DOM or three.js, the same in the browser and in Node.
  *
- * Times are in seconds or any unit the user likes. Positions are in the unit of the input file. Indices are 0-based.
+ * Times are in seconds or any other unit. Positions are in the unit of the input file. Indices are 0-based.
  */
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, defaultsOf } from './option-table.ts';
 import type { AddedTurns, SceneObject, ValuesOf } from './option-table.ts';
 
-/** One dropped or named file. `name` may hold a path relative to the dropped folder; `bytes` are copied, never kept. */
+/** A dropped or named file. `name` may be a path relative to the dropped folder; `bytes` are copied, not kept. */
 export interface InputFile {
   name: string;
   bytes: Uint8Array;
@@ -28,7 +28,7 @@ export type MotionOptions = ValuesOf<typeof MOTION> & PerKey;
 const NO_LISTS = Object.fromEntries(Object.keys(PER_KEY).map((name) => [name, []])) as unknown as PerKey;
 export const MOTION_DEFAULTS: Readonly<MotionOptions> = { ...defaultsOf(MOTION), ...NO_LISTS };
 
-/** Choices that change the encoding: a new sequence is built for them. */
+/** Options that change the encoding and require a new sequence. */
 export type EncodingOptions = ValuesOf<typeof ENCODING>;
 export const ENCODING_DEFAULTS: Readonly<EncodingOptions> = defaultsOf(ENCODING);
 
@@ -39,31 +39,33 @@ export type Method = MotionOptions['method'];
 export type Boundary = MotionOptions['boundary'];
 export type Hold = MotionOptions['hold'];
 export type Stretch = EncodingOptions['stretch'];
-/** How the shape follows a ghost mesh (paper section 4.3): through every key, or from the reference's details alone. */
+/**
+ * How the shape follows a ghost mesh (paper section 4.3): exactly through every key, or with the reference's details.
+ */
 export type Transfer = EncodingOptions['transfer'];
-/** Positions of the ghost's vertices: at vertices of the shape, or in each key where the error is least. */
+/** Positions of the ghost's vertices: at vertices of the shape, or at the least error in each key. */
 export type Placement = EncodingOptions['placement'];
-/** 'exact': coordinates in double precision; the solution is refined on a factor in single precision. */
+/** 'exact': coordinates in double precision. The solution is refined using a factor in single precision. */
 export type Precision = EncodingOptions['precision'];
 
 /** A warning for the user. `code` is stable. */
 export interface Warning {
   code: string;
   message: string;
-  /** Number of places; 0 if not applicable. */
+  /** Number of locations; 0 if not applicable. */
   count: number;
   /** The key concerned, or the key that ends the interval concerned; -1 for none. */
   key: number;
-  /** A face at the (worst) place; -1 for none. */
+  /** A face at the (worst) location; -1 for none. */
   face: number;
-  /** The patches that hold the places, numbered as `Sequence.patches` has them. */
+  /** The patches of all locations, numbered as in `Sequence.patches`. */
   patches: number[];
 }
 
-/** For a warning without a place. */
+/** The location of a warning without a location. */
 export const NO_PLACE: Readonly<Pick<Warning, 'key' | 'face' | 'patches'>> = { key: -1, face: -1, patches: [] };
 
-/** Place and kind of a failure, for programs; the error's message is for users. */
+/** Location and kind of a failure, for programs; the error's message is for users. */
 export interface ErrorPlace {
   file?: string;
   key?: number;
@@ -72,13 +74,13 @@ export interface ErrorPlace {
 }
 
 export interface Progress {
-  /** The present stage, such as 'reading the file', as text for users. */
+  /** The current stage as text for users, such as 'reading the file'. */
   stage: string;
-  /** Fraction of the whole work, in [0, 1], never falling. */
+  /** Completed fraction of the whole work, in [0, 1], never decreasing. */
   fraction: number;
 }
 
-/** Part of the mesh that is drawn with one material. */
+/** Part of the mesh with one material. */
 export interface MaterialGroup {
   /** First face and number of faces. */
   start: number;
@@ -98,13 +100,13 @@ export interface Material {
   doubleSided: boolean;
   alphaMode: 'OPAQUE' | 'MASK' | 'BLEND';
   alphaCutoff: number;
-  /** Drawn without light. */
+  /** Whether the material is drawn without lighting. */
   unlit: boolean;
   /** Linear RGB. */
   emissive: [number, number, number];
   normalScale: number;
   occlusionStrength: number;
-  /** Indices into `images`, or -1; all of them are looked up with `uvs`. */
+  /** Indices into `images`, or -1; all of them use `uvs`. */
   baseColorImage: number;
   metallicRoughnessImage: number;
   normalImage: number;
@@ -112,16 +114,16 @@ export interface Material {
   emissiveImage: number;
   wrapS: 'repeat' | 'clamp' | 'mirror';
   wrapT: 'repeat' | 'clamp' | 'mirror';
-  /** Sampler parameters, numbered as in glTF (GL_NEAREST is 9728); 0 = the renderer decides. */
+  /** Sampler parameters, numbered as in glTF (GL_NEAREST is 9728); 0 = the renderer's choice. */
   magFilter: number;
   minFilter: number;
 }
 
-/** Copies of vertices, for drawing only, where texture coordinates jump between faces that share a vertex. */
+/** Copies of vertices, only for drawing, where texture coordinates jump between faces that share a vertex. */
 export interface Seams {
-  /** Drawn vertices 0 to n - 1 are the mesh's own n; n + i is a copy of vertex copyOf[i]. */
+  /** Drawn vertices 0 to n - 1 are the mesh's n vertices; n + i is a copy of vertex copyOf[i]. */
   copyOf: Int32Array;
-  /** 3 x faces, of drawn vertices. */
+  /** 3 x faces; indices of drawn vertices. */
   indices: Uint32Array;
 }
 
@@ -129,7 +131,7 @@ export interface TextureImage {
   mimeType: string;
   /** The encoded image as in the file. */
   bytes: Uint8Array;
-  /** Scale at which it is drawn: below 1 if very large, 0 if not drawn. */
+  /** Drawing scale: below 1 for very large images, 0 if not drawn. */
   scale: number;
 }
 
@@ -151,12 +153,12 @@ export interface MeshReport {
 
 export interface AnimationInfo {
   name: string;
-  /** Seconds. */
+  /** Start of the animation in seconds. */
   start: number;
   end: number;
   /** Number of distinct key times. */
   keys: number;
-  /** False for a single pose, however many keys it has: keys cannot be sampled from it. */
+  /** False for a single pose, whatever its number of keys. Keys cannot be sampled from it. */
   moves: boolean;
 }
 
@@ -164,41 +166,41 @@ export interface AnimationInfo {
 export interface MatchedObject {
   /** 0-based: the first key of that file. */
   key: number;
-  /** Its name in the first key, and there. */
+  /** Its name in the first key, and in that file. */
   object: string;
   found: string;
   by: 'name' | 'shape' | 'order';
 }
 
-/** The look of a mesh: everything but its shape. */
+/** Everything about a mesh's look except its shape. */
 export interface Scene {
   /** 2 x drawn vertices, origin at the upper left, or null. */
   uvs: Float32Array | null;
-  /** null where the drawn vertices are the mesh's own. */
+  /** null if the drawn vertices are the mesh's own. */
   seams: Seams | null;
   /** 4 x vertices, linear RGBA, or null. */
   colors: Float32Array | null;
-  /** Number of triangles of each polygon of the file, in their order; null if all polygons were triangles. */
+  /** Number of triangles in each polygon of the file, in order; null if all polygons were triangles. */
   polygons: Int32Array | null;
   groups: MaterialGroup[];
   materials: Material[];
   images: TextureImage[];
-  /** In the order of the faces, all of them; empty or absent where the files know no objects. */
+  /** Covers all faces in order; empty or absent if the files have no objects. */
   objects?: SceneObject[];
 }
 
 /** Poses of one mesh near the origin, y up. Faces and positions are copied. */
 export interface KeyMesh {
-  /** 3 x faces, of vertices. */
+  /** 3 x faces; vertex indices. */
   faces: Uint32Array;
   poses: readonly {
     name: string;
-    /** Increasing. */
+    /** Times must increase. */
     time: number;
     /** 3 x vertices. */
     positions: Float32Array;
   }[];
-  /** How it looks; default: plain. */
+  /** Look of the mesh; default: plain. */
   scene?: Scene | undefined;
 }
 
@@ -210,39 +212,39 @@ export interface KeysInfo {
   times: number[];
   report: MeshReport;
   warnings: Warning[];
-  /** Animations that the input offers, to sample keys from. */
+  /** Animations in the input, to sample keys from. */
   animations: AnimationInfo[];
   /** Index of the animation that the keys were taken from, or -1. */
   animation: number;
-  /** Names of the objects that the first file holds, each once: those that `objects` may name. */
+  /** Distinct names of the objects in the first file, which `objects` can name. */
   objects: string[];
   /** Matched objects of different files and the rule of each match; at most a thousand. */
   matches: MatchedObject[];
-  /** 3 x faces, of vertices. */
+  /** 3 x faces; vertex indices. */
   faces: Uint32Array;
   /**
-   * Offset that positions are relative to, in metres with Y up. Zero near the origin; far away, single precision could
-   * not distinguish positions. Exports add it.
+   * Offset that positions are relative to, in metres with Y up. Zero near the origin; far away, single precision would
+   * not resolve the shape. Exports add it.
    */
   offset: Point;
   scene: Scene;
-  /** Options that a project file brought along; null for other files. */
+  /** Options from a project file; null for other files. */
   project: Partial<SequenceOptions> | null;
-  /** Playback speed of a project file relative to its times; null if not stated. */
+  /** Playback speed of a project file relative to its times; null if not specified. */
   speed: number | null;
-  /** Range of key times that a project file plays; null if not stated. */
+  /** Range of key times that a project file plays; null if not specified. */
   played: [number, number] | null;
 }
 
-/** The coarse mesh that leads the motion (Fig. 6), and how the shape belongs to it. */
+/** The coarse mesh that leads the motion (Fig. 6), and its correspondence with the shape. */
 export interface Ghost {
-  /** 3 x ghost faces, of ghost vertices. */
+  /** 3 x ghost faces; ghost vertex indices. */
   faces: Uint32Array;
-  /** For each ghost vertex: the corresponding vertex of the shape. */
+  /** Per ghost vertex: the corresponding vertex of the shape. */
   vertexOf: Int32Array;
-  /** For each vertex: the ghost vertex that it collapsed to, or -1. */
+  /** Per vertex: the ghost vertex that it collapsed to, or -1. */
   ghostVertexOf: Int32Array;
-  /** For each face: the ghost face that it follows; -1 without area. */
+  /** Per face: the ghost face that it follows; -1 without area. */
   ghostFaceOf: Int32Array;
 }
 
@@ -253,51 +255,53 @@ export interface SequenceStats {
   patches: number;
   weldedVertices: number;
   components: number;
-  /** 0 without a ghost mesh. */
+  /** Number of ghost faces; 0 without a ghost mesh. */
   ghostFaces: number;
   ghostVertices: number;
-  /** Number of components too small for a ghost of their own. */
+  /** Number of components too small for a separate ghost. */
   joinedComponents: number;
   weldMs: number;
-  /** Finding faces with area, their neighbours, and components. */
+  /** Time for finding faces with area, their neighbours, and components. */
   joinMs: number;
-  /** With a ghost mesh: its collapses; the correspondence and its residuals. */
+  /** With a ghost mesh: time for the collapses, and for the correspondence and its residuals. */
   simplifyMs: number;
   transferMs: number;
   encodeMs: number;
   orderMs: number;
   factorMs: number;
-  /** Laying the faces' numbers out in the order of elimination. */
+  /** Time for arranging the faces' data in elimination order. */
   arrangeMs: number;
-  /** Normals, maps to the input's faces, warnings. */
+  /** Time for normals, maps to the input's faces, and warnings. */
   finishMs: number;
-  /** Size of the stored factor, entries and row lists: a solve reads them twice. */
+  /** Size of the stored factor with entries and row lists. A solve reads it twice. */
   factorBytes: number;
-  /** Of the last exact frame: local frames; splined faces and right-hand side; solve; placing the vertices; normals. */
+  /**
+   * Times of the last exact frame: local frames; splined faces and right-hand side; solve; vertex positions; normals.
+   */
   localFramesMs: number;
   facesMs: number;
   solveMs: number;
   positionsMs: number;
   normalsMs: number;
-  /** For the ghost's own last shape, from the spline to its vertices. */
+  /** Time of the ghost's last shape, from the spline to its vertices. */
   ghostMs: number;
-  /** Bytes of the wasm heap, which never shrinks, and how many of them are in use. */
+  /** Bytes of the wasm heap, which never shrinks, and the bytes in use. */
   heapBytes: number;
   usedBytes: number;
   /** Threads per exact frame: 2 if that proved faster. */
   threads: 1 | 2;
 }
 
-/** One shape of the motion. The arrays belong to the receiver until release() gives them back to the pool. */
+/** A shape of the motion. The receiver owns the arrays until release() returns them to the pool. */
 export interface Frame {
   t: number;
   /** 3 x vertices, xyz interleaved. */
   positions: Float32Array;
-  /** 3 x vertices, unit. */
+  /** 3 x vertices, unit length. */
   normals: Float32Array;
-  /** Milliseconds that the worker needed. */
+  /** Computing time in the worker, in milliseconds. */
   ms: number;
-  /** As in SequenceStats, at the time of the frame. */
+  /** Threads of this frame, as in SequenceStats. */
   threads: 1 | 2;
   /** Faces whose interpolated stretch is not positive definite. */
   indefiniteFaces: number;
@@ -318,24 +322,24 @@ export interface Measures {
   sliding: number[];
 }
 
-/** The same from the core; sliding: as a fraction. */
+/** Measures from the core; sliding: as a fraction. */
 export interface MeasuresAt {
   volume: number[];
   area: number[];
   sliding: (number | null)[];
 }
 
-/** How far the keys lie apart in shape space, and the tensions that bound the slope at them. */
+/** Distances between keys in shape space, and tensions that bound the slope. */
 export interface KeySpacing {
-  /** Between each key and the next, without unit. */
+  /** Distance between each key and the next; dimensionless. */
   distance: number[];
   /** Per key, in [0, 1]: the least tension that keeps the slope within three times that of either adjacent chord. */
   tension: number[];
 }
 
-/** How the motion goes through shape space: a number for each of the asked times. */
+/** Motion through shape space: one number per requested time. */
 export interface MotionSpeed {
-  /** In the unit of KeySpacing.distance, per unit of time. */
+  /** Speed in the unit of KeySpacing.distance per unit of time. */
   speed: number[];
   /**
    * Overshoot beyond either adjacent key along the line between them, relative to the mean distance of neighbouring
@@ -347,25 +351,25 @@ export interface MotionSpeed {
 /** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 export interface ShapePlane {
   keys: number[];
-  /** 2 numbers per tangent shape there is, that of the start first. */
+  /** 2 numbers per tangent shape, that of the start first. */
   tangents: number[];
   curve: number[];
   /** Distance of each point of the curve from the plane, relative to the mean distance between keys. */
   distance: number[];
-  /** For each point of the curve: a weight per key, then per tangent shape; they sum to 1. */
+  /** For each point of the curve: weights of the keys, then of the tangent shapes; sum 1. */
   weights: number[];
-  /** Share of the keys' variance that the plane holds, in [0, 1]. */
+  /** Share of the keys' variance in the plane, in [0, 1]. */
   explained: number;
 }
 
-/** Samples that minimise the bending energy with the keys held (Fig. 2), evenly spaced in time. */
+/** Samples that minimise the bending energy with fixed keys (Fig. 2), evenly spaced in time. */
 export interface DiscretePath {
   times: number[];
-  /** For each sample: as in ShapePlane.weights. */
+  /** Weights of each sample, as in ShapePlane.weights. */
   weights: number[];
   /** 2 numbers per sample, in the shape plane. */
   plane: number[];
-  /** Energy of the samples, and of the motion's shapes at the same times. */
+  /** Energy of the samples, and of the motion at the same times. */
   energy: number;
   curveEnergy: number;
 }
@@ -375,10 +379,10 @@ export interface DiscretePath {
  * the stretch, or its logarithm, as xx, xy, yy in the face's plane.
  */
 export interface FaceCurve {
-  /** That the face belongs to; -1 without area, and the lists are empty then. */
+  /** Patch of the face; -1 without area, with empty lists. */
   patch: number;
   numbers: number[];
-  /** As `numbers`, of the natural spline through the same keys. */
+  /** Coordinates like `numbers`, for the natural spline through the same keys. */
   natural: number[];
 }
 
@@ -388,25 +392,25 @@ export interface FaceCurve {
  * is the identity.
  */
 export interface PatchCurve {
-  /** Adjacent patches, and those that components are attached to. */
+  /** Adjacent patches, and patches of attached components. */
   neighbours: number[];
   numbers: number[];
-  /** As `numbers`, of the natural spline through the same keys. */
+  /** Coordinates like `numbers`, for the natural spline through the same keys. */
   natural: number[];
 }
 
 export type ExportOptions = ValuesOf<typeof EXPORT>;
 export const EXPORT_DEFAULTS: Readonly<ExportOptions> = defaultsOf(EXPORT);
 
-/** Description of an export before it is made. */
+/** Description of an export before it is written. */
 export interface ExportPlan {
   /** Times of its frames, in the sequence's unit, increasing for a GLB; empty for a blend. */
   times: number[];
-  /** Morph targets of a GLB; 0 elsewhere. */
+  /** Number of morph targets in a GLB; 0 for other formats. */
   targets: number;
   /** Largest distance between playback and motion, relative to the diagonal; null without an animation. */
   error: number | null;
-  /** Bytes of all files together, to a few percent. */
+  /** Total bytes of all files, to a few percent. */
   bytes: number;
   warnings: Warning[];
 }

@@ -2,12 +2,12 @@
 
 type Range = readonly [number, number];
 
-/** A frame number this near to a whole one is meant to be it: times are quotients. */
+/** A frame number this close to a whole number counts as whole, because times are quotients. */
 export const SAME_FRAME = 1e-6;
 
 const firstFrame = (start: number, fps: number): number => Math.ceil(start * fps - SAME_FRAME);
 
-/** Number of whole frames in the range. Can be any number, so check it before listing them. */
+/** Number of whole frames in the range. It may be huge, so check it before listing them. */
 export function frameCount([start, end]: Range, fps: number): number {
   return Math.max(Math.floor(end * fps + SAME_FRAME) - firstFrame(start, fps) + 1, 0);
 }

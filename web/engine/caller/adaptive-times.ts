@@ -1,39 +1,39 @@
 /**
- * Finds the fewest times so that straight lines between the shapes there stay close to the motion. A chord over h is
- * off by h^2/8 times the second derivative. So each stretch is divided evenly in the root of that derivative, sampled
- * at a few times. Then the error of each chord is measured in the middle, its maximum as long as the motion bends
- * evenly, and if it is large, also at other points.
+ * Finds the fewest times such that linear interpolation between their shapes stays close to the motion. The error of a
+ * chord over h is h^2/8 times the second derivative. Each stretch is therefore divided evenly in the root of that
+ * derivative, sampled at a few times. Each chord's error is then measured in the middle, its maximum for even bending.
+ * Large errors are also measured at other points.
  */
 import { EngineError } from '../api/errors.ts';
 import { farthest } from '../api/distances.ts';
 
 export interface Motion {
-  /** 3 x vertices; the array is the receiver's. */
+  /** 3 x vertices; the receiver owns the array. */
   at(t: number): Promise<Float32Array>;
 }
 
 export interface Wanted {
-  /** Times that are taken whatever happens; the motion is smooth between two of them. */
+  /** Required times; the motion is smooth between two of them. */
   corners: readonly number[];
-  /** The largest distance of a vertex, in the unit of the positions. */
+  /** Largest distance of a vertex, in the unit of the positions. */
   tolerance: number;
-  /** Allowed times in addition to the corners, increasing; null: any. */
+  /** Allowed times in addition to the corners, increasing; null: any time. */
   grid: readonly number[] | null;
-  /** More times than this are refused. */
+  /** Limit for the number of times; more are refused. */
   most: number;
   onProgress?: (fraction: number) => void;
 }
 
 export interface AdaptiveTimes {
   times: number[];
-  /** The largest distance that was found. */
+  /** The largest measured distance. */
   error: number;
 }
 
-/** Number of samples of the second derivative, over all stretches and for one. */
+/** Number of samples of the second derivative, in total and per stretch. */
 const SURVEYED = 120;
 const [FEWEST_CELLS, MOST_CELLS] = [2, 12];
-/** Shares of the tolerance to aim for and to accept: the error found is nearly the largest. */
+/** Shares of the tolerance to aim for and to accept. The measured error is slightly below the maximum. */
 const [AIM, ACCEPTED] = [0.8, 0.97];
 const ROUNDS = 8;
 
@@ -59,7 +59,7 @@ function tooMany(count: number, most: number): EngineError {
   return new EngineError('too-large', sentence);
 }
 
-/** Times of one stretch without its start. */
+/** Times of one stretch, excluding its start. */
 async function divided(
   motion: Motion,
   [start, end]: readonly [number, number],
@@ -106,7 +106,7 @@ async function survey(motion: Motion, start: number, end: number, stretches: num
   return sums;
 }
 
-/** The ends of `count` parts in which the root adds up to the same. */
+/** The ends of `count` parts with equal integrals of the root. */
 function cut(
   sums: readonly number[],
   [start, end]: readonly [number, number],
@@ -141,7 +141,7 @@ function nearest(grid: readonly number[], t: number): number {
   return t - before < grid[low]! - t ? before : grid[low]!;
 }
 
-/** A chord's end, and the motion there. */
+/** A chord's end: its time and shape. */
 interface End {
   t: number;
   shape: Float32Array;
@@ -149,12 +149,12 @@ interface End {
 
 const endAt = async (motion: Motion, t: number): Promise<End> => ({ t, shape: await motion.at(t) });
 
-/** A chord whose errors in the middle and at a quarter are below this share of another chord's is not worse. */
+/** A chord with errors below this share of another chord's, in the middle and at a quarter, is not worse. */
 const SUSPICIOUS = 0.5;
 
 /**
- * Position and size of a chord's largest error if it is s (1 - s) times a parabola, as for a motion of fourth order:
- * from the distances at a quarter, in the middle and at three quarters.
+ * Position and size of a chord's largest error, from the distances at a quarter, in the middle and at three quarters.
+ * Assumes s (1 - s) times a parabola, as for a fourth-order motion.
  */
 export function peakOf(quarter: number, middle: number, last: number): { share: number; distance: number } {
   const parabola = (distance: number, share: number): number => distance / (share * (1 - share));
@@ -170,8 +170,8 @@ export function peakOf(quarter: number, middle: number, last: number): { share: 
 }
 
 /**
- * Error of a chord if above `least`; smaller errors may be underestimated. `enough`: with a larger error in the middle,
- * the rest does not matter.
+ * Error of a chord if above `least`; smaller errors may be underestimated. If the error in the middle exceeds `enough`,
+ * no other point is measured.
  */
 async function chordError(
   motion: Motion,
@@ -203,11 +203,11 @@ export async function largestError(motion: Motion, times: readonly number[], eno
   return error;
 }
 
-/** Chords up to here are all measured; of more, those that ought to be farthest off. */
+/** Up to this number all chords are measured. Beyond it, only those with the largest expected errors are. */
 const MEASURED_CHORDS = 24;
 const SUSPECTS = 12;
 
-/** The value at a share of the stretch, on straight lines through those at its inner times. */
+/** Linear interpolation of the values at inner times, at a share of the stretch. */
 function between(values: readonly number[], share: number): number {
   const place = share * (values.length + 1) - 1;
   const i = Math.min(Math.max(Math.floor(place), 0), Math.max(values.length - 2, 0));
@@ -216,7 +216,8 @@ function between(values: readonly number[], share: number): number {
 }
 
 /**
- * Largest error of the chords of given times, at a cost independent of their number. `corners`: as in `adaptiveTimes`.
+ * Largest error of the chords between given times, at a cost independent of their number. `corners`: as in
+ * `adaptiveTimes`.
  */
 export async function errorOf(motion: Motion, times: readonly number[], corners: readonly number[]): Promise<number> {
   if (times.length <= MEASURED_CHORDS) return largestError(motion, times);

@@ -1,14 +1,14 @@
-/** An animation that goes back the way it came: the same shapes, and twice the time. */
+/** An animation played forwards and then in reverse: the same shapes, twice the time. */
 import { EngineError } from '../api/errors.ts';
 import { MOST_WEIGHTS } from './export-plan.ts';
 
 export interface Weighted {
   seconds: number[];
-  /** A row for each of the seconds, with a weight for each target; null: each shows its own shape alone. */
+  /** One row per time with a weight per target; null: each target is shown alone at its time. */
   weights: Float32Array | null;
 }
 
-/** The turning point is not repeated. `targets`: shapes without the first. */
+/** The turning point is not repeated. `targets`: number of shapes without the first. */
 export function thereAndBack({ seconds, weights }: Weighted, targets: number): Weighted {
   const there = seconds.length;
   const end = seconds.at(-1)!;

@@ -1,11 +1,11 @@
-/** The engine's interface to the code that locates its files in a browser. */
+/** Interface to the code that locates the engine's files in a browser. */
 import type { EngineError } from '../api/errors.ts';
 import type { WorkerFiles } from '../wire/protocol.ts';
 
 /** A worker or its replacement. */
 export interface StartedWorker
   extends Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onmessageerror' | 'onerror'> {
-  /** It did not start because its script is silent. */
+  /** It did not start, and its script sent no message. */
   readonly silent?: boolean;
 }
 
@@ -14,10 +14,10 @@ export interface BrowserFiles {
   filesWasm(): URL;
   shellsWasm(): URL;
   threads(): URL;
-  /** URLs that a worker fetches itself when needed, configured or default. */
+  /** Configured or default URLs that a worker fetches when needed. */
   forWorker(given: { draco?: string | undefined; worker?: URL | undefined }): WorkerFiles;
-  /** From `given`, else from the engine's own script. `loaded` settles when the engine's other files have loaded. */
+  /** Uses `given`, or else the engine's own script. `loaded` settles when the engine's other files have loaded. */
   startWorker(name: string, loaded: Promise<unknown>, given?: URL): StartedWorker;
-  /** The error if the worker did not start. */
+  /** The error of a worker that did not start. */
   notStarted(silent: boolean, given?: URL): EngineError;
 }

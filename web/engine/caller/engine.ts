@@ -1,4 +1,4 @@
-/** The engine over any kind of worker. A task that fails or is cancelled takes its worker with it. */
+/** The engine over any kind of worker. A failed or cancelled task ends its worker. */
 import type { CallOptions, Engine, Keys, Sequence, Shape } from '../api/api.ts';
 import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
@@ -31,7 +31,7 @@ export interface Platform {
   /** The same for fitted motions. */
   shellsModule: () => Promise<WebAssembly.Module>;
   /**
-   * The core for two threads, fetched on first use; null if threads cannot share memory, and its result null if it is
+   * The core for two threads, fetched on first use. null if threads cannot share memory; resolves to null if it is
    * unavailable. Never rejects.
    */
   threaded?: (() => Promise<WebAssembly.Module | null>) | null;
@@ -44,16 +44,16 @@ export class EngineClient implements Engine {
   private readonly platform: Platform;
   private readonly workers = new Set<AnyWorker>();
   private readonly shapes = new Set<ShapeClient>();
-  /** Workers that have nothing to do and read nothing bad. */
+  /** Idle workers that have read no invalid files. */
   private readonly idle: { core: CoreWorker | null; files: FilesWorker | null } = { core: null, files: null };
   private over = false;
 
   constructor(platform: Platform) {
     this.platform = platform;
-    platform.module.catch(() => undefined); // reported by the first call
+    platform.module.catch(() => undefined); // The first call reports this error.
   }
 
-  /** Starts a worker ahead of the first call, which then need not wait for it. */
+  /** Starts a worker ahead of the first call, to save time. */
   warm(): void {
     this.checkAlive();
     this.idle.core ??= this.coreWorker();
@@ -71,7 +71,7 @@ export class EngineClient implements Engine {
     checkFiles(given);
     const files = withoutLeftovers(given);
     checkImportSize(bytesOf(files));
-    if (mayBeLarge(files)) void this.platform.threaded?.(); // to be there when the keys are
+    if (mayBeLarge(files)) void this.platform.threaded?.(); // Loads it in parallel with reading the keys.
     const imported = await this.inFilesWorker(call, mayBeLarge(files), (client) =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
     );
@@ -113,7 +113,7 @@ export class EngineClient implements Engine {
     this.workers.clear();
   }
 
-  /** Encodes the keys and calls `goOn` with the shape; disposes of the shape if that fails or is cancelled. */
+  /** Encodes the keys and calls `goOn` with the shape. Disposes of the shape if that fails or is cancelled. */
   private async encoded<T>(
     keys: Keys,
     encoding: EncodingOptions,
@@ -154,7 +154,9 @@ export class EngineClient implements Engine {
     return core?.alive ? core : this.coreWorker();
   }
 
-  /** Work in a worker for files that has no other. `large`: it needs memory that no worker gives back. */
+  /**
+   * Runs work in an exclusive worker for files. `large`: ends the worker afterwards, because its memory never shrinks.
+   */
   private async inFilesWorker<T>(
     call: CallOptions | undefined,
     large: boolean,
@@ -173,11 +175,11 @@ export class EngineClient implements Engine {
     return this.started(this.coreProgram(large));
   }
 
-  /** If the core cannot be loaded, report that first: files would be read in vain. */
+  /** Reports a core that cannot be loaded first, because reading files would be useless. */
   private filesWorker(): FilesWorker {
     const { module, filesModule } = this.platform;
     const files = filesModule();
-    files.catch(() => undefined); // reported by the first call
+    files.catch(() => undefined); // The first call reports this error.
     return this.started(
       this.program(
         'files',
@@ -207,7 +209,7 @@ export class EngineClient implements Engine {
     return { kind, module: await module, threaded, files: this.platform.files ?? {} };
   }
 
-  /** Work in one worker, which ends when the work fails or the caller cancels. */
+  /** Runs work in one worker, which ends if the work fails or is cancelled. */
   private async task<T>(client: AnyWorker, call: CallOptions | undefined, work: () => Promise<T>): Promise<T> {
     const cancel = (): void => client.terminate(cancelled());
     const signal = call?.signal;
@@ -249,7 +251,7 @@ function bytesOf(files: InputFile[]): number {
   return files.reduce((sum, { bytes }) => sum + bytes.length, 0);
 }
 
-/** Runs the work on first use and keeps the result, unless it failed. */
+/** Runs the work on first use and caches its result, unless it failed. */
 export function onlyOnce<T>(work: () => Promise<T>): () => Promise<T> {
   let result: Promise<T> | null = null;
   const fail = (error: unknown): never => {

@@ -1,4 +1,7 @@
-/** Which shapes an export holds: those asked for, or as few as its tolerance allows. Planning evaluates the motion. */
+/**
+ * Chooses the shapes of an export: the requested ones, or the fewest within its tolerance. Planning evaluates the
+ * motion.
+ */
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, EngineError } from '../api/errors.ts';
 import { adaptiveTimes, errorOf, type Motion } from './adaptive-times.ts';
@@ -7,20 +10,20 @@ import { principalTargets, type PrincipalTargets } from './principal-targets.ts'
 import type { ExportSource, PlannedFrames } from './export-source.ts';
 import type { ExportOptions, SequenceOptions } from '../api/types.ts';
 
-/** Morph targets of a thinned animation. */
+/** Limit for morph targets of a thinned animation. */
 const MOST_TARGETS = 3999;
-/** Principal targets take their weights at times that use up this share of the tolerance. */
+/** Share of the tolerance for the weight times of principal targets. */
 const SHARE_OF_TIMES = 0.25;
-/** Bytes of frames held in memory to find the principal targets. */
+/** Limit for bytes of frames in memory while finding the principal targets. */
 const MOST_HELD = 1.5e9;
-/** Tolerance of principal targets that are asked for without one, in percent. */
+/** Tolerance of principal targets requested without one, in percent. */
 const LEAST_TOLERANCE = 0.0001;
 
 export function shapeCount({ principal, times, stills, poses }: PlannedFrames): number {
   return principal ? principal.shapes.length : times.length + stills.length + poses;
 }
 
-/** Whether shapes at the keys are other ones than the keys: a pin has moved something in them. */
+/** Whether shapes at the keys differ from the keys because of pins. */
 export function movesKeys({ pins }: SequenceOptions): boolean {
   return pins.some(({ stay, path }) => stay !== undefined || path !== undefined);
 }
@@ -31,7 +34,7 @@ interface Chosen {
   error: number | null;
 }
 
-/** Principal targets that are given no tolerance get the least. */
+/** Principal targets without a tolerance get the least one. */
 function toleranceOf(source: ExportSource, { tolerance }: ExportOptions): number {
   return (Math.max(tolerance, LEAST_TOLERANCE) / 100) * source.keys.info.report.diagonal;
 }

@@ -7,35 +7,38 @@ import { SAME_FRAME, frameCount, frameTimes } from '../api/whole-frames.ts';
 import type { ExportOptions, Point, Warning } from '../api/types.ts';
 
 /**
- * Bytes of one target at one vertex. three.js and Babylon.js hold position and normal as four floats each in a texture,
- * plus three floats each in memory; Blender holds a position.
+ * Bytes per target and vertex. three.js and Babylon.js store position and normal as four floats each in a texture, plus
+ * three floats each in memory; Blender stores a position.
  */
 const PLAYED_BYTES = { texture: 32, memory: 24, blender: 12 };
-/** Texture bytes that exceed what many phones and integrated GPUs accept for one model. */
+/** Larger textures exceed the limit of many phones and integrated GPUs for one model. */
 const HEAVY_BYTES = 256e6;
-/** Layers of an array texture, of which three.js uses one per target: the limit of nearly all GPUs. */
+/** Layers of an array texture, at the limit of nearly all GPUs. three.js uses one per target. */
 const MOST_LAYERS = 2048;
 
 /**
- * Limit for files that open again: one weight for each target at every frame, and sizes up to 2^31
+ * Limit for files that can be opened again: one weight per target and frame, and sizes up to 2^31
  * (wasm/io/gltf/gltf_writer).
  */
 export const MOST_WEIGHTS = 16_000_000;
 const MOST_GLB_BYTES = 2 ** 31 - 1;
 
-/** A grid time this close to a key, relative to the export's length, is the key's: linspace rounds, keys are exact. */
+/**
+ * A grid time this close to a key, relative to the export's length, becomes the key's exact time, because linspace
+ * rounds.
+ */
 const SAME_TIME = 1e-9;
 
 export interface Frames {
-  /** In the sequence's own unit. */
+  /** Frame times in the sequence's unit of time. */
   times: number[];
-  /** For each time its place on the exported animation's timeline, in float32; the first is 0. */
+  /** Time of each frame on the exported animation's timeline, in float32; the first is 0. */
   seconds: number[];
-  /** Times of keys outside the range: stored but never shown, so the file holds the whole project. */
+  /** Times of keys outside the range. They are stored but never shown, so the file contains the whole project. */
   stills: number[];
 }
 
-/** `range`: the default range. For a GLB, without the frames that the tolerance allows to omit. */
+/** `range`: the default range. For a GLB, excludes frames within the tolerance. */
 export function framesOf(
   options: ExportOptions,
   keyTimes: readonly number[],
@@ -58,7 +61,7 @@ function askedTimes({ times, frames, fps, duration }: ExportOptions, range: read
   return fps !== null && frames === null ? wholeFrames(range, fps, duration) : evenly(range, frames ?? USUAL_FRAMES);
 }
 
-/** With a duration the frames are those of the exported animation, which starts with frame 0. */
+/** With a duration, frames are those of the exported animation, starting with frame 0. */
 function wholeFrames([first, last]: readonly [number, number], fps: number, duration: number | null): number[] {
   const scale = duration === null ? 1 : duration / (last - first);
   const count = duration === null ? frameCount([first, last], fps) : frameCount([0, duration], fps);
@@ -74,13 +77,13 @@ function wholeFrames([first, last]: readonly [number, number], fps: number, dura
   throw invalidOption('The range holds fewer than two whole frames. Use a longer one or more frames per second.');
 }
 
-/** Whether a GLB omits frames within the tolerance; for principal targets, times of their weights. */
+/** Whether a GLB omits frames within the tolerance; for principal targets, weight times. */
 export function isThinned({ format, pose, blend, times, frames, tolerance, targets }: ExportOptions): boolean {
   const wanted = tolerance > 0 || targets === 'principal';
   return format === 'glb' && pose === null && !blend && wanted && !times && frames === null;
 }
 
-/** Candidate times of a thinned GLB: required ones, and others. */
+/** Candidate times of a thinned GLB: required and optional ones. */
 export function choicesOf(
   options: ExportOptions,
   keyTimes: readonly number[],
@@ -97,7 +100,7 @@ function evenly([first, last]: readonly [number, number], count: number): number
   return Array.from({ length: count }, (_, i) => (i === count - 1 ? last : first + ((last - first) * i) / (count - 1)));
 }
 
-/** Times of files without keys among their frames: only an MDD stores frame times. */
+/** Frame times of files without keys among their frames. Only an MDD stores them. */
 function placesOf(asked: readonly number[], { format, duration }: ExportOptions): number[] {
   const first = asked.reduce((least, t) => Math.min(least, t));
   const length = asked.reduce((most, t) => Math.max(most, t)) - first;
@@ -105,7 +108,7 @@ function placesOf(asked: readonly number[], { format, duration }: ExportOptions)
   return asked.map((t) => ((t - first) / length) * (duration ?? length));
 }
 
-/** The sorted times and the keys between them, each once; a key wins over a time that is nearly its own. */
+/** The sorted times and the keys between them, each once. A key replaces a time close to it. */
 function withKeys(times: number[], keyTimes: readonly number[]): number[] {
   const first = times[0]!;
   const last = times.at(-1)!;
@@ -151,7 +154,7 @@ const grouped = (count: number): string => count.toLocaleString('en');
 
 const tooLarge = (sentence: string): EngineError => new EngineError('too-large', sentence);
 
-/** Warnings about keys that lie between whole frames. `range`: the exported range. */
+/** Warnings about keys between whole frames. `range`: the exported range. */
 export function frameWarnings(
   { format, pose, times, frames, fps, duration }: ExportOptions,
   keyTimes: readonly number[],
@@ -180,7 +183,7 @@ export function frameWarnings(
 /** Formats that store vertex positions separately from the faces. */
 export const isPointCache = ({ format }: ExportOptions): boolean => format === 'pc2' || format === 'mdd';
 
-/** Single precision holds a cache near the origin only. */
+/** Warnings about single precision, in which a cache must be near the origin. */
 export function localWarnings(options: ExportOptions, offset: Point): Warning[] {
   if (!isPointCache(options) || offset.every((value) => value === 0)) return [];
   const message =
@@ -189,7 +192,7 @@ export function localWarnings(options: ExportOptions, offset: Point): Warning[] 
   return [{ ...NO_PLACE, code: 'local-positions', message, count: 0 }];
 }
 
-/** `vertices`: of all primitives together. */
+/** `vertices`: total over all primitives. */
 export function exportWarnings(options: ExportOptions, targets: number, vertices: number): Warning[] {
   if (options.format !== 'glb') return [];
   const warnings: Warning[] = [];

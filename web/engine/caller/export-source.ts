@@ -6,9 +6,9 @@ import type { PrincipalTargets } from './principal-targets.ts';
 import type { FilesWorker } from './worker-client.ts';
 
 export interface PlannedFrames extends Frames {
-  /** Keys whose poses come along as well, unseen, after the stills: none, or all. */
+  /** Number of keys whose poses are stored after the stills, never shown: none, or all. */
   poses: number;
-  /** Instead of a target for each time. */
+  /** Replaces one target per time. */
   principal: PrincipalTargets | null;
   /** Largest distance between playback and motion, relative to the diagonal; null without an animation. */
   error: number | null;
@@ -19,9 +19,9 @@ export interface ExportSource {
   keyTimes: readonly number[];
   options: SequenceOptions;
   range: readonly [number, number];
-  /** The last plan and its options: planning can cost as much as exporting. */
+  /** The last plan and its options, cached because planning can cost as much as exporting. */
   planned: { latest: { for: string; frames: PlannedFrames; rounding: number | null } | null };
-  /** Starts a worker that no other export uses. */
+  /** Starts a worker for this export alone. */
   filesWorker(): FilesWorker;
   frame(t: number): Promise<Frame>;
   glbSize(request: FileCalls['glbSize']['request']): Promise<FileCalls['glbSize']['result']>;

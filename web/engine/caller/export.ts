@@ -1,6 +1,6 @@
 /**
- * Exports. Frames come one at a time from the sequence's worker, which stays free for scrubbing. A new worker writes
- * them, so a cancelled export, or one that runs out of memory, does not affect the sequence.
+ * Exports. Frames come one at a time from the sequence's worker, which stays available for scrubbing. A new worker
+ * writes them. Cancelling the export, or running out of memory, does not affect the sequence.
  */
 import type { CallOptions } from '../api/api.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
@@ -22,20 +22,20 @@ import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene } from '../a
 const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
 
 /**
- * Measured shares of the bytes that compression leaves: quantised 0.75 to 0.84, more if the shape turns further
- * (normals that turn far stay floats); with meshopt 0.28 (a smooth bar) to 0.6 (a horse).
+ * Measured compression ratios. Quantised: 0.75 to 0.84, higher for large rotations (normals that turn far stay floats).
+ * Meshopt: 0.28 (a smooth bar) to 0.6 (a horse).
  */
 const LEFT = { none: 1, quantized: 0.8, meshopt: 0.5 };
 
-/** Characters that an OBJ's number is longer where an offset is added. */
+/** Additional characters per number in an OBJ with an offset. */
 const FAR_DIGITS = 5;
 
-/** Share of the progress for planning, unless it was done before. */
+/** Share of planning in the progress, unless it was done before. */
 const PLANNING = 0.4;
 
 interface Planned {
   frames: PlannedFrames;
-  /** Largest error of playback, rounding included; null without an animation. */
+  /** Largest playback error, including rounding; null without an animation. */
   error: number | null;
 }
 
@@ -47,7 +47,7 @@ async function planOnce(source: ExportSource, options: ExportOptions, call: Call
   return { frames, error: frames.error + latest.rounding };
 }
 
-/** Largest displacement by the grid of a compressed file, also at the keys, relative to the diagonal. */
+/** Largest displacement by a compressed file's grid, also at the keys, relative to the diagonal. */
 async function roundingOf(source: ExportSource, frames: PlannedFrames, { signal }: CallOptions): Promise<number> {
   const fit = new GridFit();
   let base: Float32Array | null = null;
@@ -90,7 +90,7 @@ export async function planExport(
   };
 }
 
-/** Yields the files as they are written, so a caller that takes them one by one need not hold all of them. */
+/** Yields each file once written, so the caller need not hold all of them. */
 export async function* exportFiles(
   source: ExportSource,
   options: ExportOptions,
@@ -128,7 +128,7 @@ interface Job extends Planned {
   options: ExportOptions;
   writer: FilesWorker;
   call: CallOptions;
-  /** How far the progress is. */
+  /** Current progress. */
   start: number;
 }
 
@@ -139,7 +139,7 @@ function report({ call, frames, start }: Job, done: number): void {
 
 const stemOf = ({ name }: ExportOptions): string => name ?? 'shapespline';
 
-/** The shapes of an animation: frames at their times, or targets that were worked out before. */
+/** The shapes of an animation: frames at their times, or precomputed targets. */
 async function* shapesOf(
   source: ExportSource,
   frames: PlannedFrames,
@@ -217,7 +217,7 @@ function writePose({ source, options, writer }: Job, frame: Frame): Promise<Uint
   });
 }
 
-/** The cache, and one OBJ with the vertices that it moves: the shape of the first frame. */
+/** The cache, and one OBJ with its vertices in the shape of the first frame. */
 async function* writePointCache(job: Job): AsyncGenerator<ExportedFile, void, undefined> {
   const { source, options, frames, call } = job;
   const cache = new PointCache(options.format as 'pc2' | 'mdd', frames, source.keys.positions[0]!.length / 3);
@@ -234,15 +234,15 @@ async function* writePointCache(job: Job): AsyncGenerator<ExportedFile, void, un
   yield* materialFiles(stemOf(options), source.keys.info.scene);
 }
 
-/** The parts of the look that a format can store. */
+/** The part of the look that a format can store. */
 function sceneOf(format: 'glb' | 'obj' | 'ply', scene: Scene): Scene {
   if (format === 'glb') return scene;
   return format === 'obj' ? { ...scene, colors: null, images: [] } : NO_SCENE;
 }
 
 /**
- * Every key is one of the shapes, shown or not: the last ones, where poses come along, with principal targets the
- * first.
+ * Every key is one of the shapes, shown or not. With appended poses, keys are the last shapes; with principal targets,
+ * the first.
  */
 function projectOf({ source: { keys, keyTimes, options }, frames, error }: Job): string {
   const all = [...frames.times, ...frames.stills];
@@ -251,7 +251,7 @@ function projectOf({ source: { keys, keyTimes, options }, frames, error }: Job):
     return frames.principal ? key : all.indexOf(t);
   };
   const { vertices, faces } = keys.info.report;
-  // Keys whose shapes include the effect of pins: pins must not move them again.
+  // These keys' shapes include the effect of pins, so the pins are removed.
   const pins = frames.poses > 0 ? options.pins : options.pins.filter((pin) => !movesKeys({ ...options, pins: [pin] }));
   return writeProject(
     {
@@ -289,7 +289,7 @@ async function estimate(
   return { bytes: images + LEFT[compression] * size.bytes, vertices: size.vertices };
 }
 
-/** Numbers of about 10 characters; indices as long as the largest, up to three a corner. */
+/** Assumes numbers of about 10 characters, and indices as long as the largest, up to three per corner. */
 function objBytes(vertices: number, faces: number, coordinates: number): number {
   const digits = (count: number): number => String(count).length;
   const corner = 2 * (1 + digits(vertices)) + 1 + (coordinates > 0 ? digits(coordinates) : 0);

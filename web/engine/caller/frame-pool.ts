@@ -1,14 +1,14 @@
-/** Spent frames: their buffers return to the worker with the next request, so steady playback allocates nothing. */
+/** Released frames: their buffers return to the worker with the next request, so steady playback allocates nothing. */
 import type { FrameBuffers, FrameData } from '../wire/protocol.ts';
 import type { Frame } from '../api/types.ts';
 
-/** Enough for the look-ahead and the shown frames; further buffers are left to the garbage collector. */
+/** Enough buffers for the look-ahead and the shown frames. The garbage collector takes further buffers. */
 const MOST_SPARES = 12;
 
 export class FramePool {
   private readonly spares: FrameBuffers[] = [];
 
-  /** Buffers to send along, or null when none are spare. */
+  /** Buffers for a request, or null if none are free. */
   take(): FrameBuffers | null {
     return this.spares.pop() ?? null;
   }
@@ -17,7 +17,7 @@ export class FramePool {
     const { positions, normals, ms, threads, indefiniteFaces, indefiniteFace } = data;
     let buffers: FrameBuffers | null = { positions, normals };
     const release = (): void => {
-      // A frame whose arrays the receiver transferred elsewhere has nothing to give back.
+      // Arrays that the receiver has transferred elsewhere cannot be reused.
       const whole = buffers && buffers.positions.length > 0 && buffers.normals.length > 0;
       if (buffers && whole && this.spares.length < MOST_SPARES) this.spares.push(buffers);
       buffers = null;

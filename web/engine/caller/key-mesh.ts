@@ -1,11 +1,11 @@
-/** Arrays of the caller -> keys, but for the report on their mesh, which is the core's. */
+/** Converts the caller's arrays to keys, except for the mesh report, which the core makes. */
 import { invalidOption } from '../api/errors.ts';
 import { checkTimes } from '../api/options.ts';
 import type { KeyMesh, KeysInfo } from '../api/types.ts';
 import type { KeyData } from '../wire/protocol.ts';
 import { sharedFloats } from '../wire/shared-floats.ts';
 
-/** Whether they fit together is checked by the core. */
+/** The core checks that they are consistent. */
 export function keysOfMesh(mesh: KeyMesh): Omit<KeyData, 'info'> & { info: Omit<KeysInfo, 'report'> } {
   const { faces, poses, scene } = mesh;
   if (!(faces instanceof Uint32Array) || faces.length % 3 > 0)

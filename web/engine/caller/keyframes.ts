@@ -16,7 +16,7 @@ export class KeyArrays implements Keys {
     return this.data.info;
   }
 
-  /** Input of sequences. */
+  /** The keys' data, the input of sequences. */
   get data(): KeyData {
     if (!this.content) throw disposed('import');
     return this.content;

@@ -1,4 +1,4 @@
-/** Materials and textures as files next to an OBJ. */
+/** Materials and textures as files beside an OBJ. */
 import type { ExportedFile, Material, Scene, TextureImage } from '../api/types.ts';
 
 const EXTENSIONS: Record<string, string> = {
@@ -8,7 +8,7 @@ const EXTENSIONS: Record<string, string> = {
   'image/ktx2': 'ktx2',
 };
 
-/** Names of materials in an OBJ, where a name ends at the first space. */
+/** Material names in an OBJ, where a space ends a name. */
 export function materialLibrary(stem: string, { materials }: Scene): { file: string; names: string[] } {
   if (materials.length === 0) return { file: '', names: [] };
   const taken = new Set<string>();
@@ -24,7 +24,7 @@ export function materialLibrary(stem: string, { materials }: Scene): { file: str
 const imageName = (stem: string, image: TextureImage, index: number): string =>
   `${stem.replace(/\s+/g, '_')}-texture-${index + 1}.${EXTENSIONS[image.mimeType] ?? 'bin'}`;
 
-/** OBJ's colours are those of the screen. */
+/** OBJ colours are in the screen's encoding. */
 const encoded = (linear: number): number =>
   linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
 const number = (value: number): string => String(Number(value.toFixed(6)));
@@ -51,7 +51,7 @@ function described(material: Material, name: string, imageNames: readonly string
   ].join('\n');
 }
 
-/** None where the scene has no materials. */
+/** The files of materials and textures; empty if the scene has no materials. */
 export function materialFiles(stem: string, scene: Scene): ExportedFile[] {
   const { file, names } = materialLibrary(stem, scene);
   if (file === '') return [];

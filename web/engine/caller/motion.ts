@@ -37,15 +37,15 @@ interface Shown {
   supersede(): void;
 }
 
-/** The questions that are about a motion. */
+/** The questions about a motion. */
 type MotionQuestion = {
   [N in QuestionName]: (typeof QUESTIONS)[N]['of'] extends 'motion' ? N : never;
 }[QuestionName];
 
-/** Longest time that measures may delay a frame, unless a single one takes longer. */
+/** Longest delay of a frame by measures, unless a single measure takes longer. */
 const AT_ONCE_MS = 10;
 
-/** Loaded with the first export: most visits to the page never make one. */
+/** The export code is loaded with the first export, because most visits make none. */
 const exporting = () => import('./export.ts');
 
 export class MotionClient implements Motion {
@@ -193,7 +193,7 @@ export class MotionClient implements Motion {
     this.shape.checkAlive();
   }
 
-  /** The motion that is meant from now on. */
+  /** The motion for all later requests. */
   protected async settled(): Promise<MotionSpec> {
     this.checkAlive();
     return this.spec;
@@ -203,13 +203,13 @@ export class MotionClient implements Motion {
     return this.shape.parts.keys.info.report.faces;
   }
 
-  /** Asks about the motion that is current when the request's turn comes. */
+  /** Asks about the motion that is current when the request is sent. */
   private async ask<N extends MotionQuestion>(name: N, asked: AskedOf<N>): Promise<ResultOf<N>> {
     this.checkAlive();
     return this.shape.question(name, () => ({ ...asked, motion: this.spec }) as RequestOf<N>);
   }
 
-  /** null where a newer one overtakes it. */
+  /** Requests a frame; null if a newer request replaces it. */
   private async latest(make: () => Promise<Frame>): Promise<Frame | null> {
     this.supersede();
     return new Promise<Frame | null>((resolve, reject) => {

@@ -6,11 +6,11 @@ import type { CoreWorker } from './worker-client.ts';
 
 export interface OrderBeside {
   order: SharedOrder;
-  /** Ends the worker, whether it has finished or not. */
+  /** Ends the worker, whether finished or not. */
   end(): void;
 }
 
-/** The shape reports a failure when it fails as well, or finds the order itself. */
+/** If this fails, the shape either fails with its own report, or finds the order itself. */
 export function orderBeside(client: CoreWorker, request: RequestOf<'encode'>): OrderBeside {
   const order = sharedOrder(request.positions[0]!.length / 3);
   const end = (): void => {

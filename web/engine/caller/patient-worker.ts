@@ -1,6 +1,6 @@
 /**
- * A worker that is started in the first way that works. Messages are kept until its script reports that it runs, so
- * none is lost to a way that fails. A silent script has failed as well.
+ * Starts a worker by the first method that works. Messages are kept until the script reports that it runs, so no failed
+ * start loses any. A silent script counts as failed.
  */
 import type { StartedWorker } from './browser-files.ts';
 import type { Ready } from '../wire/protocol.ts';
@@ -9,29 +9,29 @@ export type Way = () => StartedWorker;
 
 const REPORT_MS = 50;
 /**
- * How long a script may stay silent after the rest of the engine, which is larger, has loaded. Counted in steps,
- * because a machine wakes from sleep with one timer overdue.
+ * Longest silence of a script after the rest of the engine, which is larger, has loaded. Counted in steps, because a
+ * machine wakes from sleep with one overdue timer.
  */
 const SILENT_STEPS = 6;
 const STEP_MS = 5000;
-/** Without a message: no script has run. */
+/** An error without a message means that no script has run. */
 const NOT_STARTED = { message: '', preventDefault: () => undefined } as unknown as ErrorEvent;
 
 export class PatientWorker implements StartedWorker {
   onmessage: StartedWorker['onmessage'] = null;
   onmessageerror: StartedWorker['onmessageerror'] = null;
   onerror: StartedWorker['onerror'] = null;
-  /** The last way that was tried ran into silence. */
+  /** The last method ended in silence. */
   silent = false;
   private readonly ways: Way[];
   private worker: StartedWorker | null = null;
-  /** null once the script runs, or without another way to send the messages. */
+  /** null once the script runs, or if no other method can send the messages. */
   private waiting: Parameters<Worker['postMessage']>[] | null = [];
   private running = false;
   private over = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** `loaded` settles when the rest has loaded. */
+  /** `loaded` settles when the rest of the engine has loaded. */
   constructor(
     ways: Way[],
     private readonly loaded: Promise<unknown>,
@@ -57,9 +57,9 @@ export class PatientWorker implements StartedWorker {
     try {
       this.worker = way?.() ?? null;
     } catch {
-      return this.start(); // refused at once
+      return this.start(); // the browser refused it immediately
     }
-    // The caller must still set its handlers, and the browser must still report a policy violation.
+    // The caller has to set its handlers first, and the browser has to report a policy violation first.
     if (!this.worker) return void setTimeout(() => this.fail(NOT_STARTED), REPORT_MS);
     const { worker } = this;
     worker.onmessage = (event: MessageEvent<Ready>) => {
@@ -78,7 +78,7 @@ export class PatientWorker implements StartedWorker {
     if (this.ways.length === 0) this.post();
   }
 
-  /** Another way, if there is one. */
+  /** Tries the next method, if any. */
   private startNext(event: ErrorEvent): void {
     clearTimeout(this.timer);
     this.worker?.terminate();

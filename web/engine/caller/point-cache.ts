@@ -1,12 +1,12 @@
-/** Point caches: the vertices of every frame, for programs that move one mesh by them (Mesh Cache in Blender). */
+/** Point caches: the vertices of every frame, for programs that animate a mesh with them (Mesh Cache in Blender). */
 import { EngineError } from '../api/errors.ts';
 
 const MOST_BYTES = 2 ** 31 - 1;
 const PC2_HEADER = 32;
 
 /**
- * PC2 (little-endian): "POINTCACHE2", version 1, points, first frame, frames a sample, samples, then all positions. MDD
- * (big-endian): samples, points, the second of each sample, then all positions.
+ * PC2 (little-endian): "POINTCACHE2", version 1, points, first frame, frames per sample, samples, then all positions.
+ * MDD (big-endian): samples, points, time of each sample in seconds, then all positions.
  */
 export class PointCache {
   readonly bytes: Uint8Array;

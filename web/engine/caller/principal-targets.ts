@@ -1,31 +1,32 @@
 /**
- * The keys as morph targets, with a few corrections. Between two keys, one fades out while the other fades in; the
- * corrections, zero at every key, restore the bending that this would shrink. All weights change with time.
+ * The keys as morph targets, with a few corrections. Between two keys, one fades out while the other fades in. Such a
+ * blend alone would lose bending, which the corrections restore; they are zero at every key. All weights change with
+ * time.
  */
 import type { FrameBuffers } from '../wire/protocol.ts';
 
 export interface PrincipalTargets {
   /** The first key, the other keys, then the corrections, each added to the first key. */
   shapes: FrameBuffers[];
-  /** A row for each time: a weight for each shape but the first. */
+  /** One row per time: weights of all shapes except the first. */
   weights: Float32Array;
-  /** How many of the shapes are corrections. */
+  /** Number of corrections among the shapes. */
   corrections: number;
-  /** The largest distance of a vertex at the times. */
+  /** Largest distance of a vertex at the times. */
   error: number;
 }
 
-/** Residuals of frames in leading components: `WasmFiles.principalOffsets`. */
+/** Residuals of frames in their leading components: `WasmFiles.principalOffsets`. */
 export interface Offsets {
   count: number;
-  /** count x 3 x vertices. */
+  /** The components, count x 3 x vertices. */
   offsets: Float32Array;
-  /** frames x count. */
+  /** The weights, frames x count. */
   weights: Float32Array;
   largest: number;
 }
 
-/** Weights of all keys but the first at t; `period`: of a loop, which comes back to the first key. */
+/** Weights of all keys except the first at t; `period`: of a loop, which returns to the first key. */
 export function keyWeights(keyTimes: readonly number[], period: number | null, t: number): number[] {
   const weights = new Array<number>(keyTimes.length).fill(0);
   const first = keyTimes[0]!;

@@ -1,11 +1,11 @@
 /**
- * Sends one request at a time to a sequence's worker, the most urgent first: a visible frame does not wait for frames
+ * Sends one request at a time to a sequence's worker, the most urgent first. A visible frame does not wait for frames
  * fetched ahead or for an export. A request that was passed often enough goes next, so playback on a slow worker does
  * not block the plots.
  */
 import { cancelled } from '../api/errors.ts';
 
-/** Urgency of a request; lower is served first, equals in order of arrival. */
+/** Urgency of a request. Lower values go first, equal ones in order of arrival. */
 export const urgency = { shown: 0, ahead: 1, batch: 2 } as const;
 export type Urgency = (typeof urgency)[keyof typeof urgency];
 
@@ -14,17 +14,18 @@ export interface Task {
   start(): Promise<unknown>;
 }
 
-/** How many more urgent tasks may pass. */
+/** Number of more urgent tasks that can pass a waiting one. */
 const MOST_PASSED = 4;
 
 export class Scheduler {
   private waiting: Task[] = [];
-  /** How many more urgent tasks have gone before one that waits. */
+  /** Per waiting task, the number of tasks that have passed it. */
   private readonly passed = new WeakMap<Task, number>();
   private busy = false;
 
   /**
-   * The task's own promise; it starts when nothing more urgent is left. The signal withdraws it as long as it has not.
+   * Returns the task's own promise. The task starts when nothing more urgent waits; until then the signal can withdraw
+   * it.
    */
   run<T>(level: Urgency, work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
     return new Promise<T>((resolve, reject) => {
@@ -47,7 +48,7 @@ export class Scheduler {
     this.next();
   }
 
-  /** Takes a task back; false if it has begun. */
+  /** Withdraws a task; false if it has started. */
   withdraw(task: Task): boolean {
     const place = this.waiting.indexOf(task);
     if (place >= 0) this.waiting.splice(place, 1);

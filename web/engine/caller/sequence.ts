@@ -1,4 +1,4 @@
-/** A shape with one motion, which can be changed. */
+/** A shape with one changeable motion. */
 import type { MotionChange, Sequence } from '../api/api.ts';
 import { METHOD } from '../api/methods.ts';
 import { checkUpdate, notUpdated } from '../api/options.ts';
@@ -46,7 +46,7 @@ export class SequenceClient extends MotionClient implements Sequence {
     this.shape.dispose();
   }
 
-  /** After all updates that were asked for so far. */
+  /** Resolves after all updates requested so far. */
   protected override async settled(): Promise<MotionSpec> {
     await this.updates;
     return super.settled();

@@ -1,4 +1,4 @@
-/** A shape on the caller's side: its worker, the queue of its requests, and the data to encode it again. */
+/** A shape on the caller's side: its worker, its request queue, and the data to encode it again. */
 import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
 import { cancelled, disposed, untilAborted } from '../api/errors.ts';
 import { METHOD } from '../api/methods.ts';
@@ -17,14 +17,14 @@ import type { CoreWorker, ShellsWorker, WorkerCall } from './worker-client.ts';
 export interface ShapeParts {
   keys: KeyData;
   encoding: EncodingOptions;
-  /** Starts a worker that no other shape uses, with one thread. */
+  /** Starts a worker for this shape alone, with one thread. */
   freshWorker(): CoreWorker;
-  /** Finds the elimination order in parallel if the shape is large enough; or null. */
+  /** Starts a worker that finds the elimination order of a large shape in parallel; null for small shapes. */
   workerBeside: (() => CoreWorker) | null;
-  /** For exports. */
+  /** Starts a worker for exports. */
   filesWorker: ExportSource['filesWorker'];
   glbSize: ExportSource['glbSize'];
-  /** A shape of other keys, and the worker that finds them: for motions whose shapes are fitted. */
+  /** Encodes the keys of a fitted motion. */
   encode(keys: KeyData, encoding: EncodingOptions, call: CallOptions): Promise<ShapeClient>;
   shellsWorker(): ShellsWorker;
   onDispose(shape: ShapeClient): void;
@@ -43,7 +43,7 @@ export class ShapeClient implements Shape {
     private client: CoreWorker,
   ) {}
 
-  /** Encodes it in `client`, which is the shape's own from here on. */
+  /** Encodes the shape in `client`, which belongs to it from now on. */
   static async encode(parts: ShapeParts, client: CoreWorker, call: WorkerCall): Promise<ShapeClient> {
     await client.call('encode', encodeRequest(parts), call);
     return new ShapeClient(parts, client);
@@ -62,12 +62,12 @@ export class ShapeClient implements Shape {
     return new MotionClient(this, spec, await untilAborted(call?.signal, made));
   }
 
-  /** A motion whose shapes are fitted, which ends with this shape; `owner`: and this shape with it. */
+  /** A motion with fitted shapes. It is released with this shape; with `owner`, it also releases this shape. */
   async fitted(spec: MotionSpec, call?: CallOptions, owner = false): Promise<FittedMotion> {
     return (await import('./fitted-motion.ts')).fitMotion(this, spec, call, owner);
   }
 
-  /** A motion that no worker has yet. */
+  /** A motion that no worker has made yet. */
   spec(options: MotionOptions, keyTimes: readonly number[]): MotionSpec {
     return { number: ++this.motions, options, keyTimes };
   }
@@ -79,7 +79,7 @@ export class ShapeClient implements Shape {
 
   /** The motion is no longer needed. */
   drop(motion: MotionSpec): void {
-    // A worker that ended holds nothing to release.
+    // A worker that has ended has nothing to release.
     if (!this.over && this.client.alive) this.client.call('drop', { motion }).catch(() => undefined);
   }
 
@@ -112,15 +112,15 @@ export class ShapeClient implements Shape {
     if (this.over) throw disposed('shape');
   }
 
-  /** A question in its turn. */
+  /** Sends a question through the queue. */
   async question<N extends QuestionName>(name: N, request: () => RequestOf<N>): Promise<ResultOf<N>> {
     this.checkAlive();
     return this.scheduler.run(urgency[QUESTIONS[name].urgency], () => this.ask(name, request()));
   }
 
   /**
-   * One request; a worker that died before is replaced first, and the shape encoded again from the same keys. If the
-   * second thread was the reason, it would be again: the new worker has one thread.
+   * Sends one request. Replaces a dead worker first, encoding the same keys again. The new worker has one thread, in
+   * case the second thread caused the failure.
    */
   async ask<K extends CoreCallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
     this.checkAlive();
@@ -133,8 +133,7 @@ export class ShapeClient implements Shape {
   }
 
   /**
-   * The first motion in LRI space creates that space. Cancelling ends the worker; a new one encodes on the next
-   * request.
+   * The first motion in LRI space creates that space. Cancelling ends the worker; the next request starts a new one.
    */
   private async makeWithLri(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
     const { workerBeside } = this.parts;
@@ -153,7 +152,7 @@ export class ShapeClient implements Shape {
   }
 }
 
-/** Input of an encoding. */
+/** The input of an encoding. */
 function encodeRequest({ keys, encoding }: ShapeParts): RequestOf<'encode'> {
   const { info, positions, normals } = keys;
   return { names: info.names, faces: info.faces, times: info.times, positions, normals, encoding };

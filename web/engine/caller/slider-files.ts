@@ -1,8 +1,8 @@
-/** Weights of morph targets as functions of one slider: a table, and drivers for Blender. */
+/** Morph target weights as functions of one slider: a table, and drivers for Blender. */
 import type { ExportedFile } from '../api/types.ts';
 import type { PlannedFrames } from './export-source.ts';
 
-/** A cell of a table; no spreadsheet takes a name for a formula. */
+/** A table cell, quoted so spreadsheets do not read a name as a formula. */
 const cell = (name: string): string => `"${name.replaceAll('"', '""').replace(/^[=+@\t\r\n-]/, "'$&")}"`;
 
 function rowsOf({ principal }: PlannedFrames, count: number): number[][] {

@@ -1,10 +1,10 @@
-/** Names of exported morph targets, which arrive as shape keys: names of keys, and times. */
+/** Names of exported morph targets (shape keys in other programs): key names and times. */
 import type { PlannedFrames } from './export-source.ts';
 
-/** Bytes that Blender keeps of a shape key's name. */
+/** Blender's limit for shape key names, in bytes. */
 const MOST_BYTES = 63;
 
-/** The name before the time, shortened to fit. */
+/** The name followed by the time, with the name shortened to fit. */
 function named(name: string, at: string): string {
   const bytes = (text: string): number => new TextEncoder().encode(text).length;
   const letters = [...name];
@@ -14,7 +14,7 @@ function named(name: string, at: string): string {
 
 const time = (t: number): string => `t=${Number(t.toFixed(4))}`;
 
-/** For all shapes but the first, which is the mesh itself. */
+/** Names of all shapes except the first, which is the mesh itself. */
 export function targetNames(
   names: readonly string[],
   keyTimes: readonly number[],

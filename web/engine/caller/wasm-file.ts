@@ -1,14 +1,14 @@
-/** WebAssembly from a URL that may return anything. */
+/** Loads WebAssembly from a URL that may return anything. */
 import type { FileUrls } from '../api/configure.ts';
 import { engineError, messageOf, notLoaded, type EngineError } from '../api/errors.ts';
 
 const MAGIC = [0x00, 0x61, 0x73, 0x6d];
-/** Length of the shown start of a response, in bytes. */
+/** Number of response bytes to show in an error. */
 const SHOWN = 24;
 
 /**
- * Compiles while loading if the server states the type. Error: not-loaded, with a description of the response; `option`
- * is the name of the URL's option.
+ * Compiles while loading if the server sends the right type. Error: not-loaded, with a description of the response;
+ * `option` is the name of the URL's option.
  */
 export async function compileFrom(
   url: URL,
@@ -34,7 +34,7 @@ export async function compileFrom(
   }
 }
 
-/** A host may answer 200 with an HTML page for a missing file. */
+/** A host may return an HTML page with status 200 for a missing file. */
 function checked(url: URL, option: string, type: string, bytes: ArrayBuffer): ArrayBuffer {
   const begin = new Uint8Array(bytes, 0, Math.min(SHOWN, bytes.byteLength));
   if (MAGIC.every((byte, index) => begin[index] === byte)) return bytes;

@@ -1,4 +1,4 @@
-/** One worker seen from outside: calls become promises; its end, however it comes, rejects those that are open. */
+/** The caller's side of one worker. Calls become promises, and the worker's end rejects all open ones. */
 import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory } from '../api/errors.ts';
 import type {
   CallName,
@@ -21,7 +21,7 @@ export interface WorkerPort {
 
 export interface PortEvents {
   message(message: FromWorker): void;
-  /** The worker ended or could not be started. */
+  /** The worker ended or failed to start. */
   failure(error: EngineError): void;
 }
 
@@ -75,7 +75,7 @@ export class WorkerClient<Name extends CallName> {
     const id = ++this.lastId;
     return new Promise<ResultOf<K>>((resolve, reject) => {
       this.open.set(id, { resolve: resolve as (value: unknown) => void, reject, onProgress, fraction: 0 });
-      // The union of all requests cannot be formed from a generic K without this one assertion.
+      // TypeScript cannot form the union of all requests from a generic K without this assertion.
       const message = { ...request, type, id } as unknown as ToWorker;
       void this.started.then(() => this.post(message, transfer ?? []));
     });
@@ -96,7 +96,7 @@ export class WorkerClient<Name extends CallName> {
     try {
       this.port.post(message, transfer);
     } catch (error) {
-      // a clone that does not fit into memory, an array that was transferred elsewhere
+      // a clone exceeds the memory, or an array was transferred elsewhere
       this.terminate(endedWorker(error));
     }
   }
@@ -118,7 +118,7 @@ export class WorkerClient<Name extends CallName> {
   }
 }
 
-/** The error after a worker ended by itself. */
+/** The error after a worker has ended unexpectedly. */
 export function endedWorker(reason: unknown): EngineError {
   const text = messageOf(reason);
   return isOutOfMemory(text) ? outOfMemory() : crashed(text);

@@ -1,6 +1,6 @@
 /**
- * Locates the files of the npm package in a browser: next to the script that includes this code. Bundlers copy files
- * that they see as `new URL('./name', import.meta.url)`. Each URL is created on use, because some bundles have no base
+ * Locates the npm package's files in a browser: next to the script that includes this code. Bundlers copy files
+ * referenced as `new URL('./name', import.meta.url)`. Each URL is created on use, because some bundles have no base
  * URL.
  */
 import { engineError, type EngineError } from '../api/errors.ts';
@@ -19,7 +19,7 @@ const beside = {
   codecs: () => whereItIs(new URL('./codecs.js', import.meta.url)),
 };
 
-/** Vite's development server moves the scripts of a package but not its other files (vite#8427). */
+/** Vite's development server moves a package's scripts but not its other files (vite#8427). */
 function whereItIs(url: URL): URL {
   return new URL(url.href.replace('/node_modules/.vite/deps/', '/node_modules/shapespline/'));
 }
@@ -40,7 +40,7 @@ export const files: BrowserFiles = {
   threads: beside.threads,
   forWorker: ({ draco = known(beside.draco), worker }) => ({
     draco,
-    // Without a URL of its own, the script assumes the folder of the configured worker.
+    // Without its own URL, the script uses the folder of the configured worker.
     codecs: known(beside.codecs) ?? known(() => new URL('./codecs.js', worker)),
   }),
   startWorker(name, loaded, given) {
@@ -58,8 +58,8 @@ const start = (address: string, name: string): StartedWorker =>
   new Worker(trustedAddress(address), { type: 'module', name });
 
 /**
- * A worker's script must be of the page's origin; a script of another origin is imported by a small local one. A frame
- * sandboxed without allow-same-origin has an opaque origin: its `blob:` URLs count as foreign, but `data:` works.
+ * A worker's script must have the page's origin, so a small local script imports a foreign one. A frame sandboxed
+ * without allow-same-origin has an opaque origin: its `blob:` URLs count as foreign, but `data:` works.
  */
 function waysFrom(url: URL): (() => string)[] {
   const text = `import ${JSON.stringify(url.href)};`;
@@ -67,7 +67,7 @@ function waysFrom(url: URL): (() => string)[] {
   return url.origin === globalThis.origin ? [() => url.href, ...importing] : importing;
 }
 
-/** Some sites refuse `blob:`; the file next to the script may work there. */
+/** Some sites refuse `blob:`, but may accept the file next to the script. */
 function inlinedWays(): (() => string)[] {
   const text = inlinedWorker ?? '';
   return [() => blobAddress(text), () => beside.worker().href, () => dataAddress(text)];
@@ -75,7 +75,7 @@ function inlinedWays(): (() => string)[] {
 
 const addresses = new Map<string, string>();
 
-/** A blob: URL for this text, cached because the worker's second thread starts from it as well. */
+/** A blob: URL for this text, cached because the worker's second thread uses the same one. */
 function blobAddress(text: string): string {
   const made = addresses.get(text) ?? URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
   addresses.set(text, made);
@@ -95,7 +95,7 @@ function required(address: () => URL, name: string): URL {
   }
 }
 
-/** Directives of the page's policy that have refused a worker. */
+/** Directives of the page's policy that have blocked a worker. */
 const refusals = new Set<string>();
 
 const note = ({ effectiveDirective, sample }: SecurityPolicyViolationEvent): void => {

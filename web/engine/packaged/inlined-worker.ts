@@ -1,2 +1,2 @@
-/** The text of `worker.js`: the one-file build has it here. */
+/** The text of `worker.js`. Only the one-file build sets it. */
 export const inlinedWorker: string | null = null;

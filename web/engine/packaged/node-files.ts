@@ -1,4 +1,4 @@
-/** The files of the npm package as Node finds them, from its folder `node`. */
+/** The npm package's files in Node, located from its folder `node`. */
 import type { NodeFiles } from '../node-files.ts';
 
 const beside = (name: string): URL => new URL(name, import.meta.url);

@@ -1,6 +1,6 @@
 /**
  * Script URLs on pages that require Trusted Types (`require-trusted-types-for 'script'`). The policy's name is part of
- * the public interface: a page that lists its policies includes it in `trusted-types`.
+ * the public interface: a page that lists its policies must include it in `trusted-types`.
  */
 const POLICY = 'shapespline';
 
@@ -14,7 +14,10 @@ interface TrustedTypes {
 
 let policy: ReturnType<TrustedTypes['createPolicy']> | null | undefined;
 
-/** The URL in the type that the page requires; unchanged if the page forbids the policy, since it may not need it. */
+/**
+ * The URL in the type that the page requires. Unchanged if the page forbids the policy, because the page may not
+ * require the type.
+ */
 export function trustedAddress(address: string): string {
   if (policy === undefined) policy = madePolicy();
   return (policy?.createScriptURL(address) ?? address) as string;

@@ -1,6 +1,6 @@
 /**
- * `worker.js`: the worker or its second thread, depending on the first message. One file without relative URLs: it
- * works wherever it is copied, and from a `blob:` URL.
+ * `worker.js`: the worker or its second thread, depending on the first message. One file without relative URLs, so it
+ * works from any location and from a `blob:` URL.
  */
 import createWasm from '../../../build/wasm/shapespline.mjs';
 import createFiles from '../../../build/wasm/shapespline_files.mjs';
@@ -49,5 +49,5 @@ async function fetchDraco(url: string | undefined): Promise<Uint8Array> {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-// Does nothing outside a worker, such as on a server that imports every entry of a package.
+// Does nothing outside a worker, for example on a server that imports every entry of a package.
 if (typeof self !== 'undefined' && 'postMessage' in self) serve();

@@ -1,6 +1,6 @@
 /**
- * The questions that the core answers: plain data in, plain data out. A line here is all that a question needs between
- * its binding (wasm/bindings) and the method that asks it.
+ * The questions that the core answers: plain data in, plain data out. A question needs only one line here between its
+ * binding (wasm/bindings) and its method.
  */
 import type {
   DiscretePath,
@@ -18,11 +18,11 @@ import type {
 export type Urgency = 'shown' | 'ahead' | 'batch';
 
 interface Question<Of, Asked, Answer> {
-  /** Function of the wasm module, which takes a handle and JSON. */
+  /** The wasm module's function, which takes a handle and JSON. */
   symbol: string;
   of: Of;
   urgency: Urgency;
-  /** Never there: carries the types. */
+  /** Never set at run time; carries the types. */
   types?: (asked: Asked) => Answer;
 }
 
@@ -46,9 +46,9 @@ export const QUESTIONS = {
   motionSpeed: ofMotion<{ times: number[] }, MotionSpeed>('_shapespline_motion_speed', 'batch'),
   bending: ofMotion<{ times: number[] }, { energy: number[] }>('_shapespline_bending'),
   ghostPositions: ofMotion<{ t: number }, { positions: Float32Array }>('_shapespline_ghost_positions'),
-  /** At the first of these times: one, and more as long as that takes no longer. */
+  /** Measures at least one of these times, and more of them within `mostMs`. */
   measure: ofMotion<{ times: number[]; mostMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
-  /** Per face; -1 without area. */
+  /** The component of each face; -1 without area. */
   components: ofShape<object, { componentOf: Int32Array }>('_shapespline_components'),
   patches: ofShape<object, { patchOf: Int32Array }>('_shapespline_patches'),
   ghost: ofShape<object, Ghost>('_shapespline_ghost'),

@@ -1,6 +1,6 @@
 /**
- * How positions are rounded in a quantised GLB: to 16 bits on one grid, for the base shape and for the differences of
- * its targets. It covers these, and not the distance to the origin.
+ * Rounding of positions in a quantised GLB: to 16 bits, with one grid for the base shape and its target offsets. The
+ * grid does not have to cover the distance to the origin.
  */
 import type { Point } from '../api/types.ts';
 
@@ -10,11 +10,11 @@ export const STEPS = 32767;
 export interface PositionGrid {
   /** Centre of the base shape. */
   centre: Point;
-  /** Size of a normalised 1: no coordinate of the base is farther from the centre, and no difference is longer. */
+  /** Size of a normalised 1: an upper bound on the base's coordinates relative to the centre, and on offsets. */
   scale: number;
 }
 
-/** Finds the grid of shapes that it is shown one by one; all are xyz interleaved. */
+/** Finds the grid from shapes that are added one by one. */
 export class GridFit {
   private readonly low = [Infinity, Infinity, Infinity];
   private readonly high = [-Infinity, -Infinity, -Infinity];
@@ -31,7 +31,7 @@ export class GridFit {
     for (let i = 0; i < offsets.length; i += 1) this.longest = Math.max(this.longest, Math.abs(offsets[i]!));
   }
 
-  /** Adds a target by its positions, as a GLB stores it. */
+  /** Adds a target by its positions, as stored in a GLB. */
   addTarget(positions: Float32Array, base: Float32Array): void {
     this.addDifference(positions.map((value, i) => value - base[i]!));
   }
@@ -47,14 +47,14 @@ export class GridFit {
 }
 
 /**
- * The largest distance that rounding moves a vertex: half a step of the base and of every target that is added to it,
- * along each axis. `weight`: the largest sum of their weights at any time.
+ * The largest displacement of a vertex by rounding: half a step along each axis, for the base and for every added
+ * target. `weight`: the largest sum of target weights at any time.
  */
 export function roundingError({ scale }: PositionGrid, weight: number): number {
   return (Math.sqrt(3) * scale * (1 + weight)) / 2 / STEPS;
 }
 
-/** Largest sum of an animation's weights at any time; null: one target is shown at a time. */
+/** Largest sum of an animation's weights at any time; null: one target at a time. */
 export function mostWeight(weights: Float32Array | null, times: number): number {
   if (!weights) return 1;
   const targets = weights.length / times;

@@ -1,6 +1,6 @@
 /**
  * A project: the content of `extras.shapespline` in an exported GLB, which restores keys, times and options. The core
- * reads the keys (wasm/io/gltf/project.h), this file the options. The text comes from a file and is not trusted.
+ * reads the keys (wasm/io/gltf/project.h), this file the options. The text is untrusted.
  */
 import { ENCODING, MOTION, SHAPES, optionsIn } from '../api/option-table.ts';
 import { checkSequenceOptions, choiceNow } from '../api/options.ts';
@@ -9,28 +9,28 @@ import type { Point, SequenceOptions } from '../api/types.ts';
 const VERSION = 1;
 
 export interface ProjectKeys {
-  /** In the user's unit of time. */
+  /** Key times in the user's unit of time. */
   times: readonly number[];
   names: readonly string[];
-  /** For each key its frame: 0 is the mesh itself, k its morph target k - 1. */
+  /** Frame of each key: 0 is the mesh itself, k its morph target k - 1. */
   frames: readonly number[];
 }
 
-/** The mesh as written, and the largest error of playback relative to the diagonal. */
+/** The mesh as written, and the largest playback error relative to the diagonal. */
 export interface ProjectMesh {
   vertices: number;
   faces: number;
   error: number | null;
 }
 
-/** Playback speed of the animation relative to its key times, and the range of key times that it plays. */
+/** Playback speed of the animation relative to its key times, and its range of key times. */
 export interface ProjectPlay {
   speed: number;
   start: number;
   end: number;
 }
 
-/** JSON holds shapes as base64 of little-endian float32. */
+/** JSON stores shapes as base64 of little-endian float32. */
 export function writeProject(
   keys: ProjectKeys,
   options: SequenceOptions,
@@ -50,7 +50,7 @@ export function writeProject(
   });
 }
 
-/** null if missing, as in files of earlier versions. */
+/** Reads the mesh; null if missing, as in files of earlier versions. */
 export function readMesh(text: string): ProjectMesh | null {
   try {
     const { vertices, faces, error } = record(record(JSON.parse(text))['mesh']);
@@ -61,7 +61,7 @@ export function readMesh(text: string): ProjectMesh | null {
   }
 }
 
-/** null if missing, as in files of earlier versions. */
+/** Reads the playback speed; null if missing, as in files of earlier versions. */
 export function readSpeed(text: string): number | null {
   try {
     const { speed } = record(JSON.parse(text));
@@ -71,7 +71,7 @@ export function readSpeed(text: string): number | null {
   }
 }
 
-/** null if missing, as in files of earlier versions. */
+/** Reads the played range; null if missing, as in files of earlier versions. */
 export function readPlayed(text: string): [start: number, end: number] | null {
   try {
     const { start, end } = record(JSON.parse(text));
@@ -82,7 +82,7 @@ export function readPlayed(text: string): [start: number, end: number] | null {
   }
 }
 
-/** null where the text is of another version, broken, or made by hand and wrong. */
+/** Reads the options; null if the text has another version, or is broken or invalid. */
 export function readOptions(text: string): SequenceOptions | null {
   try {
     const { version, options } = record(JSON.parse(text));

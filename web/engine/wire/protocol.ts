@@ -1,6 +1,6 @@
 /**
- * The messages between the engine and its workers: plain data, one union in each direction. A worker answers every
- * request exactly once, in order, and reports progress in between.
+ * Messages between the engine and its workers: plain data, one union in each direction. A worker answers every request
+ * exactly once, in order, and reports progress in between.
  */
 import type { AnswerOf, AskedOf, QUESTIONS, QuestionName } from './calls.ts';
 import type { SharedOrder } from './shared-order.ts';
@@ -24,11 +24,11 @@ export interface KeyData {
   info: KeysInfo;
   /** 3 x vertices for each key. */
   positions: readonly Float32Array[];
-  /** 3 x vertices of the first key as the file had them, or null. */
+  /** 3 x vertices of the first key as in the file, or null. */
   normals: Float32Array | null;
 }
 
-/** The motion of a request. A worker that does not have the motion of this number makes it. */
+/** The motion of a request. A worker without a motion of this number makes it. */
 export interface MotionSpec {
   readonly number: number;
   readonly options: MotionOptions;
@@ -41,7 +41,7 @@ export interface MotionState {
   warnings: Warning[];
 }
 
-/** Two arrays of 3 x vertices, spent ones given back or new ones. */
+/** Two arrays of 3 x vertices, reused or new. */
 export interface FrameBuffers {
   positions: Float32Array;
   normals: Float32Array;
@@ -56,7 +56,7 @@ export interface FrameData extends FrameBuffers {
 
 export type Compression = ExportOptions['compression'];
 
-/** Request and result of the questions, of the shape or of one of its motions. */
+/** Request and result of questions about the shape or one of its motions. */
 type Questions = {
   [N in QuestionName]: {
     request: AskedOf<N> & ((typeof QUESTIONS)[N]['of'] extends 'motion' ? { motion: MotionSpec } : object);
@@ -64,18 +64,18 @@ type Questions = {
   };
 };
 
-/** Request and result of the calls that a worker with the core answers. */
+/** Calls of a worker with the core. */
 export interface CoreCalls extends Omit<Questions, 'stats'> {
-  /** Checks keys that were in no file. */
+  /** Checks keys that were not read from files. */
   report: {
     request: Pick<KeysInfo, 'names' | 'faces' | 'times'> & Omit<KeyData, 'info'>;
     result: { report: MeshReport };
   };
-  /** Makes the shape that the worker holds from then on. */
+  /** Makes the worker's shape. */
   encode: { request: CoreCalls['report']['request'] & { encoding: EncodingOptions }; result: null };
-  /** Finds the order of elimination of LRI space in another worker. */
+  /** Finds the elimination order of LRI space in another worker. */
   order: { request: CoreCalls['encode']['request'] & { order: SharedOrder }; result: null };
-  /** `order`: where another worker leaves the order of elimination (shared-order), if LRI space is made; or null. */
+  /** `order`: where another worker stores the elimination order (shared-order) if LRI space is made; or null. */
   motion: { request: { motion: MotionSpec; order: SharedOrder | null }; result: MotionState };
   /** Releases the motion. */
   drop: { request: { motion: MotionSpec }; result: null };
@@ -88,17 +88,17 @@ export interface CoreCalls extends Omit<Questions, 'stats'> {
 /** Calls of a worker with the module for files. */
 export interface FileCalls {
   import: { request: { files: InputFile[]; options: ImportOptions }; result: KeyData };
-  /** Bytes of an animated GLB, to a few percent, without the images' own; and the vertices of its primitives. */
+  /** Estimated bytes of an animated GLB, to a few percent, without the images; and the vertices of its primitives. */
   glbSize: {
     request: { faces: Uint32Array; vertices: number; frames: number; scene: Scene };
     result: { bytes: number; vertices: number };
   };
-  /** Leading components of offsets (3 x vertices each): few, whose weighted sums are as near as the tolerance. */
+  /** Leading components of offsets (3 x vertices each): the fewest whose weighted sums are within the tolerance. */
   principalOffsets: {
     request: { frames: Float32Array[]; tolerance: number; most: number };
     result: { count: number; offsets: Float32Array; weights: Float32Array; largest: number };
   };
-  /** Takes one frame of the animation that is about to be written: those that are shown, then the stills. */
+  /** Adds a frame of the animation to write: first the shown frames, then the stills. */
   addFrame: { request: FrameBuffers; result: null };
   writeAnimation: {
     request: {
@@ -106,10 +106,10 @@ export interface FileCalls {
       scene: Scene;
       seconds: number[];
       stills: number;
-      /** A row for each time, with a weight for each target; null: each target is shown alone at its time. */
+      /** One row per time with a weight per target; null: each target is shown alone at its time. */
       weights: Float32Array | null;
       project: string;
-      /** Offset of all positions: becomes the node's translation. */
+      /** Offset of all positions, stored as the node's translation. */
       offset: Point;
       name: string;
       targetNames: string[];
@@ -177,7 +177,7 @@ export interface Start extends Program {
   type: 'start';
 }
 
-/** URLs that a worker fetches when a file first needs them; a missing one means that the worker knows its own. */
+/** URLs that a worker fetches when a file first needs them. If missing, the worker uses its own. */
 export interface WorkerFiles {
   /** The Draco decoder's wasm file. */
   draco?: string | undefined;
@@ -189,7 +189,7 @@ export interface Program {
   /** Which calls the worker answers. */
   kind: 'core' | 'files' | 'shells';
   module: WebAssembly.Module;
-  /** The core for a shared memory, where a second thread may help; `module` runs if it cannot be had. */
+  /** The core with shared memory for a second thread; if unavailable, `module` is used. */
   threaded: WebAssembly.Module | null;
   files: WorkerFiles;
 }
@@ -198,16 +198,16 @@ export type ToWorker = Start | Request;
 
 export type FromWorker =
   | { type: 'result'; id: number; value: ResultOf<CallName> }
-  /** `fatal`: the worker's memory can no longer be trusted; it must be ended. */
+  /** `fatal`: the worker's memory is unreliable and the worker must be ended. */
   | { type: 'error'; id: number; error: ErrorData; fatal: boolean }
   | { type: 'progress'; id: number; stage: string; fraction: number };
 
-/** The worker now holds the lock that bears its name: it is free again when the worker has ended, however that came. */
+/** The worker now holds the lock with its name. The lock becomes free when the worker ends for any reason. */
 export interface Locked {
   type: 'locked';
 }
 
-/** The worker's script runs; needed in browsers, where it may have to be started in another way. */
+/** The worker's script runs. Needed in browsers, where another method may have to start it. */
 export interface Ready {
   type: 'ready';
 }

@@ -1,9 +1,9 @@
 /**
- * The order of elimination of a large system, in memory that two workers share: one finds it while the other encodes,
- * and neither needs the page for it.
+ * The elimination order of a large system, in memory that two workers share. One worker finds it while the other
+ * encodes, without the page.
  */
 
-/** Its state, how many numbers it has, and these. */
+/** Its state, its length, and its numbers. */
 export type SharedOrder = Int32Array<SharedArrayBuffer>;
 
 const STATE = 0;
@@ -11,14 +11,14 @@ const COUNT = 1;
 const HEADER = 2;
 const state = { notBegun: 0, begun: 1, made: 2, failed: 3 } as const;
 
-/** Milliseconds: far more than the largest order takes. */
+/** Longest wait in milliseconds, far more than the largest order takes. */
 const PATIENCE = 60_000;
 
 export function sharedOrder(vertices: number): SharedOrder {
   return new Int32Array(new SharedArrayBuffer(Int32Array.BYTES_PER_ELEMENT * (HEADER + vertices)));
 }
 
-/** Wakes the waiting worker, with the result of `make` or without. An order given up before is not computed. */
+/** Wakes the waiting worker, with the result of `make` or without it. Skips `make` if the order was given up before. */
 export function provideOrder(order: SharedOrder, make: () => Int32Array): void {
   if (Atomics.compareExchange(order, STATE, state.notBegun, state.begun) !== state.notBegun) return;
   try {
@@ -32,13 +32,13 @@ export function provideOrder(order: SharedOrder, make: () => Int32Array): void {
   }
 }
 
-/** No order will come. A finished order stays. */
+/** No order will come. A finished order stays valid. */
 export function giveUpOrder(order: SharedOrder): void {
   for (const before of [state.notBegun, state.begun]) Atomics.compareExchange(order, STATE, before, state.failed);
   Atomics.notify(order, STATE);
 }
 
-/** Blocks the worker until the order is ready; null if it failed, or if no worker has begun. */
+/** Blocks the worker until the order is ready; null if it failed or was never started. */
 export function awaitedOrder(order: SharedOrder): Int32Array | null {
   Atomics.wait(order, STATE, state.begun, PATIENCE);
   if (Atomics.load(order, STATE) !== state.made) return null;

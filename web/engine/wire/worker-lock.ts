@@ -1,21 +1,21 @@
 /**
- * Detects a worker that the browser killed, which no event reports. A living worker holds a lock with its name; the
- * page gets the lock when the worker ends. Pages without https have no locks: there an open database serves instead,
- * which cannot be deleted before its worker ends.
+ * Detects a worker that the browser killed, which no event reports. A living worker holds a lock with its name, and the
+ * page gets the lock when the worker ends. Pages without https have no locks. They use an open database instead, which
+ * cannot be deleted before its worker ends.
  */
 
-/** A connection that nothing refers to would be closed. */
+/** A connection without references would be closed. */
 const held: IDBDatabase[] = [];
 
 /**
- * In the worker: takes the lock for as long as it lives; `taken` is called once it has it. Pages that may store
- * nothing, such as those in a sandboxed frame, have no locks: there an end goes unnoticed.
+ * In the worker: holds the lock for the worker's lifetime; calls `taken` once it has the lock. Pages without storage
+ * access, such as sandboxed frames, have no locks, so their workers' ends are not detected.
  */
 export function holdLock(name: string, taken: () => void): void {
   try {
     hold(name, taken);
   } catch {
-    // as said
+    // The worker has no lock, as described above.
   }
 }
 
@@ -25,7 +25,7 @@ function hold(name: string, taken: () => void): void {
       taken();
       return new Promise(() => undefined);
     });
-    ended.catch(() => undefined); // a page that may store nothing is refused
+    ended.catch(() => undefined); // Pages without storage access refuse the request.
     return;
   }
   const opening = indexedDB.open(name);
@@ -35,7 +35,7 @@ function hold(name: string, taken: () => void): void {
   };
 }
 
-/** In the page: resolves when the worker that holds the lock has ended, however that came. */
+/** In the page: resolves when the worker with this lock has ended for any reason. */
 export function lockReleased(name: string): Promise<void> {
   if ('locks' in navigator) return navigator.locks.request(name, () => undefined);
   return new Promise((resolve) => {

@@ -1,4 +1,4 @@
-/** KHR_animation_pointer for glTF-Transform, which drops it: the targets of all channels are written as they came. */
+/** KHR_animation_pointer for glTF-Transform, which would drop it. Writes the targets of all channels unchanged. */
 import type { Extension, GLTF, ReaderContext, WriterContext } from '@gltf-transform/core';
 import type { Codecs } from './codecs.ts';
 
@@ -6,12 +6,12 @@ type Core = Awaited<ReturnType<Codecs['core']>>;
 
 const NAME = 'KHR_animation_pointer';
 
-/** The extension's class, of the library that is loaded. */
+/** The extension's class, derived from the loaded library. */
 export function animationPointer({ Extension: Base }: Pick<Core, 'Extension'>): typeof Extension {
   return class AnimationPointer extends Base {
     static override readonly EXTENSION_NAME = NAME;
     override readonly extensionName = NAME;
-    /** Per animation, per channel. */
+    /** The targets per animation and channel. */
     #targets: GLTF.IAnimationChannelTarget[][] = [];
 
     override read({ jsonDoc }: ReaderContext): this {

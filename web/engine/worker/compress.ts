@@ -1,13 +1,13 @@
 /**
- * Compresses a GLB of ours: KHR_mesh_quantization, then optionally EXT_meshopt_compression, by glTF-Transform's
- * functions, loaded on the first compressed export.
+ * Compresses our GLBs: KHR_mesh_quantization, then optionally EXT_meshopt_compression, with glTF-Transform's functions.
+ * Loaded with the first compressed export.
  */
 import type { Accessor, Document } from '@gltf-transform/core';
 import type { Codecs } from './codecs.ts';
 import { GridFit, STEPS } from '../wire/position-grid.ts';
 import type { Compression } from '../wire/protocol.ts';
 
-/** glTF's own attributes except positions, which have their own grid; vertex numbers stay exact. */
+/** glTF's own attributes except positions, which have a separate grid. Vertex numbers stay exact. */
 const QUANTIZED = /^(NORMAL|TANGENT|TEXCOORD_\d+|COLOR_\d+)$/;
 const NORMAL_BITS = 12;
 
@@ -42,8 +42,8 @@ export async function compress(
 }
 
 /**
- * Puts positions on a grid around the shape; the node's translation and scale restore them. With targets,
- * glTF-Transform's own grid would reach to the origin.
+ * Puts positions on a grid around the shape, with the inverse in the node's translation and scale. With targets,
+ * glTF-Transform's own grid would extend to the origin.
  */
 function quantizePositions(document: Document): void {
   const node = document.getRoot().listNodes()[0]!;
@@ -86,8 +86,8 @@ async function orderForMeshopt(codecs: Codecs, document: Document, io: Registers
 }
 
 /**
- * Detaches normals of targets that turn so far that the difference exceeds normalised numbers: they stay floats with
- * the same number of bits. Returns a function that attaches them again.
+ * Detaches normals of targets whose rotations exceed the range of normalised numbers. They stay floats with the same
+ * number of bits. Returns a function that attaches them again.
  */
 function detachLongNormals(document: Document): () => void {
   const steps = 2 ** (NORMAL_BITS - 1) - 1;

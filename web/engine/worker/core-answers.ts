@@ -1,4 +1,4 @@
-/** The answers of a worker with the core: at most one shape, and its motions. */
+/** Answers of a worker with the core: at most one shape, and its motions. */
 import { crashed } from '../api/errors.ts';
 import type { CoreCallName, FrameData, MotionSpec, RequestOf } from '../wire/protocol.ts';
 import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
@@ -8,18 +8,18 @@ import type { Answers } from './answers.ts';
 import { ThreadChoice } from './thread-choice.ts';
 import type { WasmCore } from './wasm-core.ts';
 
-/** Questions that the core answers by itself. */
+/** Questions that the core answers alone. */
 type Asked = Exclude<QuestionName, 'stats'>;
 
 export class CoreAnswers {
-  /** Once there is a second thread. */
+  /** The choice of threads, set once a second thread exists. */
   private choice: ThreadChoice | null = null;
   private shape = 0;
   private motions = new Motions();
 
   constructor(private readonly core: WasmCore) {}
 
-  /** There is a second thread from now on. */
+  /** Call when a second thread exists. */
   readonly useSecondThread = (): void => {
     this.choice = new ThreadChoice();
   };
@@ -30,7 +30,7 @@ export class CoreAnswers {
       ...this.questions(),
       report: (request) => ({ report: core.report(request) }),
       encode: (request, report) => {
-        report('welding', 0); // large keys take a while to copy and check
+        report('welding', 0); // copying and checking large keys takes time
         this.shape = core.encode(request, report);
         this.motions = new Motions();
         return null;
@@ -54,7 +54,7 @@ export class CoreAnswers {
     };
   }
 
-  /** A frame of the motion that is meant, made by as many threads as are best. */
+  /** A frame of the requested motion, with the best number of threads. */
   private timed(motion: MotionSpec, make: (motion: number) => Omit<FrameData, 'ms' | 'threads'>): FrameData {
     const begun = performance.now();
     const { core, choice } = this;
@@ -66,14 +66,14 @@ export class CoreAnswers {
       choice?.took(performance.now() - start);
       return { ...frame, threads: choice?.chosen ?? 1, ms: performance.now() - begun };
     } catch (reason) {
-      // The worker has to end: its second thread may still write into the shared memory.
+      // The worker must end, because its second thread may still write to the shared memory.
       throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;
     }
   }
 
   private questions(): Answers<Asked> {
     const names = Object.keys(QUESTIONS) as QuestionName[];
-    // Question and answer belong to the same name, which the compiler cannot follow through the table.
+    // Question and answer belong to the same name, but the compiler cannot follow this through the table.
     return Object.fromEntries(
       names.map((name) => [name, (request: RequestOf<QuestionName>) => this.ask(name, request)]),
     ) as unknown as Answers<Asked>;

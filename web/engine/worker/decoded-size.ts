@@ -1,11 +1,11 @@
 /**
- * Checks the declared size of a glTF file with compressed meshes before decoding: sizes in proportion to the bytes, and
- * nodes that form a forest. The decoders trust all of that.
+ * Checks the declared sizes of a glTF file with compressed meshes before decoding: sizes must be in proportion to the
+ * bytes, and nodes must form a forest. The decoders do not check this.
  */
 import { EngineError } from '../api/errors.ts';
 
 /**
- * Largest ratio of decoded to stored bytes, and the limit for small files: whole morph targets of zeros take few bytes.
+ * Largest ratio of decoded to stored bytes, and the limit for small files. Whole morph targets of zeros need few bytes.
  */
 const LARGEST_RATIO = 1024;
 const SMALL = 64 * 2 ** 20;
@@ -15,8 +15,7 @@ const LARGEST = 2 ** 30;
 export const roomFor = (bytes: number): number => Math.min(Math.max(SMALL, LARGEST_RATIO * bytes), LARGEST);
 
 /**
- * Bytes that a byte of each of meshopt's codecs stands for at most: a control byte of a block of vertices, a triangle,
- * an index.
+ * Largest decoded bytes per byte of each meshopt codec: a control byte of a block of vertices, a triangle, an index.
  */
 const MESHOPT_RATIO: Record<string, number> = { ATTRIBUTES: 1024, TRIANGLES: 12, INDICES: 4 };
 
@@ -27,7 +26,7 @@ const listOf = (json: Json, name: string): Json[] =>
   Array.isArray(json[name]) ? json[name].map((one: unknown) => (isObject(one) ? one : {})) : [];
 const isSize = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
 
-/** Throws if the file, with this total size, should not be decoded. */
+/** Throws if a file of this total size must not be decoded. */
 export function checkDecodedSize(json: unknown, bytes: number, name: string): void {
   const document = isObject(json) ? json : {};
   const sizes = [
@@ -45,7 +44,7 @@ export function checkDecodedSize(json: unknown, bytes: number, name: string): vo
   );
 }
 
-/** Size of a view that meshopt decodes, otherwise 0: other views are bytes of the file itself. */
+/** Decoded size of a meshopt view; otherwise 0, because other views are bytes of the file itself. */
 function meshoptSize(view: Json, index: number): number {
   const extension = isObject(view['extensions']) ? view['extensions']['EXT_meshopt_compression'] : undefined;
   if (!isObject(extension)) return 0;
@@ -67,7 +66,7 @@ function viewSize(document: Json, { bufferView }: Json): number {
 
 const COMPONENTS: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
 
-/** Size as copied out of its view; views may be shared, so a small file could declare any amount. */
+/** Size when copied out of its view. Views can be shared, so a small file could declare any amount. */
 function accessorSize({ count = 0, type, componentType }: Json, index: number): number {
   const components = COMPONENTS[String(type)];
   if (!isSize(count) || components === undefined) throw new Error(`accessor ${index} has no count or type`);
@@ -76,7 +75,7 @@ function accessorSize({ count = 0, type, componentType }: Json, index: number): 
   return count * components * width;
 }
 
-/** Throws a sentence without its end where a compressed primitive lies in no buffer view of the file. */
+/** Throws the start of a sentence if a compressed primitive has no buffer view in the file. */
 export function checkCompressedViews(json: unknown): void {
   const document = isObject(json) ? json : {};
   const views = listOf(document, 'bufferViews').length;
@@ -90,7 +89,7 @@ export function checkCompressedViews(json: unknown): void {
     }
 }
 
-/** Throws a sentence without its end if the nodes are not a forest: later code would not notice, or not terminate. */
+/** Throws the start of a sentence if the nodes are not a forest. Later code would not notice, or not terminate. */
 export function checkForest(json: unknown): void {
   const nodes = listOf(isObject(json) ? json : {}, 'nodes');
   const parent = new Int32Array(nodes.length).fill(-1);
@@ -103,7 +102,7 @@ export function checkForest(json: unknown): void {
       parent[child] = index;
     }
   }
-  // Each node has at most one parent, so a node not reached from a root lies on a cycle.
+  // Each node has at most one parent, so a node that no root reaches lies on a cycle.
   const waiting = nodes.flatMap((_, index) => (parent[index] === -1 ? [index] : []));
   let reached = 0;
   for (let node = waiting.pop(); node !== undefined; node = waiting.pop()) {

@@ -1,6 +1,6 @@
 /**
- * glTF files with compressed meshes -> the same files without compression. KHR_draco_mesh_compression and
- * EXT_meshopt_compression are undone by their maintained decoders, loaded on first use; the core reads the result.
+ * Converts glTF files with compressed meshes to uncompressed ones. Their maintained decoders handle
+ * KHR_draco_mesh_compression and EXT_meshopt_compression and are loaded on first use. The core reads the result.
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
@@ -16,13 +16,13 @@ import type { InputFile } from '../api/types.ts';
 
 const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
 const BIN_CHUNK = 0x004e4942;
-/** glTF-Transform's name of the binary chunk. */
+/** The name of the binary chunk in glTF-Transform. */
 const GLB_BUFFER = '@glb.bin';
 
 /** Working memory of Draco, in addition to its output. */
 const DRACO_ROOM = 64 * 2 ** 20;
 
-/** `dracoWasm` brings the Draco decoder's wasm file; browsers and Node find it in different places. */
+/** `dracoWasm` fetches the Draco decoder's wasm file, whose location differs between browsers and Node. */
 export function decoder(codecs: Codecs, dracoWasm: () => Promise<Uint8Array>): Decode {
   return async (files, report) => {
     const texts = files.map(({ bytes }) => jsonOf(bytes));
@@ -51,7 +51,7 @@ interface Job {
 async function decodeFile(job: Job): Promise<InputFile> {
   const name = fileName(job.file.name);
   const json = parseGltf(job.text) as JSONDocument['json'] | undefined;
-  if (!json) return job.file; // the core reports where it is broken
+  if (!json) return job.file; // the core reports the error's location
   try {
     checkForest(json);
     checkCompressedViews(json);
@@ -65,7 +65,7 @@ async function decodeFile(job: Job): Promise<InputFile> {
   }
 }
 
-/** The message of our own error or a library's; nothing for a TypeError, which describes the library's code. */
+/** The message of our own error or a library's; empty for a TypeError, which describes the library's code. */
 function reasonOf(error: unknown): string {
   const isSentence = error instanceof Error && error.constructor === Error && /^[\w\s.,:()'"/-]+$/.test(error.message);
   return isSentence ? messageOf(error).replace(/\.$/, '') : '';
@@ -117,7 +117,7 @@ async function reader(codecs: Codecs, text: string, dracoWasm: () => Promise<Uin
   return io;
 }
 
-/** Adds given files that this one refers to; no other files are read. A missing image costs the texture only. */
+/** Adds given files that this file refers to; reads no other files. A missing image only loses the texture. */
 function addResources({ json, resources }: JSONDocument, name: string, files: InputFile[]): void {
   const { buffers, images } = resourceUris(json);
   for (const uri of images) {
@@ -131,7 +131,7 @@ function addResources({ json, resources }: JSONDocument, name: string, files: In
   }
 }
 
-// A GLB has one buffer.
+// A GLB has a single buffer.
 function joinBuffers(document: Document): void {
   const [first, ...others] = document.getRoot().listBuffers();
   for (const accessor of document.getRoot().listAccessors()) accessor.setBuffer(first ?? null);

@@ -1,4 +1,4 @@
-/** The glue that Emscripten writes; it need not be there for types to be checked. */
+/** Emscripten's generated glue, declared so type checks work without it. */
 declare module '*/build/wasm/shapespline.mjs' {
   const create: import('./wasm-module.ts').CreateWasmModule<import('./wasm-module.ts').CoreModule>;
   export default create;

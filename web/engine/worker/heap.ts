@@ -1,11 +1,11 @@
 /**
- * Reading and writing the wasm heap. Views live only inside these functions: the memory may grow under them at any call
- * into the module.
+ * Reads and writes the wasm heap. Views exist only inside these functions, because any call into the module may grow
+ * the memory.
  */
 import { outOfMemory } from '../api/errors.ts';
 import type { Address, WasmModule } from './wasm-module.ts';
 
-/** A range of the heap as the bindings write it; `length` counts elements. */
+/** A range of the heap as written by the bindings; `length` counts elements. */
 export interface Range {
   address: Address;
   length: number;
@@ -43,7 +43,7 @@ function bytesOf(array: NumberArray): Uint8Array {
 
 const isRange = (value: unknown): value is Range => typeof value === 'object' && value !== null && 'address' in value;
 
-/** JSON of the bindings, with copies of its ranges in their places. */
+/** Parses the bindings' JSON and replaces ranges by copies of their data. */
 export function readJson(module: WasmModule, text: string): unknown {
   return JSON.parse(text, (name, value: unknown) => {
     if (!isRange(value)) return value;
@@ -70,7 +70,7 @@ export function writeFloats(module: WasmModule, address: Address, numbers: Float
   module.HEAPU8.set(bytesOf(numbers), address >>> 0);
 }
 
-/** Memory that is lent to one call: everything that was put in is freed by `free`. */
+/** Heap memory for one call. `free` frees all of it. */
 export class HeapScope {
   private readonly addresses: Address[] = [];
   private readonly module: WasmModule;
@@ -79,7 +79,7 @@ export class HeapScope {
     this.module = module;
   }
 
-  /** As JSON; arrays are copied into the heap, and their ranges stand in their places. */
+  /** Writes JSON; arrays are copied into the heap and replaced by their ranges. */
   putJson(value: object): Address {
     return this.putText(
       JSON.stringify(value, (_, part: unknown) => (ArrayBuffer.isView(part) ? this.put(part as NumberArray) : part)),

@@ -1,6 +1,6 @@
 /**
- * Images as far as they must be known before a browser decodes them: their size, from their first bytes. A small file
- * may declare any size, and a decoder takes 4 bytes for every pixel that is declared.
+ * Image sizes, read from the first bytes before a browser decodes the image. A small file may declare any size, and a
+ * decoder uses 4 bytes per declared pixel.
  */
 import { NO_PLACE } from '../api/types.ts';
 import type { Material, TextureImage, Warning } from '../api/types.ts';
@@ -10,11 +10,11 @@ export interface Size {
   height: number;
 }
 
-/** Pixels of one image that may be decoded: 8,192 x 8,192, 256 MB. */
+/** Largest number of pixels of one decoded image: 8,192 x 8,192, 256 MB. */
 export const MOST_PIXELS = 2 ** 26;
 /** Larger sides are scaled down, which is invisible on a screen. */
 export const LARGEST_SIDE = 4096;
-/** Pixels of all images that may be kept for drawing. */
+/** Largest total number of pixels kept for drawing. */
 export const MOST_PIXELS_KEPT = 2 ** 27;
 
 export function imageSize(bytes: Uint8Array): Size | null {
@@ -23,7 +23,7 @@ export function imageSize(bytes: Uint8Array): Size | null {
     const size = pngSize(view) ?? jpegSize(view) ?? webpSize(view);
     return size && size.width > 0 && size.height > 0 ? size : null;
   } catch {
-    return null; // cut off in its header
+    return null; // the image is truncated in its header
   }
 }
 
@@ -33,7 +33,7 @@ function pngSize(view: DataView): Size | null {
   return { width: view.getUint32(16), height: view.getUint32(20) };
 }
 
-/** The first frame header, behind any other segments (ITU T.81, annex B). */
+/** The first frame header, after any other segments (ITU T.81, annex B). */
 function jpegSize(view: DataView): Size | null {
   if (view.getUint16(0) !== 0xffd8) return null;
   for (let at = 2; ; ) {
@@ -65,7 +65,7 @@ function webpSize(view: DataView): Size | null {
 
 type Encoded = Pick<TextureImage, 'mimeType' | 'bytes'>;
 
-/** Selects the colour images of materials that can be drawn, and their sizes; others give a warning. */
+/** Selects the colour images of materials that can be drawn, with their sizes. The other images give warnings. */
 export function drawnImages(
   images: readonly Encoded[],
   materials: readonly Material[],

@@ -1,4 +1,4 @@
-/** Files -> keys, inside a worker: compressed meshes are decoded first, a project brings its options along. */
+/** Reads files into keys, inside a worker. Compressed meshes are decoded first; a project also provides options. */
 import type { OnProgress } from './wasm-calls.ts';
 import type { ImportedInfo, WasmFiles } from './wasm-files.ts';
 import { jsonOf } from './gltf-text.ts';
@@ -49,7 +49,7 @@ export async function importFiles(
   const project = info.project === '' ? null : readOptions(info.project);
   const unreadable = info.project !== '' && !project ? [UNREADABLE] : [];
   const changed = info.project === '' ? null : changedMesh(info.project, info.report);
-  // Shapes computed on the original mesh fit no other.
+  // Shapes computed on the original mesh do not fit another mesh.
   if (project && changed) for (const name of SHAPES) project[name] = null;
   return {
     ...poses,
@@ -70,7 +70,7 @@ export async function importFiles(
   };
 }
 
-/** Changes that another program made to the mesh of a project since it was saved; null if unchanged. */
+/** Changes to a project's mesh that another program made after saving; null if unchanged. */
 function changedMesh(project: string, { vertices, faces }: MeshReport): Warning | null {
   const mesh = readMesh(project);
   if (!mesh || (mesh.vertices === vertices && mesh.faces === faces)) return null;
@@ -82,7 +82,7 @@ function changedMesh(project: string, { vertices, faces }: MeshReport): Warning 
   return { ...NO_PLACE, code: 'project-mesh-changed', message, count: Math.abs(mesh.vertices - vertices) };
 }
 
-/** Morph targets named as in our exports: with a time at the end. */
+/** Morph target names of our exports, with a time at the end. */
 const OUR_TARGET = /"([^"]* )?t=-?\d[\d.e+-]*"/;
 
 function hasOurTargets(text: string): boolean {
@@ -90,7 +90,7 @@ function hasOurTargets(text: string): boolean {
   return start >= 0 && OUR_TARGET.test(text.slice(start, start + 4000));
 }
 
-/** An animation of ours that another program saved without its project. */
+/** Whether another program has saved our animation without its project. */
 function lostProject(files: readonly InputFile[], { project, animation }: Pick<ImportedInfo, 'project' | 'animation'>) {
   const text = files.length === 1 && project === '' && animation >= 0 ? jsonOf(files[0]!.bytes) : null;
   if (text === null || text.includes('"shapespline":') || !hasOurTargets(text)) return [];

@@ -2,16 +2,19 @@
 import type { MotionSpec, MotionState } from '../wire/protocol.ts';
 import type { NewSpace, WasmCore } from './wasm-core.ts';
 
-/** More than any page shows: those that were asked for least lately are made again when they are. */
+/**
+ * Limit for kept motions, more than any page shows. The least recently used motions are dropped, and recreated on
+ * request.
+ */
 const MOST = 16;
 
 export class Motions {
-  /** Handles by number, the one that was used last at the end. */
+  /** Handles by number, most recently used last. */
   private readonly handles = new Map<number, number>();
-  /** The newest motion that holds something; the next one reuses its factored system. */
+  /** The newest motion with holding; the next one reuses its factored system. */
   private holding: number | null = null;
 
-  /** A failure leaves the other motions alone. */
+  /** A failure does not affect the other motions. */
   make(core: WasmCore, shape: number, spec: MotionSpec, space?: NewSpace): MotionState {
     const { handle, ...state } = core.motion(shape, spec, this.holding, space);
     if (spec.options.hold === 'on' || spec.options.pins.length > 0) this.holding = handle;
@@ -22,7 +25,7 @@ export class Motions {
     return state;
   }
 
-  /** The handle of a motion, which is made if missing, such as after a worker broke down. */
+  /** The handle of a motion, which is made if missing, for example after a worker broke down. */
   of(core: WasmCore, shape: number, spec: MotionSpec): number {
     const handle = this.handles.get(spec.number);
     if (handle === undefined) {

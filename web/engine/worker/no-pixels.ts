@@ -1,6 +1,6 @@
 /**
- * Replaces the libraries with which glTF-Transform edits textures, in every bundle. They are not used here, and they
- * evaluate text as code on import, which strict page policies refuse.
+ * Replaces glTF-Transform's image libraries in every bundle. They are unused here, and their import evaluates text as
+ * code, which strict page policies refuse.
  */
 export function refuse(): never {
   throw new Error('Textures are not changed here.');

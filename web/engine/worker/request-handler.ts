@@ -1,4 +1,4 @@
-/** A worker's inside: one wasm module, requests answered in the order in which they came. */
+/** Inside a worker: one wasm module, which answers requests in order of arrival. */
 import {
   crashed,
   EngineError,
@@ -30,11 +30,11 @@ export interface HandlerHost {
   createFiles(): Promise<CreateWasmModule<FilesModule>>;
   /** The glue and answers of the module for fitted motions. */
   startShells(module: WebAssembly.Module): Promise<Partial<Answers<CallName>>>;
-  /** Starts a second thread; one that never gets ready is never waited for. */
+  /** Starts a second thread. Nothing waits for a thread that never becomes ready. */
   startSecondThread(start: SecondThreadStart, onReady: () => void): void;
-  /** Undoes mesh compression that the core does not know, before it sees the files. */
+  /** Decodes mesh compression that the core does not support, before the core reads the files. */
   decode: Decode;
-  /** For exports that are compressed. */
+  /** Libraries for compressed exports. */
   codecs: Codecs;
 }
 
@@ -49,7 +49,7 @@ export class RequestHandler {
       this.answers = this.start(message).catch((reason: unknown) => {
         throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
       });
-      this.answers.catch(() => undefined); // reported by the first request
+      this.answers.catch(() => undefined); // The first request reports this error.
       return;
     }
     this.tail = this.tail.then(() => this.serve(message));
@@ -84,7 +84,7 @@ export class RequestHandler {
     try {
       const answers = await this.answers;
       if (!answers) throw crashed('the worker was not started');
-      // Request and answer belong to the same name, which the compiler cannot follow through the table.
+      // Request and answer belong to the same name, but the compiler cannot follow this through the table.
       const value = await (answers[type] as (request: Request, report: OnProgress) => ResultOf<CallName>)(
         request,
         report,
@@ -97,7 +97,7 @@ export class RequestHandler {
   }
 }
 
-// Errors that the core reports leave it sound, except for lack of memory and internal errors. Any other exception is a
+// Errors reported by the core leave it intact, except lack of memory and internal errors. Any other exception is a
 // trap.
 function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
   const error = reason instanceof EngineError ? reason : trapped(messageOf(reason));
@@ -105,7 +105,7 @@ function describe(reason: unknown): { error: ErrorData; fatal: boolean } {
   return { error: { code: error.code, message: error.message, place: error.place }, fatal };
 }
 
-// Files of two releases, for example from a cache with an old one.
+// The files come from two releases, for example because of an old cache.
 function mismatch(reason: Error): EngineError {
   return engineError(
     'not-loaded',
@@ -118,7 +118,7 @@ function trapped(text: string): EngineError {
   return isOutOfMemory(text) ? outOfMemory() : crashed(text);
 }
 
-/** The buffers of all typed arrays in a result, to be transferred. */
+/** The buffers of all typed arrays in a result, for transfer. */
 export function buffersOf(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[] {
   if (ArrayBuffer.isView(value)) {
     if (value.buffer instanceof ArrayBuffer) found.add(value.buffer);

@@ -1,5 +1,5 @@
 /**
- * The second thread: an instance of the threaded module on the memory of the first, with its own stack. It waits on a
+ * The second thread: an instance of the threaded module on the first one's memory, with its own stack. It waits on a
  * futex inside the module, computes the second parts of frames, and never returns.
  */
 import type { Address } from './wasm-module.ts';
@@ -7,7 +7,7 @@ import type { Address } from './wasm-module.ts';
 export interface SecondThreadStart {
   module: WebAssembly.Module;
   memory: WebAssembly.Memory;
-  /** Its upper end. */
+  /** Upper end of the stack. */
   stack: Address;
 }
 
@@ -17,14 +17,14 @@ interface SecondThreadExports {
   shapespline_help_lost(): void;
 }
 
-/** Ends only with the thread. `onReady` is called just before it waits for work. */
+/** Returns only when the thread ends. Calls `onReady` just before waiting for work. */
 export function help({ module, memory, stack }: SecondThreadStart, onReady: () => void): void {
   const imports: WebAssembly.Imports = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
     imports[from] ??= {};
     imports[from][name] = kind === 'memory' ? memory : notHere(name);
   }
-  // Not seen by the types: that the module exports just these.
+  // The types do not express that the module exports exactly these functions.
   const secondThread = new WebAssembly.Instance(module, imports).exports as unknown as SecondThreadExports;
   secondThread.__stack_pointer.value = stack;
   onReady();
@@ -35,7 +35,7 @@ export function help({ module, memory, stack }: SecondThreadStart, onReady: () =
   }
 }
 
-// The parts of a frame need nothing of the page.
+// A frame's computation calls nothing in the page.
 function notHere(name: string) {
   return (): never => {
     throw new Error(`${name} was called in the second thread`);

@@ -1,4 +1,4 @@
-/** A worker thread of Node answers requests. */
+/** Serves requests in a Node worker thread. */
 import { readFile } from 'node:fs/promises';
 import { parentPort, Worker } from 'node:worker_threads';
 import createWasm from '../../../build/wasm/shapespline.mjs';
@@ -7,7 +7,7 @@ import type { Codecs } from './codecs.ts';
 import { decoder } from './decompress.ts';
 import { RequestHandler } from './request-handler.ts';
 
-/** `codecsOf` may ask for the files once one of the libraries is needed. */
+/** `codecsOf` may call `files` when a library is first needed. */
 export function serveInNode(codecsOf: (files: () => WorkerFiles) => Codecs): void {
   let files: WorkerFiles = {};
   const codecs = codecsOf(() => files);

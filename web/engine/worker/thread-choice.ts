@@ -1,18 +1,16 @@
 /**
- * Alternates one and two threads and keeps the faster. As the load of the machine changes, it compares again from time
- * to time, and immediately if two threads become slower than one was.
+ * Alternates one and two threads and keeps the faster. Compares again from time to time, because the machine's load
+ * changes, and immediately if two threads become slower than one.
  */
 
-/**
- * Frames of each kind that count in a comparison; before the first one, those that run in code that is not yet
- * optimised.
- */
+/** Frames of each kind in a comparison; frames before the first comparison, whose code is not yet optimised. */
 const COUNTED = 5,
   WARM_UP = 2;
-/** A second thread that gains less is left to others. */
+/** Smallest gain that justifies a second thread. */
 const GAIN = 0.95;
 /**
- * Frames between two comparisons. After each that one thread wins twice as many: then those made by two are lost time.
+ * Frames between two comparisons. Doubles each time that one thread wins, because comparison frames with two threads
+ * are slower.
  */
 const APART = 200;
 
@@ -20,12 +18,12 @@ export class ThreadChoice {
   private times: Record<1 | 2, number[]> = { 1: [], 2: [] };
   private left = WARM_UP;
   private winner: 1 | 2 = 1;
-  /** Milliseconds of a frame by one thread, in the last comparison. */
+  /** Milliseconds per frame with one thread in the last comparison. */
   private alone = Infinity;
   private apart = APART;
   /** Frames until the next comparison. */
   private until = 0;
-  /** How many in a row took longer than one thread. */
+  /** Number of consecutive frames slower than with one thread. */
   private slow = 0;
 
   /** Result of the last comparison; 1 before the first. */
@@ -33,13 +31,13 @@ export class ThreadChoice {
     return this.winner;
   }
 
-  /** For the next frame. */
+  /** Threads for the next frame. */
   get threads(): 1 | 2 {
     if (this.until > 0) return this.winner;
     return this.times[2].length < this.times[1].length ? 2 : 1;
   }
 
-  /** How long the frame took that was made with `threads`. */
+  /** Records the time of a frame made with `threads`. */
   took(ms: number): void {
     if (this.until > 0) return this.rest(ms);
     this.times[this.threads].push(ms);

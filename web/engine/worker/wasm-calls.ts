@@ -1,4 +1,4 @@
-/** A wasm module as TypeScript sees it: calls into the bindings, arrays copied in and out. Runs inside a worker. */
+/** A wasm module with typed calls into its bindings, which copy arrays in and out. Runs inside a worker. */
 import { EngineError } from '../api/errors.ts';
 import { HeapScope, readJson, readText } from './heap.ts';
 import type { Address, CreateWasmModule, WasmModule } from './wasm-module.ts';
@@ -21,7 +21,7 @@ function placeOf({ key, vertex, face }: Failure): EngineError['place'] {
   return Object.fromEntries(entries);
 }
 
-/** Between reports of one stage. */
+/** Milliseconds between reports of one stage. */
 const REPORT_MS = 15;
 
 export class WasmCalls<M extends WasmModule> {
@@ -42,7 +42,7 @@ export class WasmCalls<M extends WasmModule> {
     return this.module.HEAPU8.length;
   }
 
-  /** Objects of the bindings that are alive. */
+  /** Number of live objects in the bindings. */
   get objects(): number {
     return this.result<{ count: number }>(this.module._shapespline_objects()).count;
   }
@@ -51,7 +51,7 @@ export class WasmCalls<M extends WasmModule> {
     this.module._shapespline_release(handle);
   }
 
-  /** The core reports more often than anybody looks, and each message takes its time. */
+  /** Limits the core's reports, which come faster than needed, because each message takes time. */
   protected hear(onProgress: OnProgress): void {
     let last: Address = -1;
     let heard = -Infinity;
@@ -81,7 +81,7 @@ export class WasmCalls<M extends WasmModule> {
     return checked(readJson(this.module, readText(this.module, address)) as CallResult<T>);
   }
 
-  /** With ranges where others have copies of the arrays. */
+  /** Keeps ranges where the other method copies the arrays. */
   protected rawResult<T>(address: Address): T {
     return checked(JSON.parse(readText(this.module, address)) as CallResult<T>);
   }
@@ -96,7 +96,7 @@ function checked<T>(result: CallResult<T>): T {
 function instantiate<M extends WasmModule>(create: CreateWasmModule<M>, compiled: WebAssembly.Module): Promise<M> {
   return new Promise((resolve, reject) => {
     const instantiateWasm: Parameters<CreateWasmModule<M>>[0]['instantiateWasm'] = (imports, receive) => {
-      // The generated glue does not see a failure here (such as too little memory), and its promise would stay open.
+      // The generated glue does not notice a failure here, such as lack of memory. Its promise would never settle.
       WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled), reject);
       return {};
     };

@@ -1,4 +1,4 @@
-/** The core as TypeScript sees it. */
+/** The core with typed calls. */
 import { outOfMemory } from '../api/errors.ts';
 import type { MeshReport } from '../api/types.ts';
 import type { SecondThreadStart } from './second-thread.ts';
@@ -16,13 +16,13 @@ interface FrameResult {
   indefiniteFace?: number;
 }
 
-/** For a motion that may be the first of its space. */
+/** Progress and elimination order for a motion that may be the first in its space. */
 export interface NewSpace {
   order?: SharedOrder | null;
   report?: OnProgress;
 }
 
-/** In bytes: many times the need of a frame's kernels. */
+/** Stack size of the second thread in bytes, many times the need of a frame's kernels. */
 const SECOND_STACK = 1 << 18;
 
 export class WasmCore extends WasmCalls<CoreModule> {
@@ -35,12 +35,12 @@ export class WasmCore extends WasmCalls<CoreModule> {
     return { module: compiled, memory, stack: stack + SECOND_STACK };
   }
 
-  /** From the shape's next frame on; the frames are the same. */
+  /** Takes effect with the shape's next frame; results do not change. */
   setThreads(handle: number, threads: 1 | 2): void {
     this.module._shapespline_set_threads(handle, threads);
   }
 
-  /** The second thread broke down during a frame, so its output is unreliable. */
+  /** The second thread failed during a frame, so the frame's data is unreliable. */
   get secondThreadLost(): boolean {
     return this.module._shapespline_is_help_lost() !== 0;
   }
@@ -52,18 +52,18 @@ export class WasmCore extends WasmCalls<CoreModule> {
       .handle;
   }
 
-  /** In which the unknowns of this shape are eliminated. */
+  /** The order in which this shape's unknowns are eliminated. */
   eliminationOrder(request: RequestOf<'order'>): Int32Array {
     return this.send<{ order: Int32Array }>(encodedOf(request), (address) => this.module._shapespline_order(address))
       .order;
   }
 
-  /** On the mesh of keys that were in no file. */
+  /** A report on the mesh of keys that were not read from files. */
   report(request: RequestOf<'report'>): MeshReport {
     return this.send<ResultOf<'report'>>(keysOf(request), (address) => this.module._shapespline_report(address)).report;
   }
 
-  /** `before`: another motion of the shape, whose costly parts are reused, or null. */
+  /** `before`: another motion of the shape whose costly parts are reused, or null. */
   motion(
     shape: number,
     { options, keyTimes }: MotionSpec,
@@ -92,7 +92,7 @@ export class WasmCore extends WasmCalls<CoreModule> {
     return this.frame(this.module._shapespline_evaluate(handle, t), buffers);
   }
 
-  /** The shape that the keys blend to in these weights; `buffers` as above. */
+  /** The blend of the keys with these weights; `buffers` as above. */
   blend(handle: number, weights: number[], buffers: FrameBuffers | null): Omit<FrameData, 'ms' | 'threads'> {
     return this.lend((scope) =>
       this.frame(this.module._shapespline_blend(handle, scope.putJson({ weights })), buffers),

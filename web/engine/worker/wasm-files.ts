@@ -1,4 +1,4 @@
-/** The module for files as TypeScript sees it. */
+/** The module for files with typed calls. */
 import { IMPORT } from '../api/option-table.ts';
 import { noteOf } from '../api/export-note.ts';
 import { readFloats, writeFloats, type Range } from './heap.ts';
@@ -8,7 +8,7 @@ import type { ImportOptions, InputFile, KeysInfo, Scene, TextureImage } from '..
 import { WasmCalls, type OnProgress } from './wasm-calls.ts';
 import type { Address, FilesModule } from './wasm-module.ts';
 
-/** The JSON of an import: KeysInfo with the project as text, and images whose sizes are not known yet. */
+/** The JSON of an import: KeysInfo with the project as text, and images without sizes. */
 export type ImportedInfo = Omit<KeysInfo, 'project' | 'scene' | 'played'> & {
   project: string;
   scene: Omit<Scene, 'images'> & { images: Omit<TextureImage, 'scale'>[] };
@@ -52,14 +52,14 @@ export class WasmFiles extends WasmCalls<FilesModule> {
     });
   }
 
-  /** One GLB that plays `frames` at their seconds; the last `stills` of them are in the file but never shown. */
+  /** A GLB that plays `frames` at their times in seconds. The last `stills` of them are stored but never shown. */
   writeAnimation(frames: FrameBuffers[], { compression: _, ...request }: RequestOf<'writeAnimation'>): Uint8Array {
     this.module.takeFrame = (index, positions, normals) => {
       const frame = frames[index];
       if (!frame) return false;
       writeFloats(this.module, positions, frame.positions);
       writeFloats(this.module, normals, frame.normals);
-      delete frames[index]; // asked for once; the file grows by as much
+      delete frames[index]; // each frame is read only once, and the file grows by its size
       return true;
     };
     const vertices = (frames[0]?.positions.length ?? 0) / 3;

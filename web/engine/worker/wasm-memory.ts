@@ -1,10 +1,10 @@
-/** The most memory that a compiled wasm module may have, written into its bytes. */
+/** Sets a compiled wasm module's memory limit in its bytes. */
 
 const PAGE = 2 ** 16;
 const MEMORY_SECTION = 5;
 const HAS_MOST = 1;
 
-/** An unsigned LEB128 number, and where the next byte is. */
+/** An unsigned LEB128 number, and the position of the next byte. */
 function readNumber(bytes: Uint8Array, at: number): { value: number; next: number } {
   let [value, scale, next] = [0, 1, at];
   for (;;) {
@@ -15,7 +15,7 @@ function readNumber(bytes: Uint8Array, at: number): { value: number; next: numbe
   }
 }
 
-/** Into as many bytes as there are from `start` to `end`: the number may have leading zeros. */
+/** Fills exactly the bytes from `start` to `end`, padding the number with leading zeros. */
 function writeNumber(bytes: Uint8Array, value: number, start: number, end: number): void {
   for (let at = start; at < end; ++at) {
     bytes[at] = (value % 128) | (at + 1 < end ? 0x80 : 0);
@@ -23,7 +23,7 @@ function writeNumber(bytes: Uint8Array, value: number, start: number, end: numbe
   }
 }
 
-/** A copy of the module whose memory cannot grow beyond this number of bytes, unless it starts with more. */
+/** A copy of the module whose memory cannot exceed this number of bytes, unless it starts with more. */
 export function withMemoryLimit(module: Uint8Array, bytes: number): Uint8Array {
   const limited = module.slice();
   for (let at = 8; at < limited.length; ) {

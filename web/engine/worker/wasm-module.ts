@@ -1,6 +1,6 @@
-/** Interface of the generated wasm modules: the exports of wasm/bindings, and the three calls out of it. */
+/** Interface of the generated wasm modules: the exports of wasm/bindings, and the module's three callbacks. */
 
-/** An address in the heap; above 2 GB it is negative, hence `>>> 0` wherever one is used. */
+/** A heap address. Above 2 GB it is negative, so convert it with `>>> 0` before use. */
 export type Address = number;
 
 /** Callbacks of the module, set on the module itself. */
@@ -13,9 +13,9 @@ export interface JsImports {
 /** The functions of the questions (wire/calls.ts), by their symbols. Each takes a handle and JSON. */
 export type QuestionFunctions = Readonly<Record<string, (handle: number, request: Address) => Address>>;
 
-/** What all have. */
+/** Common interface of all modules. */
 export interface WasmModule extends JsImports {
-  /** Replaced whenever the memory grows, so never keep it. */
+  /** Replaced whenever the memory grows, so never store it. */
   readonly HEAPU8: Uint8Array;
   _malloc(bytes: number): Address;
   _free(address: Address): void;
@@ -24,7 +24,7 @@ export interface WasmModule extends JsImports {
 }
 
 export interface CoreModule extends WasmModule {
-  /** Only for shared memory. */
+  /** The module's memory, present only if shared. */
   readonly wasmMemory?: WebAssembly.Memory;
   _shapespline_encode(request: Address): Address;
   _shapespline_order(request: Address): Address;
@@ -35,7 +35,7 @@ export interface CoreModule extends WasmModule {
   _shapespline_set_threads(shape: number, threads: number): void;
   _shapespline_helped(): number;
   _shapespline_is_help_lost(): number;
-  /** For the second thread's own instance alone (second-thread.ts). */
+  /** Entry point of the second thread's instance (second-thread.ts). */
   _shapespline_help(): void;
   _shapespline_help_lost(): void;
 }

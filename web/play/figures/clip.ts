@@ -1,14 +1,12 @@
-/**
- * Lines without what is far outside of every picture: a dashed line of a million pixels stops a browser for seconds.
- */
+/** Clips lines far outside the plot, because a dashed line of a million pixels freezes a browser for seconds. */
 
 type Point = readonly [number, number];
 
-/** Pixels; no picture is as large. */
+/** Clipping distance in pixels, larger than any plot. */
 export const FARTHEST = 5000;
 const GAP: Point = [NaN, NaN];
 
-/** The pieces of a polyline within FARTHEST, with a gap between one and the next. */
+/** The pieces of a polyline within FARTHEST, separated by gaps. */
 export function clipped(points: readonly Point[]): Point[] {
   if (points.every(isNear)) return [...points];
   const kept: Point[] = [];
@@ -24,7 +22,7 @@ export function clipped(points: readonly Point[]): Point[] {
 
 const isNear = ([x, y]: Point): boolean => Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST;
 
-/** The part of a line between both limits of both coordinates (Liang and Barsky 1984); null where there is none. */
+/** The part of a line within the limits in both coordinates (Liang and Barsky 1984); null if there is none. */
 function clippedSegment(from: Point, to: Point): [Point, Point] | null {
   let [start, end] = [0, 1];
   for (const axis of [0, 1] as const) {

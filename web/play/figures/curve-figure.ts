@@ -1,4 +1,4 @@
-/** The keys with the curves through them: over time, or in two dimensions in their plane. */
+/** The keys with the curves through them: over time, or in the plane of two dimensions. */
 import { clamp } from '../../model/time-scale.ts';
 import type { End } from '../../plots/end-handle.ts';
 import { make, text } from '../../plots/svg-parts.ts';
@@ -21,7 +21,7 @@ export interface CurveFigureEvents extends Omit<KeyHandleEvents, 'onHold'> {
 }
 
 type Point = readonly [number, number];
-/** Where a curve's numbers at a time are in the picture. */
+/** Position of a curve's values at a time in the plot. */
 type Place = (numbers: readonly number[], t: number) => Point;
 
 export function createCurveFigure({ onSpeed, ...events }: CurveFigureEvents): Part<SVGSVGElement> {
@@ -32,7 +32,7 @@ export function createCurveFigure({ onSpeed, ...events }: CurveFigureEvents): Pa
   const curves = make('g', {});
   const keys = createKeyHandles(element, {
     ...events,
-    // Axes that followed a dragged key would run away from it.
+    // Axes that adapt to a dragged key would move it away from the pointer.
     onHold(holding) {
       held = holding ? picture.axes() : null;
       if (!holding) picture.redraw();
@@ -67,7 +67,7 @@ export function marksOf({ state, derived }: Shown): Marks {
   return { keyTimes: derived.times, range: derived.range, selected: state.selected, cursor: state.time };
 }
 
-/** First and last time that plots over time show. */
+/** First and last time of plots over time. */
 export function shownSpan({ range }: Derived): [number, number] {
   return shownTimes(range);
 }
@@ -77,7 +77,7 @@ function spanAxes(box: Box, { state, derived }: Shown, held: Axes | null): Axes 
   return axesOf(box, shownSpan(derived), held?.y.domain ?? spread);
 }
 
-/** One scale for both axes: a step is as long in every direction. */
+/** Both axes have the same scale, so distances are the same in every direction. */
 function planeAxes(box: Box, { keys }: PlayState, held: Axes | null): Axes {
   if (held) return axesOf(box, held.x.domain, held.y.domain);
   const xs = padded(extent(keys.map(({ across }) => across)), 0.2, 0.05);
@@ -113,7 +113,7 @@ function layerParts(layer: Layer, derived: Derived, { x, y }: Axes, plane: boole
   ];
 }
 
-/** Where each curve is at the time of the cursor. */
+/** Each curve's point at the cursor's time. */
 function cursorParts({ state: { time, layers }, derived: { curves } }: Shown, place: Place): SVGElement[] {
   return layers.flatMap((layer) => {
     if (layer === 'samples') return [];

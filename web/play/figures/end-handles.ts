@@ -1,4 +1,4 @@
-/** The speeds at the ends as handles of the curve. */
+/** Handles for the speeds at the ends of the curve. */
 import { clamp } from '../../model/time-scale.ts';
 import { ENDS, createEndHandle } from '../../plots/end-handle.ts';
 import type { End } from '../../plots/end-handle.ts';
@@ -8,13 +8,13 @@ import type { Box } from './plot.ts';
 
 export interface EndHandles {
   elements: SVGGElement[];
-  /** `points`: the keys in the picture. */
+  /** `points`: positions of the keys in the plot. */
   update(state: PlayState, points: readonly Point[], box: Box): void;
 }
 
 type Point = readonly [number, number];
 
-/** A handle of speed 1 ends halfway to the next key. */
+/** Length of a handle at speed 1, relative to the distance of the next key. */
 const HANDLE = 1 / 2;
 
 export function createEndHandles(picture: SVGSVGElement, onSpeed: (end: End, speed: number) => void): EndHandles {
@@ -28,7 +28,7 @@ export function createEndHandles(picture: SVGSVGElement, onSpeed: (end: End, spe
       const step = { ArrowUp: 0.1, ArrowRight: 0.1, ArrowDown: -0.1, ArrowLeft: -0.1 }[event.key];
       if (step === undefined) return;
       event.preventDefault();
-      // More keys can come before the page is drawn: each goes on from what the one before has asked for.
+      // Several key presses can arrive before the next drawing. Each continues from the last requested value.
       speeds = { ...speeds, [end]: clamp(speeds[end] + step * (event.shiftKey ? 10 : 1), 0, MOST_SPEED) };
       onSpeed(end, speeds[end]);
     },
@@ -54,7 +54,7 @@ export function createEndHandles(picture: SVGSVGElement, onSpeed: (end: End, spe
   };
 }
 
-/** A curve is shown whose speeds at the ends are given. */
+/** Whether a shown curve has given end speeds. */
 export function hasSpeeds({ layers, ends }: PlayState): boolean {
   return layers.includes('hermite') || (ends === 'hermite' && layers.includes('shaped'));
 }

@@ -1,4 +1,4 @@
-/** One idea: a picture with its title, what was just to be seen in it, and its numbers and files. */
+/** Frame of a figure: plot, title, a sentence on the last change, numbers and files. */
 import { csvOf, pngOf, svgOf } from '../../plots/plot-files.ts';
 import type { Heading } from '../../plots/plot-files.ts';
 import { h, setText } from '../../ui/dom.ts';
@@ -10,20 +10,20 @@ import type { Shown } from '../derived.ts';
 import type { Panel } from '../panels.ts';
 import { number } from './words.ts';
 
-/** Follows what is shown. */
+/** Displays the shown state. */
 export interface Part<E extends Element> {
   element: E;
   update(shown: Shown): void;
 }
 
 export interface FigureOptions {
-  /** Names it in test ids and files. */
+  /** The figure's id in test ids and file names. */
   id: FigureId;
   title: string;
   body: Part<HTMLElement | SVGSVGElement>;
-  /** Between the title and the picture. */
+  /** Controls between title and plot. */
   tools?: Panel;
-  /** One or two sentences. */
+  /** Returns one or two sentences. */
   notice(shown: Shown): string;
   numbers(shown: Shown): NumbersTable;
   onError(error: unknown): void;

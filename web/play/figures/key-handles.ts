@@ -1,4 +1,4 @@
-/** The keys as handles: dragged, or moved with the arrow keys. */
+/** Handles for the keys: dragged, or moved with the arrow keys. */
 import { drag } from '../../plots/drag.ts';
 import { make, text } from '../../plots/svg-parts.ts';
 import type { Shown } from '../derived.ts';
@@ -10,11 +10,11 @@ export interface KeyHandleEvents {
   onSelect(key: number): void;
   onMove(key: number, to: KeyPlace): void;
   onRemove(key: number): void;
-  /** A key is being dragged, or no longer. */
+  /** Reports the start and end of dragging a key. */
   onHold(holding: boolean): void;
 }
 
-/** `along`: the time, in two dimensions the second coordinate. */
+/** `along`: the time, or the second coordinate in two dimensions. */
 export interface KeyPlace {
   along: number;
   value: number;
@@ -22,13 +22,13 @@ export interface KeyPlace {
 
 interface Handle<Of> {
   element: SVGGElement;
-  /** `at`: in the picture. */
+  /** `at`: positions in the plot. */
   update(shown: Shown, at: Of, axes: Axes): void;
 }
 
 type Point = readonly [number, number];
 
-/** Of what is shown in either direction: the step of an arrow key. */
+/** Step of an arrow key, relative to the shown range in each direction. */
 const STEP = 1 / 100;
 
 export function createKeyHandles(picture: SVGSVGElement, events: KeyHandleEvents): Handle<readonly Point[]> {
@@ -53,7 +53,7 @@ function createKeyHandle(key: number, picture: SVGSVGElement, events: KeyHandleE
     text('key-number', 0, -14, String(key + 1)),
   );
   let drawn: { axes: Axes; from: KeyPlace } | null = null;
-  /** Where key presses have moved it before it is drawn there: the next one goes on from it. */
+  /** Result of earlier key presses that is not drawn yet; the next press continues from it. */
   let pressed: KeyPlace | null = null;
 
   element.addEventListener('focus', () => events.onSelect(key));
@@ -109,7 +109,7 @@ function createKeyHandle(key: number, picture: SVGSVGElement, events: KeyHandleE
   };
 }
 
-/** Where an arrow key takes a key; null: it is none. */
+/** Position of a key after an arrow key; null for other keys. */
 export function stepped(
   { along, value }: KeyPlace,
   { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
@@ -121,7 +121,7 @@ export function stepped(
   return { along: along + by[0]! * scale * lengthOf(x.domain), value: value + by[1]! * scale * lengthOf(y.domain) };
 }
 
-/** What a pixel of the page counts along either axis. */
+/** Size of a page pixel along either axis. */
 function pixelOf(picture: SVGSVGElement, { x, y }: Axes): KeyPlace {
   const { width } = picture.viewBox.baseVal;
   const perPixel = width / picture.getBoundingClientRect().width;

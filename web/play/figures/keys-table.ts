@@ -1,4 +1,4 @@
-/** The keys as numbers, to read and to type. */
+/** An editable table of the keys. */
 import { button, numberField } from '../../ui/controls.ts';
 import { h, setAttribute, setField, setText } from '../../ui/dom.ts';
 import type { PlayKey, PlayState } from '../state.ts';

@@ -1,4 +1,4 @@
-/** The curves to switch on, each with how much it bends in total: a bar beside the least. */
+/** Switches for the curves, each with a bar of its total bending relative to the smallest. */
 import { svg, h, setAttribute, setHidden, setStyle, setText } from '../../ui/dom.ts';
 import type { Derived } from '../derived.ts';
 import type { Layer, PlayState } from '../state.ts';

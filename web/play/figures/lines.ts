@@ -1,4 +1,4 @@
-/** Curves as lines: sampled within each interval, so a jump at a key is drawn as a jump. */
+/** Curves as lines, sampled within each interval so jumps at keys are visible. */
 import { namedCurve } from '../../plots/svg-parts.ts';
 import { inInterval, valueAt } from '../splines/curve.ts';
 import type { Curve, Derivative } from '../splines/curve.ts';
@@ -11,7 +11,7 @@ type Place = (numbers: number[], t: number) => readonly [number, number];
 
 const STEPS = 28;
 
-/** The pieces of a curve from key to key, each as [time, numbers] pairs; of a loop as far as `until`. */
+/** The pieces of a curve between keys, each as [time, numbers] pairs; a loop continues to `until`. */
 export function pieces(curves: Curves, derivative: Derivative, until: number): [number, number[]][][] {
   const { times } = curves[0]!;
   return times.slice(0, -1).flatMap((from, interval) => {
@@ -26,7 +26,7 @@ export function pieces(curves: Curves, derivative: Derivative, until: number): [
   });
 }
 
-/** One path for each piece, joined where neither jumps. */
+/** One path per piece; pieces are joined if no curve jumps. */
 export function curveLines(
   layer: Layer,
   curves: Curves,
@@ -47,7 +47,7 @@ export function curveLines(
   ];
 }
 
-/** What goes on beyond the keys: of a loop the next period, of the others a straight line. */
+/** Curves beyond the keys: the next period of a loop, otherwise a straight line. */
 function beyondLines(
   layer: Layer,
   curves: Curves,

@@ -1,4 +1,4 @@
-/** A plot as wide as its column, redrawn when that changes, with axes over the keys. */
+/** A plot with axes over the keys, as wide as its column and redrawn when the width changes. */
 import { make, text } from '../../plots/svg-parts.ts';
 import { linearScale, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Scale } from '../../plots/scale.ts';
@@ -18,15 +18,15 @@ export const BOTTOM = 22;
 export interface Picture {
   element: SVGSVGElement;
   box(): Box;
-  /** Those that it was drawn with; null before. */
+  /** Axes of the last drawing; null before the first. */
   axes(): Axes | null;
-  /** The parts, cut off where the axes end. */
+  /** Clips the parts to the axes. */
   framed(parts: readonly SVGElement[]): SVGElement[];
   update(shown: Shown): void;
   redraw(): void;
 }
 
-/** An empty picture whose `draw` is called with its size in CSS pixels, as often as that or what is shown changes. */
+/** An empty plot. `draw` is called with its size in CSS pixels whenever the size or the state changes. */
 export function createPicture(
   style: string,
   heightOf: (width: number) => number,
@@ -81,12 +81,12 @@ export function axesOf(box: Box, xs: readonly [number, number], ys: readonly [nu
 export interface Marks {
   keyTimes: readonly number[];
   range: readonly [number, number];
-  /** Lit up. */
+  /** The highlighted key. */
   selected: number;
   cursor: number | null;
 }
 
-/** Grid, keys and the shaded parts beyond them, for a plot over time. */
+/** Grid, keys and shaded extrapolation of a plot over time. */
 export function timeAxes(
   { width, height }: Box,
   { x, y }: Axes,
@@ -125,7 +125,7 @@ export function gridLines(width: number, y: Scale, count: number): SVGElement[] 
   ]);
 }
 
-/** Tells the time under the pointer while it is pressed. */
+/** Reports the time under the pointer while pressed. */
 export function listenToTime({ element, box, axes }: Picture, onTime: (time: number) => void): void {
   const pick = ({ clientX }: PointerEvent): void => {
     const domain = axes()?.x.domain;

@@ -1,4 +1,4 @@
-/** The first or second derivative of every curve that is shown: what goes on at a key, and what jumps there. */
+/** The first or second derivative of every shown curve, with its jumps at keys. */
 import { clamp } from '../../model/time-scale.ts';
 import { make } from '../../plots/svg-parts.ts';
 import { extent, padded } from '../../plots/scale.ts';
@@ -59,7 +59,7 @@ function describe(layers: readonly Layer[], derived: Derived, derivative: 1 | 2)
   return `${NAMES[derivative]}. ${said.join('; ')}`;
 }
 
-/** What a derivative jumps by at the inner key where it jumps most; in two dimensions the length of it. */
+/** Largest jump of a derivative at an inner key; in two dimensions, its length. */
 export function largestJump({ curves, times }: Derived, layer: Layer, derivative: 1 | 2): number {
   if (layer === 'samples') return 0;
   const closest = 1e-9 * (times.at(-1)! - times[0]!);
@@ -77,7 +77,7 @@ export function largestJump({ curves, times }: Derived, layer: Layer, derivative
   );
 }
 
-/** A corner bends without end: an arrow out of the picture, up or down as the slope jumps. */
+/** A corner has an infinite second derivative: an arrow leaves the plot, up or down like the slope's jump. */
 function spikes({ curves, times }: Derived, { x, y }: Axes, { height }: Box): SVGElement[] {
   const [curve] = curves.linear;
   return times.slice(1, -1).flatMap((t, i) => {

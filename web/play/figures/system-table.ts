@@ -1,4 +1,7 @@
-/** The J x J system with its live numbers: a row for each key, which lights up while it is pointed at. */
+/**
+ * The J x J system with its current numbers. Each row belongs to a key, which is highlighted while the pointer is over
+ * the row.
+ */
 import { h, setAttribute, setText } from '../../ui/dom.ts';
 import type { Part } from './figure.ts';
 import { number } from './words.ts';

@@ -27,7 +27,7 @@ export function createWeightsFigure(onTime: (time: number) => void): Part<SVGSVG
     const axes = axesOf(box, span, padded(extent([0, 1, ...values]), 0.1));
     const { x, y } = axes;
     const main = lit < 0 ? state.selected : lit;
-    // The one that is pointed at is drawn last, over the others.
+    // The highlighted weight is drawn last, over the others.
     const order = weights.map((_, k) => k).sort((a, b) => Number(a === main) - Number(b === main));
     element.replaceChildren(
       ...timeAxes(box, axes, { ...marksOf(shown), selected: main }),

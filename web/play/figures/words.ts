@@ -1,4 +1,4 @@
-/** The curves by name, and what each one is. */
+/** Names and descriptions of the curves. */
 import { written } from '../../plots/scale.ts';
 import type { Ends } from '../splines/slopes.ts';
 import type { Layer } from '../state.ts';
@@ -21,7 +21,7 @@ export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
 
 export const ENDS_WORDS: Record<Ends, string> = { natural: 'Free', hermite: 'Given speeds', periodic: 'Loop' };
 
-/** Three digits, a minus sign that reads as one, powers of ten for large numbers, a dash where there is no value. */
+/** Three digits, a proper minus sign, powers of ten for large numbers, and a dash for missing values. */
 export function number(value: number): string {
   if (Number.isNaN(value)) return '–';
   if (value === Infinity) return '∞';

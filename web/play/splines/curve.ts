@@ -1,17 +1,17 @@
-/** A piecewise cubic through knots, from its values and slopes there; straight lines where it has no slopes. */
+/** A piecewise cubic through knots with given values and slopes; piecewise linear without slopes. */
 
 export interface Curve {
-  /** Strictly increasing; of a closed curve one period, which ends on the first value again. */
+  /** Strictly increasing. For a closed curve: one period, whose last value equals the first. */
   times: readonly number[];
   values: readonly number[];
-  /** One per knot; null = straight from knot to knot. */
+  /** One slope per knot; null: straight between knots. */
   slopes: readonly number[] | null;
   closed: boolean;
 }
 
 export type Derivative = 0 | 1 | 2;
 
-/** The value at t or a derivative there: at a knot that of the interval after it. Beyond the ends it is straight. */
+/** The value or a derivative at t; at a knot, from the interval after it. Straight beyond the ends. */
 export function valueAt(curve: Curve, t: number, derivative: Derivative = 0): number {
   const { times, closed } = curve;
   const last = times.length - 1;
@@ -24,14 +24,14 @@ export function valueAt(curve: Curve, t: number, derivative: Derivative = 0): nu
   return inInterval(curve, intervalAt(times, t), t, derivative);
 }
 
-/** The interval that holds t: the one after a knot, the last one from its start on. */
+/** The interval that contains t; a knot belongs to the interval after it, or to the last one. */
 export function intervalAt(times: readonly number[], t: number): number {
   let index = 0;
   while (index < times.length - 2 && t >= times[index + 1]!) index += 1;
   return index;
 }
 
-/** The same from the cubic of one interval, for values on both sides of a knot. */
+/** Evaluates the cubic of a given interval, for values on both sides of a knot. */
 export function inInterval(curve: Curve, index: number, t: number, derivative: Derivative): number {
   const { times, values, slopes } = curve;
   const h = times[index + 1]! - times[index]!;
@@ -56,8 +56,8 @@ function beyond({ times, values, slopes }: Curve, end: number, t: number, deriva
 }
 
 /**
- * Total bending: the integral of the squared second derivative (paper Eq. 1) over the first `intervals` of them; by
- * default over all. A corner bends without end.
+ * Total bending: the integral of the squared second derivative (paper Eq. 1) over the first `intervals` intervals, by
+ * default all. Corners have infinite bending.
  */
 export function totalBending(curve: Curve, intervals = curve.times.length - 1): number {
   let sum = 0;

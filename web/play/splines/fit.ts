@@ -7,7 +7,7 @@ export type CurveKind = 'linear' | 'natural' | 'hermite' | 'periodic' | 'catmull
 
 export interface FitOptions {
   speeds: Speeds;
-  /** Of the curve with tensions and biases. */
+  /** Ends of the curve with tensions and biases. */
   ends: Ends;
   shaping: readonly Shaping[];
 }
@@ -22,8 +22,8 @@ export function fitCurve(kind: CurveKind, data: Data, { speeds, ends, shaping }:
 }
 
 /**
- * The curves of the keys' weights: key k's is the one through 1 at that key and 0 at all others, for the curve is
- * linear in its keys.
+ * Weight curves of the keys: that of key k is 1 at key k and 0 at all others. The spline is their weighted sum, because
+ * it is linear in its keys.
  */
 export function weightCurves(kind: CurveKind, times: readonly number[], options: FitOptions): Curve[] {
   return times.map((_, k) => fitCurve(kind, { times, values: times.map((__, j) => (j === k ? 1 : 0)) }, options));

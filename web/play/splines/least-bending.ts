@@ -1,23 +1,25 @@
 /**
- * Least bending by brute force: K samples that minimise the sum of their squared second differences with the keys held
- * (paper Eq. 1-2, Fig. 2a). What a cubic spline finds from J equations, from K + J.
+ * Least bending by direct minimisation: K samples that minimise the sum of their squared second differences with fixed
+ * keys (paper Eq. 1-2, Fig. 2a). Needs K + J equations, where a cubic spline needs J.
  */
 import type { Curve } from './curve.ts';
 import { solveDense } from './solve.ts';
 import { fitCurve } from './fit.ts';
 import type { Data } from './slopes.ts';
 
-/** More samples are not solved for: the work grows with their third power. */
+/** Limit for samples, because the work grows with their third power. */
 export const MOST_SAMPLES = 200;
 
-/** The fewest samples with one in every interval between keys: fewer could not meet all keys. */
+/** The fewest samples with one in every interval between keys; fewer could not meet all keys. */
 export function leastSamples(times: readonly number[]): number {
   const span = times.at(-1)! - times[0]!;
   const shortest = Math.min(...times.slice(1).map((t, i) => t - times[i]!));
   return Math.max(4, Math.ceil((span / shortest) * (1 - 1e-9)) + 1);
 }
 
-/** K evenly spaced samples, at least leastSamples; a key between them is held by the cubic through the nearest four. */
+/**
+ * K evenly spaced samples, at least leastSamples. A key between samples constrains the cubic through the nearest four.
+ */
 export function leastBending({ times, values }: Data, samples: number): Data {
   const [start, keys] = [times[0]!, times.length];
   const step = (times.at(-1)! - start) / (samples - 1);
@@ -38,18 +40,18 @@ export function leastBending({ times, values }: Data, samples: number): Data {
       matrix[sample]![samples + j] = factor;
     }
   });
-  // The gradient of the sum is a combination of what holds the keys (Lagrange).
+  // The gradient of the sum is a combination of the constraints (Lagrange).
   const rhs = [...new Array<number>(samples).fill(0), ...values];
   const path = solveDense({ matrix, rhs }).slice(0, samples);
   return { times: path.map((_, i) => start + i * step), values: path };
 }
 
-/** A sample so near to a key, as a share of the step, is the key. */
+/** A sample this close to a key, relative to the step, coincides with it. */
 const SAME = 1e-6;
 
 /**
- * The smoothest curve through samples and keys. Its bending is an integral as that of every other curve, and never less
- * than that of the natural spline, which passes through the keys alone; a sum over the samples may be less.
+ * The smoothest curve through samples and keys. Its bending is an integral, as for every other curve, so it is never
+ * less than that of the natural spline through the keys alone. A sum over the samples can be less.
  */
 export function curveThrough(samples: Data, keys: Data): Curve {
   const near = SAME * (samples.times[1]! - samples.times[0]!);

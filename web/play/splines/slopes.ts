@@ -10,12 +10,12 @@ export interface Data {
   values: readonly number[];
 }
 
-/** Speeds at the ends, relative to that between the first two keys and the last two; Hermite ends alone have them. */
+/** End speeds, relative to the mean speed between the first two and the last two keys; only for Hermite ends. */
 export type Speeds = readonly [number, number];
 
 /**
- * The J equations for the J slopes: at inner keys the second derivative goes on, the ends have an equation each. A loop
- * has no ends; its first and last key are neighbours, which gives two entries in the corners.
+ * The J equations for the J slopes. At inner keys the second derivative is continuous, and each end has one equation.
+ * In a loop the first and last key are neighbours, which gives two entries in the corners.
  */
 export function slopeSystem({ times, values }: Data, ends: Ends, speeds: Speeds): System {
   const n = times.length;
@@ -49,8 +49,8 @@ export function splineSlopes(data: Data, ends: Ends, speeds: Speeds): number[] {
 }
 
 /**
- * The mean of the slopes on either side (Catmull and Rom 1974, Kochanek and Bartels 1984): each key asks its neighbours
- * alone. At the ends the one slope that there is.
+ * The mean of the adjacent slopes (Catmull and Rom 1974, Kochanek and Bartels 1984), which depends only on neighbouring
+ * keys. At the ends, the only adjacent slope.
  */
 export function catmullRomSlopes({ times, values }: Data): number[] {
   const chord = chords(values, intervals(times, 'natural'), 'natural');
@@ -63,8 +63,8 @@ export interface Shaping {
 }
 
 /**
- * Tension and bias (Kochanek and Bartels 1984): a share |bias| of the slope gives way to the chord before the key, or
- * after it where the bias is negative; then the whole is scaled by 1 - tension.
+ * Tension and bias (Kochanek and Bartels 1984). A share |bias| of the slope is replaced by the chord before the key, or
+ * after it for negative bias. The result is scaled by 1 - tension.
  */
 export function shapedSlopes(data: Data, ends: Ends, slopes: readonly number[], shaping: readonly Shaping[]): number[] {
   const chord = chords(data.values, intervals(data.times, ends), ends);
@@ -80,7 +80,7 @@ export function shapedSlopes(data: Data, ends: Ends, slopes: readonly number[], 
   });
 }
 
-/** Of a loop: from the last key to the first again takes as long as between two keys on average. */
+/** Period of a loop: the interval from the last key to the first equals the mean interval. */
 export function loopTime(times: readonly number[]): number {
   return (times.at(-1)! - times[0]!) / (times.length - 1);
 }

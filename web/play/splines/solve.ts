@@ -1,17 +1,17 @@
-/** Small linear systems: rows of numbers, solved for one right-hand side. */
+/** Small linear systems with one right-hand side. */
 
 export type Matrix = number[][];
 
 export interface System {
-  /** n x n. */
+  /** The matrix, n x n. */
   matrix: Matrix;
-  /** n. */
+  /** The right-hand side, n numbers. */
   rhs: number[];
 }
 
 /**
- * Elimination down and substitution up through the three diagonals (Thomas): one pass each way. For diagonally dominant
- * systems, which need no pivoting.
+ * Tridiagonal elimination and substitution (Thomas), one pass each. For diagonally dominant systems, which need no
+ * pivoting.
  */
 export function solveTridiagonal({ matrix, rhs }: System): number[] {
   const n = rhs.length;
@@ -27,7 +27,7 @@ export function solveTridiagonal({ matrix, rhs }: System): number[] {
   return x;
 }
 
-/** Gaussian elimination with partial pivoting, of any regular system. */
+/** Gaussian elimination with partial pivoting, for any regular system. */
 export function solveDense({ matrix, rhs }: System): number[] {
   const n = rhs.length;
   const rows = matrix.map((row, i) => [...row, rhs[i]!]);
