@@ -22,7 +22,12 @@ describe('measures on the page', () => {
 
   it('find the box around several poses', () => {
     const { bounds } = extentOf([positions, positions.map((value) => -2 * value)]);
-    expect(bounds).toEqual({ min: [-2, -2, -2], max: [1, 1, 1] });
+    expect(bounds).toMatchObject({ min: [-2, -2, -2], max: [1, 1, 1] });
+  });
+
+  it('put the ring around what touches the floor, not around what leans over it', () => {
+    const leaning = Float32Array.from([3, 0, 4, 5, 0, 4, 4, 0.01, 5, 9, 1, 9]);
+    expect(extentOf([leaning]).bounds.foot).toEqual({ x: 4, z: 4.5, radius: Math.hypot(1, 0.5) });
   });
 
   it('keep the extreme vertices in a sample', () => {

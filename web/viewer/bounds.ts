@@ -4,6 +4,9 @@ import type { Bounds } from './stage.ts';
 /** Enough to fit a view tightly, few enough to process in one frame. */
 const POINTS_PER_POSE = 1500;
 
+/** What is this near to the floor touches it, as a share of the height. */
+const TOUCHES = 0.05;
+
 /**
  * The extent that a view shows: the box, and some vertices of every pose, xyz interleaved, including the extreme ones
  * along each axis.
@@ -28,7 +31,21 @@ export function extentOf(poses: Iterable<Float32Array>): Extent {
       max[axis] = Math.max(max[axis], positions[3 * v + axis]!);
     }
   }
-  return { bounds: { min, max }, points: Float32Array.from(points) };
+  return { bounds: { min, max, foot: footOf(points, min[1], max[1]) }, points: Float32Array.from(points) };
+}
+
+function footOf(points: number[], floor: number, top: number): Bounds['foot'] {
+  const low = [Infinity, Infinity];
+  const high = [-Infinity, -Infinity];
+  for (let i = 0; i < points.length; i += 3) {
+    if (points[i + 1]! > floor + TOUCHES * (top - floor)) continue;
+    for (const [k, value] of [points[i]!, points[i + 2]!].entries()) {
+      low[k] = Math.min(low[k]!, value);
+      high[k] = Math.max(high[k]!, value);
+    }
+  }
+  const [x, z] = [(low[0]! + high[0]!) / 2, (low[1]! + high[1]!) / 2];
+  return { x, z, radius: Math.hypot(high[0]! - x, high[1]! - z) };
 }
 
 function push(points: number[], positions: Float32Array, vertex: number): void {

@@ -1,5 +1,5 @@
 /** The floor: a grid that fades, the shadow of the shape, and a ring in the phase colour. */
-import { Color, Group, Mesh, PlaneGeometry, SRGBColorSpace, ShaderMaterial, Vector3 } from 'three';
+import { Color, Group, Mesh, PlaneGeometry, SRGBColorSpace, ShaderMaterial, Vector2, Vector3 } from 'three';
 import type { Camera, Scene, WebGLRenderer } from 'three';
 import { makePrograms } from './programs.ts';
 import { ContactShadow, REACH } from './contact-shadow.ts';
@@ -8,12 +8,16 @@ import { ContactShadow, REACH } from './contact-shadow.ts';
 export interface Bounds {
   min: [number, number, number];
   max: [number, number, number];
+  /** Circle on the floor about what touches it. */
+  foot: { x: number; z: number; radius: number };
 }
 
 /** Side of the floor in radii of the shape. */
 const SIDE = 10;
-/** The ring around the shape on the floor, in radii of the shape's box. */
-const RING = 0.94;
+/** Radius of the ring on the floor: at most this share of half the box's diagonal on the floor. */
+const MOST_RING = 0.94;
+/** The same in radii of the foot, and at least in radii of the whole shape. */
+const [FOOT_RING, LEAST_RING] = [1.15, 0.15];
 
 export class Stage {
   readonly object = new Group();
@@ -31,7 +35,7 @@ export class Stage {
   }
 
   /** Puts the floor under the shape; everything scales with it. */
-  setBounds({ min, max }: Bounds): void {
+  setBounds({ min, max, foot }: Bounds): void {
     const size = new Vector3(...max).sub(new Vector3(...min));
     const centre = new Vector3(...min).addScaledVector(size, 0.5);
     const radius = Math.max(size.length() / 2, 1e-6);
@@ -41,7 +45,9 @@ export class Stage {
     this.floor.scale.setScalar(SIDE * radius);
     this.floor.updateMatrixWorld();
     this.set('cell', gridCell(radius) / (SIDE * radius));
-    this.set('ring', (RING * Math.hypot(size.x, size.z)) / 2 / (SIDE * radius));
+    const around = Math.max(FOOT_RING * foot.radius, LEAST_RING * radius);
+    this.set('ring', Math.min(around, (MOST_RING * Math.hypot(size.x, size.z)) / 2) / (SIDE * radius));
+    this.set('ringCentre', new Vector2(foot.x - centre.x, foot.z - centre.z).divideScalar(SIDE * radius));
   }
 
   /** The phase colour; null if several phases are shown. */
@@ -110,6 +116,7 @@ function floorMaterial(): ShaderMaterial {
       shadow: { value: null },
       darkness: { value: 0.4 },
       ring: { value: 0.1 },
+      ringCentre: { value: new Vector2() },
       ringColour: { value: new Vector3() },
       ringStrength: { value: 0 },
     },
@@ -126,6 +133,7 @@ function floorMaterial(): ShaderMaterial {
       uniform sampler2D shadow;
       uniform float darkness;
       uniform float ring;
+      uniform vec2 ringCentre;
       uniform vec3 ringColour;
       uniform float ringStrength;
       varying vec2 place;
@@ -145,10 +153,11 @@ function floorMaterial(): ShaderMaterial {
         float fade = 1.0 - smoothstep(0.05, 0.48, away);
         vec4 colour = over(vec4(0.0), gridColour, line * dense * fade * gridStrength);
 
-        float pixel = fwidth(away);
+        float outside = length(place - ringCentre) - ring;
+        float pixel = fwidth(outside);
         float band = 0.0009 + pixel;
-        float solid = 1.0 - smoothstep(band - pixel, band, abs(away - ring));
-        float glow = away < ring ? 0.07 * exp((away - ring) * 40.0) : 0.0;
+        float solid = 1.0 - smoothstep(band - pixel, band, abs(outside));
+        float glow = outside < 0.0 ? 0.07 * exp(outside * 40.0) : 0.0;
         colour = over(colour, ringColour, max(0.9 * solid, glow) * ringStrength);
 
         vec2 under = place * ${(SIDE / (2 * REACH)).toFixed(4)} + 0.5;
