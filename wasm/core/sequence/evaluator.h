@@ -21,7 +21,8 @@ struct Frame {
 /// motion.
 class Evaluator {
  public:
-  /// Enables two threads for frames, with equal bits, or one thread for null. forkJoin must outlive the evaluator.
+  /// Computes frames on two threads, or on one if forkJoin is null. Results are bitwise equal. forkJoin must outlive
+  /// the evaluator.
   void setForkJoin(ForkJoin* forkJoin) { forkJoin_ = forkJoin; }
 
   /// The shape at time t, including times beyond the keys.

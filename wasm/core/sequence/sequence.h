@@ -34,7 +34,8 @@ class Sequence {
   /// The shape at time t, including times beyond the keys.
   Status evaluate(double t, Frame& frame);
 
-  /// Enables two threads for frames, with equal bits, or one thread for null. forkJoin must outlive the sequence.
+  /// Computes frames on two threads, or on one if forkJoin is null. Results are bitwise equal. forkJoin must outlive
+  /// the sequence.
   void setForkJoin(ForkJoin* forkJoin) { shape_->evaluator().setForkJoin(forkJoin); }
 
   /// The shape as n positions without rounding to float, for measures and tests. The accuracy depends on the encoding's
