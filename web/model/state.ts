@@ -35,7 +35,7 @@ export type LoopMode = 'once' | 'loop' | 'bounce';
 
 export interface Play {
   playing: boolean;
-  /** Units of time per second. */
+  /** Playback speed in units of time per second. */
   speed: number;
   loop: LoopMode;
   /** First and last time to play; null: the range of the keys. */

@@ -93,7 +93,9 @@ function rotationOf(m: Float64Array): Quaternion {
   return leadingEigenvector(matrix, 4) as unknown as Quaternion;
 }
 
-/** Components of the vectors along their direction of largest change, with the last not below the first. */
+/**
+ * The vectors' components along their direction of largest change, oriented so that the last is not below the first.
+ */
 function alongMainAxis(vectors: readonly Vector[]): number[] {
   const mean = [0, 1, 2].map((i) => vectors.reduce((sum, vector) => sum + vector[i]!, 0) / vectors.length);
   const products = Array.from({ length: 9 }, (_, entry) => {

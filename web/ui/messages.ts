@@ -262,7 +262,7 @@ export function createToast(): Toast {
   const next = (): void => {
     const said = waiting.shift();
     if (!said) return show('');
-    // Shows it above a dialog that opened meanwhile.
+    // Reopens the message above any dialog that opened meanwhile.
     element.hidePopover();
     element.showPopover();
     show(said.text, said.action);

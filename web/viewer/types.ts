@@ -19,7 +19,7 @@ export interface Extra {
   colour: string;
   /** Opacity from 0 to 1. */
   opacity: number;
-  /** Displacement along x. */
+  /** Displacement of the shape along x. */
   offset: number;
 }
 

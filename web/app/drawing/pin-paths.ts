@@ -1,5 +1,5 @@
 /**
- * Paths of pinned vertices over the motion, for drawing. Computed when frames leave time; only the newest request
+ * Paths of pinned vertices over the motion, for drawing. Computed when no frames are waiting; only the newest request
  * counts.
  */
 import type { Motion } from '../../engine/api/api.ts';

@@ -4,7 +4,7 @@
  * command line with its help, the page's document with links, undo and CSV, and OPTIONS.md. Plain data without imports.
  */
 
-/** Largest absolute time. A difference of 1e-6 is still representable there. */
+/** Largest absolute time. Differences of 1e-6 are still representable at this time. */
 export const MOST_TIME = 1e9;
 export const MOST_FRAMES = 100_000;
 export const MOST_KEYS = 10_000;
@@ -113,7 +113,7 @@ export interface NumberOption extends Described {
   above?: number;
   least?: number;
   most: number;
-  /** The word for 0 on the command line; 0 is allowed in addition to the range. */
+  /** The word for 0 on the command line. 0 is allowed even if it is outside the range. */
   zero?: string;
 }
 
