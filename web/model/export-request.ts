@@ -14,7 +14,7 @@ export type PictureFormat = 'png' | 'turntable';
 export type VideoFormat = 'mp4' | 'webm' | 'gif';
 export type NumbersFormat = 'measures' | 'patches';
 
-/** Pixels. */
+/** Size in pixels. */
 export interface PictureSize {
   width: number;
   height: number;

@@ -115,7 +115,7 @@ export interface AppState {
   view: View;
 }
 
-/** In addition to the motion itself: a page has room for four views. */
+/** Limit for compared motions. A page has room for four views, including the motion itself. */
 export const MOST_COMPARED = 3;
 /** Limit for onion skins on either side of the current time. */
 export const MOST_ONION_SKINS = 6;

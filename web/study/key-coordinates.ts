@@ -16,11 +16,11 @@ export interface KeyCoordinate {
 }
 
 export interface KeyPoses {
-  /** 3 x faces. */
+  /** Vertex indices, 3 x faces. */
   faces: Uint32Array;
   /** Patch of each face; -1 for none. */
   patches: Int32Array;
-  /** 3 x vertices per key. */
+  /** Positions of each key, 3 x vertices. */
   poses: readonly Float32Array[];
   /** Index of the reference key. */
   reference: number;
@@ -56,7 +56,7 @@ interface FittedPatches {
   stretch: number[];
 }
 
-/** Per patch, the rotation that best maps its edges in the reference to those in the pose (Horn 1987). */
+/** The rotation of each patch that best maps its edges in the reference to those in the pose (Horn 1987). */
 function fitPatches({ faces, patches, poses, reference }: KeyPoses, pose: Float32Array): FittedPatches {
   const count = patches.reduce((most, patch) => Math.max(most, patch + 1), 0);
   const products = Array.from({ length: count }, () => new Float64Array(9));

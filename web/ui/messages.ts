@@ -111,7 +111,7 @@ export interface Offer {
   onAccept?(): void;
   /** Alternative actions. */
   others?: readonly { action: string; onAccept(): void }[];
-  /** The user dismissed it. */
+  /** Called when the user dismisses the offer. */
   onDecline?(): void;
 }
 

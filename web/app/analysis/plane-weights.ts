@@ -7,7 +7,7 @@
 export type Point = readonly [number, number];
 
 export interface PlaneShapes {
-  /** 2 numbers per key, relative to their mean. */
+  /** Positions of the keys, 2 numbers each, relative to their mean. */
   keys: readonly number[];
   /** Shapes with known weights: 2 numbers per shape, and one weight per key and shape. */
   points: readonly number[];

@@ -15,7 +15,7 @@ export interface PinPathsParts {
 }
 
 export interface PinPaths {
-  /** 3 x TIMES coordinates per pin, from the motion's first time to its last. */
+  /** The path of each pin as 3 x TIMES coordinates, from the motion's first time to its last. */
   readonly now: readonly Float32Array[];
   /** Call after changes of the motion or its pins. */
   refresh(): void;

@@ -8,7 +8,7 @@ import { EngineError } from '../api/errors.ts';
 import { farthest } from '../api/distances.ts';
 
 export interface Motion {
-  /** 3 x vertices; the receiver owns the array. */
+  /** The shape at t, 3 x vertices; the receiver owns the array. */
   at(t: number): Promise<Float32Array>;
 }
 

@@ -19,7 +19,7 @@ const MOST_PASSED = 4;
 
 export class Scheduler {
   private waiting: Task[] = [];
-  /** Per waiting task, the number of tasks that have passed it. */
+  /** The number of tasks that have passed each waiting task. */
   private readonly passed = new WeakMap<Task, number>();
   private busy = false;
 
