@@ -276,7 +276,7 @@ test('coordinates are reached and read with the keyboard alone', async ({ app })
   await app.page.keyboard.type('3');
   await app.page.keyboard.press('Enter');
   await expect(app.by('plot-face-rotation').locator('path.curve').first()).toBeVisible();
-  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // screen readers also read it out
+  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // screen readers also read out the patch
   const summary = app.by('face-rotation-values').locator('summary');
   for (let i = 0; i < 8 && !(await summary.evaluate((one) => one === document.activeElement)); i += 1)
     await app.page.keyboard.press('Tab');

@@ -89,8 +89,8 @@ export interface View {
   /** Position of the divider between two motions, relative to the width; null: side by side. */
   split: number | null;
   /**
-   * With a ghost mesh: show its wireframe over the shape; show the ghost beside the shape; show the difference from the
-   * full solve as colours.
+   * Display options of a ghost mesh: its wireframe over the shape, the ghost beside the shape, and colours for the
+   * difference from the full solve.
    */
   ghostWire: boolean;
   ghostBeside: boolean;

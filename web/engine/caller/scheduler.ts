@@ -24,8 +24,8 @@ export class Scheduler {
   private busy = false;
 
   /**
-   * Returns the task's own promise. The task starts when nothing more urgent waits; until then the signal can withdraw
-   * it.
+   * Returns the task's own promise. The task starts once all more urgent tasks have run; until then the signal can
+   * withdraw it.
    */
   run<T>(level: Urgency, work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
     return new Promise<T>((resolve, reject) => {
