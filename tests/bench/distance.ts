@@ -4,7 +4,10 @@ export interface Distance {
   worst: number;
 }
 
-/** 3 numbers per vertex. If the first shape has more vertices, only common ones are compared. */
+/**
+ * The distance of positions with 3 numbers per vertex. If the first shape has more vertices, only common ones are
+ * compared.
+ */
 export function distanceOf(positions: ArrayLike<number>, reference: ArrayLike<number>): Distance {
   if (positions.length < reference.length) throw new Error('the reference belongs to another mesh');
   const low = [Infinity, Infinity, Infinity],

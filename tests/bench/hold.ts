@@ -90,7 +90,7 @@ async function filesOf(file: string): Promise<InputFile[]> {
   );
 }
 
-/** All animations. An animation that walks in place is followed by the same one walking forwards. */
+/** Reads all animations. An animation that walks in place is followed by the same one walking forwards. */
 async function readAll(engine: Engine, input: InputFile[]): Promise<Captured[]> {
   const { info } = await engine.importKeyframes(input);
   const { vertices, diagonal } = info.report;

@@ -15,7 +15,7 @@ export interface Loaded {
   targets: number;
 }
 
-// Set as in a worker, where Babylon.js would import the decoder from its own server.
+// Provides the decoder as in a worker, because Babylon.js would import it from its own server.
 Object.assign(globalThis, {
   importScripts: () => {},
   MeshoptDecoder: { ...MeshoptDecoder, useWorkers: () => {} },

@@ -1,5 +1,6 @@
 /**
- * Our native solver and others on the same system and machine, and double-precision solutions to compare frames with.
+ * Runs our native solver and others on the same system and machine. Provides double-precision solutions to compare
+ * frames with.
  */
 import { rm } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';

@@ -82,7 +82,7 @@ export function timesFaster(paperMs: number, ourMs: number): string {
   return ourMs < CLOCK_MS ? `> ${short(paperMs / CLOCK_MS)}` : short(paperMs / ourMs);
 }
 
-/** The paper's Table 1 with our times per shape in milliseconds; null without any of its sizes. */
+/** The paper's Table 1 with our times per shape in milliseconds; null if no measured size is in the table. */
 export function table1(runs: Run[]): string | null {
   const columns = TABLE_1.flatMap((row) => {
     const run = runs.find(({ faces }) => Math.abs(faces - row.faces) < 0.03 * row.faces);

@@ -17,7 +17,7 @@ import {
 } from './ratios.ts';
 import type { Swept, SweptParts } from './sweep.ts';
 
-/** One closed smooth body, the same with eight keys, or several parts with open boundaries. */
+/** One closed smooth body, with three or eight keys, or several parts with open boundaries. */
 export type Family = 'smooth' | 'eight keys' | 'parts';
 
 const FAMILY_WORDS: Record<Family, string> = { smooth: '', 'eight keys': ' with eight keys', parts: ' in parts' };

@@ -175,7 +175,7 @@ test('contrast themes keep the timeline, the choices and what is chosen', async 
   const canvas = await background('.deck');
   expect(await background('.key-range')).not.toBe(canvas);
   expect(await background('.diamond')).not.toBe(canvas);
-  // The three visible parts: between the keys, beyond them, and the keys.
+  // The timeline's three parts: between the keys, beyond them, and the keys.
   const drawn = await app.by('timeline').screenshot();
   const share = (of: (rgb: readonly [number, number, number]) => boolean): number => matching(drawn, of).share;
   expect(share(([r, g, b]) => g > r + 60 && g > b + 20)).toBeGreaterThan(0.05);

@@ -15,7 +15,7 @@ for (const [name, compress, decoder] of [
   ['Draco', draco, /draco_decoder.*\.wasm/],
   ['meshopt', meshopt, /meshopt(imizer)?_decoder/],
 ] as const) {
-  // One of them also on the development server, because both are loaded in the same way.
+  // Only one format is also tested on the development server, because both are loaded in the same way.
   test(`poses compressed with ${name} open`, { tag: name === 'Draco' ? '@server' : [] }, async ({ app }) => {
     const files = await compress(plain);
     // A sample made in the browser, because other samples are compressed.

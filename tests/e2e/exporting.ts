@@ -22,7 +22,7 @@ export async function stated(app: App, choose: () => Promise<void>): Promise<str
 
 export async function exported(app: App, choose: () => Promise<void>): Promise<Exported> {
   const text = await stated(app, choose);
-  // Pressed by key, because text above may move the button away from the mouse.
+  // The button is pressed by key, because text above may move it away from the mouse.
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.by('export-go').press('Enter')]);
   const bytes = readFileSync(await download.path());
   return { download, bytes, stated: text };

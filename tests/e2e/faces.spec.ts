@@ -48,7 +48,7 @@ test('pixels follow the numbers: where vertices are further off, the colour is f
     return { places: Array.from(window.__shapespline!.project(b)), far: apart };
   });
   const { data, width } = decode(await app.picture());
-  // The same point in the second view, which has the same camera.
+  // The point in the second view, which has the same camera.
   const offset = width / 2;
   const cells = new Map<string, { far: number; count: number; x: number; y: number }>();
   far.forEach((distance, v) => {
@@ -117,7 +117,7 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   await app.by('face-number').press('Enter');
   await expect(app.by('face-number')).not.toHaveValue(first);
   await expect(app.by('plot-face-stretch').locator('path.curve')).toHaveCount(3);
-  // With ends other than natural ones, the natural spline is drawn as well.
+  // With other ends, the natural spline is also drawn.
   await app.by('boundary-hermite').check();
   await app.by('start-speed-number').fill('0');
   await app.by('start-speed-number').press('Enter');
@@ -276,7 +276,7 @@ test('coordinates are reached and read with the keyboard alone', async ({ app })
   await app.page.keyboard.type('3');
   await app.page.keyboard.press('Enter');
   await expect(app.by('plot-face-rotation').locator('path.curve').first()).toBeVisible();
-  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // screen readers also read it out
+  await expect(app.by('face-patch')).toHaveText(/of patch \d+/); // screen readers also read out the patch
   const summary = app.by('face-rotation-values').locator('summary');
   for (let i = 0; i < 8 && !(await summary.evaluate((one) => one === document.activeElement)); i += 1)
     await app.page.keyboard.press('Tab');

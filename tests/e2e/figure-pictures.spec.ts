@@ -25,7 +25,7 @@ const TIMED = ['figure=8', 'figure=9'];
 /** Fig. 2a is a separate page. */
 const PLAYGROUND = 'figure=2a';
 
-/** The time of each stored figure, and the content it waits for. */
+/** The time shown by each stored figure, and a test that its content is complete. */
 const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<void> }>> = {
   'figure=1': { t: 0.56 },
   'figure=2a': { t: 0.4 },
@@ -61,7 +61,7 @@ async function pictureOf(app: App, { link, panel, part, beside }: GuidePage): Pr
     await app.settled();
     await ready?.(app);
     await expect(app.by('speed-curve')).toBeVisible();
-    // Plots above the visible one, and their legend, are loaded later.
+    // Plots above the visible plot, and their legend, are loaded later.
     if (panel === 'analysis') await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
     if (part) await app.by(part).evaluate((one) => one.scrollIntoView());
   }

@@ -11,7 +11,7 @@ async function choosePart(app: App, part: string, number: string): Promise<void>
   await app.by(`${part}-number`).press('Enter');
 }
 
-/** Pressed by key, because charts being drawn may move a button away from the mouse. */
+/** The button is pressed by key, because charts being drawn may move it away from the mouse. */
 async function saved(app: App, testId: string): Promise<{ name: string; bytes: Buffer }> {
   const [file] = await Promise.all([app.page.waitForEvent('download'), app.by(testId).press('Enter')]);
   return { name: file.suggestedFilename(), bytes: readFileSync((await file.path())!) };

@@ -54,7 +54,7 @@ test.describe('looks as it did', () => {
       await app.open();
       await reach(app);
       await app.settled();
-      // The motion's speed is requested when frames leave time.
+      // The motion's speed is requested when no frames are waiting.
       await expect(app.by('speed-curve')).toBeVisible();
       if ('keys' in selectors) await expect(app.page.locator('.key-list img[src]')).toHaveCount(3);
       // The frame time differs every time.

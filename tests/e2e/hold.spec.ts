@@ -132,7 +132,7 @@ test('the paws of the sample that strolls stay where they stand, beside the same
   expect(planted).toBeGreaterThan(100);
   expect(plain / planted).toBeGreaterThan(0.001 * size);
   expect(held).toBeLessThan(0.6 * plain);
-  // A link holds by default, unless it says otherwise.
+  // By default, a link to the sample turns holding on.
   await app.by('hold').uncheck();
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('hold=off');
 });

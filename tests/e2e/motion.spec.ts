@@ -82,7 +82,7 @@ const filesIn =
     return path;
   };
 
-/** Two keys of our own, with Hermite ends. */
+/** Opens two key files with Hermite ends. */
 async function openTwo(app: App, file: MakeFile): Promise<void> {
   await app.open();
   await app.by('file-input').setInputFiles([file('a.obj', 0), file('b.obj', 0.6)]);

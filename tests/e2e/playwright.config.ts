@@ -71,9 +71,8 @@ export default defineConfig({
     trace: 'off',
     screenshot: 'only-on-failure',
   },
-  // All tests run on the built page under a sub-path. Tests of things that a server can break (tagged
-  // @server) also run on the development server: loading the page, its worker, samples, files and decoders, and the
-  // motion itself.
+  // All tests run on the built page under a sub-path. Tests that depend on the server (tagged @server) also run on the
+  // development server: loading the page, its worker, samples, files and decoders, and the motion itself.
   projects: [
     { ...project('dev', `http://localhost:${devPort}/`), grep: /@server/ },
     { ...project('built', `http://localhost:${builtPort}${subPath}`), testIgnore: /threads\.spec\.ts$/ },

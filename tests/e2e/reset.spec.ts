@@ -79,7 +79,7 @@ test('after everything was changed it is as on a fresh visit', async ({ app }) =
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
 
-  // Own files, which are stored, with edits and another time.
+  // Opens files of the user, which are stored, edits them and changes the time.
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2), given('c.obj', -0.1)]);
   await expect(app.by('remember')).toHaveAttribute('aria-pressed', 'true');
   await app.by('boundary-hermite').check();
@@ -92,7 +92,7 @@ test('after everything was changed it is as on a fresh visit', async ({ app }) =
   await app.by('key-1-edit').click();
   await app.by('key-name').fill('other');
   await page.keyboard.press('Enter');
-  // The view, the theme and the clock.
+  // Changes the view, the theme and the clock.
   await app.by('view-right').click();
   await app.by('look-toggle').click();
   await app.by('wireframe').check();
@@ -101,7 +101,7 @@ test('after everything was changed it is as on a fresh visit', async ({ app }) =
   await app.by('timeline').hover();
   await page.mouse.wheel(0, -300);
   await page.keyboard.press('Control+Home');
-  // Charts, their values, a face and a patch.
+  // Shows charts, their values, a face and a patch.
   await app.by('plot-volume').scrollIntoViewIfNeeded();
   await app.by('volume-values').locator('summary').press('Enter');
   await app.by('face-number').fill('0');
@@ -111,7 +111,7 @@ test('after everything was changed it is as on a fresh visit', async ({ app }) =
   await app.by('patch-number').press('Enter');
   await app.by('heat-distance').check({ force: true });
   await app.by('mesh-report').locator('summary').press('Enter');
-  // Dialogs, an error, and a temporary message.
+  // Opens dialogs and causes an error and a temporary message.
   await app.by('help').click();
   await app.by('single-keys').uncheck();
   await app.by('help-close').click();

@@ -36,7 +36,7 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
   const [shape, canvas, button] = [await places(), await picture(), await buttons()];
   await app.by('boundary-hermite').check();
   await app.settled();
-  // The lane covers the bottom of the viewport: the shape stays in place, and no button is below the lane.
+  // The lane covers the bottom of the viewport. The shape stays in place, and no button is below the lane.
   expect([await places(), await picture()]).toEqual([shape, canvas]);
   const lane = (await app.by('speed-lane').boundingBox())!;
   expect((await buttons()).y).toBeCloseTo(button.y - lane.height, 0);

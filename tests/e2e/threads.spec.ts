@@ -20,7 +20,7 @@ interface Shown {
   positions: Float32Array[];
 }
 
-/** In the engine's worker, makes each single-thread frame appear a second slower by its clock. */
+/** Makes each single-thread frame in the engine's worker appear a second slower by its clock. */
 function slowAlone(): void {
   type Kernels = Record<'shapespline_set_threads' | 'shapespline_evaluate', (...args: number[]) => number>;
   const now = performance.now.bind(performance);

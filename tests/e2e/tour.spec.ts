@@ -216,7 +216,7 @@ test('what a step speaks of under the options is in sight, although plots above 
     await expect.poll(from, `${link}: below the row of names`).toBeGreaterThan(0);
     await expect.poll(from, `${link}: not further down`).toBeLessThan(0.6 * side.height);
   }
-  // The user's scroll position stays, whatever changes.
+  // The user's scroll position stays when the content changes.
   await app.page.locator('.side').hover();
   await app.page.mouse.wheel(0, -4000);
   await expect.poll(() => app.page.locator('.side').evaluate((side) => side.scrollTop)).toBeLessThan(200);
@@ -356,7 +356,7 @@ test('at 360 px a student goes from the first step to the last, by hand and by k
     if (index < 3) await app.by('guide-next').click();
     else if (index < TOUR.length - 3) await app.page.keyboard.press('Enter');
   }
-  // After quick key presses there is no next page.
+  // Quick key presses go to the end, where there is no next page.
   await app.page.keyboard.press('Enter');
   await app.page.keyboard.press('Enter');
   await expectStep(app, 9);

@@ -272,7 +272,8 @@ describe('an animated GLB', () => {
       await expectValid(bytes);
       const { float, short } = await targetNormals(bytes);
       expect(short).toBeGreaterThan(float); // the bar's normals turn by up to 80 degrees
-      // Out of 24 bytes: a position with 16 bits per coordinate and, if it fits, a normal, each padded to 8 bytes.
+      // Of 24 bytes per vertex remain a position with 16 bits per coordinate and, if it fits, a normal, each padded to
+      // 8 bytes.
       const quantized = (8 + (8 * short + 12 * float) / (short + float)) / 24;
       // Smooth surfaces move so evenly that they need fewer bits than the stored 16 and 12 per coordinate.
       const most = compression === 'quantized' ? quantized + 0.02 : (3 * (16 + 12)) / 8 / 24;
@@ -281,7 +282,7 @@ describe('an animated GLB', () => {
       expect(stated).toBeGreaterThan(0.85);
       expect(stated).toBeLessThan(2);
       const [normals, wanted] = [await shownNormals(bytes), await shownNormals(plain)];
-      // Half a step of the base and of the target along each axis.
+      // The error is at most half a step of the base and of the target along each axis.
       for (const [target, values] of normals.entries())
         expect(largestDistance(values, wanted[target]!)).toBeLessThan(Math.sqrt(3) / (2 ** 11 - 1));
       const again = await engine.importKeyframes([{ name: 'small.glb', bytes }]);

@@ -79,7 +79,7 @@ it('every entry can be imported in Node, where there is no page', async () => {
     .filter((name) => !/\.(wasm|json)$/.test(name))
     .map((name) => path.posix.join('shapespline', name));
   expect(entries).toContain('shapespline/worker.js');
-  // Bundlers for browsers use it as well.
+  // Bundlers for browsers also use index.js.
   const all = [...entries, path.join(packageIn(project), 'index.js')];
   const importing = all.map((name) => `await import(${JSON.stringify(name)});`).join('\n');
   expect(await node(project, '--input-type=module', '-e', `${importing}\nconsole.log('all')`)).toBe('all\n');

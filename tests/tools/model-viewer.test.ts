@@ -48,7 +48,7 @@ afterAll(async () => {
 
 interface Viewer {
   page: Page;
-  /** Errors, and requested URLs beyond this machine. */
+  /** Errors of the page, and requested URLs on other machines. */
   complaints: string[];
   /** Shows a time without playing; resolves when drawn. */
   showAt(seconds: number): Promise<void>;

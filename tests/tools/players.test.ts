@@ -38,7 +38,7 @@ async function babylon(bytes: Uint8Array): Promise<Player> {
   group!.pause();
   const shown = meshes.filter((mesh) => mesh.getTotalVertices() > 0);
   const off = async (seconds: number): Promise<number> => {
-    // Its frames are 1/60 s.
+    // Babylon.js counts frames of 1/60 s.
     group!.goToFrame(seconds * 60);
     const vertices: [number, number, number, number][] = [];
     for (const mesh of shown) {

@@ -63,7 +63,7 @@ describe('rotation and stretch of faces', () => {
     const flat = new FaceHeat(new Float32Array(9), Uint32Array.of(0, 1, 2));
     expect(flat.amounts(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0), 'stretch')).toMatchObject({ largest: 0, mean: 0 });
     const colours = heatColours({ percent: Float32Array.of(0, 50, 100) }, 100);
-    expect(colours[2]).toBeGreaterThan(colours[0]!); // violet
-    expect(colours[6]).toBeGreaterThan(colours[8]!); // yellow
+    expect(colours[2]).toBeGreaterThan(colours[0]!); // the lowest colour is violet
+    expect(colours[6]).toBeGreaterThan(colours[8]!); // the highest colour is yellow
   });
 });

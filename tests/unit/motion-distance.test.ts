@@ -5,7 +5,7 @@ import type { Method } from '../../web/engine/api/types.ts';
 
 let held = 0;
 
-/** A triangle of diagonal 1 at height `off` times t. */
+/** A triangle of diagonal 1 whose height is `off` times t. */
 function running(method: Method, off: number): AnalysisInput['sequences'][number] {
   const evaluateMany = async (times: number[]) =>
     times.map((t) => {

@@ -33,7 +33,7 @@ it('a URL with a pending change event is not overwritten', () => {
   link.pin('tour=2');
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=2');
-  link.pin('tour=3'); // written shortly after
+  link.pin('tour=3'); // the URL is written shortly after
   location.hash = '#tour=4'; // the user navigates meanwhile
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=4');

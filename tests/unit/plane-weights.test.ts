@@ -38,7 +38,7 @@ describe('the mixture at a point of the shape plane', () => {
   });
 
   it('changes the nearby weights by no more than it must', () => {
-    // all shapes except one are far away, so the residual is the minimum-norm weights at that point
+    // all shapes except one are far away, so the rest has the least norm of weights at that point
     const one: PlaneShapes = { keys, points: [0, 0], weights: [0.25, 0.25, 0.25, 0.25] };
     expect(mixtureAt(one, [1, 0]).weights).toEqual([0.125, 0.375, 0.125, 0.375]);
   });

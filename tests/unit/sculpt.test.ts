@@ -10,7 +10,7 @@ import { make } from '../../web/sculpt/make.ts';
 import { serpent } from '../../web/sculpt/serpent.ts';
 import { turret } from '../../web/sculpt/turret.ts';
 
-/** Per edge, traversals in one direction minus those in the other, with coincident vertices merged. */
+/** Traversals of each edge in one direction minus those in the other, with coincident vertices merged. */
 function openEdges({ skin, keys }: Sculpture): number {
   const first = new Map<string, number>();
   const welded = Array.from({ length: keys[0]!.length / 3 }, (_, v) => {

@@ -5,7 +5,7 @@ import { thereAndBack } from '../../web/engine/caller/bounce.ts';
 
 describe('what a recorder wrote', () => {
   it('gets the times that were meant, in the order that frames are shown in', () => {
-    // Slow, uneven, and not in display order.
+    // The recorded times are slow, uneven, and not in display order.
     const times = meantTimes([0.1, 0.9, 0.3], 3, 30);
     expect(times.map(({ timestamp }) => timestamp)).toEqual([0, 2 / 30, 1 / 30]);
     for (const { duration } of times) expect(duration).toBeCloseTo(1 / 30, 12);

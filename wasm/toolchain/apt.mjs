@@ -1,4 +1,4 @@
-// Debian packages: installed into the system, or unpacked into a folder of the repository to keep the system's own
+// Installs Debian packages into the system, or unpacks them into a folder of the repository to keep the system's own
 // versions.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';

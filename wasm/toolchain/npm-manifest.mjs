@@ -17,7 +17,7 @@ export const FILES = [
 const typed = (name) => ({ types: `./${name}.d.ts`, default: `./${name}.js` });
 const asItIs = (names) => Object.fromEntries(names.map((name) => [`./${name}`, `./${name}`]));
 
-// A page with its own worker imports worker.js for its side effects.
+// A page that starts the worker itself imports worker.js for its side effects.
 const ACTIVE = ['./worker.js'];
 
 /** `element`: whether it includes the custom element. */

@@ -24,7 +24,10 @@ const types = {
 };
 
 const noFrames = "frame-ancestors 'self'";
-/** The policy of index.html's <meta>. Sent as a header as well, because a worker follows only its script's header. */
+/**
+ * The policy of index.html's <meta>. The server also sends it as a header, because a worker follows only its script's
+ * header.
+ */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",

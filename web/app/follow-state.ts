@@ -21,7 +21,7 @@ export function followState(context: Context, onOpened: () => void, redraw: () =
       takeFiles.forget();
       onOpened();
     } else if (changed.motions) viewState.change({ welcome: false });
-    // Own files have no link, so the URL is cleared even while they play.
+    // The user's files have no link, so the URL is cleared even while they play.
     if (!state.play.playing || changed.opened) link.follow();
     if (!state.play.playing || changed.opened || changed.motions) remembered.follow();
     redraw();

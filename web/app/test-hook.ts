@@ -28,7 +28,7 @@ export interface TestHook {
   evaluate(t: number): Promise<Float32Array>;
   /** The main motion's ghost mesh with 3 x ghost vertices at the current time; null without a ghost. */
   ghost(): Promise<(Ghost & { positions: Float32Array }) | null>;
-  /** The distances that the colours show: per vertex to the shape without a ghost, in % of the diagonal. */
+  /** The distance of each vertex from the shape without a ghost, as shown by the colours, in % of the diagonal. */
   difference(): Float32Array | null;
   /** A copy of the drawn positions in a view, 3 x vertices. */
   positions(view?: number): Float32Array;

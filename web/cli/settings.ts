@@ -178,7 +178,7 @@ export function importOptions(args: Arguments): ImportOptions {
   return given(args, importFlags);
 }
 
-/** All options except shapes, which are files. */
+/** All options except shapes, because a shape's text is a file name. */
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);

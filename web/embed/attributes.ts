@@ -213,7 +213,7 @@ export type ShapeSplineProperties = { -readonly [N in keyof typeof OWN]: OwnValu
 
 export type PropertyName = keyof ShapeSplineProperties;
 
-/** Rows by property. */
+/** The table's rows by property. */
 export const ROWS: Readonly<Record<PropertyName, Row>> = {
   ...OWN,
   ...Object.fromEntries(optionsIn(ENGINE).map(([name, option]) => [name, rowOf(name, option)])),

@@ -271,7 +271,7 @@ export class CanvasViewer {
   }
 }
 
-/** Error: no-webgl. */
+/** The page's shared surface. Error: no-webgl. */
 function surfaceOfPage(): Surface {
   try {
     return sharedSurface();

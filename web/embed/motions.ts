@@ -78,7 +78,7 @@ export function takeKeys(
       const read = (how: ImportOptions): Promise<Keys> =>
         withEngine((one) => one.importKeyframes(files, how, { signal: making.signal, onProgress }));
       const keys = await read(all);
-      // As in the app: stand up shapes that seem to lie, unless the page sets the axis.
+      // As in the app, shapes that seem to lie down are stood up, unless the page sets the axis.
       if (all.up !== undefined || !keys.info.warnings.some(({ code }) => code === 'z-up')) return keys;
       keys.dispose();
       return read({ ...all, up: 'z' });
@@ -143,7 +143,7 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
 }
 
 /**
- * One of several users of a motion, each with one request at a time. Requests of other users do not replace its own.
+ * One of several users of a motion, each with one request at a time. Users do not replace each other's requests.
  * `onComputed` is called for every frame made for it.
  */
 export function userOf(motion: Motion, onComputed: (ms: number) => void): Motion {

@@ -33,7 +33,7 @@ export type { KeySource } from './sources.ts';
 
 /** An element that is being moved in the document keeps its state for this long. */
 const GRACE_MS = 500;
-/** In view without a source for this long, the element reports the missing source. */
+/** An element in view without a source reports the missing source after this time. */
 const SOURCE_MS = 1000;
 /** Share of the keys in the whole work. */
 const KEYS_SHARE = 0.5;

@@ -2,7 +2,7 @@
 
 export interface Lease<T> {
   readonly value: Promise<T>;
-  /** Idempotent. */
+  /** Releases the object. Idempotent. */
   release(): void;
 }
 

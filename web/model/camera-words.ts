@@ -61,7 +61,7 @@ function radiusOf(word: string): CameraOrbit['radius'] | null {
   return distance > 0 ? { distance } : null;
 }
 
-/** NaN if invalid. */
+/** Parses a number with a unit; NaN if invalid. */
 function measured(word: string, units: Readonly<Record<string, number>>): number {
   const [, number, unit] = /^([-+]?\d*\.?\d+(?:e[-+]?\d+)?)([a-z]+)$/.exec(word) ?? [];
   const scale = units[unit ?? ''];

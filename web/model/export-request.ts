@@ -14,7 +14,7 @@ export type PictureFormat = 'png' | 'turntable';
 export type VideoFormat = 'mp4' | 'webm' | 'gif';
 export type NumbersFormat = 'measures' | 'patches';
 
-/** Pixels. */
+/** Size in pixels. */
 export interface PictureSize {
   width: number;
   height: number;
@@ -34,7 +34,7 @@ export type SizeName = 'window' | keyof typeof SIZES | 'own';
 /** Limits for either side. */
 export const [LEAST_PIXELS, MOST_PIXELS] = [16, 8192];
 
-/** Choices of the dialog, kept while the page is open for the next export. */
+/** Choices of the dialog, stored for the next export while the page is open. */
 export interface ExportRequest {
   kind: ExportKind;
   animation: AnimationFormat;
@@ -110,7 +110,7 @@ export interface Playing {
   range: Range;
   /** Whole frames per unit of time; null: as smooth as the screen allows. */
   fps: number | null;
-  /** Units of time per second. */
+  /** Speed in units of time per second. */
   speed: number;
 }
 

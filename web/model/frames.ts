@@ -32,7 +32,7 @@ export function snappedTime(t: number, keyTimes: readonly number[], near: number
   return key !== t || fps === null ? key : nearestFrameTime(t, fps);
 }
 
-/** The whole frame `by` frames away. Between two frames, the first step goes to one of them. */
+/** The time `by` whole frames away. From between two frames, the first step goes to the adjacent frame. */
 export function steppedFrameTime(t: number, fps: number, by: number): number {
   const frame = frameAt(t, fps);
   return ((by > 0 ? Math.floor(frame) : Math.ceil(frame)) + by) / fps;

@@ -13,7 +13,7 @@ export function shortNames(names: readonly string[]): string[] {
   const [first = '', ...rest] = names;
   let common = rest.length > 0 ? first.length : 0;
   for (const name of rest) while (!name.startsWith(first.slice(0, common))) common -= 1;
-  // Ends at word or number boundaries; a number may follow a word directly.
+  // Whether the common part can end at this character: a word or number boundary, or before a number.
   const isEnd = (at: number): boolean =>
     /[\s_.-]/.test(first[at - 1]!) || (/\D/.test(first[at - 1]!) && names.every((name) => /\d/.test(name[at] ?? '')));
   while (common > 0 && !isEnd(common)) common -= 1;

@@ -14,7 +14,7 @@ export interface KeyPassing {
   boundary: Boundary;
   startSpeed: number;
   endSpeed: number;
-  /** One per key, as for `bias`. */
+  /** Tensions, one per key, as for `bias`. */
   tension: number[];
   bias: number[];
 }

@@ -45,7 +45,7 @@ export function speedCurveOf(times: readonly number[], { speed, overshoot }: Mot
   return { times, speed, overshoot, mean: span > 0 ? area / span : 0 };
 }
 
-/** The multiple of the mean speed at a time, and whether the motion overshoots a key. */
+/** The speed at a time as a multiple of the mean, and whether the motion overshoots a key. */
 export function speedAt(
   { times, speed, overshoot, mean }: SpeedCurve,
   t: number,

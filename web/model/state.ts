@@ -35,7 +35,7 @@ export type LoopMode = 'once' | 'loop' | 'bounce';
 
 export interface Play {
   playing: boolean;
-  /** Units of time per second. */
+  /** Playback speed in units of time per second. */
   speed: number;
   loop: LoopMode;
   /** First and last time to play; null: the range of the keys. */
@@ -89,8 +89,8 @@ export interface View {
   /** Position of the divider between two motions, relative to the width; null: side by side. */
   split: number | null;
   /**
-   * With a ghost mesh: show its wireframe over the shape; show the ghost beside the shape; show the difference from the
-   * full solve as colours.
+   * Display options of a ghost mesh: its wireframe over the shape, the ghost beside the shape, and colours for the
+   * difference from the full solve.
    */
   ghostWire: boolean;
   ghostBeside: boolean;
@@ -115,7 +115,7 @@ export interface AppState {
   view: View;
 }
 
-/** In addition to the motion itself: a page has room for four views. */
+/** Limit for compared motions. A page has room for four views, including the motion itself. */
 export const MOST_COMPARED = 3;
 /** Limit for onion skins on either side of the current time. */
 export const MOST_ONION_SKINS = 6;

@@ -3,7 +3,7 @@ import { keyLabel, lowerFirst } from './key-names.ts';
 
 /** Margin of the default timeline beyond either end, as a share of the mean key interval. */
 export const MARGIN = 0.8;
-/** Zooming out and typing can go this many lengths of the motion beyond its ends. */
+/** Zooming and typed times are limited to this many lengths of the motion beyond its ends. */
 const FURTHEST = 2;
 /** Times closer than this share of the range are equal. */
 export const SAME_TIME = 1e-6;

@@ -24,8 +24,8 @@ export function timeIn(fraction: number, window: Range): number {
 }
 
 /**
- * The window scaled by `factor` around t. Zooming out stops when the whole is visible (null), and continues from there
- * to the largest window.
+ * The window scaled by `factor` around t. Zooming out pauses at the whole range (null) and then continues to the
+ * largest window.
  */
 export function zoomed(window: Range, scale: TimeScale, factor: number, t: number): Range | null {
   const { whole, range } = scale;

@@ -62,7 +62,7 @@ function keyNotice({ selected }: PlayState, { curves, times, weights }: Derived,
 
 const SAMPLED = 40;
 
-/** The largest weight of a key beyond the intervals that it bounds. */
+/** The largest weight of a key outside the two intervals next to it. */
 function reach(weight: Curve, times: readonly number[], key: number): number {
   let most = 0;
   times.slice(1).forEach((to, i) => {

@@ -20,7 +20,7 @@ export interface PageParts {
   /** The panel that connects to the app, for a coordinate of a real shape. */
   real: Panel;
   theme: HTMLElement;
-  /** The demonstration plays. */
+  /** Whether the demonstration plays. */
   playing: boolean;
   onError(error: unknown): void;
   /** A sentence about parts of the link that cannot be shown; null for none. */

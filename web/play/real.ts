@@ -10,7 +10,7 @@ import type { PlayState } from './state.ts';
 
 export interface RealParts {
   get(): PlayState;
-  /** A coordinate was taken; `state` is the new state. */
+  /** Reports the new state after a coordinate was taken. */
   change(state: PlayState): void;
 }
 

@@ -36,7 +36,7 @@ export class FrameLoop {
   private running: Promise<void> | null = null;
   private waiting: Waiting[] = [];
   private calls: (() => void)[] = [];
-  /** Until this time, playback leaves the machine to other work. */
+  /** Until this time, playback draws no new frames and other work can run. */
   private yieldsUntil = -Infinity;
   private readonly cost = new FrameCost();
 

@@ -18,7 +18,7 @@ export interface Heading extends Partial<Axes> {
   unit?: string;
 }
 
-/** Widths of a paper's column and of its page, so type has its intended size. */
+/** Small plots have the width of a paper's column, so type has its intended size. */
 const COLUMN_MM = 85;
 const PAGE_MM = 170;
 /** Wider plots fill the page. */
@@ -117,7 +117,7 @@ function plain(element: SVGSVGElement): { copy: SVGSVGElement; box: Box } {
   for (const name of ['lit', 'selected'])
     for (const one of copy.querySelectorAll(`.${name}`)) one.classList.remove(name);
   copy.classList.add('filed');
-  // Computed styles and sizes are those of the page while the copy is in it; nothing is painted meanwhile.
+  // The copy is inserted into the page to compute its styles and sizes. Nothing is painted during this time.
   element.after(copy);
   const all = [copy, ...copy.querySelectorAll('*')];
   const hidden = all.filter((one) => getComputedStyle(one).display === 'none');
@@ -178,7 +178,7 @@ function headed(element: SVGSVGElement, { title, unit }: Heading, width: number)
   return { head, tall: y + MARGIN };
 }
 
-/** Each name once, with the look of its first curve. */
+/** The curves' names without duplicates, each with the look of its first curve. */
 function namedCurves(element: SVGSVGElement): { name: string; line: Record<string, string> }[] {
   const first = new Map<string, Element>();
   for (const curve of element.querySelectorAll('.curve:not(.further, .extrapolated), .level')) {

@@ -8,7 +8,7 @@ import { extent, path, tickLabel, ticks } from './scale.ts';
 
 export interface PlaneCurve {
   label: string;
-  /** 2 numbers per time. */
+  /** Points of the curve, 2 numbers per time. */
   points: readonly number[];
   style: string;
 }
@@ -21,7 +21,7 @@ export interface PlaneOverlay extends PlaneCurve {
 
 export interface ShapePlaneData {
   times: readonly number[];
-  /** 2 numbers per key. */
+  /** Points of the keys, 2 numbers each. */
   keys: readonly number[];
   /** The first curve is the shown motion; its parts outside the range are drawn as extrapolated. */
   curves: readonly PlaneCurve[];

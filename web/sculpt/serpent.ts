@@ -100,7 +100,7 @@ function radiusAt(along: number): number {
   return (body + head + 0.014) * ends;
 }
 
-/** In [0, 1]: scales in rows offset by half a scale, smooth below and at both ends. */
+/** Height of the scales in [0, 1]: rows offset by half a scale, smooth below and at both ends. */
 function scalesAt(along: number): (angle: number) => number {
   const row = along * SCALES.along;
   const below = Math.floor(row);

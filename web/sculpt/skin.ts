@@ -1,9 +1,11 @@
 /** A closed skin of rings between two poles, as on a lathe. */
 
 export interface Skin {
-  /** 3 x faces. */
+  /** Vertex indices, 3 x faces. */
   faces: Uint32Array;
-  /** 2 x vertices: around and along, in [0, 1]; the two columns at the seam have separate vertices. */
+  /**
+   * Texture coordinates around and along, in [0, 1], 2 x vertices. The two columns at the seam have separate vertices.
+   */
   uvs: Float32Array;
   rings: number;
   around: number;

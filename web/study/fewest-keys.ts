@@ -24,7 +24,7 @@ export interface FewestKeysOptions extends CallOptions {
   options: Partial<SequenceOptions>;
 }
 
-/** In each round, every interval with at least this share of the largest error gets a key. */
+/** Every interval with at least this share of the largest error gets a key in the same round. */
 const NEAR_WORST = 0.6;
 
 export async function fewestKeys(

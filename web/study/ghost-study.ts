@@ -123,7 +123,7 @@ interface Built {
   evaluated(fraction: number): void;
 }
 
-/** One frame after the other, which saves memory and keeps the two time measurements independent. */
+/** Compares one frame after the other, which saves memory and keeps the two time measurements independent. */
 async function compare(
   { sequence, evaluated }: Pick<Built, 'sequence' | 'evaluated'>,
   reference: Sequence | null,

@@ -16,11 +16,11 @@ export interface KeyCoordinate {
 }
 
 export interface KeyPoses {
-  /** 3 x faces. */
+  /** Vertex indices, 3 x faces. */
   faces: Uint32Array;
   /** Patch of each face; -1 for none. */
   patches: Int32Array;
-  /** 3 x vertices per key. */
+  /** Positions of each key, 3 x vertices. */
   poses: readonly Float32Array[];
   /** Index of the reference key. */
   reference: number;
@@ -56,7 +56,7 @@ interface FittedPatches {
   stretch: number[];
 }
 
-/** Per patch, the rotation that best maps its edges in the reference to those in the pose (Horn 1987). */
+/** The rotation of each patch that best maps its edges in the reference to those in the pose (Horn 1987). */
 function fitPatches({ faces, patches, poses, reference }: KeyPoses, pose: Float32Array): FittedPatches {
   const count = patches.reduce((most, patch) => Math.max(most, patch + 1), 0);
   const products = Array.from({ length: count }, () => new Float64Array(9));
@@ -93,7 +93,9 @@ function rotationOf(m: Float64Array): Quaternion {
   return leadingEigenvector(matrix, 4) as unknown as Quaternion;
 }
 
-/** Components of the vectors along their direction of largest change, with the last not below the first. */
+/**
+ * The vectors' components along their direction of largest change, oriented so that the last is not below the first.
+ */
 function alongMainAxis(vectors: readonly Vector[]): number[] {
   const mean = [0, 1, 2].map((i) => vectors.reduce((sum, vector) => sum + vector[i]!, 0) / vectors.length);
   const products = Array.from({ length: 9 }, (_, entry) => {

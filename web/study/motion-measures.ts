@@ -14,13 +14,13 @@ export interface MotionMeasures extends MotionName {
   volume: number[];
   area: number[];
   /**
-   * Per unit of time to the fourth, relative to the mean deformation energy between keys. For vertex blends, in the
-   * space of vertices, as in the paper's comparison (Fig. 9).
+   * Bending energy per unit of time to the fourth, relative to the mean deformation energy between keys. For vertex
+   * blends, in the space of vertices, as in the paper's comparison (Fig. 9).
    */
   bending: number[];
   /** Displacement of resting vertices, % of the diagonal; NaN if none rest. */
   sliding: number[];
-  /** 2 numbers per time, relative to the distance of the keys; methods of LRI space only. */
+  /** Points in the shape plane, 2 numbers per time, relative to the distance of the keys; methods of LRI space only. */
   plane: number[] | null;
 }
 

@@ -3,7 +3,7 @@ import { h, setHidden, setStyle, setText } from './dom.ts';
 
 export interface FilmLabel {
   text: string;
-  /** Keys take precedence. */
+  /** Whether the label is that of a key, which takes precedence. */
   isKey: boolean;
   /** Position in the view, in pixels. */
   x: number;

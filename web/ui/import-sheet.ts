@@ -56,7 +56,7 @@ export function createImportSheet(parts: ImportSheetParts): ImportSheet {
     event.stopPropagation();
     onEscape();
   });
-  // Closes on click, because the pressed element must not move earlier.
+  // Handles the click instead of the press, because the pressed element must not move before the click.
   document.addEventListener('click', (event) => {
     if (!element.hidden && !(event.target as Element).closest(GOES_ON)) onClose();
   });

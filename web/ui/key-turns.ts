@@ -11,7 +11,7 @@ const MOST_COMPONENTS = 400;
 
 export interface KeyTurnsProps {
   shaping: Shaping;
-  /** Turns can be added: not at the first key, and not with every method. */
+  /** Whether turns can be added: not at the first key, and not with every method. */
   canTurn: boolean;
   /** Number of components of the shape. */
   components: number;

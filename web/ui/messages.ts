@@ -111,7 +111,7 @@ export interface Offer {
   onAccept?(): void;
   /** Alternative actions. */
   others?: readonly { action: string; onAccept(): void }[];
-  /** The user dismissed it. */
+  /** Called when the user dismisses the offer. */
   onDecline?(): void;
 }
 
@@ -262,7 +262,7 @@ export function createToast(): Toast {
   const next = (): void => {
     const said = waiting.shift();
     if (!said) return show('');
-    // Shows it above a dialog that opened meanwhile.
+    // Reopens the message above any dialog that opened meanwhile.
     element.hidePopover();
     element.showPopover();
     show(said.text, said.action);

@@ -19,7 +19,7 @@ export interface TileLabelsProps {
   split: boolean;
 }
 
-/** Closer to an edge than this, the divider leaves no room for text. */
+/** If the divider is closer to an edge than this, there is no room for text. */
 const NARROW_PX = 120;
 
 /** The method's name and measures over each of several views; beside a divider, the volume in large digits. */

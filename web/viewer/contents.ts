@@ -34,7 +34,7 @@ interface Preview {
 
 export class Contents {
   readonly object = new Group();
-  /** Everything except the first key of an import that is shown alone. */
+  /** The open content, hidden while the first key of an import is shown alone. */
   private readonly open = new Group();
   private opening: Preview | null = null;
   /** The import of the topology. */

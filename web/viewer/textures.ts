@@ -34,7 +34,7 @@ export async function decodeTextures(
   materials: readonly Material[],
 ): Promise<(Texture | null)[]> {
   const decoded: (Texture | null)[] = [];
-  // One after the other, because decoding an image needs more memory.
+  // Images are decoded one after the other, because decoding needs more memory than the result.
   for (const image of images) decoded.push(image.scale > 0 ? await decode(image).catch(() => null) : null);
   const shared = new Map<string, Texture>();
   return materials.map((material) => {

@@ -13,20 +13,20 @@ export interface Look {
 
 /** An additional shape: an onion skin, or one of a film strip. */
 export interface Extra {
-  /** 3 x vertices each; copied. */
+  /** Positions and normals, 3 x vertices each; copied. */
   positions: Float32Array;
   normals: Float32Array;
   colour: string;
   /** Opacity from 0 to 1. */
   opacity: number;
-  /** Displacement along x. */
+  /** Displacement of the shape along x. */
   offset: number;
 }
 
 /** The first key of an import whose motion is still being made. */
 export interface FirstKey {
   info: KeysInfo;
-  /** 3 x vertices each; copied. */
+  /** Positions and normals, 3 x vertices each; copied. */
   positions: Float32Array;
   normals: Float32Array;
   colour: string;
@@ -34,11 +34,11 @@ export interface FirstKey {
 
 /** The ghost mesh at a time. */
 export interface GhostPicture {
-  /** 3 x ghost faces; the same array while the mesh stays the same. */
+  /** Vertex indices, 3 x ghost faces; the same array while the mesh stays the same. */
   faces: Uint32Array;
   /** Vertex of the shape for each ghost vertex. */
   vertexOf: Int32Array;
-  /** 3 x ghost vertices; copied. */
+  /** Positions, 3 x ghost vertices; copied. */
   positions: Float32Array;
   /** Show its wireframe over the shape. */
   overlay: boolean;

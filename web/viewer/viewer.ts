@@ -121,7 +121,7 @@ export class Viewer {
       width = host.clientWidth;
       events.onResize();
     };
-    // Another screen, or the page's `zoom`: the same CSS size with other pixels.
+    // On another screen, or after a change of the page's `zoom`, the CSS size stays but the number of pixels changes.
     const zoomed = (): void => {
       if (this.ratio !== this.wantedRatio) this.fitCanvas();
     };
@@ -129,7 +129,7 @@ export class Viewer {
     this.fitCanvas();
   }
 
-  /** At most two, because a finer image looks nearly the same and costs four times as much. */
+  /** At most 2, because a finer image looks nearly the same and costs four times as much. */
   private get wantedRatio(): number {
     // Not every browser reports the zoom of page parts.
     return Math.min(window.devicePixelRatio * (this.host.currentCSSZoom ?? 1), 2);
@@ -517,7 +517,7 @@ export class Viewer {
     this.stage.dispose();
     this.over.abort();
     this.surface.dispose();
-    // No further drawing will come that a caller could wait for.
+    // Releases callers that wait for a drawing, because drawing has ended.
     for (const resolve of this.waiting.splice(0)) resolve();
   }
 

@@ -60,7 +60,7 @@ export function bendData(mesh: Mesh = bar()): RequestOf<'encode'> {
 }
 
 export interface Bend {
-  /** Handles. */
+  /** Handle of the shape. */
   shape: number;
   motion: number;
   release(): void;

@@ -32,7 +32,7 @@ const faults = {
 
 const sleep = (ms) => Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, ms);
 const orderFaults = {
-  // Long enough for the other worker to wait for it.
+  // The delay lets the other worker wait for the order.
   201: () => sleep(3000) && process.exit(3),
   202: () => sleep(),
 };

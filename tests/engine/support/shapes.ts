@@ -1,9 +1,9 @@
 /** Generated meshes with exactly known motions. */
 
 export interface Mesh {
-  /** 3 x vertices. */
+  /** Positions, 3 x vertices. */
   positions: Float32Array;
-  /** 3 x faces. */
+  /** Vertex indices, 3 x faces. */
   indices: Uint32Array;
 }
 

@@ -19,7 +19,7 @@ export function withoutImages(bytes: Uint8Array): ArrayBuffer {
   for (const name of ['images', 'textures', 'materials']) delete json[name];
   for (const mesh of json.meshes as { primitives: { material?: number }[] }[])
     for (const part of mesh.primitives) delete part.material;
-  // Shorter than before and padded, so the rest keeps its position.
+  // The new JSON is shorter and padded, so the following chunks keep their positions.
   const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length));
   const copy = bytes.slice();
   copy.set(text.subarray(0, length), 20);

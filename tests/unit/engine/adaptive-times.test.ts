@@ -84,7 +84,7 @@ describe('the largest error of a chord', () => {
     const stated = await largestError(motion, [0, 1]);
     expect(stated).toBeGreaterThan(0.97 * measured);
     expect(stated).toBeLessThan(1.005 * measured); // the error is also measured at discrete steps
-    // The chord is beside one with about the same error in its middle.
+    // A neighbouring chord has about the same error in its middle.
     expect(await largestError(motion, [-0.01, 0, 1])).toBeGreaterThan(0.97 * measured);
   });
 

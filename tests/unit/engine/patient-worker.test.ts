@@ -66,7 +66,7 @@ it('the time counts once the rest has loaded, and ends with the first word', asy
   loaded();
   await vi.advanceTimersByTimeAsync(20_000);
   scripts[0]!.say({ type: 'ready' });
-  // From now on, work may take any time.
+  // Work has no time limit after this.
   await vi.advanceTimersByTimeAsync(3_600_000);
   expect([scripts[0]!.ended, errors]).toEqual([false, []]);
 });

@@ -79,7 +79,7 @@ function nextComparison(context: Context): void {
 }
 
 /**
- * In a presentation, shows the next plot, starting with that of the guide's page. After the last plot, shows only the
+ * Shows the next plot in a presentation, starting with that of the guide's page. After the last plot, shows only the
  * shape.
  */
 function nextPlot(context: Context): void {

@@ -132,7 +132,7 @@ function closeError({ viewState }: Context): void {
   viewState.change({ errorMessage: null });
 }
 
-/** Each press of Escape ends one thing. */
+/** Each press of Escape closes or cancels one thing: a dialog, a running task, or a mode. */
 function stepBack(context: Context): void {
   const { viewState, session, guide } = context;
   const { placing, working, blend, errorMessage, opening } = viewState.get();

@@ -78,7 +78,7 @@ export const TIME = {
       seek(context, t);
     },
   },
-  /** The mouse points at time t on the timeline; null when it leaves. */
+  /** Reports the time t under the mouse on the timeline, or null when the mouse leaves. */
   peek: { run: ({ display }, t: number | null) => display.timePictures.want(t) },
   loop: { run: (context, loop: LoopMode) => play(context, { loop }) },
   speed: { run: (context, speed: number) => play(context, { speed }) },

@@ -83,7 +83,7 @@ function joined({ method, plain }: MotionName, parts: readonly MotionMeasures[])
   };
 }
 
-/** In percent of the value at the first key; NaN if that value is 0, like the volume of a flat surface. */
+/** The values in percent of that at the first key; NaN if that value is 0, like the volume of a flat surface. */
 export function relativeToFirstKey(values: readonly number[], { times, keyTimes }: Analysis): number[] {
   const base = values[times.indexOf(keyTimes[0] ?? 0)] ?? NaN;
   return values.map((value) => (base === 0 ? NaN : (100 * value) / base));

@@ -1,6 +1,6 @@
 /**
- * Keeps the timeline's speed curve and the offered speeds in step with the motion. Requests run when frames leave time;
- * only the newest counts.
+ * Keeps the timeline's speed curve and the offered speeds in step with the motion. Requests run when no frames are
+ * waiting; only the newest counts.
  */
 import type { Motion } from '../../engine/api/api.ts';
 import type { SpeedCurve } from '../../model/speed-curve.ts';

@@ -5,7 +5,9 @@ import type { Quaternion, Vector } from '../../study/rotation-vectors.ts';
 
 export interface PatchNeighbour {
   patch: number;
-  /** log(G_i^T G_j) at each time, in degrees, in the axes of the reference pose; may exceed 180 degrees. */
+  /**
+   * The rotation log(G_i^T G_j) at each time, in degrees, in the axes of the reference pose. It may exceed 180 degrees.
+   */
   turn: Vector[];
 }
 

@@ -8,7 +8,7 @@ import type { Method } from '../../engine/api/types.ts';
 import type { AnalysisInput } from './analysis.ts';
 
 export interface MinimisedCurve {
-  /** 2 numbers per sample. */
+  /** The curve's points, 2 numbers per sample. */
   points: number[];
   /** Bending energies of the samples, and of the spline at the samples' times. */
   energy: number;
@@ -19,7 +19,7 @@ export interface MinimisedCurve {
 
 export interface BlendCurve {
   method: Method;
-  /** 2 numbers per point. */
+  /** The curve's points, 2 numbers per point. */
   points: number[];
   /** The largest distance from the plane, as a share of the mean distance from one key to the next. */
   off: number;

@@ -7,7 +7,7 @@
 export type Point = readonly [number, number];
 
 export interface PlaneShapes {
-  /** 2 numbers per key, relative to their mean. */
+  /** Positions of the keys, 2 numbers each, relative to their mean. */
   keys: readonly number[];
   /** Shapes with known weights: 2 numbers per shape, and one weight per key and shape. */
   points: readonly number[];
@@ -21,7 +21,7 @@ export interface PlaneMixture {
   at: Point;
 }
 
-/** Variance along an axis below this share of the larger variance is rounding error. */
+/** If the keys' variance along one axis is below this share of the other, it is rounding error. */
 const LEAST_VARIANCE = 1e-10;
 /** Exponent of the inverse distance. It is high, so near the curve only the nearest shapes have an effect. */
 const POWER = 6;

@@ -51,8 +51,8 @@ export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapeP
 }
 
 /**
- * Shapes with known weights: the keys and the motion's shapes. The latter are left out if tangent shapes contribute to
- * them.
+ * Shapes with known weights: the keys and the motion's shapes. If tangent shapes contribute to the motion's shapes,
+ * only the keys are used.
  */
 export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
   const count = keys.length / 2;

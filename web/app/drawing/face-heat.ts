@@ -7,7 +7,7 @@
 import type { FaceAmount } from '../../model/state.ts';
 
 export interface VertexAmounts {
-  /** Per vertex: the mean over its faces, weighted by their area in the reference pose. */
+  /** Amount at each vertex: the mean over its faces, weighted by their area in the reference pose. */
   values: Float32Array;
   /** Maximum over the vertices. */
   largest: number;
@@ -15,7 +15,10 @@ export interface VertexAmounts {
   mean: number;
 }
 
-/** Per face in the reference: t1, t2, n in space; p, q, s of the inverse [p q; 0 s] of its edges in (t1, t2). */
+/**
+ * Stored numbers per face in the reference: t1, t2, n in space; p, q, s of the inverse [p q; 0 s] of its edges in (t1,
+ * t2).
+ */
 const NUMBERS = 12;
 /** Faces whose area over the square of their longest edge is below this have no frame. */
 const DEGENERATE = 1e-12;

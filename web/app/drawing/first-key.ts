@@ -21,7 +21,7 @@ export class FirstKey {
 
   constructor(private readonly parts: FirstKeyParts) {}
 
-  /** Reading starts. */
+  /** Call when reading of files starts. */
   begin(): void {
     this.parts.onSeen('dimmed');
     this.rested = this.parts.rest();
@@ -38,12 +38,12 @@ export class FirstKey {
     if (this.rested === rested) this.parts.onSeen('first key');
   }
 
-  /** The files are open now. */
+  /** Call when the files are open. */
   settle(): void {
     this.leave(() => undefined);
   }
 
-  /** The files are small or will not be opened, or the open shape is requested. */
+  /** Call when the files are small or will not be opened, or the open shape is requested. */
   end(): void {
     this.leave(this.parts.hide);
   }

@@ -20,7 +20,7 @@ const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: 
 
 interface Heat {
   kind: Colouring | 'difference';
-  /** The bar's range only grows while the motions stay the same. */
+  /** The motion of the bar's range, which only grows while the motion stays the same. */
   of: RunningMotion['sequence'];
   top: number;
 }

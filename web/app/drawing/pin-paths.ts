@@ -1,5 +1,5 @@
 /**
- * Paths of pinned vertices over the motion, for drawing. Computed when frames leave time; only the newest request
+ * Paths of pinned vertices over the motion, for drawing. Computed when no frames are waiting; only the newest request
  * counts.
  */
 import type { Motion } from '../../engine/api/api.ts';
@@ -15,7 +15,7 @@ export interface PinPathsParts {
 }
 
 export interface PinPaths {
-  /** 3 x TIMES coordinates per pin, from the motion's first time to its last. */
+  /** The path of each pin as 3 x TIMES coordinates, from the motion's first time to its last. */
   readonly now: readonly Float32Array[];
   /** Call after changes of the motion or its pins. */
   refresh(): void;

@@ -16,7 +16,7 @@ export interface TimePicturesParts {
 }
 
 export interface TimePictures {
-  /** The pointer is at this time; null when it leaves. */
+  /** Requests an image of the time under the pointer; null when the pointer leaves. */
   want(t: number | null): void;
   /** The motion or the look changed, so earlier images are outdated. */
   forget(): void;

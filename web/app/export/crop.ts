@@ -30,7 +30,10 @@ export function drawnBox({ data, width, height }: Pick<ImageData, 'data' | 'widt
   return box.right > box.left ? box : null;
 }
 
-/** A box that contains every view's drawn pixels with a margin, clipped to the view; the whole view if empty. */
+/**
+ * The smallest box around the drawn pixels of all views, with a margin, clipped to the view. The whole view if nothing
+ * is drawn.
+ */
 export function commonBox(boxes: readonly (Box | null)[], { width, height }: { width: number; height: number }): Box {
   const drawn = boxes.filter((box) => box !== null);
   if (drawn.length === 0) return { left: 0, top: 0, right: width, bottom: height };

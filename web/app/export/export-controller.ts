@@ -153,7 +153,7 @@ function turned(viewer: Viewer): (share: number) => Promise<void> {
   };
 }
 
-/** Suffix that keeps exports of own files from having the files' names. */
+/** Suffix of exports, so an export of the user's files does not replace them. */
 const MOTION = '-motion';
 
 function fileStem(source: AppState['source']): string {

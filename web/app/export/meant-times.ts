@@ -1,6 +1,6 @@
 /**
  * Assigns intended times to recorded frames, which carry clock times. The recorder may skip or repeat frames, so each
- * keeps its relative position in time. Packets may arrive out of display order.
+ * frame keeps its relative time. Packets may arrive out of display order.
  */
 export function meantTimes(
   stamps: readonly number[],

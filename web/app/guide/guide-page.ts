@@ -32,7 +32,7 @@ export interface GuidePage {
   plot?: Plot;
   /** Panels have more width than usual. */
   wide?: true;
-  /** Test id of a control that the page presses. Leaving the page clears its tick again. */
+  /** Test id of a control that the page presses. Leaving the page clears a check box that it ticked. */
   press?: string;
   /** A field that the page fills in, by its test id. Leaving the page empties it. */
   fill?: { field: string; value: string };

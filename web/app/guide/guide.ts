@@ -33,16 +33,14 @@ export interface Guide {
   open(fragment: string): Promise<boolean>;
   /** Restores the earlier content. */
   close(): Promise<void>;
-  /** Content was opened. Ends the guide if it is not the guide's own. */
+  /** Content was opened. Ends the guide unless the content is one of its pages. */
   onOpened(): void;
   /** The numbers of the shown motion have changed. */
   setFacts(facts: Facts | null): void;
   readonly isOpen: boolean;
   /** Plot of the current page, or null. */
   readonly plot: Plot | null;
-  /**
-   * Leaves the guide if a page is being opened. Returns true if a page was being opened or the guide was being left.
-   */
+  /** Leaves the guide if a page is being opened. Returns true if the guide was opening a page or closing. */
   cancel(): boolean;
 }
 

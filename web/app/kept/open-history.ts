@@ -13,7 +13,7 @@ export class OpenHistory {
   private earlier: Snapshot[] = [];
   private later: Snapshot[] = [];
 
-  /** Call after a step away from `snapshot`. */
+  /** Records a step away from `snapshot`. */
   left(snapshot: Snapshot, step: Step = 'on'): void {
     if (step === 'back') {
       this.earlier.pop();
@@ -38,7 +38,7 @@ export class OpenHistory {
     this.later = [];
   }
 
-  /** All snapshots, the last left first. */
+  /** All snapshots, most recent first. */
   get all(): Snapshot[] {
     return [...this.later, ...this.earlier].reverse();
   }

@@ -50,7 +50,7 @@ const RECALL_MS = 10_000;
 /** Larger files are stored only on request, because the page freezes while copying them. */
 const UNASKED_BYTES = 128e6;
 
-/** Leaves time to read the opening message first. */
+/** Delay of the notice about stored files, so the user can read the opening message first. */
 const TELL_DELAY_MS = 4000;
 
 const KEPT = 'These files are remembered on this computer for your next visit. They are sent nowhere.';
@@ -129,8 +129,8 @@ export class RememberedFiles {
   }
 
   /**
-   * Opens a stored project through `open`, which resolves to null if another request replaced it. A failure, or the end
-   * of the visit, leaves a mark. The next visit does not open a marked project by itself.
+   * Opens a stored project through `open`, which resolves to null if another request replaced it. If opening fails or
+   * the visit ends first, the project is marked. The next visit does not open a marked project by itself.
    */
   async reopen(id: string, open: (remembered: StoredProject) => Promise<boolean | null>): Promise<boolean> {
     const project = await readProject(id);

@@ -7,7 +7,7 @@ import { ACTIONS } from '../actions/table.ts';
 import type { Commands } from '../actions/table.ts';
 import type { Connect } from './connect.ts';
 
-/** The buttons of one page area, kept up to date. */
+/** The buttons of one page area, with current labels and states. */
 export function actionButtons(place: Place, context: Context, commands: Commands, connect: Connect): HTMLElement[] {
   const entries = Object.entries(ACTIONS) as [keyof Commands, Action][];
   return entries.flatMap(([id, { button: options, shown: shortcut }]) => {

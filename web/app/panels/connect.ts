@@ -11,7 +11,7 @@ export interface Shown {
   viewState: ViewState;
   range: Range;
   theme: Theme;
-  /** Nothing is open. */
+  /** Whether nothing is open. */
   disabled: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** A chart of coordinates over time, with key dots and the natural spline's curves behind the motion's. */
+/** A chart of coordinates over time with key dots. The natural spline's curves are drawn in the background. */
 import type { Plot } from '../../model/state.ts';
 import type { Series } from '../../plots/line-chart.ts';
 import { h } from '../../ui/dom.ts';

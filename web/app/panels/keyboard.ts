@@ -16,8 +16,8 @@ export const SHORTCUTS: readonly ShortcutLine[] = TABLE.flatMap(([, { shown, doe
 const PAGES: Readonly<Record<string, 1 | -1>> = { PageUp: -1, PageDown: 1 };
 
 /**
- * Listens on the whole page. Fields keep letters, controls keep their own keys, and open dialogs keep all keys. Keys
- * without Ctrl can be switched off, for users of speech input.
+ * Listens on the whole page. Text fields receive letters, controls receive their own keys, and open dialogs receive all
+ * keys. Keys without Ctrl can be switched off, for users of speech input.
  */
 export function listenToKeys({ viewState }: Context, commands: Commands): void {
   const byKey = new Map(TABLE.flatMap(([id, { keys = [] }]) => keys.map((key) => [key, id] as const)));

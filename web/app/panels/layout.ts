@@ -11,7 +11,7 @@ export interface LayoutParts {
   header: HTMLElement;
   /** Elements over the viewport. */
   overlays: HTMLElement[];
-  /** Progress and errors, above everything else in the viewport. */
+  /** Progress and errors, above all other elements in the viewport. */
   messages: HTMLElement[];
   panels: HTMLElement[];
   keyStrip: HTMLElement;
@@ -42,16 +42,19 @@ export interface Layout {
   present(what: Presented | null): void;
 }
 
-/** Title and measures over a view. On small screens, also the text line above the buttons. */
+/** Height of title and measures over a view. On small screens, also of the text line above the buttons. */
 const TILE_LABEL_PX = 54;
 const PHASE_PX = 34;
-/** The text line over four views, beside a guide page on a small screen. Text is left of the shapes. */
+/**
+ * Height of the text line over four views, beside a guide page on a small screen. The view names are left of the
+ * shapes.
+ */
 const CROWDED_PX = 26;
 /** From this width, panels are beside the viewport. */
 const BESIDE = '(min-width: 768px)';
 /** Height of the panel navigation. */
 const SIDE_NAV_PX = 45;
-/** Titles and volumes beside a divider, for a shape as wide as the view. */
+/** Height of titles and volumes beside a divider, for a shape as wide as the view. */
 const SPLIT_LABEL_PX = { small: 80, large: 108 };
 /** Text scale of a presentation. */
 const LARGE_TYPE = 2.2;

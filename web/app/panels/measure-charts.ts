@@ -79,7 +79,10 @@ export function createMeasureCharts(events: ChartEvents): MeasureCharts {
   };
 }
 
-/** Bending energies are comparable within one space only. A vertex blend has a lower energy regardless of its look. */
+/**
+ * Bending energies are comparable within one space only. In its own space, a vertex blend has a lower energy, whether
+ * it looks smoother or not.
+ */
 export function bendingUnit(methods: readonly Method[], floor: number | null): string {
   const spaces = new Set(methods.map((method) => METHOD[method].space));
   return [BENDING, ...(spaces.size > 1 ? ['each in its own coordinates'] : []), ...(floor ? ['logarithmic'] : [])].join(

@@ -200,7 +200,7 @@ async function makeMotions(
   throw failure.reason;
 }
 
-/** All motions except those that are kept. */
+/** Disposes of the motions that are not kept. */
 function disposeMotions(motions: readonly Running[], kept: readonly Running[]): void {
   for (const { sequence } of motions) if (!kept.some((other) => other.sequence === sequence)) sequence.dispose();
 }

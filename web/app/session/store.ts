@@ -2,7 +2,7 @@
 import type { Orientation } from '../../model/orientation.ts';
 import type { AppState, Doc } from '../../model/state.ts';
 
-/** Edits of the same kind within this time form one undo step, so a held key is undone as a whole. */
+/** Edits of the same kind within this time form one undo step, so repeated key presses are undone together. */
 const MERGE_MS = 1000;
 const HISTORY_LIMIT = 200;
 
@@ -11,13 +11,13 @@ export interface Store {
   /** Changes state without undo: time, playback, view. */
   set(change: Partial<Omit<AppState, 'doc'>>): void;
   /**
-   * Changes the document as one undo step. Edits with the same `merge` form one step if they are quick or within one
-   * hold.
+   * Changes the document as one undo step. Edits with the same `merge` form one step if they follow quickly or during
+   * one pointer press.
    */
   edit(label: string, change: (doc: Doc) => Doc, merge?: string): void;
   /** The files were read with another orientation; the document stays. One undo step, like an edit. */
   turned(label: string, turn: Turn): void;
-  /** A pointer goes down or up. A drag is one undo step, however long it takes. */
+  /** Reports that a pointer was pressed or released. A drag is one undo step, however long it takes. */
   hold(down: boolean): void;
   /** Replaces the document without an undo step, for refused edits. */
   revert(doc: Doc): void;

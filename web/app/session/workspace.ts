@@ -39,7 +39,7 @@ export interface WorkspaceEvents {
 }
 
 export interface LoadSteps<S extends Start> {
-  /** The mesh is the same, so the open content stays visible and usable until then. */
+  /** The mesh is the same, so the open content stays visible and usable until the new motion is made. */
   stays: boolean;
   /** Other import options that follow from the files' content; null to keep the given ones. */
   otherwise(info: KeysInfo): ImportOptions | null;

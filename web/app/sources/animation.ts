@@ -185,7 +185,7 @@ export class Animation {
   }
 }
 
-/** Range of the animation in the motion; null for its own times, which the keys also have. */
+/** Range of the animation in the motion; null if the animation plays at its own times, which the keys share. */
 function keyRange(store: Store, { info }: Workspace): Range | null {
   const { keys } = store.get().doc;
   return info && info.animation >= 0 ? null : [keys[0]!.time, keys.at(-1)!.time];

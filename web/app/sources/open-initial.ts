@@ -26,7 +26,7 @@ export interface OpenInitialParts {
   say(text: string): void;
   /** The link names a page of the guide. */
   onGuide(fragment: string): Promise<unknown>;
-  /** Opening these files failed before and may end this visit too, so they wait for the user. */
+  /** Opening these files failed before and may end this visit too, so the user decides whether to open them. */
   onStopped(offer: Offer): void;
 }
 
@@ -41,7 +41,7 @@ export async function openInitial(
   const begun = address();
   const made = isNew && opensFirstSample(begun) ? makeSample(FIRST_SAMPLE) : null;
   made?.catch(() => undefined); // The error is reported when the sample is opened.
-  // A later change of the URL comes after the requests so far.
+  // Whether the user has changed the URL meanwhile.
   let isChanged = false;
   const onAddress = (): void => {
     const named = address();

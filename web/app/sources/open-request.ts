@@ -29,7 +29,7 @@ export interface OpenRequest {
   /** The initial document follows the rules for a sample or for files; absent: unchanged from the import. */
   begins?: Sample | 'files';
   link?: Permalink | null;
-  /** Just picked by the user, without chosen options. Shapes that seem to lie down are stood up. */
+  /** The user has just picked the files and chosen no options. Shapes that seem to lie down are stood up. */
   picked?: boolean;
   /** Content to restore exactly. */
   left?: StoredProject | Snapshot;
@@ -89,7 +89,7 @@ export function objectsRequest(present: Present, objects: string[]): OpenRequest
   return readAgain(present, { animation, sample, objects: objects.length > 0 ? objects : undefined });
 }
 
-/** Keeps the orientation. */
+/** Reads the files again with the same orientation. */
 function readAgain({ files, options, state }: Present, change: ImportOptions): OpenRequest {
   const { up, unit, objects } = options;
   const { source, project, doc } = state;

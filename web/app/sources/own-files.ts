@@ -1,4 +1,4 @@
-/** The user's own files to return to: the open ones, those of this visit, and of earlier visits. */
+/** The user's files that can be reopened: the open ones, then those of this and of earlier visits. */
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { AppState, Source } from '../../model/state.ts';
 import type { ProjectOnShelf } from '../kept/project-shelf.ts';

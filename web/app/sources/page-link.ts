@@ -21,7 +21,7 @@ export interface PageLink {
   /** The state has changed. Updates the URL once listening. */
   follow(): void;
   copy(): Promise<void>;
-  /** Fixes a fragment in the URL, whatever the state; null releases it. */
+  /** Fixes a fragment in the URL, independent of the state; null releases it. */
   pin(fragment: string | null): void;
   /** Writes a fragment (with its `#`, or '') to the URL. */
   replace(fragment: string): void;
@@ -100,7 +100,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
       if (!listening || timer) return;
       timer = window.setTimeout(() => {
         timer = 0;
-        if (location.hash !== known) return; // The user has navigated elsewhere, and the event is still to come.
+        if (location.hash !== known) return; // its event will follow
         const link = pinned ?? text();
         replace(link ? `#${link}` : '');
       }, WRITE_DELAY_MS);

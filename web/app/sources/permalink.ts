@@ -22,7 +22,7 @@ import { MOST_COMPARED, MOST_ONION_SKINS, PRESENTED, SPEEDS } from '../../model/
 
 export interface Permalink {
   sample: string;
-  /** [pose, time] of each key; null for the sample's own. */
+  /** Pose and time of each key; null for the sample's own keys. */
   keys: [number, number][] | null;
   /** Each list has one value per key. */
   shaping: Record<ShapingNumber, number[]>;

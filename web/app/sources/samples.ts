@@ -8,7 +8,7 @@ export interface Sample {
   title: string;
   description: string;
   files: string[];
-  /** Made in the page by `web/sculpt`; otherwise fetched. */
+  /** Whether `web/sculpt` makes the sample in the page; otherwise it is fetched. */
   made: boolean;
   /** Key names; null for those in the files. */
   names: string[] | null;
@@ -75,7 +75,7 @@ export async function fetchSample(sample: Sample, signal: AbortSignal, detail = 
   );
 }
 
-/** Import options of its files. */
+/** Import options of a sample's files. */
 export const readingOf = ({ times }: Sample): ImportOptions => (times ? { keyTimes: times } : {});
 
 /** Makes one of the samples of `web/sculpt`. */

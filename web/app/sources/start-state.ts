@@ -66,7 +66,7 @@ function ofSample(doc: Doc, { boundary, hold, names }: Sample): Doc {
 
 /**
  * The document of the user's files. Keys sampled from an animation, other than its own keys, hold resting parts by
- * default. Poses use the published method, and projects their own settings.
+ * default. Poses use the published method. Projects have their own settings.
  */
 export function ofFiles(doc: Doc, { animation, animations, project }: OfFiles): Doc {
   const keys = animations[animation]?.keys ?? doc.keys.length;
@@ -100,7 +100,7 @@ export function openedState(
   return { ...opened, view: openingView(before.view, link), play };
 }
 
-/** Defaults for everything that an earlier version lacked. */
+/** Fields that an earlier version lacked get their defaults. */
 const leftView = ({ state }: StoredProject): View => ({ ...DEFAULT_VIEW, ...state.view });
 
 /** The look stays, but the divider does not. The camera is fitted unless a link specifies it. */

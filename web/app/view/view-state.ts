@@ -16,7 +16,7 @@ import type { Sample } from '../sources/samples.ts';
 /** A shape off the curve: a blend of the keys with these weights, one per key, sum 1. */
 export interface Blend {
   weights: readonly number[];
-  /** Position in the shape plane. */
+  /** The blend's position in the shape plane. */
   at: readonly [number, number];
 }
 

@@ -8,7 +8,7 @@ export function listenToPointer(onHold: (down: boolean) => void): void {
   }
 }
 
-/** Asks for confirmation before closing the page would lose work. A phone only hides the page. */
+/** Asks for confirmation if closing the page would lose work. A phone only hides the page. */
 export function listenToLeaving(loses: () => boolean, onLeaving: () => void): void {
   window.addEventListener('beforeunload', (event) => {
     onLeaving();

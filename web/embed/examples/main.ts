@@ -32,7 +32,7 @@ function markupOf(id: string): string {
 }
 
 for (const id of ['plain', 'compared']) byId(`${id}-markup`).textContent = markupOf(id);
-// React is fetched when its example comes near the view.
+// React is fetched when its example is near the view.
 new IntersectionObserver(async (entries, observer) => {
   if (!entries.some((entry) => entry.isIntersecting)) return;
   observer.disconnect();

@@ -56,7 +56,7 @@ export interface Keys {
   readonly info: KeysInfo;
   /** Positions of one key, 3 x vertices. */
   positions(key: number): Float32Array;
-  /** 3 x vertices of the first imported key, from the file; null without normals. */
+  /** Normals of the first imported key, from the file, 3 x vertices; null without normals. */
   normals(): Float32Array | null;
   /** The same keys, with some omitted, reordered or at other times, without reading a file again. */
   arrange(order: number[], times: number[], names?: string[]): Keys;

@@ -92,7 +92,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
 
   /** The next tick with a different time; null if it is far ahead. */
   private next(now: number): { tick: number; t: number } | null {
-    // In ticks: the cost of a frame, and the share of frames drawn.
+    // The cost of a frame in ticks, and the share of frames drawn.
     const cost = Math.ceil(this.options.frameMs() / 1000 / this.options.tickSeconds());
     const stride = Math.max(1, cost, Math.floor(this.ticksApart));
     const late = this.asked.tick < now;

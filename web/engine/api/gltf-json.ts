@@ -1,6 +1,6 @@
 /**
  * Parses the JSON of a glTF file after checking its size, because a few bytes of text can need much memory.
- * wasm/io/base/limits has the same limits and reports which one a file exceeds.
+ * wasm/io/base/limits has the same limits and reports the exceeded one.
  */
 const DEEPEST = 100;
 const MOST_OBJECTS = 250_000;

@@ -4,7 +4,7 @@
  * command line with its help, the page's document with links, undo and CSV, and OPTIONS.md. Plain data without imports.
  */
 
-/** Largest absolute time. A difference of 1e-6 is still representable there. */
+/** Largest absolute time. Differences of 1e-6 are still representable at this time. */
 export const MOST_TIME = 1e9;
 export const MOST_FRAMES = 100_000;
 export const MOST_KEYS = 10_000;
@@ -66,9 +66,9 @@ export interface SceneObject {
 interface Values {
   number: number;
   flag: boolean;
-  /** Index of a key; the command line counts from 1. */
+  /** An index of a key, which the command line counts from 1. */
   key: number;
-  /** 3 x vertices positions; a file on the command line, base64 in a project. */
+  /** The positions of a shape, 3 x vertices: a file on the command line, base64 in a project. */
   shape: Float32Array;
   turns: AddedTurns[];
   pins: Pin[];
@@ -81,7 +81,7 @@ interface Values {
   animation: string | number;
   /** Increasing times, or the number of evenly spaced ones. */
   sample: number[] | number;
-  /** 3 x faces. */
+  /** Vertex indices of faces, 3 x faces. */
   faces: Uint32Array;
   point: readonly [x: number, y: number, z: number];
   objects: SceneObject[];
@@ -92,28 +92,28 @@ interface Values {
 interface Described {
   /** Text of the command-line help and OPTIONS.md. */
   help: string;
-  /** Command line: the flag without dashes, and the placeholder of its value. */
+  /** The flag on the command line without dashes, and the placeholder of its value. */
   flag?: string;
   value?: string;
-  /** Page: name in the document and in links. Absent if the page does not offer it. */
+  /** The name in the page's document and in links. Absent if the page does not offer the option. */
   page?: string;
-  /** Page: label of a change in undo. */
+  /** The label of a change in the page's undo. */
   undo?: string;
-  /** Page: label and tooltip of the control. */
+  /** The label and tooltip of the page's control. */
   label?: string;
   hint?: string;
 }
 
 export interface NumberOption extends Described {
   kind: 'number';
-  /** null: the value can be null. Absent: the value can be absent. */
+  /** The default. null: the value can be null. Absent: the value can be absent. */
   default?: number | null;
   whole?: true;
   /** Bounds of every number; `above` is an exclusive lower bound. */
   above?: number;
   least?: number;
   most: number;
-  /** The word for 0 on the command line; 0 is allowed in addition to the range. */
+  /** The word for 0 on the command line. 0 is allowed even if it is outside the range. */
   zero?: string;
 }
 
@@ -172,7 +172,7 @@ export const MOTION = {
     page: 'hold',
     undo: 'hold',
   },
-  /** Held by the user, with the method 'lri'. A vertex in several pins belongs to the first. */
+  /** The user's pins, for the method 'lri'. A vertex in several pins belongs to the first. */
   pins: {
     kind: 'pins',
     most: MOST_PINS,
@@ -481,12 +481,15 @@ export const IMPORT = {
     value: 'NAME',
     help: 'use only this object of the files; repeatable; default: all objects',
   },
-  /** 3 x faces of the mesh that the files must match. Their polygons are triangulated like this mesh. */
+  /**
+   * Vertex indices of the mesh that the files must match, 3 x faces. The files' polygons are triangulated like this
+   * mesh.
+   */
   like: {
     kind: 'faces',
     help: 'faces of the mesh that the files must match; their polygons are cut into its triangles',
   },
-  /** 3 x vertices of that mesh in any pose. The keys use its vertices, however the files split theirs. */
+  /** Positions of that mesh in any pose, 3 x vertices. The keys use its vertices, however the files split theirs. */
   likePose: {
     kind: 'shape',
     help: 'positions of that mesh; the keys then use its vertices, however the files split theirs',

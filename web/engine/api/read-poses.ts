@@ -6,7 +6,7 @@ import type { ImportOptions, InputFile, KeysInfo } from './types.ts';
 
 export interface Pose {
   name: string;
-  /** 3 x vertices. */
+  /** Positions, 3 x vertices. */
   positions: Float32Array;
 }
 

@@ -102,7 +102,7 @@ export interface Material {
   alphaCutoff: number;
   /** Whether the material is drawn without lighting. */
   unlit: boolean;
-  /** Linear RGB. */
+  /** Emissive colour in linear RGB. */
   emissive: [number, number, number];
   normalScale: number;
   occlusionStrength: number;
@@ -123,7 +123,7 @@ export interface Material {
 export interface Seams {
   /** Drawn vertices 0 to n - 1 are the mesh's n vertices; n + i is a copy of vertex copyOf[i]. */
   copyOf: Int32Array;
-  /** 3 x faces; indices of drawn vertices. */
+  /** Indices of drawn vertices, 3 x faces. */
   indices: Uint32Array;
 }
 
@@ -174,11 +174,11 @@ export interface MatchedObject {
 
 /** Everything about a mesh's look except its shape. */
 export interface Scene {
-  /** 2 x drawn vertices, origin at the upper left, or null. */
+  /** Texture coordinates, 2 x drawn vertices, origin at the upper left; or null. */
   uvs: Float32Array | null;
   /** null if the drawn vertices are the mesh's own. */
   seams: Seams | null;
-  /** 4 x vertices, linear RGBA, or null. */
+  /** Vertex colours, 4 x vertices, linear RGBA; or null. */
   colors: Float32Array | null;
   /** Number of triangles in each polygon of the file, in order; null if all polygons were triangles. */
   polygons: Int32Array | null;
@@ -191,13 +191,13 @@ export interface Scene {
 
 /** Poses of one mesh near the origin, y up. Faces and positions are copied. */
 export interface KeyMesh {
-  /** 3 x faces; vertex indices. */
+  /** Vertex indices, 3 x faces. */
   faces: Uint32Array;
   poses: readonly {
     name: string;
     /** Times must increase. */
     time: number;
-    /** 3 x vertices. */
+    /** Positions, 3 x vertices. */
     positions: Float32Array;
   }[];
   /** Look of the mesh; default: plain. */
@@ -212,7 +212,7 @@ export interface KeysInfo {
   times: number[];
   report: MeshReport;
   warnings: Warning[];
-  /** Animations in the input, to sample keys from. */
+  /** The input's animations, from which keys can be sampled. */
   animations: AnimationInfo[];
   /** Index of the animation that the keys were taken from, or -1. */
   animation: number;
@@ -220,7 +220,7 @@ export interface KeysInfo {
   objects: string[];
   /** Matched objects of different files and the rule of each match; at most a thousand. */
   matches: MatchedObject[];
-  /** 3 x faces; vertex indices. */
+  /** Vertex indices, 3 x faces. */
   faces: Uint32Array;
   /**
    * Offset that positions are relative to, in metres with Y up. Zero near the origin; far away, single precision would
@@ -238,13 +238,13 @@ export interface KeysInfo {
 
 /** The coarse mesh that leads the motion (Fig. 6), and its correspondence with the shape. */
 export interface Ghost {
-  /** 3 x ghost faces; ghost vertex indices. */
+  /** Ghost vertex indices, 3 x ghost faces. */
   faces: Uint32Array;
-  /** Per ghost vertex: the corresponding vertex of the shape. */
+  /** The vertex of the shape that corresponds to each ghost vertex. */
   vertexOf: Int32Array;
-  /** Per vertex: the ghost vertex that it collapsed to, or -1. */
+  /** The ghost vertex to which each vertex of the shape collapsed, or -1. */
   ghostVertexOf: Int32Array;
-  /** Per face: the ghost face that it follows; -1 without area. */
+  /** The ghost face that each face follows; -1 without area. */
   ghostFaceOf: Int32Array;
 }
 
@@ -295,9 +295,9 @@ export interface SequenceStats {
 /** A shape of the motion. The receiver owns the arrays until release() returns them to the pool. */
 export interface Frame {
   t: number;
-  /** 3 x vertices, xyz interleaved. */
+  /** Positions, 3 x vertices, xyz interleaved. */
   positions: Float32Array;
-  /** 3 x vertices, unit length. */
+  /** Unit normals, 3 x vertices. */
   normals: Float32Array;
   /** Computing time in the worker, in milliseconds. */
   ms: number;
@@ -322,7 +322,7 @@ export interface Measures {
   sliding: number[];
 }
 
-/** Measures from the core; sliding: as a fraction. */
+/** Measures from the core, with sliding as a fraction. */
 export interface MeasuresAt {
   volume: number[];
   area: number[];
@@ -333,7 +333,7 @@ export interface MeasuresAt {
 export interface KeySpacing {
   /** Distance between each key and the next; dimensionless. */
   distance: number[];
-  /** Per key, in [0, 1]: the least tension that keeps the slope within three times that of either adjacent chord. */
+  /** The least tension per key, in [0, 1], that keeps the slope within three times that of either adjacent chord. */
   tension: number[];
 }
 
@@ -351,7 +351,7 @@ export interface MotionSpeed {
 /** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 export interface ShapePlane {
   keys: number[];
-  /** 2 numbers per tangent shape, that of the start first. */
+  /** Positions of the tangent shapes, 2 numbers each, that of the start first. */
   tangents: number[];
   curve: number[];
   /** Distance of each point of the curve from the plane, relative to the mean distance between keys. */
@@ -367,7 +367,7 @@ export interface DiscretePath {
   times: number[];
   /** Weights of each sample, as in ShapePlane.weights. */
   weights: number[];
-  /** 2 numbers per sample, in the shape plane. */
+  /** Positions of the samples in the shape plane, 2 numbers each. */
   plane: number[];
   /** Energy of the samples, and of the motion at the same times. */
   energy: number;

@@ -8,7 +8,7 @@ import { EngineError } from '../api/errors.ts';
 import { farthest } from '../api/distances.ts';
 
 export interface Motion {
-  /** 3 x vertices; the receiver owns the array. */
+  /** The shape at t, 3 x vertices; the receiver owns the array. */
   at(t: number): Promise<Float32Array>;
 }
 
@@ -203,7 +203,7 @@ export async function largestError(motion: Motion, times: readonly number[], eno
   return error;
 }
 
-/** Up to this number all chords are measured. Beyond it, only those with the largest expected errors are. */
+/** Limit for measuring all chords. If there are more, only those with the largest expected errors are measured. */
 const MEASURED_CHORDS = 24;
 const SUSPECTS = 12;
 

@@ -10,7 +10,7 @@ export interface OrderBeside {
   end(): void;
 }
 
-/** If this fails, the shape either fails with its own report, or finds the order itself. */
+/** If this worker fails, the shape reports its own failure or finds the order itself. */
 export function orderBeside(client: CoreWorker, request: RequestOf<'encode'>): OrderBeside {
   const order = sharedOrder(request.positions[0]!.length / 3);
   const end = (): void => {

@@ -19,13 +19,13 @@ const MOST_PASSED = 4;
 
 export class Scheduler {
   private waiting: Task[] = [];
-  /** Per waiting task, the number of tasks that have passed it. */
+  /** The number of tasks that have passed each waiting task. */
   private readonly passed = new WeakMap<Task, number>();
   private busy = false;
 
   /**
-   * Returns the task's own promise. The task starts when nothing more urgent waits; until then the signal can withdraw
-   * it.
+   * Returns the task's own promise. The task starts once all more urgent tasks have run; until then the signal can
+   * withdraw it.
    */
   run<T>(level: Urgency, work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
     return new Promise<T>((resolve, reject) => {

@@ -119,8 +119,8 @@ export class ShapeClient implements Shape {
   }
 
   /**
-   * Sends one request. Replaces a dead worker first, encoding the same keys again. The new worker has one thread, in
-   * case the second thread caused the failure.
+   * Sends one request. If the worker has died, starts a new one first and encodes the same keys again. The new worker
+   * has one thread, in case the second thread caused the failure.
    */
   async ask<K extends CoreCallName>(type: K, request: RequestOf<K>, call?: WorkerCall): Promise<ResultOf<K>> {
     this.checkAlive();

@@ -22,9 +22,9 @@ import type {
 /** An import: its public description and its poses, which all sequences share. Immutable. */
 export interface KeyData {
   info: KeysInfo;
-  /** 3 x vertices for each key. */
+  /** Positions of each key, 3 x vertices. */
   positions: readonly Float32Array[];
-  /** 3 x vertices of the first key as in the file, or null. */
+  /** Normals of the first key as in the file, 3 x vertices; or null. */
   normals: Float32Array | null;
 }
 

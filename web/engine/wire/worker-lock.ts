@@ -8,8 +8,8 @@
 const held: IDBDatabase[] = [];
 
 /**
- * In the worker: holds the lock for the worker's lifetime; calls `taken` once it has the lock. Pages without storage
- * access, such as sandboxed frames, have no locks, so their workers' ends are not detected.
+ * Called in the worker. Holds the lock for the worker's lifetime and calls `taken` once it has the lock. Pages without
+ * storage access, such as sandboxed frames, have no locks, so their workers' ends are not detected.
  */
 export function holdLock(name: string, taken: () => void): void {
   try {
@@ -35,7 +35,7 @@ function hold(name: string, taken: () => void): void {
   };
 }
 
-/** In the page: resolves when the worker with this lock has ended for any reason. */
+/** Called in the page. Resolves when the worker with this lock has ended for any reason. */
 export function lockReleased(name: string): Promise<void> {
   if ('locks' in navigator) return navigator.locks.request(name, () => undefined);
   return new Promise((resolve) => {

@@ -15,7 +15,8 @@ const LARGEST = 2 ** 30;
 export const roomFor = (bytes: number): number => Math.min(Math.max(SMALL, LARGEST_RATIO * bytes), LARGEST);
 
 /**
- * Largest decoded bytes per byte of each meshopt codec: a control byte of a block of vertices, a triangle, an index.
+ * Largest decoded size per stored byte, for each meshopt codec. One byte encodes a block of vertices, a triangle, or an
+ * index.
  */
 const MESHOPT_RATIO: Record<string, number> = { ATTRIBUTES: 1024, TRIANGLES: 12, INDICES: 4 };
 

@@ -81,7 +81,7 @@ export class WasmCalls<M extends WasmModule> {
     return checked(readJson(this.module, readText(this.module, address)) as CallResult<T>);
   }
 
-  /** Keeps ranges where the other method copies the arrays. */
+  /** Returns the result with its ranges, without copying the arrays. */
   protected rawResult<T>(address: Address): T {
     return checked(JSON.parse(readText(this.module, address)) as CallResult<T>);
   }

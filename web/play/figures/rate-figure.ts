@@ -77,7 +77,7 @@ export function largestJump({ curves, times }: Derived, layer: Layer, derivative
   );
 }
 
-/** A corner has an infinite second derivative: an arrow leaves the plot, up or down like the slope's jump. */
+/** A corner has an infinite second derivative, drawn as an arrow that points up or down like the slope's jump. */
 function spikes({ curves, times }: Derived, { x, y }: Axes, { height }: Box): SVGElement[] {
   const [curve] = curves.linear;
   return times.slice(1, -1).flatMap((t, i) => {

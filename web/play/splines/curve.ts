@@ -11,7 +11,7 @@ export interface Curve {
 
 export type Derivative = 0 | 1 | 2;
 
-/** The value or a derivative at t; at a knot, from the interval after it. Straight beyond the ends. */
+/** The value or a derivative at t. At a knot, uses the interval after it. Beyond the ends, the curve is straight. */
 export function valueAt(curve: Curve, t: number, derivative: Derivative = 0): number {
   const { times, closed } = curve;
   const last = times.length - 1;
