@@ -77,7 +77,7 @@ describe('memory is bounded by the file:', () => {
     const line = 'v 0.123456789 0.123456789 0.123456789\n';
     const faces = 'f 1 2 3\n'.repeat(1_000_000);
     const text = line.repeat(Math.ceil((100 * MB - faces.length) / line.length)) + faces;
-    await refused('OBJ', 'large.obj', text, /holds one pose only/);
+    await refused('OBJ', 'large.obj', text, /has only one pose/);
   });
 
   it('lists in lists', () =>

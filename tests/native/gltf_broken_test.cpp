@@ -86,7 +86,7 @@ TEST_CASE("files that are something else say what they are") {
   checkRefused(bytesOf("version https://git-lfs.github.com/spec/v1\noid"), ErrorCode::NotRecognised, "Git LFS");
   checkRefused(bytesOf("PK\x03\x04 zip"), ErrorCode::NotRecognised, "ZIP");
   checkRefused(bytesOf("Kaydara FBX Binary  "), ErrorCode::NotRecognised, "FBX");
-  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "has different content");
+  checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "but different content");
   checkRefused(bytesOf("just some text"), ErrorCode::NotRecognised, "not a supported 3D file", {}, "notes.doc");
 }
 

@@ -315,7 +315,7 @@ TEST_CASE("animations of one pose are passed over for the first that moves, and 
     for (ImportOptions options : {ImportOptions{}, at({0.25, 1})}) {
       options.animation = "TPose";
       const std::string message = messageOf(tried(maker, options));
-      CHECK(says(message, "\"TPose\" is one pose. Choose one that moves: 1 \"walk\"."));
+      CHECK(says(message, "\"TPose\" is one pose. Choose an animation that moves: 1 \"walk\"."));
     }
     ImportOptions byName;
     byName.animation = "walk";
@@ -335,10 +335,10 @@ TEST_CASE("where no animation moves, each is a key of its name") {
   CHECK(import.animation == -1);
   ImportOptions samples;
   samples.sampleCount = 4, samples.sampleAsked = true;
-  CHECK(says(messageOf(tried(maker, samples)), "Give no animation and no samples"));
+  CHECK(says(messageOf(tried(maker, samples)), "Omit the animation and the samples"));
   ImportOptions one;
   one.animation = 1;
-  CHECK(says(messageOf(tried(maker, one)), "Give no animation and no samples"));
+  CHECK(says(messageOf(tried(maker, one)), "Omit the animation and the samples"));
 }
 
 TEST_CASE("a still animation beside morph targets leaves these as keys; alone it is one pose") {
@@ -347,7 +347,7 @@ TEST_CASE("a still animation beside morph targets leaves these as keys; alone it
   CHECK(names(imported(morphs)) == std::vector<std::string>{"base", "target 1", "target 2"});
   GltfMaker box = boxFile();
   addMove(box, "Action", {2});
-  CHECK(says(messageOf(tried(box)), "holds one pose only"));
+  CHECK(says(messageOf(tried(box)), "has only one pose"));
 }
 
 TEST_CASE("files with one still action each are keys: the actions, not the pose at rest") {

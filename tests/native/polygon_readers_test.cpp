@@ -459,8 +459,8 @@ TEST_CASE("broken OFF files") {
     return text.replace(text.find(from), from.size(), to);
   };
   checkRefused("bad.off", "OFF", ErrorCode::MalformedFile, "numbers of vertices");
-  checkRefused("bad.off", "# a comment\n3 1 0\n", ErrorCode::MalformedFile, "there is no header");
-  checkRefused("bad.off", "# a comment\n", ErrorCode::MalformedFile, "there is no header");
+  checkRefused("bad.off", "# a comment\n3 1 0\n", ErrorCode::MalformedFile, "the header is missing");
+  checkRefused("bad.off", "# a comment\n", ErrorCode::MalformedFile, "the header is missing");
   checkRefused("bad.off", "OFF\n4", ErrorCode::MalformedFile, "numbers of vertices");
   checkRefused("bad.off", "OFF BINARY\n", ErrorCode::Unsupported, "binary");
   checkRefused("bad.off", "4OFF\n1 1 0\n", ErrorCode::Unsupported, "three dimensions");

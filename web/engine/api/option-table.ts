@@ -156,7 +156,7 @@ export const MOTION = {
     choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd'],
     default: 'lri',
     flag: 'method',
-    help: "the paper's method (lri), or a method to compare with it",
+    help: "the paper's method (lri), or a method for comparison",
     page: 'method',
     undo: 'method',
   },
@@ -235,8 +235,8 @@ export const MOTION = {
     default: 'off',
     flag: 'own-paths',
     help:
-      'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
-      "(absolute), or against the largest patch, so a key's own orientation changes nothing (root)",
+      'rotate each face separately from key to key where this agrees with its patch; absolute: closer to sampled ' +
+      'animations; root: rotations relative to the largest patch, independent of the orientation of a key',
   },
   /** Take out the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
@@ -387,7 +387,7 @@ export const ENCODING = {
     default: null,
     flag: 'end-tangent',
     value: 'FILE',
-    help: 'hermite: pose that sets the slope at the last key, which points from this pose to that key; default: the key before the last',
+    help: 'hermite: pose from which the motion arrives at the last key; default: the key before the last',
     page: 'endTangentPose',
     undo: 'end tangent pose',
   },
@@ -461,7 +461,7 @@ export const IMPORT = {
   /** 3 x vertices of that mesh in some pose: the keys come in its vertices, however the files split them. */
   likePose: {
     kind: 'shape',
-    help: 'positions of that mesh; the keys then use its vertices, however the files split theirs',
+    help: 'positions of that mesh; the keys then use its vertices, even if the files split them differently',
   },
   /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a far shape. */
   offset: {
@@ -517,7 +517,7 @@ export const EXPORT = {
     default: null,
     flag: 'fps',
     value: 'F',
-    help: 'frames per second; the times are whole frames, to match those of an animation program',
+    help: 'frames per second; all times are whole frames, as in animation programs',
   },
   /**
    * How far a vertex may be off when a GLB is played, in percent of the bounding box's diagonal: without it every frame
@@ -546,7 +546,7 @@ export const EXPORT = {
     choices: ['none', 'quantized', 'meshopt'],
     default: 'none',
     flag: 'compression',
-    help: 'GLB: 16 bits per coordinate (KHR_mesh_quantization), or that with EXT_meshopt_compression',
+    help: 'GLB: quantized: 16 bits per coordinate (KHR_mesh_quantization); meshopt: also EXT_meshopt_compression',
   },
   /** First and last time; default: first and last key. */
   range: {
@@ -579,7 +579,7 @@ export const EXPORT = {
     default: null,
     flag: 'blend',
     value: 'W,W,...',
-    help: 'instead of the motion, one mixture of the keys in shape space: a weight per key, sum 1',
+    help: 'export one mixture of the keys in shape space instead of the motion: one weight per key, sum 1',
   },
   /** One pose only, at this time: frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'a single pose at this time' },
