@@ -34,7 +34,7 @@ test('a camera inside the shape of its moment is left out of a link, also where 
 
 test('a link that names nothing gives a message, and a camera that looks away leads back', async ({ app }) => {
   await app.open({ hash: '#t=0.5' });
-  await expect(app.by('toast')).toContainText('The link names no sample and no page of the tour');
+  await expect(app.by('toast')).toContainText('The link does not name a sample or tour page');
   await app.page.goto('about:blank');
   await app.open({ hash: '#sample=octopus&camera=0,0,5,0,0,10' });
   await expect(app.by('out-of-view')).toBeVisible();

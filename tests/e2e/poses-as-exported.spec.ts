@@ -98,7 +98,7 @@ test('a shape that lies on its back is stood up', async ({ app }) => {
     'property float y\nproperty float z\nelement face 5\nproperty list uchar int vertex_indices\nend_header\n' +
     `-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n0 0 ${height}\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n`;
   await opened(app, [upload('a.ply', ply(2)), upload('b.ply', ply(3))]);
-  await expect(app.by('import-offer')).toContainText('Z was taken as the up axis');
+  await expect(app.by('import-offer')).toContainText('Z is used');
   await expect(app.by('up-axis-z')).toBeChecked();
   // Its tip.
   expect((await app.positionsAt(0))[13]).toBeCloseTo(2, 5);

@@ -430,7 +430,7 @@ TEST_CASE("animations that do not fit") {
   refused(animated({0, std::numeric_limits<float>::quiet_NaN()}, 6, none), ErrorCode::MalformedFile, "do not increase");
   refused(animated({0, 1}, 3, none), ErrorCode::MalformedFile, "fewer values than times");
   refused(animated({}, 0, none), ErrorCode::MalformedFile, "no times");
-  refused(animated({0}, 3, none), ErrorCode::TooFewKeys, "one pose only");
+  refused(animated({0}, 3, none), ErrorCode::TooFewKeys, "only one pose");
   const auto channel = [](int sampler, int node, const char* path) {
     return json{{"channels", {{{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}}}}};
   };
@@ -445,7 +445,7 @@ TEST_CASE("animations that do not fit") {
   nothing.doc.erase("meshes");
   nothing.doc["nodes"][0].erase("mesh");
   refused(nothing, ErrorCode::NoTriangles, "no mesh");
-  refused(boxFile(), ErrorCode::TooFewKeys, "one pose only");
+  refused(boxFile(), ErrorCode::TooFewKeys, "only one pose");
 }
 
 TEST_CASE("morph targets that do not fit") {

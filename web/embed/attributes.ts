@@ -161,7 +161,7 @@ const OWN = {
     choices: ['texture', 'phase', 'patches'],
     default: 'texture',
     concern: 'look',
-    doc: 'The same as `colour`, which comes before it.',
+    doc: 'American spelling of `colour`, which takes precedence.',
   },
   compare: {
     kind: 'words',

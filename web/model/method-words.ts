@@ -38,14 +38,14 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
     label: 'Rotation-strain spline',
     short: 'Rotation-strain',
     hint:
-      'Cubic splines of the rotation and stretch of each face by itself. Smooth; the surface tears where faces turn ' +
+      'Cubic splines of each face’s rotation and stretch. Smooth, but the surface tears where faces turn ' +
       'by nearly 360 degrees between two keys.',
   },
   rimd: {
     label: 'Mesh difference spline (RIMD)',
     short: 'RIMD',
     hint:
-      'Cubic splines of how each face rotates against its neighbours and stretches, fitted in three steps from the ' +
-      'shape spline. Smooth; close to it, and several times slower.',
+      'Cubic splines of each face’s stretch and rotation relative to its neighbours, fitted in three steps from the ' +
+      'shape spline. Smooth and close to the shape spline, but several times slower.',
   },
 };

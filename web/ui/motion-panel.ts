@@ -14,14 +14,14 @@ import type { Component, Fields } from './dom.ts';
 import { h, memo, setHidden, setText } from './dom.ts';
 
 const HOLD_HINT =
-  'Vertices that hardly move between two keys stay in place, as feet do. Off: as published; planted feet can slide.';
+  'Vertices that hardly move between two keys stay in place, such as planted feet. Off: as published, feet can slide.';
 
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
   { value: 'even', text: 'Evenly', hint: 'Intervals of equal length' },
   { value: 'root', text: 'Softly', hint: 'Interval lengths proportional to the square root of pose difference' },
   {
     value: 'difference',
-    text: 'By difference',
+    text: 'By pose difference',
     hint: 'Interval lengths proportional to pose difference: constant speed',
   },
 ];
@@ -150,7 +150,7 @@ function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
   const tightness = slider({
     label: 'Tightness',
     testId: 'tightness',
-    hint: 'Tension of all keys: 0 passes them smoothly, to the right with less overshoot, stopping at each at 1; to the left livelier',
+    hint: 'Tension of all keys. 0: smooth; towards 1: less overshoot, stopping at each key; below 0: livelier',
     min: -1,
     max: 1,
     step: 0.05,

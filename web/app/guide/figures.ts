@@ -133,7 +133,7 @@ const LIST: readonly Figure[] = [
     wide: true,
     task: 'Enlarge the Bending energy plot in Analysis, and look at the geodesic at the keys.',
     sentence:
-      'As in the paper, the geodesic peaks at the keys. The third curve is a vertex spline instead of a spline in shell space. Each method’s energy is measured in its own coordinates, so the vertex spline lies below: compare shapes of curves, not heights.',
+      'As in the paper, the geodesic peaks at the keys. The third curve is a vertex spline instead of a spline in shell space. Each method’s energy is measured in its own coordinates, so compare the shapes of the curves, not their heights.',
   },
   {
     number: '10',

@@ -68,7 +68,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'What a shape is made of',
     state: 'sample=cactus&colour=patches&between=0,1&t=0&loop=bounce&play=1',
-    text: 'The surface is cut into patches. For each pair of neighbouring patches, only their relative rotation is kept; for each face, its rotation and stretch within its patch. The position of the shape is not part of the description.',
+    text: 'The surface is cut into patches. For each pair of neighbouring patches, only the relative rotation is kept. For each face, the rotation and stretch within its patch are kept. The position of the shape is not part of the description.',
     panel: 'analysis',
     part: 'faces',
     fill: { field: 'face-number', value: '12000' },
@@ -173,8 +173,9 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     state: 'sample=octopus&between=0,1.5&t=0&loop=bounce&play=1',
     panel: 'motion',
     text: 'From coordinates back to a shape is two steps: the rotations of all patches, then all vertices. Each is a large linear system whose matrix does not depend on time, so it is factored once.',
-    task: 'Open poses of your own, and export the motion.',
-    sentence: 'First rotations, then positions; both factored once. That is why the slider responds instantly.',
+    task: 'Open your own poses and export the motion.',
+    sentence:
+      'Both systems, for rotations and for positions, are factored once. That is why the slider responds instantly.',
     formula: {
       math: '<mrow><mi>A</mi><mi>G</mi><mo>=</mo><mi>b</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>,</mo><mspace width="0.6em"/><mi>L</mi><mi>v</mi><mo>=</mo><mi>c</mi><mo>(</mo><mi>t</mi><mo>)</mo></mrow>',
       words: 'A gives the patch rotations G, L the vertices v. Only the right-hand sides change with time.',

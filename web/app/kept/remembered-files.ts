@@ -1,6 +1,6 @@
 /**
  * The user's own files with all that is done to them, kept in this browser between visits unless the user wants
- * otherwise. They are sent nowhere.
+ * otherwise. They never leave your computer.
  */
 import type { InputFile } from '../../engine/api/types.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
@@ -54,11 +54,11 @@ const UNASKED_BYTES = 128e6;
 /** What was said of opening can be read first. */
 const TELL_DELAY_MS = 4000;
 
-const KEPT = 'These files are remembered on this computer for your next visit. They are sent nowhere.';
+const KEPT = 'These files are remembered on this computer for your next visit. They never leave your computer.';
 const NO_ROOM =
   'This browser cannot store these files: it has no room for them, or this is a private window. Export a GLB to save the project.';
 const NOT_WRITTEN =
-  'The last change could not be stored: this browser has no room for it. The version before is kept. Export a GLB to save the project.';
+  'The last change could not be stored: this browser has no room for it. The previous version is kept. Export a GLB to save the project.';
 
 export class RememberedFiles {
   private readonly tabs =
@@ -83,7 +83,7 @@ export class RememberedFiles {
   constructor(private readonly parts: RememberedFilesParts) {
     this.tabs?.addEventListener('message', ({ data }: MessageEvent<{ forgotten?: unknown } | null>) => {
       if (typeof data?.forgotten !== 'string') return;
-      if (this.own === data.forgotten && this.isKept) this.parts.say('Forgotten in another tab.');
+      if (this.own === data.forgotten && this.isKept) this.parts.say('Another tab has deleted the remembered files.');
       this.giveUp(data.forgotten);
     });
   }
