@@ -173,7 +173,7 @@ test('a patch that is clicked shows how it turns against each neighbour', async 
   const choice = app.by('patch-neighbour');
   const other = (await choice.locator('option').allInnerTexts()).at(-1)!;
   await choice.selectOption({ label: other });
-  await expect(app.by('plot-patch-rotation')).toContainText(`Turn against ${other}`);
+  await expect(app.by('plot-patch-rotation')).toContainText(`Rotation relative to ${other}`);
   await app.expectNoProblems();
 });
 

@@ -309,7 +309,7 @@ test('what does not open is not tried with every visit', { tag: '@all' }, async 
     [`files ${project.id}`, [...bytes]] as const,
   );
   await visitAgain(app);
-  await expect(app.by('toast')).toContainText('“twisted-bar.glb” could not be opened again');
+  await expect(app.by('toast')).toContainText('“twisted-bar.glb” could not be reopened');
   await visitAgain(app);
   await expect(app.by('not-reopened')).toContainText(
     '“twisted-bar.glb” was not reopened, because the last attempt failed',

@@ -212,7 +212,7 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   const alone = options.format !== 'glb' && GLB_ONLY.find((name) => options[name] !== undefined);
   if (alone) throw new UsageError(`--${alone} requires an output that ends in .glb`);
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
-  throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
+  throw new UsageError(`${output} contains one shape: give one --at time, or a folder (ending in /) for several`);
 }
 
 /** A blend has no time. */

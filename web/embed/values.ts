@@ -58,7 +58,7 @@ function numbersOf(row: Extract<Row, { kind: 'numbers' }>, word: string): Read {
   const numbers = word.split(/[\s,:]+/).map(Number);
   if (numbers.some((number) => !Number.isFinite(number))) return bad(row, 'must be numbers, separated by spaces');
   if (row.count !== undefined && numbers.length !== row.count) return bad(row, `must be ${row.count} numbers`);
-  if (row.count === 2 && numbers[0]! >= numbers[1]!) return bad(row, 'must be two numbers, the smaller one first');
+  if (row.count === 2 && numbers[0]! >= numbers[1]!) return bad(row, 'must be two numbers, the smaller number first');
   return good(numbers);
 }
 

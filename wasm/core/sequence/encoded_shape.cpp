@@ -83,7 +83,7 @@ void EncodedShape::findMirroredKeys() {
         {"mirrored-key",
          "Key " + std::to_string(key + 1) +
              " is a mirror image of the surface in the other keys: its faces point "
-             "inwards, so no motion can reach it. Mirror it back with a negative scale, or leave it out.",
+             "inwards, so no motion can reach it. Mirror it back with a negative scale, or remove the key.",
          0,
          key,
          -1,

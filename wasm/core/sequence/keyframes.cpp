@@ -17,7 +17,7 @@ std::string keyName(const std::string& name, int key) {
 
 constexpr const char* oneMesh =
     " All keys must be poses of one mesh. In Blender, export the same object each time, with its modifiers applied and "
-    "the same settings, or one GLB with shape keys or an animation; OBJ keeps the vertices unchanged.";
+    "the same settings, or one GLB with shape keys or an animation. OBJ keeps the vertices unchanged.";
 
 Triangle sorted(Triangle face) {
   std::sort(face.begin(), face.end());

@@ -50,7 +50,7 @@ Status checkFaceMethod(const MotionOptions& o) {
                                              : nullptr;
   if (!what) return {};
   return Error{ErrorCode::InvalidOption, std::string("This method rotates every face separately. ") + what +
-                                             ". Choose the method 'lri' for that."};
+                                             ". Choose the method 'lri' instead."};
 }
 
 CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {

@@ -121,7 +121,7 @@ class TurnWarnings {
     add("ambiguous-patch-turn",
         "neighbouring regions turn by " + angleText(angleThere) +
             " relative to each other, and the keys do not determine the "
-            "direction. If it is wrong, add a key in between.",
+            "direction. If the direction is wrong, add a key in between.",
         count, face, std::move(found));
   }
 
@@ -131,7 +131,7 @@ class TurnWarnings {
     add("ambiguous-face-turn",
         std::to_string(faces.count) +
             " faces turn by more than 150 degrees relative to the faces around them, and the keys "
-            "do not determine the direction. If it is wrong, add a key in between.",
+            "do not determine the direction. If the direction is wrong, add a key in between.",
         faces.count, faces.worst, {patchOfFace_[faces.worst]});
   }
 

@@ -105,10 +105,10 @@ void LriSpace::describeGhost() {
 void LriSpace::collectWarnings(int wantedGhostFaces) {
   if (wantedGhostFaces > 0 && stats_.ghostFaces == 0)
     warnings_.push_back(
-        {"ghost-off", "The shape has no more faces than the requested ghost mesh, so it moves without one."});
+        {"ghost-off", "The shape has no more faces than the requested ghost mesh, so no ghost mesh is used."});
   if (stats_.ghostFaces > wantedGhostFaces)
     warnings_.push_back({"ghost-too-large",
-                         "The ghost mesh is finer than requested. A coarser one would flip faces or change the "
+                         "The ghost mesh is finer than requested. A coarser ghost mesh would flip faces or change the "
                          "topology.",
                          stats_.ghostFaces});
   if (stats_.joinedComponents > 0)

@@ -52,7 +52,7 @@ Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& 
   if (keys <= mostKeys && static_cast<std::uint64_t>(keys) * vertices <= mostKeyVertices) return {};
   return Error{ErrorCode::TooLarge, where + ": " + grouped(static_cast<std::int64_t>(keys)) + " keys of " +
                                         grouped(static_cast<std::int64_t>(vertices)) +
-                                        " vertices are more than is supported. Use fewer keys."};
+                                        " vertices exceed the limit. Use fewer keys."};
 }
 
 }  // namespace shapespline

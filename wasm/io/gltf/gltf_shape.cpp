@@ -287,7 +287,7 @@ struct ShapeReader {
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
     warn("skipped-primitives", skippedPrimitives, "lines and points are ignored.");
     warn("leftover-corners", leftoverCorners, "faces with fewer than three different corners are ignored.");
-    warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used unskinned.");
+    warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used without its skin.");
     if (!shape.faces.empty()) return {};
     return Error{ErrorCode::NoTriangles, doc.where +
                                              (doc.model.meshes.empty() ? " has no mesh" : " shows no triangles") +

@@ -290,8 +290,8 @@ export const PER_KEY = {
     undo: 'turns',
     label: 'Extra turns since the previous key',
     hint:
-      'Full turns to add since the previous key. The keys cannot show how many there were; ' +
-      'negative turns go the other way',
+      'Full turns to add since the previous key. The keys cannot determine their number; ' +
+      'negative turns have the opposite direction',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
@@ -413,7 +413,7 @@ export const IMPORT = {
     kind: 'animation',
     flag: 'animation',
     value: 'NAME|INDEX',
-    help: 'take the keys from this animation of the file; default: the first one that moves',
+    help: 'take the keys from this animation of the file; default: the first animation that moves',
   },
   /** Times on the animation's own timeline, in seconds, or how many evenly spaced ones; default 8. */
   sample: {
@@ -471,7 +471,7 @@ export const IMPORT = {
   /** `scene.objects` of that mesh: objects of the files are matched with these. */
   likeObjects: {
     kind: 'objects',
-    help: "`scene.objects` of that mesh: the files' objects are matched with these",
+    help: "`scene.objects` of that mesh, for matching the files' objects",
   },
 } as const satisfies OptionTable;
 
@@ -493,7 +493,7 @@ export const EXPORT = {
     default: null,
     flag: 'at',
     value: 'T,T,...',
-    help: 'times to export, which may lie beyond the keys: --at=-0.3,1.3',
+    help: 'times to export, which can be beyond the keys: --at=-0.3,1.3',
   },
   /** Evenly spaced frames over the range; a GLB also includes the keys in it, so it passes through them. */
   frames: {
