@@ -2,7 +2,7 @@
 import type { Method } from '../engine/api/types.ts';
 
 /** The method as published, next to the same method with holding. */
-export const PLAIN_WORDS = { label: 'Shape spline (LRI), nothing held', short: 'Nothing held' } as const;
+export const PLAIN_WORDS = { label: 'Shape spline (LRI), without holding', short: 'Without holding' } as const;
 
 export function motionWords({ method, plain }: { method: Method; plain?: true }): { label: string; short: string } {
   return plain ? PLAIN_WORDS : METHOD_WORDS[method];

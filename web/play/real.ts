@@ -78,7 +78,7 @@ export function createReal({ get, change }: RealParts): Panel {
     },
     onDone() {
       const where = window === window.parent ? 'in the other tab' : 'next to this page';
-      setText(said, `The shape ${where} now moves like this. To revert, use Undo there.`);
+      setText(said, `The shape ${where} now moves like this. To revert, use Undo on its page.`);
     },
   });
   return {

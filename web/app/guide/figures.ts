@@ -75,7 +75,7 @@ const LIST: readonly Figure[] = [
     state: 'sample=cactus&keys=0@0,1@1&compare=geodesic&colour=phase&between=-0.5,1.5&t=-0.5&loop=bounce&play=1',
     text: 'The paper compares its spline with the geodesic on two poses of an elephant, including extrapolation.',
     task: 'Drag the time slider: both methods give the same shape at every time.',
-    sentence: 'With two keys, the spline is the geodesic. This page shows it on a cactus.',
+    sentence: 'With two keys, the spline is the geodesic. This page shows both on a cactus.',
   },
   {
     number: '5',

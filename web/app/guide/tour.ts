@@ -36,7 +36,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Three poses, one motion',
     state: 'sample=cactus&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
-    text: 'An artist made three poses of a cactus: the keys. Every other shape is computed, both between the keys and beyond them.',
+    text: 'An artist made three poses of a cactus: the keys. Every other shape that you see is computed, both between the keys and beyond them.',
     panel: 'motion',
     task: 'Drag the time slider, even past both ends.',
     sentence: 'Blue shapes are given. Green ones are interpolated, yellow ones extrapolated.',

@@ -98,7 +98,9 @@ const pins: Check = (v) => {
 const sample: Check = (v) => {
   if (!wholeFrom(2)(v)) return null;
   const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isTime(t) && (i === 0 || t > v[i - 1]));
-  return increasing ? null : `must be increasing times in seconds ${BETWEEN_TIMES}, or how many (at least 2)`;
+  return increasing
+    ? null
+    : `must be increasing times in seconds ${BETWEEN_TIMES}, or the number of times (at least 2)`;
 };
 
 const isObject = (v: unknown): boolean =>
