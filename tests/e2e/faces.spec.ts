@@ -173,7 +173,7 @@ test('a patch that is clicked shows how it turns against each neighbour', async 
   const choice = app.by('patch-neighbour');
   const other = (await choice.locator('option').allInnerTexts()).at(-1)!;
   await choice.selectOption({ label: other });
-  await expect(app.by('plot-patch-rotation')).toContainText(`Turn against ${other}`);
+  await expect(app.by('plot-patch-rotation')).toContainText(`Rotation relative to ${other}`);
   await app.expectNoProblems();
 });
 
@@ -282,7 +282,7 @@ test('coordinates are reached and read with the keyboard alone', async ({ app })
     await app.page.keyboard.press('Tab');
   await expect(summary).toBeFocused();
   await app.page.keyboard.press('Enter');
-  const table = app.by('face-rotation-values').getByRole('table', { name: 'Rotation against its patch' });
+  const table = app.by('face-rotation-values').getByRole('table', { name: 'Rotation within its patch' });
   await expect(table.getByRole('columnheader')).toHaveText(['Time', 'x', 'y', 'z']);
   await app.page.keyboard.press('Tab');
   await expect(app.by('face-rotation-svg')).toBeFocused();

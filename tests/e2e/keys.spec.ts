@@ -40,8 +40,8 @@ test('a key is renamed, retimed and removed; two always stay', async ({ app }) =
   await expect(app.by('key-1-go')).toHaveAccessibleName(/upright, at 0\.300/);
   // A refused time is reported, and the field shows the time in effect.
   for (const [refused, why] of [
-    ['1', 'Key 3 is at this time already.'],
-    ['2e300', 'A key is at most 1,000,000,000 s away.'],
+    ['1', 'Key 3 is already at this time.'],
+    ['2e300', 'Key times can be at most 1,000,000,000 s.'],
     ['', null],
   ] as const) {
     await app.by('key-time').fill(refused);

@@ -3,7 +3,7 @@ import { expect, test } from './support.ts';
 
 test('a number out of bounds in a link is left out, with a word about it', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&patches=1e300&camera=1e300,0,0,0,0,0' });
-  await expect(app.by('toast')).toContainText('left out: patches, camera.');
+  await expect(app.by('toast')).toContainText('ignored: patches, camera.');
   expect((await app.positions()).every(Number.isFinite)).toBe(true);
   await expect(app.by('error')).toBeHidden();
   await app.expectNoProblems();
@@ -26,7 +26,7 @@ test('a camera inside the shape of its moment is left out of a link, also where 
   const middle = [0, 1, 2].map((axis) => tip.reduce((sum, point) => sum + point[axis]! / tip.length, 0));
   const link = (t: number): string => `#sample=cactus&camera=${middle.join(',')},0,0,0&t=${t}`;
   await app.open({ hash: link(0) });
-  await expect(app.by('toast')).toContainText('left out: camera.');
+  await expect(app.by('toast')).toContainText('ignored: camera.');
   expect((await app.state()).view.camera?.position ?? null).not.toEqual(middle);
   await app.open({ hash: link(0.5) });
   for (const axis of [0, 1, 2]) expect((await app.state()).view.camera!.position[axis]).toBeCloseTo(middle[axis]!, 3);
@@ -34,7 +34,7 @@ test('a camera inside the shape of its moment is left out of a link, also where 
 
 test('a link that names nothing gives a message, and a camera that looks away leads back', async ({ app }) => {
   await app.open({ hash: '#t=0.5' });
-  await expect(app.by('toast')).toContainText('The link names no sample and no page of the tour');
+  await expect(app.by('toast')).toContainText('The link does not name a sample or tour page');
   await app.page.goto('about:blank');
   await app.open({ hash: '#sample=octopus&camera=0,0,5,0,0,10' });
   await expect(app.by('out-of-view')).toBeVisible();

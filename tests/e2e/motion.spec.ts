@@ -127,7 +127,7 @@ test(
 
     // Several poses, or a different mesh, are refused as a tangent without losing anything.
     await app.by('tangent-file-input').setInputFiles([file('c.obj', 0.2), file('d.obj', 0.4)]);
-    await expect(app.by('error-message')).toContainText('These files hold 2 poses, but a tangent is one shape.');
+    await expect(app.by('error-message')).toContainText('These files have 2 poses, but a tangent is one shape.');
     await app.by('error-close').click();
     await app.reload();
     await expect(app.by('start-tangent').locator('option:checked')).toHaveText('far');

@@ -74,7 +74,7 @@ test('a dragged key carries the curve, its numbers and the system along', async 
   expect(await play.value(2)).toBeGreaterThan(value + 0.05);
   expect(await play.time(2)).toBeGreaterThan(time + 0.01);
   expect(await play.line('natural')).not.toBe(before);
-  await expect(play.by('curve-notice')).toContainText('moving key 3 changes the whole curve');
+  await expect(play.by('curve-notice')).toContainText('Moving key 3 changes the whole curve');
   await expect(play.by('said')).toContainText('Key 3 of 5');
   await expect(page).toHaveURL(/#keys=/);
   // Pointing at a row of the system highlights its key.
@@ -95,7 +95,7 @@ test('curves are switched on one by one, and the natural one bends least', async
   }
   await play.by('layer-linear').check();
   await expect(play.by('bending-linear')).toHaveText('∞');
-  await expect(play.by('slope-notice')).toContainText('corner (Straight lines)');
+  await expect(play.by('slope-notice')).toContainText('corner: Straight lines');
   await expect(play.by('bend-notice')).toContainText('Catmull-Rom');
 
   await play.by('layer-samples').check();
@@ -121,7 +121,7 @@ test('curves are switched on one by one, and the natural one bends least', async
   const plain = await play.line('shaped');
   await play.by('tension').fill('0.8');
   await expect.poll(() => play.line('shaped')).not.toBe(plain);
-  await expect(play.by('curve-notice')).toContainText('tension 0.8');
+  await expect(play.by('curve-notice')).toContainText('Tension 0.8');
   expect(play.problems).toEqual([]);
 });
 
@@ -327,7 +327,7 @@ test('takes an angle of the shape that is open in another tab, and gives times a
   await play.by('key-1-time').fill(String(times[1]! + 0.1 * (times[2]! - times[1]!)));
   await page.keyboard.press('Enter');
   await play.by('give-back').click();
-  await expect(play.by('real-said')).toContainText('moves like this now');
+  await expect(play.by('real-said')).toContainText('now moves like this');
   const after = (await app.state()).doc;
   expect(after.motion).toMatchObject({ boundary: 'hermite', startSpeed: 0 });
   expect(after.keys[1]!.time).toBeCloseTo(times[1]! + 0.1 * (times[2]! - times[1]!), 5);

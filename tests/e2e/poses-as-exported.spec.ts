@@ -49,7 +49,7 @@ test('files that hold one animation at rest offer its keys', { tag: '@all' }, as
   await app.open();
   const { bytes } = await rigFile();
   await opened(app, [upload('a.glb', bytes), upload('b.glb', bytes)]);
-  await expect(app.by('import-offer')).toContainText('Each file has an animation of its own');
+  await expect(app.by('import-offer')).toContainText('Each file has its own animation');
   await app.by('import-offer-accept').click();
   await expect.poll(async () => (await names(app)).length).toBe(8);
   await app.settled();
@@ -82,9 +82,9 @@ test('many numbered files are the frames of an animation', { tag: '@all' }, asyn
   await expect(app.by('animation')).toContainText('walk');
   await app.by('warning-count').click();
   await expect(app.by('warnings')).toContainText(
-    '40 numbered files are used as frames of an animation, 24 a second: 8 evenly spaced frames are the keys.',
+    '40 numbered files are used as frames of an animation, 24 per second. The keys are 8 evenly spaced frames.',
   );
-  await expect(app.by('warnings')).toContainText('Choose others on the timeline');
+  await expect(app.by('warnings')).toContainText('Choose other keys on the timeline');
   await app.by('sample-count').fill('5');
   await app.by('sample-count').press('Enter');
   await expect.poll(async () => (await names(app)).length).toBe(5);
@@ -98,7 +98,7 @@ test('a shape that lies on its back is stood up', async ({ app }) => {
     'property float y\nproperty float z\nelement face 5\nproperty list uchar int vertex_indices\nend_header\n' +
     `-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n0 0 ${height}\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n`;
   await opened(app, [upload('a.ply', ply(2)), upload('b.ply', ply(3))]);
-  await expect(app.by('import-offer')).toContainText('Z was taken as the up axis');
+  await expect(app.by('import-offer')).toContainText('Z is used');
   await expect(app.by('up-axis-z')).toBeChecked();
   // Position of the tip.
   expect((await app.positionsAt(0))[13]).toBeCloseTo(2, 5);

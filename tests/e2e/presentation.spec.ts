@@ -87,7 +87,7 @@ test('a link opens the page in it, and its QR code says the link', async ({ app 
 test('is reached by mouse, and listed in the help', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
   await app.by('help').click();
-  await expect(app.by('help-dialog')).toContainText('Presentation: the shape alone, in large type');
+  await expect(app.by('help-dialog')).toContainText('Presentation mode: only the shape, with large type');
   await expect(app.by('help-dialog')).toContainText('QR code of the link');
   await app.by('help-close').click();
   await app.by('look-toggle').click();

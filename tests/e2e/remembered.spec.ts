@@ -309,9 +309,11 @@ test('what does not open is not tried with every visit', { tag: '@all' }, async 
     [`files ${project.id}`, [...bytes]] as const,
   );
   await visitAgain(app);
-  await expect(app.by('toast')).toContainText('“twisted-bar.glb” could not be opened again');
+  await expect(app.by('toast')).toContainText('“twisted-bar.glb” could not be reopened');
   await visitAgain(app);
-  await expect(app.by('not-reopened')).toContainText('“twisted-bar.glb” was not opened again: the last attempt failed');
+  await expect(app.by('not-reopened')).toContainText(
+    '“twisted-bar.glb” was not reopened, because the last attempt failed',
+  );
   await expect(app.by('error')).toBeHidden();
 });
 
@@ -350,7 +352,7 @@ test('files that ended the last visit while they were opened are opened on deman
   await leave(app.page, { [`project ${project.id}`]: { ...project, opening: true } });
   await visitAgain(app);
   expect((await app.state()).source.kind).toBe('sample');
-  await expect(app.by('not-reopened')).toContainText('“twisted-bar.glb” was not opened again');
+  await expect(app.by('not-reopened')).toContainText('“twisted-bar.glb” was not reopened');
   await app.by('not-reopened-accept').click();
   await expect.poll(() => names(app)).toEqual(['twisted-bar.glb']);
   await app.settled();

@@ -391,7 +391,7 @@ test('a picture has the size that was chosen, and each of its pixels is drawn', 
     await app.by('export-pixels').selectOption('4k');
     await app.by('export-crop').uncheck();
   });
-  expect(text).toBe('A picture of 3840 × 2160 pixels');
+  expect(text).toBe('An image of 3840 × 2160 pixels');
   const picture = decode(bytes);
   expect([picture.width, picture.height]).toEqual([3840, 2160]);
   // The image shows only the shape, without grid and shadow. Edges are not smoothed in these tests.
@@ -419,7 +419,7 @@ test('a picture is cropped to the shape, or has the floor and the ground of the 
     await app.by('export-pixels').selectOption('1080p');
     await app.by('export-crop').check();
   });
-  expect(cropped.stated).toBe('A picture, cropped from 1920 × 1080 pixels');
+  expect(cropped.stated).toBe('An image, cropped from 1920 × 1080 pixels');
   const picture = decode(cropped.bytes);
   expect(picture.width).toBeLessThan(1200);
   expect(picture.height).toBeLessThan(1080);

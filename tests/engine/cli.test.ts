@@ -172,7 +172,7 @@ describe('complete', () => {
     );
     expect([code, stderr]).toEqual([0, '']);
     expect(stdout).toMatch(
-      /^out\.glb: \d+ shapes, at most [\d.]+ % of the model's size off between frames, \d+ bytes\n$/,
+      /^out\.glb: \d+ shapes, largest error between frames [\d.]+ % of the model's size, \d+ bytes\n$/,
     );
     const player = await threePlayer(await readFile(path.join(folder, 'out.glb')));
     expect(player.duration).toBeCloseTo(2, 6);
@@ -482,7 +482,7 @@ describe('many numbered files', () => {
     const usual = await run();
     expect(usual.keys).toBe(8);
     expect(usual.stderr).toContain('warning: 40 numbered files are used as frames of an animation');
-    expect(usual.stderr).toContain('8 evenly spaced frames are the keys');
+    expect(usual.stderr).toContain('The keys are 8 evenly spaced frames');
     expect(usual.stderr).toContain('--sample');
     const asked = await run('--sample', '12');
     expect(asked.keys).toBe(12);
@@ -498,7 +498,7 @@ describe('bad input', () => {
     [['pose-1.glb', 'page.glb'], /page\.glb/],
     [['pose-1.glb', 'pose-2.glb', '--key-times', '1,0'], /time/],
     [['bodies-1.obj', 'bodies-2.obj', '--object', 'Roof'], /bodies-1\.obj.*no object "Roof"; it has "Body", "Floor"/],
-    [['pose-1.ply', 'pose-2.ply', '--object', 'Roof'], /pose-1\.ply.*no object "Roof"; it names none/],
+    [['pose-1.ply', 'pose-2.ply', '--object', 'Roof'], /pose-1\.ply.*no object "Roof"; named objects: none/],
     [['pose-1.glb', 'pose-2.glb', '--key-times', '0,1,2'], /3 .*2|times/],
   ])('is one line that names it, exit code 1, and no output: %j', async (words, says) => {
     await writeFile(path.join(folder, 'cut.glb'), files[1]!.bytes.slice(0, 3000));

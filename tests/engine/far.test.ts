@@ -192,7 +192,7 @@ describe('on the command line', () => {
       const folder = await folderOf(huge(factor));
       const outcome = await runCli(folder, 'complete', '0.obj', '1.obj', '2.obj', '--output', 'frames/');
       expect(outcome.code).toBe(1);
-      expect(outcome.stderr).toMatch(/^\S+ .*too far away to compute with/);
+      expect(outcome.stderr).toMatch(/^\S+ .*Coordinates may be at most/);
     }
     const folder = await folderOf([]);
     await writeFile(

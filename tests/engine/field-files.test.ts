@@ -90,7 +90,7 @@ describe('animations', () => {
     const { code, stderr } = await runCli(await folderOf([file]), 'inspect', file.name, '--animation', 'TPose');
     expect([code, stderr]).toEqual([
       1,
-      'shapespline: tpose-first.glb: the animation "TPose" is one pose. Choose one that moves: 1 "walk".\n',
+      'shapespline: tpose-first.glb: the animation "TPose" is one pose. Choose an animation that moves: 1 "walk".\n',
     ]);
   });
 
@@ -125,7 +125,7 @@ describe('messages', () => {
     const text = gltfInside(json, bin).replace(/("KHR_draco_mesh_compression":\{"bufferView":)\d+/, '$1255');
     const bytes = new TextEncoder().encode(text);
     await expect(engine.importKeyframes([{ name: 'd.gltf', bytes }])).rejects.toThrow(
-      'd.gltf: its compressed mesh cannot be decoded (mesh 0, primitive 0 lies in buffer view 255, which does not ' +
+      'd.gltf: its compressed mesh cannot be decoded (mesh 0, primitive 0 refers to buffer view 255, which does not ' +
         'exist). Export the file again, or without compression.',
     );
   });

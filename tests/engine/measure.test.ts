@@ -162,7 +162,7 @@ describe('shapespline measure', () => {
       { name: 'b.obj', bytes: pose(2) },
     ]);
     for (const [args, code, says] of [
-      [['measure'], 2, /name at least one file/],
+      [['measure'], 2, /give at least one file/],
       [['measure', file, '--methods', 'best'], 2, /--methods.*lri/],
       [['measure', file, '--method', 'lri'], 2, /unknown option --method/],
       [['measure', 'a.obj', 'b.obj', '--against', file], 1, /rig\.glb/],

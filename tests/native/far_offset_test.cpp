@@ -358,7 +358,7 @@ TEST_CASE("coordinates that cannot be computed with are refused in one sentence"
       REQUIRE(!import.ok());
       CHECK(import.error().code == ErrorCode::TooLarge);
       CHECK(import.error().vertex == 3);
-      CHECK(import.error().message.find("too far away to compute with") != std::string::npos);
+      CHECK(import.error().message.find("Coordinates may be at most") != std::string::npos);
     }
   }
   ImportOptions options;

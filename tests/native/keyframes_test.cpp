@@ -85,15 +85,15 @@ TEST_CASE("faces that differ are named, and what kind of difference it is") {
   CHECK(e.face == 1);
   CHECK(says(e, "x.glb"));
   CHECK(!says(e, "The triangles are the same"));
-  CHECK(says(compareFaces(first, {{0, 1, 2}, {0, 3, 4}, {0, 2, 3}}, 1, "x").error(), "another order"));
-  CHECK(says(compareFaces(first, {{0, 2, 1}, {0, 2, 3}, {0, 3, 4}}, 1, "x").error(), "wound"));
+  CHECK(says(compareFaces(first, {{0, 1, 2}, {0, 3, 4}, {0, 2, 3}}, 1, "x").error(), "a different order"));
+  CHECK(says(compareFaces(first, {{0, 2, 1}, {0, 2, 3}, {0, 3, 4}}, 1, "x").error(), "opposite winding"));
 }
 
 TEST_CASE("triangles may start at another corner, but neither turn around nor change places") {
   const std::vector<Triangle> first = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
   CHECK(compareFaces(first, {{1, 2, 0}, {3, 0, 2}, {0, 3, 4}}, 1, "x").ok());
-  CHECK(says(compareFaces(first, {{2, 1, 0}, {3, 0, 2}, {0, 3, 4}}, 1, "x").error(), "wound"));
-  CHECK(says(compareFaces(first, {{3, 0, 2}, {1, 2, 0}, {0, 3, 4}}, 1, "x").error(), "another order"));
+  CHECK(says(compareFaces(first, {{2, 1, 0}, {3, 0, 2}, {0, 3, 4}}, 1, "x").error(), "opposite winding"));
+  CHECK(says(compareFaces(first, {{3, 0, 2}, {1, 2, 0}, {0, 3, 4}}, 1, "x").error(), "a different order"));
   CHECK(compareFaces({{0, 0, 1}}, {{0, 1, 0}}, 1, "x").ok());
   CHECK(!compareFaces({{0, 0, 1}}, {{0, 1, 1}}, 1, "x").ok());
 }

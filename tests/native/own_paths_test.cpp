@@ -105,7 +105,7 @@ TEST_CASE("own paths: what they cannot do is refused") {
   Sequence sequence = sequenceOf(bentBar({0, 60, 90}), doublePrecision());
   MotionOptions motion = ownPaths(OwnPaths::Root);
   motion.turns = {{1, 1}};
-  CHECK(sequence.update(motion, evenTimes(3)).error().message.find("Whole turns") != std::string::npos);
+  CHECK(sequence.update(motion, evenTimes(3)).error().message.find("Full turns") != std::string::npos);
   motion.turns.clear();
   for (const Method method : {Method::Geodesic, Method::CubicVertex, Method::Rimd}) {
     motion.method = method;

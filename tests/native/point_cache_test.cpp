@@ -112,7 +112,7 @@ TEST_CASE("caches that are no good are refused before memory is taken") {
     CHECK(std::string(errorCodeName(import.error().code)) == errorCodeName(code));
     CHECK(import.error().message.find(says) != std::string::npos);
   };
-  refused(moved("a.pc2", pc2(5, 4)), ErrorCode::VertexCountMismatch, "moves 5 points");
+  refused(moved("a.pc2", pc2(5, 4)), ErrorCode::VertexCountMismatch, "has 5 points");
   refused(moved("a.pc2", pc2(0xffffffff, 0xffffffff)), ErrorCode::TruncatedFile, "4,294,967,295");
   refused(moved("a.mdd", mdd(0xffffffff, 0xffffffff)), ErrorCode::TruncatedFile, "a.mdd is cut off");
   refused(moved("a.mdd", mdd(4, frameCount + 1)), ErrorCode::TruncatedFile, "a.mdd");

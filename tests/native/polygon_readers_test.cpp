@@ -293,7 +293,7 @@ TEST_CASE("PLY: binary in both orders, other elements and properties, every type
     CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {2, 1, 0}});
     CHECK(import.keyframes.normals.at(2) == Vec3(0, 1, 0));
     bytes.pop_back();
-    checkRefused("a.ply", bytes, ErrorCode::TruncatedFile, "element \"face\"");
+    checkRefused("a.ply", bytes, ErrorCode::TruncatedFile, "elements \"face\"");
   }
 }
 
@@ -420,7 +420,7 @@ TEST_CASE("broken PLY files") {
   };
   checkRefused("bad.ply", "ply\n", ErrorCode::TruncatedFile, "header");
   checkRefused("bad.ply", with("end_header\n", ""), ErrorCode::MalformedFile, "header has");
-  checkRefused("bad.ply", with("format ascii 1.0\n", ""), ErrorCode::MalformedFile, "no format");
+  checkRefused("bad.ply", with("format ascii 1.0\n", ""), ErrorCode::MalformedFile, "not state a format");
   checkRefused("bad.ply", with("ascii", "morse"), ErrorCode::MalformedFile, "\"morse\"");
   checkRefused("bad.ply", with("float x", "quad x"), ErrorCode::MalformedFile, "\"quad\"");
   checkRefused("bad.ply", with("list uchar", "list float"), ErrorCode::MalformedFile, "length of a list");
@@ -438,7 +438,7 @@ TEST_CASE("broken PLY files") {
   checkRefused("bad.ply", with("face 1", "face 0"), ErrorCode::NoTriangles, "no faces");
   checkRefused("bad.ply", with("element face 1\nproperty list uchar int vertex_indices\n", ""), ErrorCode::NoTriangles,
                "no faces");
-  checkRefused("bad.ply", "element", ErrorCode::NotRecognised, "named .ply");
+  checkRefused("bad.ply", "element", ErrorCode::NotRecognised, "extension .ply");
   // Only the vertices of the second element lack normals.
   checkRefused("bad.ply",
                "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
@@ -460,8 +460,8 @@ TEST_CASE("broken OFF files") {
     return text.replace(text.find(from), from.size(), to);
   };
   checkRefused("bad.off", "OFF", ErrorCode::MalformedFile, "numbers of vertices");
-  checkRefused("bad.off", "# a comment\n3 1 0\n", ErrorCode::MalformedFile, "there is no header");
-  checkRefused("bad.off", "# a comment\n", ErrorCode::MalformedFile, "there is no header");
+  checkRefused("bad.off", "# a comment\n3 1 0\n", ErrorCode::MalformedFile, "the header is missing");
+  checkRefused("bad.off", "# a comment\n", ErrorCode::MalformedFile, "the header is missing");
   checkRefused("bad.off", "OFF\n4", ErrorCode::MalformedFile, "numbers of vertices");
   checkRefused("bad.off", "OFF BINARY\n", ErrorCode::Unsupported, "binary");
   checkRefused("bad.off", "4OFF\n1 1 0\n", ErrorCode::Unsupported, "three dimensions");
@@ -476,7 +476,7 @@ TEST_CASE("broken OFF files") {
   checkRefused("bad.off", with("4 0 1 2 3", "4 0 1 2 -1"), ErrorCode::IndexOutOfRange, "vertex -1");
   checkRefused("bad.off", with("4 0 1 2 3", "4000000000 0 1 2 3"), ErrorCode::MalformedFile, "number of corners");
   checkRefused("bad.off", with("4 1 0", "4 0 0"), ErrorCode::NoTriangles, "no faces");
-  checkRefused("bad.off", "not", ErrorCode::NotRecognised, "named .off");
+  checkRefused("bad.off", "not", ErrorCode::NotRecognised, "extension .off");
 }
 
 TEST_CASE("every cut of a file is refused") {

@@ -134,7 +134,7 @@ TEST_CASE("rotation-strain: what it cannot do is refused") {
   pinned.pins = {{0, 0.1, -1}};
   refused(pinned, "pins");
   turned.turns = {{1, 1}};
-  refused(turned, "Whole turns");
+  refused(turned, "full turns");
   turned.turns = {{1, 0}};
   CHECK(sequence.update(turned, evenTimes(3)).ok());
 

@@ -128,7 +128,7 @@ it('a change that cannot be is said, and what comes next begins at what was ther
   await change(page, { 'key-times': '0 1 2' });
   expect(await when(page, 'error')).toEqual({
     code: 'time-count-mismatch',
-    message: 'There are 3 times for 2 keys: give one for each key.',
+    message: 'There are 3 times for 2 keys. Give one per key.',
     key: -1,
   });
   await change(page, { tension: '1 2 3' });

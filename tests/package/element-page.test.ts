@@ -397,7 +397,7 @@ it('a "false" counts as false, and a wrong value as none; each is said once', as
   expect(read).toEqual([false, false, 'natural', 'natural']);
   await expect.poll(() => said.length, { timeout: 30_000 }).toBe(2);
   expect(said).toEqual([
-    '<shape-spline>: autoplay="false" is "false", which counts as false; leave the attribute out instead.',
+    '<shape-spline>: autoplay="false" is "false", which counts as false; omit the attribute instead.',
     '<shape-spline>: boundary="round" must be one of natural, hermite, periodic.',
   ]);
 });

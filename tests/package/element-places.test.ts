@@ -33,7 +33,7 @@ it('says which policy to list where Trusted Types are required and its own is no
 it('says that the policy refuses the worker where it does', async () => {
   const page = await openElements(ONE, { policy: POLICY.replace('worker-src blob: LIBRARY', "worker-src 'none'") });
   const { message } = (await when(page, 'error'))!;
-  expect(message).toMatch(/The page's policy refuses it: put worker\.js .* or allow blob: in its worker-src\./);
+  expect(message).toMatch(/The page's policy blocks the worker: put worker\.js .* or allow blob: in its worker-src\./);
 });
 
 /** A page without an origin requires these headers. */

@@ -163,7 +163,7 @@ it('a wrong value is said once on the console, and the default shown', async () 
     .poll(() => said.filter((text) => text.startsWith('<shape-spline>')))
     .toEqual([
       '<shape-spline>: patches="2.5" must be a whole number.',
-      '<shape-spline>: range="5 5" must be two numbers, the smaller one first.',
+      '<shape-spline>: range="5 5" must be two numbers, the smaller number first.',
     ]);
 });
 

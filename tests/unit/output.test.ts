@@ -97,7 +97,7 @@ describe('results', () => {
     ['a frame whose name is a folder', () => [frames(folder, 'a.obj', 'taken')], 'is a folder'],
     ['two results in one place', () => [file(at('x.glb'), ''), file(at('x.glb'), '')], 'would be written to'],
     ['a report over a frame', () => [frames(at('out'), 'a.obj'), file(at('out/a.obj'), '')], 'would be written to'],
-    ['a link that leads to itself', () => [frames(at('out'), 'a.obj'), file(at('round'), '')], 'leads to itself'],
+    ['a link that leads to itself', () => [frames(at('out'), 'a.obj'), file(at('round'), '')], 'is a link to itself'],
     [
       'a place below a file',
       () => [frames(at('out'), 'a.obj'), file(at('file/x.glb'), '')],

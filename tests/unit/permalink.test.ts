@@ -140,7 +140,7 @@ describe('permalinks', () => {
     const doc = applyPermalink(initial, link);
     expect(doc).toEqual(initial);
     expect([link.time, link.speed, link.between, link.fps, link.view]).toEqual([null, null, null, null, {}]);
-    expect(leftOut(link, doc)).toBe(`The link has a value that cannot be used and was left out: ${name}.`);
+    expect(leftOut(link, doc)).toBe(`The link has a value that cannot be used and was ignored: ${name}.`);
   });
 
   it('that fit have nothing left out', () => {

@@ -14,7 +14,7 @@ describe('times of keys from an animation', () => {
 
   it('are refused in words', () => {
     expect(readTimes('1, x', span)).toContain('Time 2');
-    expect(readTimes('1, 2.1', span)).toBe('2.1 s lies outside the animation, which runs from 0.5 to 2 s.');
+    expect(readTimes('1, 2.1', span)).toBe('2.1 s is outside the animation, which runs from 0.5 to 2 s.');
     expect(readTimes('1, 1', span)).toContain('two times');
   });
 });

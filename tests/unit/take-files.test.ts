@@ -67,7 +67,7 @@ it('one pose of another mesh waits for the next, and replaces nothing', async ()
   await takeFiles.take(picked('a.obj'), { time: 0.5 });
   expect(log).toEqual(['add a.obj at {"time":0.5}', 'open a.obj']);
   expect(offer?.message).toBe(
-    'a.obj has 3 vertices, but the keys have 4. “a.obj” is the first pose of another motion. Drop the next one, or choose it.',
+    'a.obj has 3 vertices, but the keys have 4. “a.obj” is the first pose of another motion. Drop or choose the next pose.',
   );
   await takeFiles.take(picked('b.obj'));
   expect(log.at(-1)).toBe('open a.obj+b.obj');

@@ -32,7 +32,7 @@ it('takes the models of a zip and what they need, and leaves other files alone',
 });
 
 it('says what is wrong with a zip', async () => {
-  await expect(unzipped([picked('x.zip', ['no zip'])])).rejects.toThrow('x.zip is no zip that can be read.');
+  await expect(unzipped([picked('x.zip', ['no zip'])])).rejects.toThrow('x.zip is not a readable zip.');
   await expect(unzipped([picked('x.zip', [await deflated({ 'a.txt': '' })])])).rejects.toThrow('no model in x.zip');
   const secret = await deflated({ 'a.obj': 'v 0 0 0' }, 'word');
   await expect(unzipped([picked('x.zip', [secret])])).rejects.toThrow('a.obj in x.zip is encrypted.');

@@ -31,7 +31,7 @@ const char* keepResult(Result<Json> result) {
 }
 
 const char* keepOutOfMemory() {
-  return R"({"ok":false,"code":"out-of-memory","message":"There is not enough memory for this. Close other pages, or )"
+  return R"({"ok":false,"code":"out-of-memory","message":"There is not enough memory. Close other pages, or )"
          R"(use fewer keys or a mesh with fewer faces.","key":-1,"vertex":-1,"face":-1})";
 }
 

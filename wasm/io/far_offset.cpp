@@ -47,10 +47,10 @@ bool areNear(const Box& box, const Vec3& point) {
 
 Error tooLarge(const Key& key, int index, int vertex) {
   return {ErrorCode::TooLarge,
-          key.name + " (key " + std::to_string(index + 1) + "): vertex " + grouped(vertex) + " lies at (" +
+          key.name + " (key " + std::to_string(index + 1) + "): vertex " + grouped(vertex) + " is at (" +
               shortNumber(key.positions[vertex].x()) + ", " + shortNumber(key.positions[vertex].y()) + ", " +
-              shortNumber(key.positions[vertex].z()) + "), too far away to compute with (" +
-              shortNumber(mostCoordinate) + "). Scale the mesh down, or give another unit if the format has none.",
+              shortNumber(key.positions[vertex].z()) + "). Coordinates may be at most " + shortNumber(mostCoordinate) +
+              ". Scale the mesh down, or give another unit if the format has none.",
           index, vertex};
 }
 
@@ -108,7 +108,7 @@ void warnOfRounding(Import& import) {
           {"rounded-positions",
            import.roundedIn + " stores positions far from the origin in single precision, which " +
                roundedBy(import.rounding, diagonal) +
-               ". Export it nearer to the origin, or with the distance in the node's translation (glTF) or in double "
+               ". Export it nearer to the origin, put the distance into the node's translation (glTF), or use double "
                "precision (PLY, OBJ).",
            1, key});
       return;

@@ -32,18 +32,18 @@ struct OtherFormat {
 };
 
 constexpr std::string_view asMesh = "Export it as glTF, OBJ or PLY.";
-constexpr std::string_view unpack = "Unpack it and give the files in it.";
+constexpr std::string_view unpack = "Unpack it and use the files inside.";
 constexpr std::string_view asFrames = "Export its frames as numbered OBJ files, or as an OBJ with a PC2 or MDD file.";
 constexpr std::string_view asGltf = "Export it as glTF.";
 constexpr std::string_view noFaces =
-    "It holds points without faces: make a mesh of it and export that as glTF, OBJ or PLY.";
+    "It has points without faces. Make a mesh from it and export the mesh as glTF, OBJ or PLY.";
 
 constexpr OtherFormat otherFormats[] = {
     {"fbx", "an FBX file", asGltf},
     {"blend", "a Blender file", asGltf},
     {"abc", "an Alembic file", asFrames},
     {"usd", "a USD file", "Export it as glTF, or its frames as numbered OBJ files."},
-    {"stl", "an STL file", "It does not state which triangles share a vertex: export the shape as glTF, OBJ or PLY."},
+    {"stl", "an STL file", "It does not state which triangles share a vertex. Export the shape as glTF, OBJ or PLY."},
     {"dae", "a COLLADA file", asGltf},
     {"x3d", "an X3D file", asGltf},
     {"wrl", "a VRML file", asGltf},
@@ -108,7 +108,7 @@ const OtherFormat* otherFormat(std::string_view extension) {
 // Describes an unsupported file, with advice. For archives and XML, the extension decides if it is known.
 std::string somethingElse(std::string_view text, std::string_view extension) {
   if (startsWithWord(text, "<!doctype html") || startsWithWord(text, "<html") || startsWithWord(text, "<head"))
-    return " is a web page (HTML), not a 3D file. Download the file itself: on GitHub, its raw version.";
+    return " is a web page (HTML), not a 3D file. Download the file itself (on GitHub, the raw file).";
   if (text.starts_with("version https://git-lfs"))
     return " is a Git LFS pointer, not the file itself. Fetch it with git lfs pull.";
   const OtherFormat* named = otherFormat(mainExtension(extension));
@@ -158,7 +158,7 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (extension == "off" && text.starts_with('#')) return FileKind::Off;
   if (isMeshName(file.name))
     return Error{ErrorCode::NotRecognised,
-                 where + " is named ." + extension + " but has different content. Export it again."};
+                 where + " has the extension ." + extension + " but different content. Export it again."};
   return Error{ErrorCode::NotRecognised,
                where + " is not a supported 3D file. Give glTF (.glb, .gltf), OBJ, PLY or OFF files."};
 }

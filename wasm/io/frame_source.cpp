@@ -74,7 +74,7 @@ Status sampleFrames(const FrameSource& source, const ImportOptions& options, con
   FrameReader frames{source};
   std::vector<Key> keys;
   for (double t : *times) {
-    if (progress) progress("taking the keys", static_cast<double>(keys.size()) / static_cast<double>(times->size()));
+    if (progress) progress("sampling the keys", static_cast<double>(keys.size()) / static_cast<double>(times->size()));
     auto shape = frames.at(t);
     if (!shape) return shape.error();
     keys.push_back({sampleName(t), t, std::move(*shape)});

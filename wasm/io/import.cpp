@@ -52,10 +52,10 @@ Result<FoundFiles> findMeshes(std::span<const NamedBytes> files) {
 void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnings) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < others.size() && i < most; ++i)
-    warnings.push_back({"left-out-file", "A file is left out: " + others[i].message, 1});
+    warnings.push_back({"left-out-file", "A file is ignored: " + others[i].message, 1});
   if (others.size() > most)
     warnings.push_back({"left-out-file",
-                        grouped(static_cast<std::int64_t>(others.size() - most)) + " more such files are left out.",
+                        grouped(static_cast<std::int64_t>(others.size() - most)) + " more such files are ignored.",
                         static_cast<int>(others.size() - most)});
 }
 
@@ -64,7 +64,7 @@ Error onePoseOnly(const MeshFile& mesh, const GivenFiles& files, const ImportOpt
   const std::string where = placeName(*mesh.file, 0, 1);
   const auto pose = PoseReader{files, options}.read(mesh, where);
   if (!pose) return pose.error();
-  return {ErrorCode::TooFewKeys, where + " holds one pose only. Add a file for every other key."};
+  return {ErrorCode::TooFewKeys, where + " has only one pose. Add a file for every other key."};
 }
 
 Result<Import> readCaches(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
@@ -76,7 +76,8 @@ Result<Import> readCaches(const std::vector<MeshFile>& meshes, const GivenFiles&
     const int cache = isCache(meshes[0].kind) ? 0 : 1;
     return importCache(meshes[1 - cache], meshes[cache], files, options, progress);
   }
-  return Error{ErrorCode::InvalidOption, "A PC2 or MDD file moves one mesh. Give it with one OBJ and no other file."};
+  return Error{ErrorCode::InvalidOption,
+               "A PC2 or MDD file stores the motion of one mesh. Give it with one OBJ and no other file."};
 }
 
 // Whether all files show the same pose, and have animations of one pose each.
@@ -108,17 +109,15 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
     if (const std::string sequences = sequencesAmong(meshes); import && !sequences.empty())
       import->warnings.push_back({"several-sequences",
                                   "The files belong to several numbered sequences, which became keys of one motion: " +
-                                      sequences + ". If that is not intended, give the files of one of them.",
+                                      sequences + ". If that is not intended, give the files of one sequence.",
                                   static_cast<int>(meshes.size())});
     return import;
   }
   if (areAll(meshes, FileKind::Gltf)) return importAnimations(meshes, files, options, progress);
   return Error{ErrorCode::InvalidOption,
-               "Keys are sampled from an animation, from numbered OBJ or PLY files or from a mesh with its PC2 or MDD, "
-               "but " +
-                   grouped(std::int64_t(meshes.size())) +
-                   " other files were given, and each of them is a key. Leave out the animation and the "
-                   "samples."};
+               "Keys can be sampled from an animation, from numbered OBJ or PLY files or from a mesh with its PC2 or "
+               "MDD. Each of these " +
+                   grouped(std::int64_t(meshes.size())) + " files is a key. Omit the animation and the samples."};
 }
 
 // Maps added poses to the vertices of the mesh.
@@ -145,7 +144,7 @@ Status checkLike(const ImportOptions& options) {
   for (const Triangle& f : options.like)
     for (int v : f)
       if (n > 0 && (v < 0 || v >= n))
-        return Error{ErrorCode::InvalidOption, "A face of the reference mesh names a vertex that does not exist."};
+        return Error{ErrorCode::InvalidOption, "A face of the reference mesh refers to a vertex that does not exist."};
   if (n > 0 && options.like.empty()) return Error{ErrorCode::InvalidOption, "The reference mesh has no faces."};
   return {};
 }
@@ -177,8 +176,8 @@ void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& 
   const auto count = std::count_if(meshes.begin(), meshes.end(), isGltf);
   if (count == 0 || (!options.zUp && options.unit == 1)) return;
   warnings.push_back({"orientation-ignored",
-                      "The up axis and the unit apply to OBJ, PLY and OFF files only; glTF states its own, so "
-                      "they have no effect.",
+                      "The up axis and the unit apply to OBJ, PLY and OFF files only. They have no "
+                      "effect on glTF files, which define both.",
                       static_cast<int>(count)});
 }
 
@@ -225,10 +224,10 @@ Result<Import> importKeyframes(std::span<const NamedBytes> files, const ImportOp
     return importChecked(files, options, progress);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::OutOfMemory,
-                 "There is not enough memory for these files. Simplify the mesh or take fewer keys."};
+                 "There is not enough memory for these files. Simplify the mesh or use fewer keys."};
   } catch (const std::length_error&) {
     return Error{ErrorCode::OutOfMemory,
-                 "There is not enough memory for these files. Simplify the mesh or take fewer keys."};
+                 "There is not enough memory for these files. Simplify the mesh or use fewer keys."};
   } catch (const std::exception& e) {
     return Error{ErrorCode::MalformedFile,
                  std::string("The files could not be read (") + e.what() + "). Export them again."};

@@ -32,13 +32,13 @@ std::string keyList(int first, int last) {
 }
 
 std::string whatToDo(const FileFacts& facts) {
-  if (!facts.gltf) return " Export each pose as it appears.";
+  if (!facts.gltf) return " Export each pose as displayed.";
   std::string text =
       " Blender writes the rest pose of a rig or modifier that is not applied. Apply the modifiers before each export, "
       "or export one GLB with the animation.";
   if (facts.animated == facts.files)
     text +=
-        " Each file has an animation of its own: take the keys from it (on the command line, with "
+        " Each file has its own animation. Take the keys from the animations (on the command line, with "
         "--sample).";
   else if (facts.skinned > 0) text += " The files have bones but no animation, so the bones are at rest.";
   return text;
@@ -168,7 +168,7 @@ Warning zUpWarning(const std::string& where, bool clearly) {
 Warning blenderWarning(const std::string& where, bool clearly) {
   return {clearly ? "z-up" : "z-up-unclear",
           where +
-              " was written by Blender, whose files of this kind use Z up. If the shape lies on its back, choose Z as "
+              " was written by Blender, which uses Z up in this format. If the shape lies on its back, choose Z as "
               "the up axis (on the command line, --up z).",
           1};
 }

@@ -95,7 +95,7 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const Given
   if (repeated > 0)
     out->warnings.push_back({"repeated-animation",
                              "Several files have the same animation as " + std::string(baseName(meshes[0].file->name)) +
-                                 ": it is used once.",
+                                 ". It is used once.",
                              repeated});
   return std::move(*out);
 }
@@ -133,13 +133,13 @@ Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedF
   if (Status sampled = sampleFrames(source, options, where, out, progress); !sampled) return sampled.error();
   const bool stated = source.seconds != series.seconds;
   if (!options.animationAsked())
-    out.warnings.push_back({"numbered-files",
-                            grouped(static_cast<std::int64_t>(meshes.size())) +
-                                " numbered files are used as frames of an animation" + (stated ? "" : ", 24 a second") +
-                                ": " + grouped(out.keyframes.keyCount()) +
-                                " evenly spaced frames are the keys. Choose others on the timeline (on the "
-                                "command line, with --sample).",
-                            static_cast<int>(meshes.size())});
+    out.warnings.push_back(
+        {"numbered-files",
+         grouped(static_cast<std::int64_t>(meshes.size())) + " numbered files are used as frames of an animation" +
+             (stated ? "" : ", 24 per second") + ". The keys are " + grouped(out.keyframes.keyCount()) +
+             " evenly spaced frames. Choose other keys on the timeline (on the "
+             "command line, with --sample).",
+         static_cast<int>(meshes.size())});
   return out;
 }
 
@@ -153,8 +153,8 @@ Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, const Gi
   if (!cache) return cache.error();
   if (cache->points != pose->positions.size())
     return Error{ErrorCode::VertexCountMismatch,
-                 place + " moves " + grouped(static_cast<std::int64_t>(cache->points)) + " points, but " + where +
-                     " has " + grouped(static_cast<std::int64_t>(pose->positions.size())) +
+                 place + " has " + grouped(static_cast<std::int64_t>(cache->points)) + " points per frame, but " +
+                     where + " has " + grouped(static_cast<std::int64_t>(pose->positions.size())) +
                      " vertices. Export both from the same object, with the same modifiers."};
   Import out;
   const bool writtenZUp = pose->writtenZUp;

@@ -17,7 +17,7 @@ namespace {
 Status hintAtObjects(Status added, const std::vector<std::string>& objects, const std::vector<std::string>& first) {
   if (added || objects == first || objects.size() + first.size() < 3) return added;
   Error error = added.error();
-  error.message += " Its objects are " + objectList(objects) + "; those of key 1 are " + objectList(first) +
+  error.message += " Its objects are " + objectList(objects) + ". The objects of key 1 are " + objectList(first) +
                    ". Leave out objects that are not in every file (on the command line, --object NAME selects one).";
   return error;
 }
@@ -62,7 +62,7 @@ Status addHidden(PoseFile&& pose, const NamedBytes& file, Import& out, const std
   out.warnings.erase(std::remove_if(out.warnings.begin() + said, out.warnings.end(), isExtra), out.warnings.end());
   out.warnings.push_back(
       {"visibility-changes",
-       where + ": other meshes are visible here than in key 1 (KHR_node_visibility). The meshes of key 1 are "
+       where + ": the visible meshes differ from those of key 1 (KHR_node_visibility). The meshes of key 1 are "
                "shown.",
        1});
   return {};

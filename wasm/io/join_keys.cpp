@@ -88,10 +88,10 @@ void splitVertices(Split& split, Import& import) {
 }
 
 Warning splitWarning(const std::string& where, int count, int key) {
-  const std::string vertices = count == 1 ? "one vertex of key 1 is" : grouped(count) + " vertices of key 1 are";
+  const std::string vertices = count == 1 ? "one vertex of key 1 has" : grouped(count) + " vertices of key 1 have";
   return {"split-vertices",
           where + ": " + vertices +
-              " in more than one position here, so the surface opens. If that is not "
+              " more than one position in this pose, so the surface opens. If that is not "
               "intended, weld the mesh before posing it.",
           count, key};
 }
@@ -164,7 +164,7 @@ std::optional<PoseMatch> findArranged(const ObjectMesh& firstMesh, const ObjectM
 // Error for equal vertex and face counts whose objects do not match by name.
 Error otherObjects(const std::string& where, int key) {
   return {ErrorCode::FaceMismatch,
-          where + ": objects with these names have different faces from those of key 1. Use poses of one mesh.", key};
+          where + ": objects of the same name have different faces than in key 1. Use poses of one mesh.", key};
 }
 
 }  // namespace

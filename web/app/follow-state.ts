@@ -51,7 +51,7 @@ export function sessionEvents(app: () => Context): SessionEvents {
     onServed: () => showServed(app()),
     onRestart() {
       const { feedback, display, session } = app();
-      feedback.say('The browser stopped the computation. Restarting it; nothing was lost.');
+      feedback.say('The browser stopped the computation. It restarts now, and nothing was lost.');
       void display.playback.frameLoop.request(session.store.get().time);
     },
     onWorking: (working) => app().feedback.onWorking(working),

@@ -27,7 +27,7 @@ class Timings {
 const rounded = (ms: number): number => Math.round(ms * 100) / 100;
 
 function checkFiles(args: Arguments): void {
-  if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');
+  if (args.files.length === 0) throw new UsageError('give at least one file (see --help)');
 }
 
 function describe(info: KeysInfo): object {
@@ -126,8 +126,8 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     if (report) outputs.push({ path: report, files: reported() });
     await writeOutputs(outputs);
     const count = options.export.blend ? 1 : plan.times.length;
-    const off = plan.error === null ? '' : `, at most ${errorText(plan.error)} off between frames`;
-    const others = beside.length === 0 ? '' : `; with it: ${beside.join(', ')}`;
+    const off = plan.error === null ? '' : `, largest error between frames ${errorText(plan.error)}`;
+    const others = beside.length === 0 ? '' : `; also written: ${beside.join(', ')}`;
     return {
       text: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes${others}\n`,
       warnings: warnings.map(({ message }) => message),

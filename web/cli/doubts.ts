@@ -24,8 +24,8 @@ export function doubtsOfTime({ keys, animation, frames, compared }: Spans): stri
   const [start, end] = animation;
   if (Math.abs(start - first) + Math.abs(end - last) > SAME_SPAN * (last - first))
     doubts.push(
-      `the keys run from ${text(first)} to ${text(last)}, and the animation from ${text(start)} to ${text(end)}: ` +
-        `${compared === frames ? 'all' : `${compared} of its ${frames}`} frames are compared at their own times. ` +
+      `the keys run from ${text(first)} to ${text(last)}, and the animation from ${text(start)} to ${text(end)}. ` +
+        `${compared === frames ? 'All' : `${compared} of its ${frames}`} frames are compared at their own times. ` +
         'If both are the same motion, give its times with --key-times',
     );
   if (compared < FEW_FRAMES) doubts.push(`only ${compared} frames are compared, too few to judge the motion`);
@@ -48,7 +48,7 @@ export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): stri
   const ratio = sizeOf(pairs, 'animation') / sizeOf(pairs, 'motion');
   if (ratio > OTHER_SIZE || ratio < 1 / OTHER_SIZE)
     return [
-      `the animation is ${text(ratio)} times as large as the keys: if its unit differs, give ` +
+      `the animation is ${text(ratio)} times as large as the keys. If its unit differs, give ` +
         `--against-unit ${text(unit / ratio)}`,
     ];
   const own = offBy(pairs, (x, y, z) => [x, y, z]);
@@ -58,7 +58,7 @@ export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): stri
     const animation = up === null ? null : stoodUp < laidBack ? (up === 'y' ? 'z' : null) : up === 'z' ? 'y' : null;
     const keys = stoodUp < laidBack ? 'y' : 'z';
     return [
-      `the animation fits the keys far better with a different up axis: give ` +
+      `the animation fits the keys far better with a different up axis. Give ` +
         (animation ? `--against-up ${animation}` : `--up ${keys}`),
     ];
   }
@@ -68,7 +68,7 @@ export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): stri
     away > SAME_PLACE && offBy(pairs, (x, y, z) => [x - way[0]!, y - way[1]!, z - way[2]!]) < BETTER * own;
   return away > 1 || explains
     ? [
-        `the animation is ${text(100 * away)} % of the shape's size away from the keys, which causes most of the error: ` +
+        `the animation is ${text(100 * away)} % of the shape's size away from the keys. This distance causes most of the error: ` +
           'move one of them to compare their motions',
       ]
     : [];

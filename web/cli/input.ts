@@ -55,7 +55,7 @@ function checkOneSequence(folder: string, inside: string[]): void {
   throw new EngineError(
     'several-sequences',
     `${folder} has ${sequences.length} numbered sequences: ${[...shown, ...more].join(', ')}. ` +
-      `Name the files of one, such as ${path.join(folder, `${first.start}*.${first.extension}`)}.`,
+      `Give the files of one sequence, such as ${path.join(folder, `${first.start}*.${first.extension}`)}.`,
     { file: folder },
   );
 }

@@ -20,7 +20,7 @@ async function run([command, ...words]: string[]): Promise<string> {
   const known = command === undefined ? undefined : COMMANDS.get(command);
   if (!known) {
     const names = [...COMMANDS.keys()].join(', ');
-    throw new UsageError(command ? `unknown command ${command} (see --help)` : `name a command: ${names} (see --help)`);
+    throw new UsageError(command ? `unknown command ${command} (see --help)` : `give a command: ${names} (see --help)`);
   }
   const args = parseArguments(words, known);
   if (args.flags.has('help')) return HELP;

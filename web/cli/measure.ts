@@ -18,7 +18,8 @@ import type { Truth } from './truth.ts';
 /** Number of frames held in memory at a time. */
 const AT_ONCE = 16;
 
-const ERROR_UNITS = "# distance: of the vertices from the animation, % of the model's size (diagonal of the keys)";
+const ERROR_UNITS =
+  "# distance: distance of the vertices from the animation, % of the model's size (diagonal of the keys)";
 
 export interface Measured {
   /** The table, or a line with the name of its file. */
@@ -27,7 +28,7 @@ export interface Measured {
 }
 
 export async function measure(args: Arguments): Promise<Measured> {
-  if (args.files.length === 0) throw new UsageError('name at least one file (see --help)');
+  if (args.files.length === 0) throw new UsageError('give at least one file (see --help)');
   const methods = measuredMethods(args);
   const against = args.values.get('against')?.split(BETWEEN_VALUES) ?? [];
   const own = againstOptions(args);

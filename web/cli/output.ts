@@ -97,7 +97,7 @@ async function place(given: string): Promise<{ target: string; stream: boolean }
 async function followed(file: string, links = 0): Promise<string> {
   const there = await lstat(file).catch(() => null);
   if (!there?.isSymbolicLink()) return file;
-  if (links === 40) throw new Error(`${file} is a link that leads to itself`);
+  if (links === 40) throw new Error(`${file} is a link to itself`);
   // The target of /dev/stdout may have no name.
   const through = await stat(file).catch(() => null);
   if (through && !through.isFile() && !through.isDirectory()) return file;

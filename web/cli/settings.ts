@@ -137,12 +137,12 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
 FILE is a .glb, .gltf, .obj, .ply or .off file. Several FILEs are the keys, in the order given. A single
 FILE must contain morph targets or an animation. A .pc2 or .mdd file with its .obj is an animation. So are
 numbered .obj or .ply files; with more than 32 frames, --sample picks 8 of them as keys by default. A
-folder stands for the models in it, in the order of their names. Buffers, materials and textures of a
+folder means the models in it, in the order of their names. Buffers, materials and textures of a
 .gltf or .obj file are read from its folder.
 
-OUT ending in .glb is one file with an animation. In .obj or .ply: one shape (give one --at time). In .pc2
-or .mdd: a point cache, with its OBJ next to it. A folder (ending in /) gets 0000.obj, 0001.obj, ... one
-per time. Materials and textures of an OBJ are written next to it.
+An OUT ending in .glb is one file with an animation. An .obj or .ply is one shape (give one --at time). A
+.pc2 or .mdd is a point cache with its OBJ next to it. A folder (ending in /) gets 0000.obj, 0001.obj, ...,
+one per time. Materials and textures of an OBJ are written next to it.
 
 Keys are counted from 1, animations from 0; reports count everything from 0. Times are in seconds.
 
@@ -186,7 +186,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   if (METHOD[method].curve === 'fitted') checkFitted(options, method);
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(
-      `--boundary hermite sets end speeds, but --method ${method} has none: it is straight from key to key`,
+      `--boundary hermite sets end speeds, but --method ${method} has none, because it is straight from key to key`,
     );
   if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
     throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} requires --method lri`);
@@ -219,7 +219,7 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   const alone = options.format !== 'glb' && GLB_ONLY.find((name) => options[name] !== undefined);
   if (alone) throw new UsageError(`--${alone} requires an output that ends in .glb`);
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
-  throw new UsageError(`${output} holds one shape: give one --at time, or a folder (ending in /) for several`);
+  throw new UsageError(`${output} contains one shape: give one --at time, or a folder (ending in /) for several`);
 }
 
 /** Export options for a single blend, which has no time. */

@@ -132,6 +132,6 @@ function interpolated(t: number, places: readonly number[], values: readonly num
 
 export const noFrames = (file: string, [first, last]: readonly [number, number]): UsageError =>
   new UsageError(
-    `--against: give at least two times from ${first} to ${last}, the range of ${file}, or give the keys its times ` +
+    `--against: give at least two times from ${first} to ${last}, the range of ${file}, or set the key times to its times ` +
       'with --key-times',
   );

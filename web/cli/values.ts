@@ -68,7 +68,7 @@ export const turns: Read<AddedTurns[]> = (text, option) =>
     if (!place || !count) throw new UsageError(`${option}: '${part}' is not KEY:N or KEY:N@COMPONENT`);
     const index = key(place, option);
     if (index === 0)
-      throw new UsageError(`${option}: turns are added between a key and the one before it, so key 1 has none`);
+      throw new UsageError(`${option}: turns are added between a key and the previous key, so key 1 has none`);
     const added = { key: index, turns: whole(count, option) };
     return component ? { ...added, component: wholeFrom(1)(component, option) - 1 } : added;
   });

@@ -62,7 +62,7 @@ const OWN = {
     concern: 'source',
     doc:
       'URLs of the keys, separated by spaces: several files with one pose each, or one file with morph targets, an ' +
-      'animation or a project exported by shapespline. Children `<source src time>` do the same; the property `keys` ' +
+      'animation or a project exported by shapespline. Children `<source src time>` are an alternative. The property `keys` ' +
       '(URLs, Blobs, ArrayBuffers) overrides both.',
   },
   autoplay: {
@@ -100,8 +100,8 @@ const OWN = {
     most: 1e9,
     concern: 'play',
     doc:
-      'Time shown, in the unit of the key times: seconds. It may lie beyond the keys. The attribute sets the initial ' +
-      'time; the property is the current one. Setting the property to a non-finite number throws a TypeError; null or ' +
+      'Current time, in the unit of the key times (seconds). It can be beyond the keys. The attribute sets the initial ' +
+      'time; the property is the current time. Setting the property to a non-finite number throws a TypeError; null or ' +
       'undefined removes the attribute.',
   },
   range: {
@@ -109,7 +109,7 @@ const OWN = {
     default: null,
     count: 2,
     concern: 'play',
-    doc: 'First and last time to play, which may lie beyond the keys. Default: the first and the last key.',
+    doc: 'First and last time to play, which can be beyond the keys. Default: the first and the last key.',
   },
   loading: {
     kind: 'choice',
@@ -161,7 +161,7 @@ const OWN = {
     choices: ['texture', 'phase', 'patches'],
     default: 'texture',
     concern: 'look',
-    doc: 'The same as `colour`, which comes before it.',
+    doc: 'American spelling of `colour`, which takes precedence.',
   },
   compare: {
     kind: 'words',

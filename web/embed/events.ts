@@ -46,7 +46,7 @@ export type ShapeSplineEventMap = { [N in keyof EventDetails]: CustomEvent<Event
 export const EVENTS: Readonly<Record<keyof EventDetails, { detail: string; doc: string }>> = {
   load: {
     detail: '{ vertices, faces, keyTimes }',
-    doc: 'The shape is drawn: the first time, and again after its keys or its motion change.',
+    doc: 'The shape is drawn for the first time, or again after its keys or its motion changed.',
   },
   error: {
     detail: '{ code, message, key }',

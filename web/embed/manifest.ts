@@ -27,23 +27,23 @@ export const FIELDS = {
   keys: ['KeySource[] | null', 'Overrides `src`: URLs, Blobs or ArrayBuffers, one per key or one with all keys.'],
   duration: ['number', 'Length of the range that plays, in the unit of the key times; NaN before loading.'],
   paused: ['boolean', 'Whether playback is paused.'],
-  stats: ['ShapeSplineStats', 'Number of frames drawn, and the times of the last one.'],
+  stats: ['ShapeSplineStats', 'Number of frames drawn, and the timings of the last frame.'],
   report: ['MeshReport | null', 'Report on the mesh in the files.'],
 } as const;
 type Parameter = [name: string, type: string, doc: string];
 /** A question mark after a name marks an optional parameter. */
 export const METHODS: Readonly<Record<string, { returns: string; doc: string; parameters?: readonly Parameter[] }>> = {
   play: { returns: 'void', doc: 'Starts playback as soon as the element is visible.' },
-  pause: { returns: 'void', doc: 'Pauses, and does not start by itself again.' },
+  pause: { returns: 'void', doc: 'Pauses playback. It does not restart by itself.' },
   seek: {
     returns: 'Promise<void>',
     doc: 'Resolves when the shape at that time is drawn; rejects with a RangeError if the time is not finite.',
-    parameters: [['t', 'number', 'Time in the unit of the key times; it may lie beyond the keys.']],
+    parameters: [['t', 'number', 'Time in the unit of the key times. It can be beyond the keys.']],
   },
   evaluate: {
     returns: 'Promise<Frame>',
-    doc: 'The shape at a time, drawn or not; `release()` returns its arrays.',
-    parameters: [['t', 'number', 'Time in the unit of the key times; it may lie beyond the keys.']],
+    doc: 'The shape at a time, even if it is not drawn. `release()` returns its arrays.',
+    parameters: [['t', 'number', 'Time in the unit of the key times. It can be beyond the keys.']],
   },
   toBlob: {
     returns: 'Promise<Blob>',
@@ -77,7 +77,7 @@ const PARTS = {
   name: 'The name of a method under its view, if several are compared.',
   progress: 'The progress bar at the top.',
   message: 'The error message.',
-  retry: 'The button in the message that retries, if that may help.',
+  retry: 'The retry button in the error message, shown if a retry may help.',
 };
 const STYLES = {
   key: 'Colour of a key, on the timeline and, with `colour="phase"`, of the shape.',

@@ -241,7 +241,7 @@ export class ShapeSplineElement extends Base {
 
   /** Resolves when this time is drawn, even if the element is out of view. */
   async seek(t: number): Promise<void> {
-    if (!Number.isFinite(t)) throw new RangeError('seek takes a time: a finite number.');
+    if (!Number.isFinite(t)) throw new RangeError('The time for seek must be a finite number.');
     this.#time = t;
     await this.#loaded();
     await this.#view!.seek(t);

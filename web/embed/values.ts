@@ -21,13 +21,13 @@ export function readAttribute(row: Row, text: string | null): Read {
         : bad(row, `must look like \`${row.sample}\``);
     case 'flag':
       return word.toLowerCase() === 'false'
-        ? { value: false, problem: 'is "false", which counts as false; leave the attribute out instead' }
+        ? { value: false, problem: 'is "false", which counts as false; omit the attribute instead' }
         : good(true);
     case 'choice': {
       if (word === '') return good(row.empty ?? row.default);
       if (row.choices.includes(word)) return good(word);
       if (word === 'false' && row.empty !== undefined)
-        return bad(row, 'is "false", which counts as false; leave the attribute out instead');
+        return bad(row, 'is "false", which counts as false; omit the attribute instead');
       return bad(row, `must be one of ${row.choices.join(', ')}`);
     }
     case 'number':
@@ -58,7 +58,7 @@ function numbersOf(row: Extract<Row, { kind: 'numbers' }>, word: string): Read {
   const numbers = word.split(/[\s,:]+/).map(Number);
   if (numbers.some((number) => !Number.isFinite(number))) return bad(row, 'must be numbers, separated by spaces');
   if (row.count !== undefined && numbers.length !== row.count) return bad(row, `must be ${row.count} numbers`);
-  if (row.count === 2 && numbers[0]! >= numbers[1]!) return bad(row, 'must be two numbers, the smaller one first');
+  if (row.count === 2 && numbers[0]! >= numbers[1]!) return bad(row, 'must be two numbers, the smaller number first');
   return good(numbers);
 }
 

@@ -2,5 +2,5 @@
 export function leftOutSentence(names: readonly string[]): string | null {
   if (names.length === 0) return null;
   const [what, was] = names.length === 1 ? ['a value', 'was'] : ['values', 'were'];
-  return `The link has ${what} that cannot be used and ${was} left out: ${names.join(', ')}.`;
+  return `The link has ${what} that cannot be used and ${was} ignored: ${names.join(', ')}.`;
 }

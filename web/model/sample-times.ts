@@ -30,11 +30,11 @@ export function readTimes(text: string, { start, end }: Span): number[] | string
     .filter((word) => word !== '')
     .map(Number);
   const unread = times.findIndex((t) => !Number.isFinite(t));
-  if (unread >= 0) return `Time ${unread + 1} of the list is not a number. Separate the times by commas.`;
+  if (unread >= 0) return `Time ${unread + 1} of the list is not a number. Separate the times with commas.`;
   const slack = 1e-4; // shown times are rounded
   const outside = times.find((t) => t < start - slack || t > end + slack);
   if (outside !== undefined)
-    return `${shortTime(outside)} s lies outside the animation, which runs from ${shortTime(start)} to ${shortTime(end)} s.`;
+    return `${shortTime(outside)} s is outside the animation, which runs from ${shortTime(start)} to ${shortTime(end)} s.`;
   if (new Set(times).size < 2) return 'Give at least two times.';
   if (times.length > MOST_SAMPLED) return `Give at most ${MOST_SAMPLED} times.`;
   return times.map((t) => clamp(t, start, end));

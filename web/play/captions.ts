@@ -27,7 +27,7 @@ export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, str
     curve: plane ? 'value against x' : 'value over time t',
     slope: plane ? 'speed: the length of the first derivative' : 'first derivative',
     bend: plane ? 'length of the second derivative' : 'second derivative',
-    bending: 'total bending: the integral of the squared bend',
+    bending: 'total bending: the integral of the squared second derivative',
   };
 }
 
@@ -50,7 +50,7 @@ export function sentence({ state, derived: { times, bending }, touched }: Shown)
     touched === 'time'
       ? `Time ${number(time)}. `
       : `Key ${selected + 1} of ${keys.length}: value ${number(key.value)}, ${where}. `;
-  return `${what}${at}The natural spline bends ${number(bending.natural)} in total.`;
+  return `${what}${at}Total bending of the natural spline: ${number(bending.natural)}.`;
 }
 
 function subscript(count: number): string {

@@ -101,7 +101,7 @@ function createHeader(theme: HTMLElement): HTMLElement {
 
 /** The introduction of the page. */
 function createLead(player: Player, onReset: () => void): HTMLElement {
-  const reset = button({ label: 'Back to the beginning', testId: 'reset', icon: 'reset', onClick: onReset });
+  const reset = button({ label: 'Reset the playground', testId: 'reset', icon: 'reset', onClick: onReset });
   return h(
     'div',
     { class: 'lead' },
@@ -109,7 +109,7 @@ function createLead(player: Player, onReset: () => void): HTMLElement {
     h(
       'p',
       {},
-      'A motion through key poses is this picture, repeated for every coordinate of the shape. Drag a key; switch curves on and off.',
+      'A motion through key poses is this picture, repeated for every coordinate of the shape. Drag a key. Switch curves on and off.',
     ),
     h('div', { class: 'demonstration' }, player.scene, player.button, reset),
   );

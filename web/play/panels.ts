@@ -32,7 +32,7 @@ export function createTools(events: PanelEvents): Panel {
     'dimensions',
     [
       { value: 'line', label: 'One', hint: 'A value over time' },
-      { value: 'plane', label: 'Two', hint: 'Two coordinates, drawn against each other' },
+      { value: 'plane', label: 'Two', hint: 'Two coordinates, plotted against each other' },
     ],
     (value) => events.onPlane(value === 'plane'),
   );
@@ -100,7 +100,7 @@ export function createCurveControls(events: PanelEvents): Panel {
       typedMax: TYPED_SPEED,
       step: 0.05,
       fallback: 1,
-      hint: 'In units of the straight way to the next key: 0 eases, 1 is as fast as that',
+      hint: 'Relative to the constant speed to the neighbouring key; 0 eases in or out',
       onInput: (value) => events.onSpeed(end, value),
     });
   const speeds = [
@@ -118,8 +118,8 @@ export function createCurveControls(events: PanelEvents): Panel {
       hint,
       onInput: (value) => events.onShaping({ [name]: value }),
     });
-  const tension = shaping('tension', 'Tension', '1 stops at the key, below 0 it passes faster');
-  const bias = shaping('bias', 'Bias', 'Below 0 the slope leans towards the next key, above 0 it carries on');
+  const tension = shaping('tension', 'Tension', '1 stops at the key; below 0, the curve passes it faster');
+  const bias = shaping('bias', 'Bias', 'Negative: slope toward the next key; positive: slope from the previous key');
   const selected = h('p', { class: 'selected-key', 'data-testid': 'selected-key' });
   const shaped = h('div', { class: 'control-group' }, selected, tension.element, bias.element);
   const ends = h('div', { class: 'control-group' }, ...speeds.map(({ element }) => element));
@@ -133,7 +133,7 @@ export function createCurveControls(events: PanelEvents): Panel {
       setHidden(shaped, !shows('shaped'));
       samples.update(state.samples);
       speeds.forEach((control, end) => control.update(state.speeds[end]!));
-      setText(selected, `Tension and bias at key ${state.selected + 1}; select another by its dot`);
+      setText(selected, `Tension and bias at key ${state.selected + 1}. Click the dot of a key to select it`);
       tension.update(key.tension);
       bias.update(key.bias);
     },

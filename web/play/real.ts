@@ -27,17 +27,17 @@ export function createReal({ get, change }: RealParts): Panel {
     'p',
     { class: 'hint', 'data-testid': 'no-shape' },
     'No shape is open in another tab of this browser. ',
-    h('a', { href: './', target: '_blank', rel: 'noopener' }, 'Open one'),
-    ', come back, and its angles and stretches can be taken as the values here.',
+    h('a', { href: './', target: '_blank', rel: 'noopener' }, 'Open a shape'),
+    ' and return here to use its angles and stretches as values.',
   );
   const coordinate = select<string>('Coordinate', 'real-coordinate', [], (value) => {
     chosen = value;
     draw();
   });
   const take = button({
-    label: 'Take it as the values',
+    label: 'Use this coordinate as the values',
     testId: 'take-real',
-    text: 'Take it',
+    text: 'Use it',
     onClick() {
       const [page, index] = chosen.split('|');
       const shape = shapes.get(page ?? '');
@@ -45,9 +45,9 @@ export function createReal({ get, change }: RealParts): Panel {
     },
   });
   const back = button({
-    label: 'Give the times, ends, tensions and biases back to the shape',
+    label: 'Apply the times, ends, tensions and biases to the shape',
     testId: 'give-back',
-    text: 'Give times and ends back',
+    text: 'Apply times and ends',
     onClick: () => send(backMessage(get())),
   });
   const said = h('p', { class: 'hint', role: 'status', 'data-testid': 'real-said' });
@@ -77,8 +77,8 @@ export function createReal({ get, change }: RealParts): Panel {
       asked = false;
     },
     onDone() {
-      const where = window === window.parent ? 'in the other tab' : 'beside';
-      setText(said, `The shape ${where} moves like this now; Undo there takes it back.`);
+      const where = window === window.parent ? 'in the other tab' : 'next to this page';
+      setText(said, `The shape ${where} now moves like this. To revert, use Undo on its page.`);
     },
   });
   return {

@@ -53,7 +53,7 @@ export async function pngOf(element: SVGSVGElement, heading: Heading): Promise<B
     canvas.getContext('2d')!.drawImage(image, 0, 0, width, height);
     return await new Promise((resolve, reject) => {
       canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error('The picture could not be made.'))),
+        (blob) => (blob ? resolve(blob) : reject(new Error('The image could not be created.'))),
         'image/png',
       );
     });

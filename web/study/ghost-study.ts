@@ -108,9 +108,9 @@ export function verdictOf({ ms, rows }: GhostStudy): string {
   const fastest = rows.reduce((best, row) => (row.ms < best.ms ? row : best));
   const ghost = `${fastest.faces.toLocaleString('en')} ghost faces (${fastest.transfer}, KG ${percentText(fastest.kg)})`;
   if (fastest.ms > ms * (1 - SAME_MS)) {
-    return `The full solve is as fast: ${msText(ms)} per frame without a ghost, at best ${msText(fastest.ms)} with one of ${ghost}.`;
+    return `The full solve is as fast: ${msText(ms)} per frame without a ghost, at best ${msText(fastest.ms)} with ${ghost}.`;
   }
-  return `The fastest ghost saves ${Math.round(100 * (1 - fastest.ms / ms))} % of a frame: ${msText(fastest.ms)} with ${ghost}, ${msText(ms)} without.`;
+  return `The fastest ghost saves ${Math.round(100 * (1 - fastest.ms / ms))} % of the frame time: ${msText(fastest.ms)} with ${ghost}, ${msText(ms)} without.`;
 }
 
 export const msText = (ms: number): string => `${Number(ms.toPrecision(2))} ms`;

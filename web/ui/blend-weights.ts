@@ -17,7 +17,7 @@ export function createBlendWeights(): { element: HTMLElement; update(props: Blen
   const table = h(
     'table',
     { class: 'weights', 'data-testid': 'blend-weights' },
-    h('caption', { class: 'visually-hidden' }, 'Weights of the keys in the shape that is shown; they sum to 100 %'),
+    h('caption', { class: 'visually-hidden' }, 'Weights of the keys in the current shape; they sum to 100 %'),
     rows,
   );
   const element = h('div', { hidden: true }, table, said);

@@ -53,16 +53,16 @@ export function createEmbedDialog({ onSave, onError }: EmbedDialogEvents): Embed
     h(
       'p',
       {},
-      'The zip holds a page, this motion as a GLB, and the package that shows it. Unpack it on any web server: ' +
-        'it needs nothing else. Dropped here, it opens again.',
+      'The zip contains a page, this motion as a GLB, and the package that shows it. Unpack it on any web server. ' +
+        'To open the motion here again, drop the zip.',
     ),
     h('div', { class: 'button-row' }, save),
     h(
       'p',
       {},
-      'For a page of your own, put the GLB and the folder ',
+      'For your own page, put the GLB and the folder ',
       h('code', {}, 'shapespline'),
-      ' beside it, and copy these lines into it:',
+      ' next to the page, and copy these lines into the page:',
     ),
     snippet,
     h('div', { class: 'button-row' }, copy),

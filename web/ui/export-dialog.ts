@@ -36,20 +36,21 @@ export interface ExportDialogEvents {
 }
 
 const WORDS: Record<string, string> = {
-  glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: opened here again, it restores keys, times and options.',
-  obj: 'One OBJ per frame in a zip, with the vertices, polygons and materials of your files in their order.',
-  pc2: 'One OBJ and a point cache that moves its vertices, in a zip: exact in Mesh Cache of Blender and in Houdini.',
-  mdd: 'One OBJ and a point cache that moves its vertices, in a zip: for Blender, Cinema 4D, LightWave and Maya.',
-  video: 'A video of the current view: every frame is drawn in the size that you choose, however long that takes.',
+  glb: 'Plays in Blender, three.js and most viewers, with the materials of the files. It is also the project: when reopened here, it restores keys, times and options.',
+  obj: 'One OBJ per frame in a zip, with the vertices, polygons and materials of your files in their original order.',
+  pc2: 'One OBJ and a point cache that moves its vertices, in a zip. Exact in Houdini and in Blender’s Mesh Cache modifier.',
+  mdd: 'One OBJ and a point cache that moves its vertices, in a zip, for Blender, Cinema 4D, LightWave and Maya.',
+  video:
+    'A video of the current view. Every frame is drawn in the chosen size, even if this takes longer than playback.',
   principal:
-    'The keys as morph targets, and a few in-betweens that bend what those would shrink. With a table of the weights over one slider, and drivers for Blender.',
+    'The keys as morph targets, and a few in-betweens that prevent shrinking. Includes a table of the weights over one slider, and drivers for Blender.',
   'pose-glb': 'The current shape, with the materials of the files.',
   'pose-obj': 'The current shape.',
   'pose-ply': 'The current shape, binary.',
-  png: 'A picture of the current view.',
+  png: 'An image of the current view.',
   turntable: 'A video of the current shape, turning once.',
-  measures: 'A table of volume, area, bending energy, sliding and position in the shape plane, a row for each frame.',
-  patches: 'A table of the patch that each face belongs to.',
+  measures: 'A table of volume, area, bending energy, sliding and position in the shape plane, with one row per frame.',
+  patches: 'A table of the faces with their patches.',
 };
 
 const KINDS: readonly Choice<ExportKind>[] = [
@@ -146,7 +147,7 @@ function createGlbFields(change: Change) {
     max: EXPORT.tolerance.most,
     onInput: (value) => change({ tolerance: value }),
   });
-  const toleranceRow = fieldRow('Off by at most, % of the model’s size', tolerance);
+  const toleranceRow = fieldRow('Tolerance, % of the model’s size', tolerance);
   return {
     before: [targets.element, toleranceRow],
     after: [compression.element],

@@ -35,7 +35,11 @@ export function createDropZone(
         {},
         'Drop the poses of one mesh: several files or their folder, or one file with morph targets or an animation',
       ),
-      h('p', { class: 'drop-hint' }, 'A single pose of the open mesh becomes a key; on the keys, in its place'),
+      h(
+        'p',
+        { class: 'drop-hint' },
+        'A single pose of the open mesh becomes a key. Drop it on the row of keys to choose its place',
+      ),
     ),
     here,
   );

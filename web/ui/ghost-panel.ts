@@ -27,12 +27,12 @@ const TRANSFERS: readonly Choice<Transfer>[] = [
   {
     value: 'exact',
     label: 'Exact',
-    hint: 'Passes through every key: the details that the ghost lacks are interpolated, too',
+    hint: 'Passes through every key; details missing from the ghost are interpolated as well',
   },
   {
     value: 'paper',
     label: 'As published',
-    hint: 'The details of the reference follow the ghost; other keys are met approximately',
+    hint: 'The details of the reference follow the ghost; the motion passes other keys approximately',
   },
 ];
 

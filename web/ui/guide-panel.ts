@@ -44,7 +44,7 @@ export function createGuidePanel(onClose: () => void): GuidePanel {
   const next = h('a', { class: 'button primary', rel: 'next', 'data-testid': 'guide-next' });
   const pages = h('nav', { class: 'guide-pages', 'aria-label': 'Pages' });
   const close = button({
-    label: 'Leave: back to what was open before',
+    label: 'Leave and return to the previous shape',
     testId: 'guide-close',
     icon: 'close',
     shortcut: 'Esc',

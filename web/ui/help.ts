@@ -8,17 +8,17 @@ export interface ShortcutLine {
 }
 
 const GESTURES: readonly ShortcutLine[] = [
-  { keys: 'Drag the shape', does: 'Turn it' },
-  { keys: 'Right drag  two fingers', does: 'Move it' },
+  { keys: 'Drag the shape', does: 'Rotate the shape' },
+  { keys: 'Right drag  two fingers', does: 'Move the shape' },
   { keys: 'Wheel  pinch', does: 'Zoom' },
-  { keys: 'Drag the timeline', does: 'Go through the motion, and beyond its ends' },
+  { keys: 'Drag the timeline', does: 'Change the time, even beyond the ends' },
   {
     keys: 'Point at the timeline',
-    does: 'See the shape of that moment. The curve is the speed; yellow: the motion swings past a key (overshoot)',
+    does: 'Preview the shape at that time. The curve shows the speed; yellow marks overshoot',
   },
   { keys: 'Wheel over the timeline', does: 'Zoom in time' },
-  { keys: 'Drag a diamond', does: 'Give a key another time' },
-  { keys: 'Drag a card', does: 'Give a key another place in the order' },
+  { keys: 'Drag a diamond', does: 'Change a key’s time' },
+  { keys: 'Drag a card', does: 'Change the order of keys' },
 ];
 
 const BIBTEX = `@article{xia2019shapecompletion,
@@ -73,7 +73,7 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
       'p',
       {},
       h('a', { href: '#tour=1', 'data-testid': 'help-tour', onclick: () => element.close() }, 'Take the tour'),
-      ': ten steps through the method, each a state of this page. What is open now comes back after it.',
+      ': ten steps through the method, each a state of this page. Afterwards, your current shape is restored.',
     ),
     h('h3', {}, 'Mouse and touch'),
     lines(GESTURES, 'gestures'),
@@ -99,9 +99,9 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
     h(
       'p',
       {},
-      'What a cubic spline is, to drag: ',
+      'Playground: ',
       h('a', { href: './play.html', target: '_blank', rel: 'noopener', 'data-testid': 'playground' }, 'The bent ruler'),
-      '. It opens in another tab and can take coordinates of the shape that is open here.',
+      ' explains cubic splines. It opens in a new tab and can use the coordinates of the open shape.',
     ),
     h('div', { class: 'button-row' }, cite),
     cited,
@@ -109,7 +109,7 @@ export function createHelp(shortcuts: readonly ShortcutLine[], onShortcuts: (on:
       'p',
       {},
       h('a', { href: './notices.txt', target: '_blank', rel: 'noopener', 'data-testid': 'notices' }, 'Licences'),
-      ' of this page and of what it is made of.',
+      ' of this page and its dependencies.',
     ),
   );
   return { element, open: () => element.showModal(), update: (singleKeys) => switchOff.update(singleKeys) };

@@ -80,7 +80,7 @@ export function createKeyTicks(events: KeyTicksEvents): { element: HTMLElement; 
       const tick = (element.children[index] ?? element.appendChild(createTick(index))) as HTMLElement;
       place(tick, time, part);
       const words = `${keyLabel(index, name)}, at ${momentWords(time, range, fps)}`;
-      setAttribute(tick, 'title', `${words}: click to go there, drag to move it in time`);
+      setAttribute(tick, 'title', `${words}: click to go to this key, drag to change its time`);
       setAttribute(tick, 'data-time', time);
       const x = fractionIn(time, part) * width;
       const room = x - numbered >= NUMBER_PX || width === 0;

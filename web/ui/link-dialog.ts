@@ -9,7 +9,7 @@ export interface LinkDialog {
   open(link: string | null): Promise<void>;
 }
 
-const NO_LINK = 'Your own files stay on this machine: a link cannot carry them. Open a sample to share a view of it.';
+const NO_LINK = 'Your own files stay on this machine. A link cannot contain them. To share a view, open a sample.';
 const TOO_LONG = 'This link is too long for a QR code. Copy it instead.';
 
 export function createLinkDialog(onCopy: () => void): LinkDialog {

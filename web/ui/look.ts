@@ -24,10 +24,10 @@ const COLOURINGS: readonly Choice<Colouring>[] = [
     hint: 'The file’s materials, or clay. The floor ring and the outline show the phase.',
   },
   { value: 'phase', label: 'Phase', hint: 'Colour by phase: blue at a key, green between, yellow beyond the ends' },
-  { value: 'patches', label: 'Patches', hint: 'Regions that turn as a whole' },
-  { value: 'rotation', label: 'Rotation', hint: 'How far each face is turned against the reference pose' },
-  { value: 'stretch', label: 'Stretch', hint: 'How much longer or shorter each face is than in the reference pose' },
-  { value: 'distance', label: 'Distance', hint: 'From the first motion, or from the animation that is shown' },
+  { value: 'patches', label: 'Patches', hint: 'Regions that rotate as a whole' },
+  { value: 'rotation', label: 'Rotation', hint: 'Rotation angle of each face relative to the reference pose' },
+  { value: 'stretch', label: 'Stretch', hint: 'Stretch of each face relative to the reference pose' },
+  { value: 'distance', label: 'Distance', hint: 'Distance from the first motion or from the shown animation' },
 ];
 
 const SHADINGS: readonly Choice<View['shading']>[] = [
@@ -49,7 +49,7 @@ export function createLook(events: LookEvents): Component<View> {
   const onionFields = createOnionFields(events);
   const filmShapes = createFilmShapes(events);
   const present = button({
-    label: 'Presentation: the shape alone, in large type; A shows the plots',
+    label: 'Presentation mode: only the shape, with large type; A shows the plots',
     testId: 'present',
     icon: 'present',
     text: 'Present',

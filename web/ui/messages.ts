@@ -81,7 +81,7 @@ export function createErrorMessage(
   const details = h('p', { class: 'expert' });
   const more = h('details', {}, h('summary', {}, 'Details'), details);
   const retry = button({
-    label: 'Try again: load the page again',
+    label: 'Try again: reload the page',
     testId: 'error-retry',
     text: 'Try again',
     onClick: onRetry,
@@ -174,8 +174,8 @@ export function createOffer(testId: string): { element: HTMLElement; offer(offer
   };
 }
 
-const WELCOME = ['Poses in, motion out.', 'Drag the slider, also past both ends, or drop poses of your own mesh here.'];
-const WELCOME_SPLIT = ['Blended, a shape collapses between its poses. Here it keeps its volume.', 'Drag the divider.'];
+const WELCOME = ['Poses in, motion out.', 'Drag the slider, even past both ends, or drop poses of your own mesh here.'];
+const WELCOME_SPLIT = ['Morph targets collapse between poses. Here the shape keeps its volume.', 'Drag the divider.'];
 
 export interface WelcomeProps {
   wanted: boolean;

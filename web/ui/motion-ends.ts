@@ -136,7 +136,7 @@ function speedSlider(end: End, { onSpeed }: MotionEndsEvents): NumberControl {
     fallback: DEFAULT_SPEED,
     onInput: (value) => onSpeed(end, value),
     format: (value) => `${Number(value.toFixed(2))}`,
-    hint: 'Relative to the straight speed towards the neighbour, or the shape of the tangent; 0 eases. Any can be typed',
+    hint: 'Relative to the constant speed towards the neighbouring key or tangent shape. 0 eases in or out. You can type any value',
   });
 }
 

@@ -21,7 +21,7 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
   { value: 'root', text: 'Softly', hint: 'Intervals proportional to the square root of pose difference' },
   {
     value: 'difference',
-    text: 'By difference',
+    text: 'By pose difference',
     hint: 'Intervals proportional to pose difference: constant speed',
   },
 ];

@@ -34,7 +34,7 @@ export function createPinList(events: PinListEvents): { element: HTMLElement; up
   let pins: Pins = [];
   let placing = false;
   const place = button({
-    label: 'Pin a place of the shape: click it in the view',
+    label: 'Pin a place on the shape by clicking it in the view',
     testId: 'pin-place',
     icon: 'pin',
     text: 'Pin',
@@ -88,8 +88,8 @@ function hintFor({ placing, pins }: PinListProps): string {
 /** Explains effects of a pin that its options do not show. */
 function noteFor({ stay, path }: Pin, { keys, periodic }: PinListProps): string {
   if (stay !== undefined && !keys.some(({ pose }) => pose === stay))
-    return 'The key in which it stayed was removed: it follows its own spline.';
-  if (path?.length === 1) return 'It moves by the same amount at all other times until you drag it there, too.';
+    return 'The key of this pin was removed, so the pin follows its own spline.';
+  if (path?.length === 1) return 'The pin moves by the same amount at all other times until you drag it there as well.';
   return stay !== undefined && periodic
     ? 'If a loop ends away from where it began, the shape travels at constant speed.'
     : '';
@@ -110,7 +110,7 @@ function createRow(
   size.fill(PIN_SIZES.map(({ radius, label }) => ({ value: String(radius), label })));
   const path = h('span', { class: 'hint', 'data-testid': `pin-${index}-path` });
   const clear = button({
-    label: `${name} goes nowhere: its path is taken away`,
+    label: `Clear the path of ${name}`,
     testId: `pin-${index}-clear`,
     text: 'Clear path',
     kind: 'quiet',

@@ -33,7 +33,7 @@ export function createSampleWay({ onCount, onFewest }: SampleWayEvents): SampleW
     step: 1,
     onInput(value) {
       onCount(Math.min(Math.round(value), MOST_SAMPLED));
-      say(most, value > MOST_SAMPLED ? `An animation gives at most ${MOST_SAMPLED} keys.` : '');
+      say(most, value > MOST_SAMPLED ? `At most ${MOST_SAMPLED} keys can be sampled.` : '');
     },
   });
   const tolerance = numberField({

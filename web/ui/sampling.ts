@@ -100,7 +100,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     if (!info || firstMoving < 0 || soon.waits()) return;
     chosen = info.animation < 0 ? firstMoving : info.animation;
     animation.update(String(chosen), animations.map(choiceOf));
-    setText(title, `The files hold ${animations.length > 1 ? `${animations.length} animations` : 'an animation'}`);
+    setText(title, `The files have ${animations.length > 1 ? `${animations.length} animations` : 'an animation'}`);
     const before = taken;
     taken = areSampled(info);
     const next = taken ? info.times : evenTimes(span(), SAMPLED_KEYS);
@@ -175,10 +175,10 @@ function choiceOf({ name, start, end, keys, moves }: AnimationInfo, index: numbe
 }
 
 function foundText({ keys, percent }: { keys: number; percent: number }): string {
-  return `${keys} keys: the motion is at most ${Number(percent.toPrecision(2))} % of the model’s size off.`;
+  return `${keys} keys: the error is at most ${Number(percent.toPrecision(2))} % of the model’s size.`;
 }
 
 /** Warns that widely spaced keys do not reproduce the animation. */
 function coarseText({ keys }: AnimationInfo, taken: number): string {
-  return taken < keys ? `The animation itself has ${keys.toLocaleString('en')} keys.` : '';
+  return taken < keys ? `The original animation has ${keys.toLocaleString('en')} keys.` : '';
 }

@@ -108,7 +108,7 @@ function createPatches({ onEncoding }: ShapePanelEvents): Component<ShapePanelPr
     onInput: (value) => onEncoding({ patches: Math.round(value) }),
   });
   const used = h('span', { class: 'muted', 'data-testid': 'patches-used' });
-  const hint = 'Regions that the shape is divided into; each turns as a whole, and the faces turn within them';
+  const hint = 'Regions of the shape. Each region rotates as a whole, and its faces rotate within it';
   return {
     element: fieldRow(h('span', { class: 'label', title: hint }, 'Patches'), count, used),
     update({ encoding: { patches: chosen }, stats }) {

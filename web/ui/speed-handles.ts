@@ -121,7 +121,7 @@ function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Componen
     'aria-label': label,
     'aria-orientation': 'horizontal',
     'aria-valuemin': 0,
-    title: `${label}, relative to the straight speed from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
+    title: `${label}, relative to the constant speed from ${neighbour}. Drag it, or use the arrow keys; double-click for ${formatSpeed(DEFAULT_SPEED)}`,
     onpointerdown: pressed,
     onkeydown: typed,
     ondblclick: () => set(DEFAULT_SPEED),
@@ -143,7 +143,7 @@ function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Componen
       setAttribute(grip, 'aria-valuemax', most[end]);
       setAttribute(grip, 'aria-valuenow', Number(speed.toFixed(6)));
       const from = towards?.[end] === 'shape' ? SHAPED[end] : neighbour;
-      setAttribute(grip, 'aria-valuetext', `${Number(speed.toFixed(2))} times the straight speed from ${from}`);
+      setAttribute(grip, 'aria-valuetext', `${Number(speed.toFixed(2))} times the constant speed from ${from}`);
       setText(value, formatSpeed(speed));
     },
   };

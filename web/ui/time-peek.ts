@@ -48,7 +48,7 @@ export function createTimePeek({ over, frame, timeAt, onPeek }: TimePeekParts): 
     if (picture !== null) setAttribute(image, 'src', picture);
     setText(time, momentWords(moment, range, fps));
     const now = speedCurve && speedAt(speedCurve, moment);
-    setText(words, !now ? '' : now.past ? 'swings past a key' : `${now.speed.toFixed(1)} × mean speed`);
+    setText(words, !now ? '' : now.past ? 'overshoots a key' : `${now.speed.toFixed(1)} × mean speed`);
   };
 
   const show = (t: number | null, x = 0): void => {

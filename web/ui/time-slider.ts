@@ -43,8 +43,8 @@ export function createTimeSlider(events: KeyTicksEvents): TimeSlider {
       'aria-orientation': 'horizontal',
       'data-testid': 'timeline',
       title:
-        'Drag through the motion, also past both ends (arrow keys step; Alt: without snapping; the wheel zooms). ' +
-        'The curve is the speed of the motion; yellow below it: the motion swings past a key (overshoot)',
+        'Drag to change the time, even past both ends (arrow keys step; Alt: without snapping; the wheel zooms). ' +
+        'The curve shows the speed of the motion; yellow below it marks overshoot',
     },
     track.element,
     ruler.element,

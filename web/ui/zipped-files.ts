@@ -17,12 +17,13 @@ async function filesIn({ name, file }: PickedFile): Promise<PickedFile[]> {
   const { BlobReader, ZipReader } = await import('@zip.js/zip.js/index-native.js');
   const reader = new ZipReader(new BlobReader(file), { useWebWorkers: false });
   const entries = await reader.getEntries().catch(() => {
-    throw new Error(`${name} is no zip that can be read. Unpack it and drop the files.`);
+    throw new Error(`${name} is not a readable zip. Unpack it and drop the files.`);
   });
   const meant = entries.filter((entry) => !entry.directory && isMeantInFolder(entry.filename));
-  if (meant.length === 0) throw new Error(`There is no model in ${name}. A zip can hold glTF, OBJ, PLY or OFF files.`);
+  if (meant.length === 0)
+    throw new Error(`There is no model in ${name}. A zip can contain glTF, OBJ, PLY or OFF files.`);
   if (meant.length > MOST_FILES)
-    throw new Error(`${name} holds more than ${MOST_FILES.toLocaleString('en')} files. Unpack it and drop the poses.`);
+    throw new Error(`${name} has more than ${MOST_FILES.toLocaleString('en')} files. Unpack it and drop the poses.`);
   let left = MOST_BYTES;
   const files: PickedFile[] = [];
   for (const entry of meant) {
@@ -37,7 +38,7 @@ async function filesIn({ name, file }: PickedFile): Promise<PickedFile[]> {
 async function unpack(zip: string, entry: Entry, most: number): Promise<File> {
   const parts: BlobPart[] = [];
   let bytes = 0;
-  const tooLarge = new Error(`${zip} holds more than ${MOST_BYTES / 1e9} GB. Unpack it and drop the poses.`);
+  const tooLarge = new Error(`${zip} has more than ${MOST_BYTES / 1e9} GB. Unpack it and drop the poses.`);
   const target = new WritableStream<Uint8Array<ArrayBuffer>>({
     write(part) {
       bytes += part.length;

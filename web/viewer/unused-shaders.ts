@@ -23,7 +23,7 @@ const UNUSED = [
 export function withoutUnusedShaders(code: string): string {
   return UNUSED.reduce((left, name) => {
     const part = new RegExp(`^(var|const) ${name} = ".*";$`, 'm');
-    if (!part.test(left)) throw new Error(`three.js has no shader part ${name}: take it out of unused-shaders.ts.`);
+    if (!part.test(left)) throw new Error(`three.js has no shader part ${name}: remove it from unused-shaders.ts.`);
     return left.replace(part, `$1 ${name} = "";`);
   }, code);
 }

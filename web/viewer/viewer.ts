@@ -276,7 +276,7 @@ export class Viewer {
     const context = this.renderer.getContext();
     if (!size || (context.drawingBufferWidth === size.width && context.drawingBufferHeight === size.height)) return;
     this.setPictureSize(null);
-    throw new Error('The graphics card cannot draw an image of this size. Choose a smaller one.');
+    throw new Error('The graphics card cannot draw an image of this size. Choose a smaller size.');
   }
 
   fit(view: ViewName | null, eased: boolean): void {

@@ -15,7 +15,7 @@ describe('a comparison is doubted', () => {
     const spans = { keys: [0, 2], animation: [0, 2], frames: 60, compared: 60 } as const;
     expect(doubtsOfTime(spans)).toEqual([]);
     expect(doubtsOfTime({ ...spans, animation: [0, 2.5], compared: 48 })[0]).toMatch(
-      /from 0 to 2, and the animation from 0 to 2.5: 48 of its 60 frames .* --key-times/,
+      /from 0 to 2, and the animation from 0 to 2.5\. 48 of its 60 frames .* --key-times/,
     );
     expect(doubtsOfTime({ ...spans, compared: 3 })).toEqual([
       'only 3 frames are compared, too few to judge the motion',
@@ -27,10 +27,10 @@ describe('a comparison is doubted', () => {
     expect(doubtsOfPlace(same, read('y'))).toEqual([]);
     const lying = pairs((x, y, z) => [x, -z, y]);
     const stoodUp = pairs((x, y, z) => [x, z, -y]);
-    expect(doubtsOfPlace(lying, read('y'))[0]).toMatch(/give --against-up z$/);
-    expect(doubtsOfPlace(stoodUp, read('z'))[0]).toMatch(/give --against-up y$/);
-    expect(doubtsOfPlace(lying, read(null))[0]).toMatch(/give --up y$/);
-    expect(doubtsOfPlace(stoodUp, read(null))[0]).toMatch(/give --up z$/);
+    expect(doubtsOfPlace(lying, read('y'))[0]).toMatch(/Give --against-up z$/);
+    expect(doubtsOfPlace(stoodUp, read('z'))[0]).toMatch(/Give --against-up y$/);
+    expect(doubtsOfPlace(lying, read(null))[0]).toMatch(/Give --up y$/);
+    expect(doubtsOfPlace(stoodUp, read(null))[0]).toMatch(/Give --up z$/);
   });
 
   it('where the animation has another size, or lies elsewhere', () => {

@@ -90,12 +90,12 @@ describe('a link', () => {
   ])('leaves out what cannot be meant, and says so: %s', (text) => {
     const { state, leftOut } = readLink(`#${text}`)!;
     expect(state).toEqual(INITIAL);
-    expect(leftOut).toContain(`The link has a value that cannot be used and was left out: ${text.split('=')[0]}`);
+    expect(leftOut).toContain(`The link has a value that cannot be used and was ignored: ${text.split('=')[0]}`);
   });
 
   it('says which keys are too close', () => {
     expect(readLink('#keys=0,0+1e-12,1+2,2&samples=1e5')!.leftOut).toBe(
-      'The link has values that cannot be used and were left out: keys (key 2 must be later than key 1), samples.',
+      'The link has values that cannot be used and were ignored: keys (key 2 must be later than key 1), samples.',
     );
   });
 
@@ -146,7 +146,7 @@ describe('whatever a link holds', () => {
     const { state } = readLink('#keys=0,0+1e-4,1+2,2&show=natural samples')!;
     const derived = derive(state);
     expect([state.keys.length, derived.samples, derived.sampleCount]).toEqual([3, [], 20_001]);
-    const sentence = /brute force is left out: two keys are so close in time that it would take 20001 samples/;
+    const sentence = /Brute force is not shown\. Two keys are so close in time that it would need 20001 samples/;
     expect(bendingNotice(state, derived)).toMatch(sentence);
     expect(curveNotice(state, derived, 'samples')).toMatch(sentence);
     expect(number(derived.bending.samples)).toBe('–');

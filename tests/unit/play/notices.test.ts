@@ -14,14 +14,14 @@ describe('the notices', () => {
   it('tell corners from steps of the bend', () => {
     const straight = of({ ...INITIAL, layers: ['linear', 'natural', 'catmull-rom'] });
     expect(rateNotice(straight.state, straight.derived, 1)).toMatch(
-      /corner \(Straight lines\).*for Natural cubic, Catmull-Rom/,
+      /corner: Straight lines\..*for Natural cubic, Catmull-Rom/,
     );
     expect(rateNotice(straight.state, straight.derived, 2)).toMatch(
-      /jerk \(Straight lines, Catmull-Rom\).*for Natural cubic/,
+      /jerk: Straight lines, Catmull-Rom\..*for Natural cubic/,
     );
     const smooth = of(INITIAL);
     expect(rateNotice(smooth.state, smooth.derived, 1)).toMatch(/no corner/);
-    expect(rateNotice(smooth.state, smooth.derived, 2)).toMatch(/no bend jumps.*what natural means/);
+    expect(rateNotice(smooth.state, smooth.derived, 2)).toMatch(/No second derivative jumps.*what “natural” means/);
   });
 
   it('say how much of a key arrives beyond its neighbours', () => {
@@ -34,11 +34,13 @@ describe('the notices', () => {
 
   it('say that tension and bias change a slope, and nothing where there are none', () => {
     const plain = of(INITIAL);
-    expect(curveNotice(plain.state, plain.derived, 'shaping')).toMatch(/slope that the natural spline has/);
+    expect(curveNotice(plain.state, plain.derived, 'shaping')).toMatch(
+      /slope at key \d+ is that of the natural spline/,
+    );
     const { selected } = INITIAL;
     const keys = INITIAL.keys.map((key, index) => (index === selected ? { ...key, tension: 0.5 } : key));
     const shaped = of({ ...INITIAL, keys });
-    expect(curveNotice(shaped.state, shaped.derived, 'shaping')).toMatch(/tension 0\.5 and bias 0 change the slope/);
+    expect(curveNotice(shaped.state, shaped.derived, 'shaping')).toMatch(/Tension 0\.5 and bias 0 change the slope/);
   });
 
   it('compare the total bending, of which the natural spline has the least', () => {
@@ -50,8 +52,8 @@ describe('the notices', () => {
 
   it('explain a row that is pointed at, and say the sum of the weights at the time', () => {
     const { state, derived } = of(INITIAL);
-    expect(systemNotice(state, derived, 0)).toMatch(/no bend at key 1/);
-    expect(systemNotice(state, derived, 2)).toMatch(/arrives at key 3/);
+    expect(systemNotice(state, derived, 0)).toMatch(/second derivative at key 1 is 0/);
+    expect(systemNotice(state, derived, 2)).toMatch(/both sides of key 3/);
     const said = weightsNotice(state, derived);
     const terms = [...said.matchAll(/(−)? ?([\d.]+) × key/g)].map(([, minus, n]) => (minus ? -1 : 1) * Number(n));
     expect(terms.reduce((sum, term) => sum + term)).toBeCloseTo(1, 2);

@@ -44,8 +44,8 @@ void EncodedShape::makeVertices() {
 Status EncodedShape::checkStretches() const {
   if (!lri().ghostMotion() || options_.transfer != Transfer::Paper) return {};
   return Error{ErrorCode::InvalidOption,
-               "A motion that turns every face by itself needs the stretch of each, which the paper's transfer from a "
-               "ghost mesh does not keep. Choose the exact transfer, or no ghost mesh."};
+               "Motions that rotate every face separately need the stretch of each face. The paper's transfer from a "
+               "ghost mesh does not keep it. Choose the exact transfer, or no ghost mesh."};
 }
 
 Status EncodedShape::makeFaceSpace(Method method) {
@@ -83,7 +83,7 @@ void EncodedShape::findMirroredKeys() {
         {"mirrored-key",
          "Key " + std::to_string(key + 1) +
              " is a mirror image of the surface in the other keys: its faces point "
-             "inwards, and no motion leads there. Mirror it back (a negative scale does that), or leave it out.",
+             "inwards, so no motion can reach it. Mirror it back with a negative scale, or remove the key.",
          0,
          key,
          -1,

@@ -17,7 +17,7 @@ std::string keyName(const std::string& name, int key) {
 
 constexpr const char* oneMesh =
     " All keys must be poses of one mesh. In Blender, export the same object each time, with its modifiers applied and "
-    "the same settings, or one GLB with shape keys or an animation; OBJ keeps the vertices as they are.";
+    "the same settings, or one GLB with shape keys or an animation. OBJ keeps the vertices unchanged.";
 
 Triangle sorted(Triangle face) {
   std::sort(face.begin(), face.end());
@@ -35,8 +35,8 @@ std::vector<Triangle> sortedSet(const std::vector<Triangle>& faces) {
 std::string sameTrianglesHint(const std::vector<Triangle>& first, const std::vector<Triangle>& other) {
   bool inPlace = true;
   for (std::size_t f = 0; f < first.size() && inPlace; ++f) inPlace = sorted(first[f]) == sorted(other[f]);
-  if (inPlace) return " The triangles are the same but some are wound the other way.";
-  if (sortedSet(first) == sortedSet(other)) return " The triangles are the same but in another order.";
+  if (inPlace) return " The triangles are the same but some have the opposite winding.";
+  if (sortedSet(first) == sortedSet(other)) return " The triangles are the same but in a different order.";
   return "";
 }
 
@@ -52,7 +52,7 @@ Status validateFaces(const Keyframes& k) {
     for (int v : k.faces[f])
       if (v < 0 || v >= n)
         return Error{ErrorCode::IndexOutOfRange,
-                     "Face " + grouped(f) + " names vertex " + grouped(v) + ", but there are " + grouped(n) +
+                     "Face " + grouped(f) + " refers to vertex " + grouped(v) + ", but there are " + grouped(n) +
                          " vertices (0 to " + grouped(n - 1) + "). Export the mesh again.",
                      -1, v, f};
   return {};

@@ -18,11 +18,11 @@ Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int compon
   const auto number = [](int index) { return std::to_string(static_cast<std::int64_t>(index) + 1); };  // counted from 1
   for (const AddedTurns& t : turns) {
     if (t.key < 1 || t.key >= keyCount || t.turns < -mostTurns || t.turns > mostTurns)
-      return Error{ErrorCode::InvalidOption, "Whole turns can be added to keys 2 to " + std::to_string(keyCount) +
+      return Error{ErrorCode::InvalidOption, "Full turns can be added to keys 2 to " + std::to_string(keyCount) +
                                                  ", up to " + grouped(mostTurns) + " each; got " +
                                                  std::to_string(t.turns) + " for key " + number(t.key) + "."};
     if (t.component < -1 || t.component >= components)
-      return Error{ErrorCode::InvalidOption, "Whole turns are added to component " + number(t.component) +
+      return Error{ErrorCode::InvalidOption, "Full turns are added to component " + number(t.component) +
                                                  ", but the shape has " + grouped(components) +
                                                  (components == 1 ? " component." : " components.")};
   }
@@ -37,20 +37,20 @@ Status checkOwnPaths(const MotionOptions& o) {
   if (o.ownPaths == OwnPaths::Off || (o.method == Method::Lri && !addsTurns(o))) return {};
   return Error{ErrorCode::InvalidOption,
                o.method == Method::Lri
-                   ? "Whole turns and own paths of faces cannot be combined: remove the turns, or switch own paths off."
-                   : "Own paths of faces belong to the method 'lri': switch them off."};
+                   ? "Full turns and own paths of faces cannot be combined. Remove the turns, or switch own paths off."
+                   : "Own paths of faces require the method 'lri'. Switch them off."};
 }
 
 // These methods rotate each face separately, without patches. So they cannot add turns, hold resting parts or pin.
 Status checkFaceMethod(const MotionOptions& o) {
   if (!turnsFaces(o.method)) return {};
   const char* const what = o.hold            ? "It cannot hold resting parts"
-                           : !o.pins.empty() ? "It cannot hold pins"
-                           : addsTurns(o)    ? "Whole turns cannot be added to it"
+                           : !o.pins.empty() ? "It cannot apply pins"
+                           : addsTurns(o)    ? "It cannot add full turns"
                                              : nullptr;
   if (!what) return {};
-  return Error{ErrorCode::InvalidOption,
-               std::string("The method turns every face by itself. ") + what + ": choose the method 'lri' for that."};
+  return Error{ErrorCode::InvalidOption, std::string("This method rotates every face separately. ") + what +
+                                             ". Choose the method 'lri' instead."};
 }
 
 CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {

@@ -18,8 +18,9 @@ constexpr int mostKeys = 2000;
 Result<std::shared_ptr<SharedShape>> SharedShape::encode(Keyframes keyframes, const EncodingOptions& options,
                                                          const StageProgress& progress) {
   if (keyframes.keyCount() > mostKeys)
-    return Error{ErrorCode::TooLarge, "There are " + grouped(keyframes.keyCount()) + " keys; a motion passes through " +
-                                          grouped(mostKeys) + " at most. Take fewer keys."};
+    return Error{ErrorCode::TooLarge, "There are " + grouped(keyframes.keyCount()) +
+                                          " keys, but a motion can have at most " + grouped(mostKeys) +
+                                          ". Use fewer keys."};
   auto encoded = EncodedShape::build(std::move(keyframes), options, progress);
   if (!encoded) return encoded.error();
   return std::shared_ptr<SharedShape>(new SharedShape(std::move(*encoded), options.ghostFaces > 0));

@@ -21,15 +21,15 @@ std::vector<Warning> tornWarnings(const WeldedShape& shape, const RotationStrain
   for (int s = 0; s + 1 < shape.keys; ++s) {
     const AmbiguousFaces& torn = space.tornFaces()[s];
     if (torn.worst < 0 || torn.count < least || torn.area < leastShare) continue;
-    warnings.push_back({"torn-faces",
-                        "Between key " + std::to_string(s + 1) + " and key " + std::to_string(s + 2) + " " +
-                            grouped(torn.count) +
-                            " faces turn by so nearly a whole turn that their neighbours' axes disagree, and the "
-                            "surface tears. Add a key in between, or choose the method 'lri'.",
-                        torn.count,
-                        s + 1,
-                        torn.worst,
-                        {}});
+    warnings.push_back(
+        {"torn-faces",
+         "Between key " + std::to_string(s + 1) + " and key " + std::to_string(s + 2) + " " + grouped(torn.count) +
+             " faces turn by almost a full turn. Their axes differ from those of their neighbours, so the "
+             "surface tears. Add a key in between, or choose the method 'lri'.",
+         torn.count,
+         s + 1,
+         torn.worst,
+         {}});
   }
   return warnings;
 }

@@ -77,8 +77,8 @@ class TurnWarnings {
     if (angle <= ambiguousTurn && !motion_.isWholeTurnOpen(step_)) return;
     add("ambiguous-turn",
         "the whole shape turns by " + angleText(angle) +
-            ". The keys alone do not say which way and how often: add whole "
-            "turns to the key, or a key in between.",
+            ". The keys alone do not determine the direction or the number of full turns. Add full "
+            "turns to the key, or add a key in between.",
         0, -1, {});
   }
 
@@ -99,9 +99,9 @@ class TurnWarnings {
     const bool one = count == 1;
     add("ambiguous-component-turn",
         (one ? "a component turns by " : std::to_string(count) + " components turn by up to ") + angleText(furthest) +
-            " relative to what " + (one ? "it is" : "they are") + " attached to" +
-            ". The keys alone do not say which way and how often: add whole turns to the component, or a key in "
-            "between.",
+            " relative to " + (one ? "its neighbour" : "their neighbours") +
+            ". The keys alone do not determine the direction or the number of full turns. Add full turns to the "
+            "component, or add a key in between.",
         count, face, std::move(found));
   }
 
@@ -130,8 +130,8 @@ class TurnWarnings {
     found.erase(std::unique(found.begin(), found.end()), found.end());
     add("ambiguous-patch-turn",
         "neighbouring regions turn by " + angleText(angleThere) +
-            " relative to each other, and the keys do not say which "
-            "way. Add a key in between if they go the wrong way.",
+            " relative to each other, and the keys do not determine the "
+            "direction. If the direction is wrong, add a key in between.",
         count, face, std::move(found));
   }
 
@@ -161,8 +161,8 @@ class TurnWarnings {
     if (faces.worst < 0 || faces.count < least || faces.area < fewFaces) return;
     add("ambiguous-face-turn",
         std::to_string(faces.count) +
-            " faces turn by more than 150 degrees relative to those around them, and the keys "
-            "do not say which way. Add a key in between if they go the wrong way.",
+            " faces turn by more than 150 degrees relative to the faces around them, and the keys "
+            "do not determine the direction. If the direction is wrong, add a key in between.",
         faces.count, faces.worst, {patchOfFace_[faces.worst]});
   }
 

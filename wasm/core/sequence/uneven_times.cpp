@@ -85,16 +85,17 @@ std::string times(double factor) {
 }
 
 Warning warningOf(const Suspect& suspect, const KeySpan& span, double distance, int face) {
-  const std::string far = std::isfinite(distance) ? times(distance) + " their size" : "any number of times their size";
-  const std::string away = "the motion runs " + far + " away from the keys, ";
+  const std::string far = std::isfinite(distance) ? times(distance) + " their size" : "an unlimited distance";
+  const std::string away = "the motion overshoots the keys by " + far + ", ";
   const std::string where = suspect.beyond == 0
                                 ? "Between key " + std::to_string(span.from + 1) + " and key " +
                                       std::to_string(span.to + 1) + " " + away + "because this interval is " +
-                                      times(suspect.ratio) + " as long as the one beside it."
+                                      times(suspect.ratio) + " as long as the neighbouring interval."
                                 : std::string(suspect.beyond < 0 ? "Before the first key " : "After the last key ") +
                                       away + "because the " + (suspect.beyond < 0 ? "first" : "last") +
                                       " interval is " + times(suspect.ratio) + " shorter than the mean.";
-  return {"uneven-times", where + " Give the keys more even times (Space keys; on the command line, --key-times).", 1,
+  return {"uneven-times",
+          where + " Space the keys more evenly (Space keys in the Motion panel; on the command line, --key-times).", 1,
           suspect.beyond < 0 ? span.from : span.to, face};
 }
 

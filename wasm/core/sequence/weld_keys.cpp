@@ -28,7 +28,7 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
     return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or a positive number.");
   if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < leastGhostFaces))
     return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " +
-                   grouped(o.ghostFaces) + " are asked for. Use 0 to work without one.");
+                   grouped(o.ghostFaces) + " were requested. Use 0 for no ghost mesh.");
   for (const auto* tangent : {&o.startTangent, &o.endTangent}) {
     if (!*tangent) continue;
     if (static_cast<int>((*tangent)->size()) != k.vertexCount())

@@ -107,20 +107,20 @@ void LriSpace::describeGhost() {
 void LriSpace::collectWarnings(int wantedGhostFaces) {
   if (wantedGhostFaces > 0 && stats_.ghostFaces == 0)
     warnings_.push_back(
-        {"ghost-off", "The shape has no more faces than were asked for the ghost mesh: it moves without one."});
+        {"ghost-off", "The shape has no more faces than the requested ghost mesh, so no ghost mesh is used."});
   if (stats_.ghostFaces > wantedGhostFaces)
     warnings_.push_back({"ghost-too-large",
-                         "The ghost mesh could not be made as coarse as asked for without turning faces over "
-                         "or changing the topology.",
+                         "The ghost mesh is finer than requested. A coarser ghost mesh would flip faces or change the "
+                         "topology.",
                          stats_.ghostFaces});
   if (stats_.joinedComponents > 0)
     warnings_.push_back({"ghost-joined-parts",
-                         "Some components are too small for a share of the ghost mesh's faces: they follow their "
+                         "Some components are too small to get faces of the ghost mesh, so they follow their "
                          "neighbours. Give the ghost mesh more faces.",
                          stats_.joinedComponents});
   if (const int pivots = withReconstructor([](const auto& r) { return r.solverStats().regularisedPivots; }); pivots > 0)
     warnings_.push_back(
-        {"regularised", "The mesh has triangles so thin that the solver had to fix some of their vertices.", pivots});
+        {"regularised", "The mesh has very thin triangles. The solver had to fix some of their vertices.", pivots});
 }
 
 void LriSpace::localFramesAt(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch,

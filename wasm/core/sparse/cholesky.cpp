@@ -58,7 +58,7 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
                          const FractionReport& onProgress, std::span<const int> order) {
   if (Status status = checkSymmetric(matrix); !status) return status;
   if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
-    return Error{ErrorCode::Internal, "The coordinates for the elimination order are not one per unknown."};
+    return Error{ErrorCode::Internal, "The elimination order needs the coordinates of every unknown."};
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (coordinates[i].allFinite()) continue;
     Error error{ErrorCode::NotFinite, "The coordinates of unknown " + std::to_string(i) + " are not finite."};
@@ -126,13 +126,13 @@ double Cholesky::factoriseProgress() const {
 Status Cholesky::factoriseStatus() const {
   if (state_->failedPosition != -1) {
     const int unknown = state_->symbolic.order[state_->failedPosition];
-    Error error{ErrorCode::NotPositiveDefinite,
-                "The matrix is not positive definite: its factorisation breaks down at unknown " +
-                    std::to_string(unknown) + "."};
+    Error error{
+        ErrorCode::NotPositiveDefinite,
+        "The matrix is not positive definite: its factorisation fails at unknown " + std::to_string(unknown) + "."};
     error.row = unknown;
     return error;
   }
-  if (!state_->factorised) return Error{ErrorCode::Internal, "The factorisation has not been finished."};
+  if (!state_->factorised) return Error{ErrorCode::Internal, "The factorisation is not finished."};
   return {};
 }
 

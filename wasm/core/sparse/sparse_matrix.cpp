@@ -62,13 +62,13 @@ Status checkSymmetric(const SymmetricMatrix& matrix) {
   if (matrix.size < 0 || matrix.columnStart.size() != static_cast<std::size_t>(matrix.size) + 1 ||
       matrix.columnStart.front() != 0 || static_cast<std::size_t>(matrix.columnStart.back()) != entries ||
       matrix.value.size() != entries) {
-    return Error{ErrorCode::Internal, "The matrix is not square or its arrays disagree in length."};
+    return Error{ErrorCode::Internal, "The matrix is not square, or the lengths of its arrays do not match."};
   }
   for (int column = 0; column < matrix.size; ++column) {
     const int begin = matrix.columnStart[column];
     const int end = matrix.columnStart[column + 1];
     if (begin > end || static_cast<std::size_t>(end) > entries)
-      return malformed(ErrorCode::Internal, "has broken column starts", column);
+      return malformed(ErrorCode::Internal, "has invalid column starts", column);
     int previous = column - 1;
     for (int i = begin; i < end; ++i) {
       if (matrix.row[i] <= previous || matrix.row[i] >= matrix.size)

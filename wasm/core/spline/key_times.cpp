@@ -28,12 +28,12 @@ Status validateTimes(const std::vector<double>& times, int keyCount) {
     if (std::abs(times[j]) > farthestTime)
       return Error{ErrorCode::TooLarge,
                    "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) +
-                       ". Times lie between -1,000,000,000 and 1,000,000,000: choose a larger unit.",
+                       ". Times must be from -1,000,000,000 to 1,000,000,000. Choose a larger unit.",
                    j};
     if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
       return Error{ErrorCode::TimesNotIncreasing,
                    "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) +
-                       " by less than a trillionth of the whole "
+                       " by less than a trillionth of the total "
                        "time. Move the keys further apart.",
                    j};
     if (j > 0 && !(times[j] > times[j - 1]))

@@ -31,7 +31,7 @@ Status checkObjects(const std::vector<std::string>& wanted, const std::vector<st
   for (const std::string& name : wanted) {
     if (holdsObject(names, name)) continue;
     std::string message = where;
-    message.append(" has no object ").append(inQuotes(name)).append(names.empty() ? "; it names " : "; it has ");
+    message.append(" has no object ").append(inQuotes(name)).append(names.empty() ? "; named objects: " : "; it has ");
     message.append(objectList(names)).append(".");
     return Error{ErrorCode::UnknownObject, std::move(message)};
   }

@@ -32,15 +32,15 @@ Result<std::vector<double>> sampleTimes(const ImportOptions& options, double sta
     if (Status times = checkTimes(options.sampleTimes); !times) return times.error();
     if (options.sampleTimes.front() < start || options.sampleTimes.back() > end)
       warnings.push_back({"sample-outside-animation",
-                          "Some sample times lie outside the animation, which runs from " + shortNumber(start) +
-                              " to " + shortNumber(end) + " s: outside it, the shape stays still.",
+                          "Some sample times are outside the animation (" + shortNumber(start) + " to " +
+                              shortNumber(end) + " s), where the shape stays still.",
                           0});
     return options.sampleTimes;
   }
   if (options.sampleCount < 2)
-    return Error{ErrorCode::TooFewKeys, "At least two keys are needed. Take two or more samples of the animation."};
+    return Error{ErrorCode::TooFewKeys, "At least two keys are needed. Use two or more samples of the animation."};
   if (Status size = checkKeyCount(options.sampleCount, 0, what); !size) return size.error();
-  if (!(end > start)) return Error{ErrorCode::TooFewKeys, what + " has only one key time. Choose another."};
+  if (!(end > start)) return Error{ErrorCode::TooFewKeys, what + " has only one key time. Choose another animation."};
   std::vector<double> times = evenTimes(options.sampleCount);
   for (double& t : times) t = t == 1 ? end : start + t * (end - start);
   return times;
@@ -52,7 +52,7 @@ Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& 
   if (keys <= mostKeys && static_cast<std::uint64_t>(keys) * vertices <= mostKeyVertices) return {};
   return Error{ErrorCode::TooLarge, where + ": " + grouped(static_cast<std::int64_t>(keys)) + " keys of " +
                                         grouped(static_cast<std::int64_t>(vertices)) +
-                                        " vertices are more than is supported. Take fewer keys."};
+                                        " vertices exceed the limit. Use fewer keys."};
 }
 
 }  // namespace shapespline

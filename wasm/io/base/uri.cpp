@@ -65,7 +65,7 @@ std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
 Result<Resource> dataResource(std::string_view uri, const std::string& where) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos)
-    return Error{ErrorCode::MalformedFile, where + " holds a data URI without content. Export it again."};
+    return Error{ErrorCode::MalformedFile, where + " has a data URI without content. Export it again."};
   const std::string_view head = uri.substr(5, comma - 5);
   const std::string_view body = uri.substr(comma + 1);
   Resource resource;
@@ -73,7 +73,7 @@ Result<Resource> dataResource(std::string_view uri, const std::string& where) {
   if (head.ends_with(";base64")) {
     auto bytes = base64Decoded(body.find('%') == std::string_view::npos ? body : percentDecoded(body));
     if (!bytes)
-      return Error{ErrorCode::MalformedFile, where + " holds a data URI that is not valid base64. Export it again."};
+      return Error{ErrorCode::MalformedFile, where + " has a data URI that is not valid base64. Export it again."};
     resource.owned = std::move(*bytes);
   } else {
     const std::string text = percentDecoded(body);
@@ -113,7 +113,7 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, const G
   if (head.starts_with("//") || (hasScheme(head) && head.find(':') > 1))
     return Error{ErrorCode::ExternalResource,
                  where + " refers to " + inQuotes(uri) +
-                     ". Only the given files are read: save that file in the same folder and give both together."};
+                     ". Only the given files are read. Save that file in the same folder and give both together."};
   const std::string path = percentDecoded(uri);
   const std::string start = headOf(path);
   const bool absolute = start.starts_with('/') || start.starts_with('\\') || hasScheme(start);
@@ -126,7 +126,7 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, const G
   if (absolute || leavesItsFolder(path))
     return Error{ErrorCode::ExternalResource,
                  where + " refers to " + inQuotes(uri) +
-                     ", which lies outside the given files. Put it into the same folder and give both together."};
+                     ", which is outside the given files. Put it into the same folder and give both together."};
   return Error{ErrorCode::MissingResource,
                where + " needs the file " + inQuotes(uri) + ", which was not given. Give both files together."};
 }

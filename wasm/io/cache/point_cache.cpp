@@ -30,7 +30,7 @@ double floatAt(std::span<const std::uint8_t> bytes, std::size_t at, bool bigEndi
 Status checkSize(const NamedBytes& file, std::uint64_t header, std::uint64_t frames, std::uint64_t points,
                  const std::string& where) {
   if (frames == 0 || points == 0)
-    return Error{ErrorCode::MalformedFile, where + " holds no points. Export the cache again."};
+    return Error{ErrorCode::MalformedFile, where + " has no points. Export the cache again."};
   // Both are below 2^32, so only the product with the size of a point could overflow.
   const std::uint64_t size = file.bytes.size();
   if (header <= size && frames * points <= (size - header) / pointBytes) return {};

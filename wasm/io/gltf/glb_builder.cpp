@@ -22,7 +22,7 @@ Result<std::vector<std::uint8_t>> GlbBuilder::finish() {
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::uint64_t total = 12 + 8 + text.size() + 8 + bin.size();
   if (total > mostGlbBytes)
-    return Error{ErrorCode::TooLarge, "The file would be " + sizeText(total) + "; a GLB of more than " +
+    return Error{ErrorCode::TooLarge, "The file would be " + sizeText(total) + ". A GLB of more than " +
                                           sizeText(mostGlbBytes) + " could not be opened again. Export fewer frames."};
   std::string head = "glTF";
   const auto word = [&](std::uint64_t value) {

@@ -35,8 +35,8 @@ Result<GlbChunks> splitGlb(std::span<const std::uint8_t> bytes, const std::strin
   if (bytes.size() < headerBytes) return truncated(where, headerBytes, bytes.size());
   const std::uint32_t version = word(bytes, 4), length = word(bytes, 8);
   if (version != 2)
-    return Error{ErrorCode::Unsupported,
-                 where + " is glTF version " + std::to_string(version) + "; only 2.0 is read. Export it as glTF 2.0."};
+    return Error{ErrorCode::Unsupported, where + " is glTF version " + std::to_string(version) +
+                                             "; only 2.0 is supported. Export it as glTF 2.0."};
   if (length > bytes.size()) return truncated(where, length, bytes.size());
   if (length < headerBytes + chunkHeader) return brokenGlb(where, "it has no JSON chunk");
 

@@ -79,11 +79,11 @@ struct Reader {
       return malformed("refers to a buffer view that does not exist");
     const tinygltf::BufferView& view = views[viewIndex];
     if (view.buffer < 0 || view.buffer >= static_cast<int>(doc.buffers.size()))
-      return malformed("lies in a buffer that does not exist");
+      return malformed("refers to a buffer that does not exist");
     const auto buffer = doc.buffers[view.buffer].bytes;
-    if (buffer.empty()) return malformed("lies in buffer " + std::to_string(view.buffer) + ", which has no bytes");
+    if (buffer.empty()) return malformed("uses buffer " + std::to_string(view.buffer) + ", which has no bytes");
     if (std::uint64_t{view.byteOffset} + view.byteLength > buffer.size())
-      return malformed("lies in a buffer view that ends at byte " +
+      return malformed("uses a buffer view that ends at byte " +
                        grouped(std::int64_t(view.byteOffset + view.byteLength)) + " of a buffer of " +
                        sizeText(buffer.size()));
     const std::uint64_t stride = view.byteStride ? view.byteStride : size;
@@ -124,7 +124,7 @@ struct Reader {
     for (std::size_t i = 0; i < indices.size(); ++i) {
       indices[i] = wholeNumber(found->at(i), type);
       if (indices[i] >= a.count)
-        return malformed("replaces element " + grouped(indices[i]) + " of " + grouped(std::int64_t(a.count)));
+        return malformed("replaces element " + grouped(indices[i]) + " but has only " + grouped(std::int64_t(a.count)));
     }
     return indices;
   }
@@ -196,7 +196,7 @@ Result<std::vector<std::uint32_t>> readWholeNumbers(const GltfDocument& doc, int
   const bool isUnsigned = a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                           a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                           a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  if (!isUnsigned) return reader.malformed("is not of an unsigned integer type");
+  if (!isUnsigned) return reader.malformed("does not have an unsigned integer type");
   if (Status fits = reader.fits(a, components); !fits) return fits.error();
   std::vector<std::uint32_t> numbers(a.count * components);
   const int step = componentBytes(a.componentType);

@@ -69,8 +69,9 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   if (target.path == Path::Weights && curve.first + curve.width > targetsOf(doc, curve.node))
     curve.width = 0;  // the weight does not exist
   if (curve.width == 0)
-    return malformed(doc.where, name + " moves the morph weights of node " + std::to_string(curve.node) +
-                                    ", which has no morph targets" + (curve.first > 0 ? " for all of them" : ""));
+    return malformed(doc.where,
+                     name + " moves the morph weights of node " + std::to_string(curve.node) +
+                         (curve.first > 0 ? ", which has too few morph targets" : ", which has no morph targets"));
   const auto interpolation = interpolationOf(sampler.interpolation);
   if (!interpolation) return malformed(doc.where, name + " has an unknown interpolation");
   curve.interpolation = *interpolation;
@@ -78,9 +79,8 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   const int components = target.path == Path::Weights ? 1 : curve.width;
   numbers += accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
   if (numbers > mostNumbers)
-    return Error{ErrorCode::TooLarge,
-                 doc.where + ": its animations hold more than " + grouped(mostNumbers) +
-                     " numbers, more than is supported. Export fewer animations or fewer key times."};
+    return Error{ErrorCode::TooLarge, doc.where + ": its animations exceed the limit of " + grouped(mostNumbers) +
+                                          " numbers. Export fewer animations or fewer key times."};
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);
   if (!times) return times.error();
   if (times->empty()) return malformed(doc.where, name + " has no times");
@@ -235,7 +235,7 @@ struct AnimationReader {
       warnings.push_back({"pointer-ignored",
                           doc.where + ": animations of " + inQuotes(firstIgnored) +
                               (ignoredPointers > 1 ? " and others" : "") +
-                              " (KHR_animation_pointer) are not applied. If the motion looks wrong, export it as "
+                              " (KHR_animation_pointer) are ignored. If the motion looks wrong, export it as "
                               "node animations.",
                           ignoredPointers});
   }

@@ -44,9 +44,8 @@ Result<Resource> readBuffer(const json& buffer, std::size_t index, const Source&
   }
   const std::uint64_t declared = whole(buffer, "byteLength", 0);
   if (declared > resource.bytes.size())
-    return Error{ErrorCode::TruncatedFile, where + ": " + name + " declares " + sizeText(declared) + " but only " +
-                                               sizeText(resource.bytes.size()) +
-                                               " are there. Copy or export it again."};
+    return Error{ErrorCode::TruncatedFile, where + ": " + name + " declares " + sizeText(declared) + " but has only " +
+                                               sizeText(resource.bytes.size()) + ". Copy or export it again."};
   resource.bytes = resource.bytes.first(declared);
   return resource;
 }
@@ -118,7 +117,7 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
   }
   if (missing == 0) return;
   const std::string what =
-      missing == 1 ? "An image is left out: " : grouped(std::int64_t(missing)) + " images are left out: ";
+      missing == 1 ? "An image is ignored: " : grouped(std::int64_t(missing)) + " images are ignored: ";
   out.warnings.push_back({"missing-texture", what + first, static_cast<int>(missing)});
 }
 

@@ -146,7 +146,7 @@ Status checkRequiredExtensions(const json& doc, const std::string& where) {
   const json* required = memberOf(doc, "extensionsRequired");
   if (!required || !required->is_array()) return {};
   for (const json& name : *required) {
-    if (!name.is_string()) return malformed(where, "extensionsRequired holds something that is not a name");
+    if (!name.is_string()) return malformed(where, "extensionsRequired has an entry that is not a name");
     const std::string& text = name.get_ref<const std::string&>();
     const KnownExtension* extension = known(text);
     if (extension && (extension->use == Applied || extension->use == Harmless)) continue;
@@ -173,8 +173,9 @@ std::vector<Warning> extensionWarnings(const json& doc, const std::string& where
   const bool one = ignored.size() == 1;
   return {{"extension-ignored",
            where + ": the glTF " + (one ? "extension " : "extensions ") + objectList({ignored.begin(), ignored.end()}) +
-               (one ? " is not applied, and may" : " are not applied, and may") +
-               " change the shape or its motion. If the shape looks wrong, export it without.",
+               (one ? " is ignored. It may" : " are ignored. They may") +
+               " change the shape or its motion. If the shape looks wrong, export it without " +
+               (one ? "this extension." : "these extensions."),
            static_cast<int>(ignored.size())}};
 }
 

@@ -71,10 +71,9 @@ Status checkExtent(std::string_view text, const std::string& where) {
     return malformed(where, "its JSON is nested more than " + std::to_string(deepestJson) + " levels deep");
   const bool objects = extent.objects > mostJsonObjects;
   if (!objects && extent.values <= mostJsonValues) return {};
-  return Error{ErrorCode::TooLarge, where + ": its JSON holds more than " +
-                                        grouped(objects ? mostJsonObjects : mostJsonValues) +
-                                        (objects ? " objects" : " values") +
-                                        ", more than can be held. Join nodes and meshes, or export the shape alone."};
+  return Error{ErrorCode::TooLarge,
+               where + ": its JSON exceeds the limit of " + grouped(objects ? mostJsonObjects : mostJsonValues) +
+                   (objects ? " objects" : " values") + ". Join nodes and meshes, or export the shape alone."};
 }
 
 Result<json> parse(std::string_view text, const std::string& where) {
@@ -88,7 +87,7 @@ Result<json> parse(std::string_view text, const std::string& where) {
                    where + " is cut off: its JSON ends after " + sizeText(text.size()) + ". Copy or export it again."};
     return malformed(where, "its JSON is broken at byte " + grouped(static_cast<std::int64_t>(e.byte)));
   } catch (const json::exception&) {
-    return malformed(where, "its JSON holds a number that is out of range");
+    return malformed(where, "its JSON has a number that is out of range");
   }
 }
 
@@ -148,7 +147,7 @@ std::string tidy(json& node) {
 }
 
 Status checkAsset(const json& doc, const std::string& where) {
-  if (!doc.is_object()) return malformed(where, "it is JSON but not glTF, which is an object");
+  if (!doc.is_object()) return malformed(where, "its JSON is not an object, so it is not glTF");
   const auto asset = doc.find("asset");
   const bool known =
       asset != doc.end() && asset->is_object() && asset->contains("version") && (*asset)["version"].is_string();
@@ -160,7 +159,7 @@ Status checkAsset(const json& doc, const std::string& where) {
   const auto needed = (hasMinimum ? *minimum : (*asset)["version"]).get<std::string>();
   if (hasMinimum ? needed != "2.0" : !needed.starts_with("2."))
     return Error{ErrorCode::Unsupported,
-                 where + " needs glTF version " + inQuotes(needed) + "; only 2.0 is read. Export it as glTF 2.0."};
+                 where + " needs glTF version " + inQuotes(needed) + "; only 2.0 is supported. Export it as glTF 2.0."};
   return {};
 }
 
@@ -174,8 +173,8 @@ Status checkCollections(const json& doc, const std::string& where) {
         return malformed(where, std::string(name) + "[" + std::to_string(i) + "] is not an object");
   }
   if (const auto materials = doc.find("materials"); materials != doc.end() && materials->size() > mostMaterials)
-    return Error{ErrorCode::TooLarge, where + " has more than " + grouped(mostMaterials) +
-                                          " materials, more than can be held. Join those that are the same."};
+    return Error{ErrorCode::TooLarge,
+                 where + " exceeds the limit of " + grouped(mostMaterials) + " materials. Join identical materials."};
   return {};
 }
 

@@ -209,9 +209,9 @@ struct LookReader {
       readCoordinates(part);
       readColors(part);
     }
-    warn("missing-texture", brokenTextures, "textures without an image are left out.");
+    warn("missing-texture", brokenTextures, "textures without an image are ignored.");
     warn("other-coordinates", otherCoordinates,
-         "textures that use other coordinates than the base colour are left out.");
+         "textures with texture coordinates other than the base colour's are ignored.");
     return std::move(scene);
   }
 };

@@ -12,7 +12,7 @@ Result<NodeTransform> readTransform(const GltfDocument& doc, int index) {
     return values.empty() || values.size() == size;
   };
   if (!fits(node.matrix, 16) || !fits(node.translation, 3) || !fits(node.rotation, 4) || !fits(node.scale, 3))
-    return malformed(doc.where, "the transform of node " + std::to_string(index) + " has a wrong number of values");
+    return malformed(doc.where, "the transform of node " + std::to_string(index) + " has the wrong number of values");
   NodeTransform out;
   if (!node.translation.empty()) out.translation = Vec3(node.translation.data());
   if (!node.scale.empty()) out.scale = Vec3(node.scale.data());

@@ -20,9 +20,8 @@ Status addTargets(const GltfDocument& doc, const GltfPart& part, const char* att
     if (found == targets[t].end()) continue;
     const std::string name = "morph target " + std::to_string(t) + " of " + part.name;
     if (accessorCount(doc, found->second) != values.size())
-      return Error{
-          ErrorCode::MalformedFile,
-          doc.where + ": " + name + " has a different number of vertices than its mesh. Export the file again."};
+      return Error{ErrorCode::MalformedFile,
+                   doc.where + ": " + name + " does not have as many vertices as its mesh. Export the file again."};
     const double count = static_cast<double>(weights.size()), before = static_cast<double>(t);
     const auto offsets = readNumbers(doc, found->second, 3, name, values.size(),
                                      partOf(onProgress, before / count, (before + 0.7) / count));

@@ -91,8 +91,8 @@ bool hidesMeshes(const GltfScene& scene) {
 
 Error allHidden(const GltfDocument& doc) {
   return {ErrorCode::NoTriangles, doc.where +
-                                      " shows nothing: its meshes are hidden (KHR_node_visibility). Export it "
-                                      "with a mesh that is visible."};
+                                      " has only hidden meshes (KHR_node_visibility). Export it "
+                                      "with a visible mesh."};
 }
 
 // The visible mesh nodes with these names. Errors: UnknownObject; NoTriangles if all are hidden.
@@ -200,8 +200,8 @@ struct KeyReader {
     for (std::size_t i = 0; i < animations.size(); ++i)
       if (animations[i].moves && ++count <= 20)
         list.append(count > 1 ? ", " : " ").append(std::to_string(i)).append(" ").append(inQuotes(animations[i].name));
-    if (count > 0) return " Choose one that moves:" + list + (count > 20 ? ", and more." : ".");
-    if (animations.size() > 1) return " Give no animation and no samples: each of its animations becomes a key.";
+    if (count > 0) return " Choose an animation that moves:" + list + (count > 20 ? ", and more." : ".");
+    if (animations.size() > 1) return " Omit the animation and the samples. Each animation then becomes a key.";
     return " Add a file for every other key.";
   }
 
@@ -235,7 +235,7 @@ struct KeyReader {
     }
     if (options.animationAsked()) {
       const std::string which =
-          chosen < 0 ? ": none of its animations moves; each" : ": the animation " + inQuotes(animations[chosen].name);
+          chosen < 0 ? ": each of its animations" : ": the animation " + inQuotes(animations[chosen].name);
       return error(ErrorCode::TooFewKeys, which + " is one pose." + insteadOfPose());
     }
     if (animations.size() > 1) planPoses(0, animations.size());
@@ -245,7 +245,7 @@ struct KeyReader {
   }
 
   static std::string onePose() {
-    return " holds one pose only. Add a file for every other key, or give one file with morph targets or an animation.";
+    return " has only one pose. Add a file for every other key, or give one file with morph targets or an animation.";
   }
 
   Status planKeys() {
@@ -285,7 +285,7 @@ struct KeyReader {
   Status addKey(const GltfShape& shape, const PlannedKey& key, const SceneState& state) {
     const std::size_t count = plan.size();
     const auto onKey = [&, before = static_cast<double>(out.keyframes.keys.size())](double fraction) {
-      report("taking the keys", readingShare + (1 - readingShare) * (before + fraction) / static_cast<double>(count));
+      report("sampling the keys", readingShare + (1 - readingShare) * (before + fraction) / static_cast<double>(count));
     };
     onKey(0);
     const bool first = out.keyframes.keys.empty();
@@ -295,7 +295,7 @@ struct KeyReader {
     const std::uint64_t most = mostPoseCost(doc.fileBytes);
     if (work > most || cost > most / count)
       return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " +
-                                            grouped(std::int64_t(count)) + " keys. Take fewer keys.");
+                                            grouped(std::int64_t(count)) + " keys. Use fewer keys.");
     auto positions = posedVertices(doc, shape, state, first ? &out.keyframes.normals : nullptr, onKey);
     if (!positions) return positions.error();
     out.keyframes.keys.push_back({key.name, key.time, std::move(*positions)});
@@ -313,8 +313,8 @@ struct KeyReader {
     }
     if (changes > 0)
       out.warnings.push_back({"visibility-changes",
-                              doc.where + ": other meshes are visible in some keys than in the first "
-                                          "(KHR_node_visibility). The meshes of the first key are shown.",
+                              doc.where + ": the visible meshes of some keys differ from those of key 1 "
+                                          "(KHR_node_visibility). The meshes of key 1 are shown.",
                               changes});
     return {};
   }

@@ -154,7 +154,7 @@ Result<std::vector<Eigen::Affine3d>> readInstances(const GltfDocument& doc, int 
     if (accessor < 0) return {};
     const std::string what = std::string("instance ") + name + " of node " + std::to_string(node);
     if (accessorCount(doc, accessor) != count)
-      return malformed(doc.where, what + " has a different number of elements from its other attributes");
+      return malformed(doc.where, what + " does not have as many elements as its other attributes");
     const auto numbers = readNumbers(doc, accessor, width, what);
     if (!numbers) return numbers.error();
     for (std::size_t i = 0; i < count; ++i) set(parts[i], &(*numbers)[width * i]);
@@ -175,8 +175,8 @@ Result<std::vector<Eigen::Affine3d>> readInstances(const GltfDocument& doc, int 
 }
 
 Error tooLarge(const GltfDocument& doc, std::int64_t most, const char* what) {
-  return {ErrorCode::TooLarge, doc.where + " shows more than " + grouped(most) + " " + what +
-                                   ", more than is supported. Simplify the mesh first."};
+  return {ErrorCode::TooLarge,
+          doc.where + " exceeds the limit of " + grouped(most) + " " + what + ". Simplify the mesh first."};
 }
 
 Status checkAmount(const GltfDocument& doc, const std::vector<int>& meshNodes, KeyCount keys) {

@@ -65,7 +65,7 @@ struct ShapeReader {
               weightAccessor = attribute(*part.primitive, "WEIGHTS" + suffix);
     const std::size_t n = part.positions.size();
     if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
-      return malformed(doc.where, part.name + " has a different number of joints or weights than of vertices");
+      return malformed(doc.where, part.name + " has a different number of joints or weights than vertices");
     influenceCount += 4 * static_cast<std::int64_t>(n);
     if (influenceCount > static_cast<std::int64_t>(4 * mostElements))
       return tooLarge(doc, 4 * mostElements, "joint weights");
@@ -142,7 +142,7 @@ struct ShapeReader {
     part.positions = toPositions(*positions, partOf(report, 0.3, 0.5));
     if (normal >= 0) {
       if (accessorCount(doc, normal) != part.positions.size())
-        return malformed(doc.where, name + " has a different number of normals than of vertices");
+        return malformed(doc.where, name + " has a different number of normals than vertices");
       auto normals = readNumbers(doc, normal, 3, "NORMAL of " + name, count, partOf(report, 0.5, 0.8));
       if (!normals) return normals.error();
       part.normals = toPositions(*normals, partOf(report, 0.8, 1));
@@ -175,7 +175,7 @@ struct ShapeReader {
         return Error{ErrorCode::IndexOutOfRange,
                      doc.where + ": face " + grouped(std::int64_t(i / 3)) + " of " + name + " refers to vertex " +
                          grouped((*indices)[i]) + ", but there are " + grouped(std::int64_t(n)) +
-                         ". Export the mesh again.",
+                         " vertices. Export the mesh again.",
                      -1, static_cast<int>(std::min<std::uint32_t>((*indices)[i], 0x7fffffff)),
                      static_cast<int>(shape.faces.size() + i / 3)};
     return indices;
@@ -285,9 +285,9 @@ struct ShapeReader {
         return mesh;
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
-    warn("skipped-primitives", skippedPrimitives, "lines and points are left out.");
-    warn("leftover-corners", leftoverCorners, "faces with fewer than three different corners are left out.");
-    warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used unskinned.");
+    warn("skipped-primitives", skippedPrimitives, "lines and points are ignored.");
+    warn("leftover-corners", leftoverCorners, "faces with fewer than three different corners are ignored.");
+    warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used without its skin.");
     if (!shape.faces.empty()) return {};
     return Error{ErrorCode::NoTriangles, doc.where +
                                              (doc.model.meshes.empty() ? " has no mesh" : " shows no triangles") +

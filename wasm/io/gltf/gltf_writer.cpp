@@ -87,10 +87,11 @@ struct AnimationWriter {
   Status checkWeights() const {
     const std::uint64_t weights = source.seconds.size() * static_cast<std::uint64_t>(frameCount() - 1);
     if (weights <= mostElements) return {};
-    return Error{ErrorCode::TooLarge,
-                 "An animation with " + grouped(std::int64_t(frameCount() - 1)) + " morph targets needs " +
-                     grouped(std::int64_t(weights)) + " weights, one for each at every frame; with more than " +
-                     grouped(std::int64_t(mostElements)) + " the file could not be opened again. Export fewer frames."};
+    return Error{ErrorCode::TooLarge, "An animation with " + grouped(std::int64_t(frameCount() - 1)) +
+                                          " morph targets needs " + grouped(std::int64_t(weights)) +
+                                          " weights, one per target and frame. With more than " +
+                                          grouped(std::int64_t(mostElements)) +
+                                          " weights, the file could not be opened again. Export fewer frames."};
   }
 
   Status readFrame(int k, std::vector<float>& p, std::vector<float>& n) {
@@ -232,7 +233,7 @@ struct AnimationWriter {
     if (!source.project.empty()) {
       const char* text = source.project.data();
       json project = json::parse(text, text + source.project.size(), nullptr, false);
-      if (!project.is_object()) return Error{ErrorCode::InvalidOption, "The project to be saved is not a JSON object."};
+      if (!project.is_object()) return Error{ErrorCode::InvalidOption, "The project to save is not a JSON object."};
       glb.doc["extras"]["shapespline"] = std::move(project);
     }
     return glb.finish();
@@ -249,7 +250,7 @@ Result<std::vector<std::uint8_t>> writeAnimatedGlb(const AnimationSource& source
   } catch (const std::length_error&) {
     return Error{ErrorCode::OutOfMemory, "There is not enough memory for this export. Export fewer frames."};
   } catch (const nlohmann::json::exception&) {
-    return Error{ErrorCode::Internal, "The export could not be described as JSON (a name is not valid text)."};
+    return Error{ErrorCode::Internal, "The export could not be written as JSON because a name is not valid text."};
   }
 }
 

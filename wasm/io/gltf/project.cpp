@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 Error ignored(const std::string& why) {
-  return {ErrorCode::MalformedFile, "the project saved in it cannot be read (" + why + "); only its shapes are used."};
+  return {ErrorCode::MalformedFile, "the project in this file cannot be read (" + why + "). Only its shapes are used."};
 }
 
 // A list of `size` items that all pass the test, or nothing.

@@ -37,7 +37,7 @@ std::string_view trimmed(std::string_view text) {
 
 void warnOfMaterials(const std::string& why, PolygonMesh& mesh) {
   if (mesh.warnings.size() < mostWarnings)
-    mesh.warnings.push_back({"missing-materials", "Materials are left out: " + why, 1});
+    mesh.warnings.push_back({"missing-materials", "Materials are ignored: " + why, 1});
 }
 
 // The materials of an MTL file: colour, opacity and colour texture.
@@ -77,7 +77,7 @@ struct MtlReader {
       if (mesh.warnings.size() < mostWarnings)
         mesh.warnings.push_back(
             {"missing-texture",
-             "A texture is left out: " +
+             "A texture is ignored: " +
                  (found ? inQuotes(name) + " is not a supported image format." : found.error().message),
              1});
       return;
@@ -173,11 +173,11 @@ struct ObjReader {
   Status readIndex(std::string_view& text, std::size_t count, int& index) {
     std::int64_t number = 0;
     if (!takeInteger(text, number) || number == 0)
-      return malformed("a face refers to a corner that is not a whole number from 1");
+      return malformed("a face has an index that is not a whole number from 1");
     const std::int64_t place = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
     if (place < 0 || place > 0x7ffffffe)
       return Error{ErrorCode::IndexOutOfRange,
-                   where + ", line " + grouped(line) + ": a face refers to corner " + grouped(number) +
+                   where + ", line " + grouped(line) + ": a face has the index " + grouped(number) +
                        ", which does not exist. Export the file again.",
                    -1, -1, mesh.polygonCount()};
     index = static_cast<int>(place);
@@ -419,7 +419,7 @@ struct ObjReader {
     if (broken > 0)
       mesh.warnings.push_back({"texture-coordinates",
                                where + ": some corners refer to texture coordinates that are missing or not "
-                                       "finite; these are left out.",
+                                       "finite. They are ignored.",
                                broken});
     if (given > broken) placeCoordinates(mesh, coordinates, cornerCoordinate);
   }
@@ -449,7 +449,7 @@ struct ObjReader {
     keepColors();
     finishGroups();
     if (leftOut > 0)
-      mesh.warnings.push_back({"skipped-primitives", where + ": lines, points and curves are left out.", leftOut});
+      mesh.warnings.push_back({"skipped-primitives", where + ": lines, points and curves are ignored.", leftOut});
     return std::move(mesh);
   }
 };
@@ -472,13 +472,14 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
 Error decimalComma(const std::string& place) {
   return {
       ErrorCode::MalformedFile,
-      place + ": a number has a decimal comma. Export the file with decimal points, or replace the commas by points."};
+      place +
+          ": a number has a decimal comma. Export the file with decimal points, or replace the commas with points."};
 }
 
 void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {
   if (leftOut > 0)
     mesh.warnings.push_back(
-        {"skipped-primitives", where + ": faces of fewer than three corners are left out.", leftOut});
+        {"skipped-primitives", where + ": faces with fewer than three corners are ignored.", leftOut});
 }
 
 Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,

@@ -45,12 +45,12 @@ struct OffReader {
   // Reads the keyword and the counts, which follow on the same line or the next.
   Status readHeader(std::int64_t& vertices, std::int64_t& faces) {
     std::string_view line;
-    if (!nextLine(line)) return malformed("there is no header");
+    if (!nextLine(line)) return malformed("the header is missing");
     std::string_view keyword = takeWord(line);
-    if (!keyword.ends_with("OFF")) return malformed("there is no header");
+    if (!keyword.ends_with("OFF")) return malformed("the header is missing");
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
       return Error{ErrorCode::Unsupported,
-                   where + " holds points of more than three dimensions, which are not supported. Export it in 3D."};
+                   where + " has points with more than three dimensions, which are not supported. Export it in 3D."};
     hasNormals = keyword.substr(0, keyword.size() - 3).find('N') != std::string_view::npos;
     std::string_view rest = line;
     if (takeWord(rest) == "BINARY")
@@ -95,9 +95,9 @@ struct OffReader {
       if (!usable)
         return Error{ErrorCode::IndexOutOfRange,
                      where + ", line " + grouped(lines.lineNumber()) + ": face " + grouped(mesh.polygonCount()) +
-                         " refers to vertex " + shortNumber(number) + ", but there are " +
+                         " refers to vertex " + shortNumber(number) + " (counted from 0), but there are " +
                          grouped(static_cast<std::int64_t>(mesh.positions.size())) +
-                         " (counted from 0). Export the mesh again.",
+                         " vertices. Export the mesh again.",
                      -1, -1, mesh.polygonCount()};
     }
     if (corners >= 3) mesh.ends.push_back(static_cast<int>(mesh.corners.size()));

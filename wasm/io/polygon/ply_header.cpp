@@ -50,7 +50,7 @@ struct HeaderReader {
     if (name == "ascii") header.format = PlyFormat::Ascii;
     else if (name == "binary_little_endian") header.format = PlyFormat::LittleEndian;
     else if (name == "binary_big_endian") header.format = PlyFormat::BigEndian;
-    else return malformed("the format " + inQuotes(name) + " is not known");
+    else return malformed("the format " + inQuotes(name) + " is unknown");
     return {};
   }
 
@@ -77,7 +77,7 @@ struct HeaderReader {
       word = takeWord(text);
     }
     const auto type = typeOf(word);
-    if (!type) return malformed("the type " + inQuotes(word) + " is not known");
+    if (!type) return malformed("the type " + inQuotes(word) + " is unknown");
     property.type = *type;
     property.name = takeWord(text);
     header.elements.back().properties.push_back(std::move(property));
@@ -92,14 +92,15 @@ struct HeaderReader {
       const std::string_view word = takeWord(line);
       Status status;
       if (word == "end_header") {
-        if (!hasFormat) return malformed("the header names no format");
+        if (!hasFormat) return malformed("the header does not state a format");
         return std::move(header);
       }
       if (word == "format") status = readFormat(line), hasFormat = true;
       else if (word == "element") status = readElement(line);
       else if (word == "property") status = readProperty(line);
       else if (word == "comment") header.byBlender |= line.find("Blender") != std::string_view::npos;
-      else if (word != "obj_info" && !word.empty()) status = malformed("the header has " + inQuotes(word));
+      else if (word != "obj_info" && !word.empty())
+        status = malformed("the header has the unknown keyword " + inQuotes(word));
       if (!status) return status.error();
     }
     return Error{ErrorCode::TruncatedFile, where + " is cut off in its header. Copy or export it again."};

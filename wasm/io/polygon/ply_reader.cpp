@@ -101,7 +101,7 @@ struct PlyReader {
   Error cutOff(const PlyElement& element, std::int64_t have) const {
     if (values.stoppedAtComma()) return decimalComma(where);
     return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) +
-                                          " of element " + inQuotes(element.name) + " but ends in number " +
+                                          " elements " + inQuotes(element.name) + " but ends in element " +
                                           grouped(have) + ". Copy or export it again."};
   }
 
@@ -116,7 +116,7 @@ struct PlyReader {
     for (const PlyProperty& p : element.properties) least += values.least(p.isList ? p.countType : p.type);
     const auto count = static_cast<std::uint64_t>(element.count);
     if (count > mostElements * 4)
-      return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " of element " +
+      return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " elements " +
                                             inQuotes(element.name) +
                                             ", more than is supported. Simplify the mesh first."};
     if (count * least > values.left())

@@ -31,13 +31,13 @@ export const COMPARISON = {
   togglePresent: {
     keys: ['x'],
     shown: 'X',
-    does: 'Presentation: the shape alone, in large type',
+    does: 'Presentation mode: only the shape, with large type',
     run: (context) => present(context, presented(context) === null ? 'shape' : null),
   },
   nextPlot: { keys: ['a'], shown: 'A', does: 'Presentation: cycle through plots', run: nextPlot },
   turnPage: {
     shown: 'Page Up  Page Down',
-    does: 'Presentation: previous or next key, or page of the tour (elsewhere ten steps in time)',
+    does: 'Presentation: previous or next key or tour page. Otherwise: ten steps',
     run: jumpKey,
   },
   compare: { run: (context, methods: Method[]) => changeView(context, { compare: methods }) },

@@ -52,8 +52,9 @@ export const KEYS = {
       const moved = store.get().doc !== doc;
       if (moved && doc.keys[key]?.time === now && !play.playing) store.set({ time });
       const other = doc.keys.findIndex((one, at) => at !== key && one.time === time);
-      if (other >= 0) feedback.say(`Key ${other + 1} is at this time already.`);
-      else if (Math.abs(time) > MOST_TIME) feedback.say(`A key is at most ${MOST_TIME.toLocaleString('en')} s away.`);
+      if (other >= 0) feedback.say(`Key ${other + 1} is already at this time.`);
+      else if (Math.abs(time) > MOST_TIME)
+        feedback.say(`Key times can be at most ${MOST_TIME.toLocaleString('en')} s.`);
     },
   },
   shaping: {
@@ -99,7 +100,7 @@ async function autoTightness(context: Context): Promise<void> {
   const { store } = context.session;
   const tension = keySpacing.tension.map((value) => Math.ceil(value * 1000) / 1000);
   if (store.get().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
-    return context.feedback.say('The motion keeps within the bound at every key: there is nothing to change.');
+    return context.feedback.say('The motion is already within the bound at every key. Nothing was changed.');
   store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));
 }
 
@@ -118,5 +119,5 @@ async function addCurrent({ session, display }: Context): Promise<void> {
 
 /** The reason why no key can be added at t, or null. */
 export function addReason(keys: readonly KeyRef[], t: number): string | null {
-  return isTaken(keys, t) ? 'There is a key at this time already. Move the slider first.' : null;
+  return isTaken(keys, t) ? 'There is already a key at this time. Move the slider first.' : null;
 }

@@ -24,7 +24,7 @@ export const TIME = {
     },
   },
   step: { shown: '←  →', does: 'Step one frame; Shift: ten', run: step },
-  goToEnd: { shown: 'Home  End', does: 'First or last key; again for the end of the extrapolation', run: step },
+  goToEnd: { shown: 'Home  End', does: 'First or last key; press again for the end of the extrapolation', run: step },
   previousKey: { keys: ['['], shown: '[', does: 'Previous key', run: (context) => jumpKey(context, -1) },
   nextKey: { keys: [']'], shown: ']', does: 'Next key', run: (context) => jumpKey(context, 1) },
   nextLoop: {
@@ -54,7 +54,7 @@ export const TIME = {
   zoomIn: {
     keys: ['+', '='],
     shown: '+',
-    does: 'Zoom into the timeline; the wheel zooms about the pointer',
+    does: 'Zoom into the timeline; the wheel zooms at the pointer',
     run: (context) => zoomTime(context, 2),
   },
   zoomOut: { keys: ['-'], shown: '-', does: 'Zoom out of the timeline', run: (context) => zoomTime(context, 0.5) },
@@ -74,7 +74,7 @@ export const TIME = {
       const reached = clampTime(t, range());
       const scale = timeScale(range(), doc.keys.length);
       window(context, including(windowOf(view.window, scale), scale, reached));
-      if (reached !== t) context.feedback.say(`The motion can be followed up to ${formatTime(reached, range())} s.`);
+      if (reached !== t) context.feedback.say(`The timeline ends at ${formatTime(reached, range())} s.`);
       seek(context, t);
     },
   },

@@ -54,7 +54,7 @@ export function createDisplay({ session, stage, viewState, feedback, seek, onRes
     onCamera: (camera: CameraPose) => store.set({ view: { ...store.get().view, camera } }),
     onResize,
     covered: stage.covered,
-    onContextLost: () => say('The browser lost access to the graphics card. The picture will be restored.'),
+    onContextLost: () => say('The browser lost access to the graphics card. The image will be restored.'),
     onContextRestored: () => void playback.frameLoop.request(store.get().time),
   };
   const scene = new SceneController(stage.viewport, events, stage.showFilmLabels);

@@ -14,8 +14,8 @@ import { robustLargest } from './heat-range.ts';
 import { besideOf, differing, wantsHeat } from './heat-wanted.ts';
 
 const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: string; most: number }>> = {
-  rotation: { title: 'Rotation', unit: 'of faces, against the reference', symbol: '°', most: 180 },
-  stretch: { title: 'Stretch', unit: 'of faces, longer or shorter', symbol: '%', most: Infinity },
+  rotation: { title: 'Rotation', unit: 'of faces, relative to the reference', symbol: '°', most: 180 },
+  stretch: { title: 'Stretch', unit: 'of faces, relative to the reference', symbol: '%', most: Infinity },
 };
 
 interface Heat {

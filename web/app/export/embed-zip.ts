@@ -40,6 +40,6 @@ async function fetched(address: string, signal: AbortSignal): Promise<Uint8Array
   const response = await fetch(address, { signal }).catch(() => null);
   signal.throwIfAborted();
   if (!response?.ok)
-    throw new Error('A part of the package for your page could not be fetched. Check the connection and try again.');
+    throw new Error('Part of the package for your page could not be fetched. Check the connection and try again.');
   return new Uint8Array(await response.arrayBuffer());
 }

@@ -137,7 +137,7 @@ async function videoText(request: ExportRequest, playing: Playing, window: Pictu
 
 function pictureText(request: ExportRequest, window: PictureSize): string {
   const size = pixels(sizeOf(request, null) ?? window);
-  return request.crop ? `A picture, cropped from ${size}` : `A picture of ${size}`;
+  return request.crop ? `An image, cropped from ${size}` : `An image of ${size}`;
 }
 
 const grouped = (count: number): string => count.toLocaleString('en');
@@ -149,7 +149,7 @@ function secondsText(seconds: number): string {
 
 function planText(request: ExportRequest, playing: Playing, { times, targets, error, bytes }: EnginePlan): string {
   const { frames, seconds } = exportNumbers(request, playing, null);
-  const off = error === null ? '' : `, off by at most ${errorText(error)} between them`;
+  const off = error === null ? '' : `, error between them at most ${errorText(error)}`;
   const size = `about ${bytesText(bytes)}`;
   if (request.animation !== 'glb') return `${grouped(times.length)} frames, ${size}`;
   const bounces = goesBack(request);
@@ -159,7 +159,7 @@ function planText(request: ExportRequest, playing: Playing, { times, targets, er
     return `${length}${back}, ${targets} morph ${targets === 1 ? 'target' : 'targets'}${off}, ${size}`;
   // A GLB passes through the keys at any frame count.
   const keys = times.length - frames;
-  const more = keys > 0 ? ` (${grouped(frames)}, and ${keys} at keys between them)` : '';
+  const more = keys > 0 ? ` (${grouped(frames)} and ${keys} more at keys)` : '';
   return `${length}${back}, ${grouped(times.length)} frames${more}${off}, ${size}`;
 }
 

@@ -46,7 +46,7 @@ function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
   return new Promise((resolve, reject) => {
     canvas.toBlob((blob) => {
       if (blob) resolve(blob);
-      else reject(new Error('The browser could not make a picture of this size. Choose a smaller one.'));
+      else reject(new Error('The browser could not create an image of this size. Choose a smaller size.'));
     }, 'image/png');
   });
 }

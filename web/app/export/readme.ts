@@ -9,33 +9,33 @@ const SEQUENCE = [
   '  2. File > Import > Mesh Motion, choose this folder and the file name 0000.',
   '  3. Set the frame rate of the scene to RATE.',
   'Houdini',
-  '  1. Put down a File node inside a Geometry object.',
-  '  2. Set its file to $HIP/`padzero(4, $F-1)`.obj: frame 1 is then 0000.obj.',
+  '  1. Create a File node inside a Geometry object.',
+  '  2. Set its file to $HIP/`padzero(4, $F-1)`.obj. Frame 1 is then 0000.obj.',
   '  3. Set the frame rate of the scene to RATE.',
   'Unreal',
-  '  1. Unreal reads no OBJ sequences: open them in Blender or Houdini and export Alembic (.abc).',
+  '  1. Unreal does not read OBJ sequences. Open them in Blender or Houdini and export Alembic (.abc).',
   '  2. Import the .abc as a Geometry Cache.',
-  '  3. Or take the GLB export, which Unreal imports with its morph targets.',
+  '  3. Or use the GLB export. Unreal imports its morph targets.',
 ];
 
 const CACHE = [
   'Blender',
-  '  1. File > Import > Wavefront (.obj), with the axes as they are offered.',
-  '  2. Add the modifier Mesh Cache to the mesh, format FORMAT, and choose the FORMAT file; leave its axes as they are.',
-  '  3. Set the frame rate of the scene to RATE; sample 0 is shown at the start frame of the modifier.',
+  '  1. File > Import > Wavefront (.obj), with the default axes.',
+  '  2. Add a Mesh Cache modifier of format FORMAT to the mesh, and choose the FORMAT file. Keep the default axes.',
+  '  3. Set the frame rate of the scene to RATE. Sample 0 is shown at the start frame of the modifier.',
   'Houdini',
   '  1. Read the OBJ with a File node, without merging or reordering points.',
-  '  2. Put the FORMAT on its points with the node for point caches (MDD: the SideFX Labs MDD tools).',
+  '  2. Apply the FORMAT file to its points with the node for point caches (MDD: the SideFX Labs MDD tools).',
   '  3. Set the frame rate of the scene to RATE.',
   'Unreal',
-  '  1. Unreal reads no point caches: set it up in Blender as above and export Alembic (.abc).',
+  '  1. Unreal does not read point caches. Set up the cache in Blender as above and export Alembic (.abc).',
   '  2. Import the .abc as a Geometry Cache.',
-  '  3. Or take the GLB export, which Unreal imports with its morph targets.',
+  '  3. Or use the GLB export. Unreal imports its morph targets.',
 ];
 
 function text(format: Format, fps: number | null): string {
   const lines = format === 'obj' ? SEQUENCE : CACHE;
-  const rate = fps === null ? 'what the motion is to play at' : `${fps}`;
+  const rate = fps === null ? 'the intended playback rate' : `${fps}`;
   return `${lines.join('\n').replaceAll('FORMAT', format.toUpperCase()).replaceAll('RATE', rate)}\n`;
 }
 

@@ -25,7 +25,7 @@ export async function write(options: VideoOptions): Promise<Blob> {
     quality,
     frameRate: framesPerSecond,
   });
-  if (!codec) throw new Error('This browser cannot write a video of this size. Choose a smaller one.');
+  if (!codec) throw new Error('This browser cannot write a video of this size. Choose a smaller size.');
   const target = new BufferTarget();
   const container = format === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
   const output = new Output({ format: container, target });

@@ -28,16 +28,16 @@ const LIST: readonly Figure[] = [
     name: 'Geodesics and a spline',
     state: 'sample=cactus&compare=geodesic&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
     text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys.',
-    task: 'Watch the middle key: the geodesic turns sharply there, the spline does not.',
+    task: 'Watch the middle key: the geodesic turns sharply at this key, the spline does not.',
     sentence:
-      'Shown here: the paper’s spline and the geodesic, on a different cactus. The spline in shell space is not implemented.',
+      'This page shows the paper’s spline and the geodesic, on a different cactus. The spline in shell space is not implemented.',
   },
   {
     number: '2a',
     name: 'Curves through points',
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
     panel: 'analysis',
-    text: 'The paper draws three curves through nine values: the one that bends least, found by direct minimisation, the cubic spline, and straight lines.',
+    text: 'The paper draws three curves through nine values: the curve that bends least (found by direct minimisation), the cubic spline, and straight lines.',
     task: 'Drag a point in the playground. It has nine points and these three curves.',
     sentence: 'As in the paper, the two curves coincide. Drag the points to try other values.',
     beside: { label: 'Open the playground', href: `./play.html#${NINE_POINTS}`, framed: 'Playground' },
@@ -74,15 +74,15 @@ const LIST: readonly Figure[] = [
     name: 'Two poses only',
     state: 'sample=cactus&keys=0@0,1@1&compare=geodesic&colour=phase&between=-0.5,1.5&t=-0.5&loop=bounce&play=1',
     text: 'The paper compares its spline with the geodesic on two poses of an elephant, including extrapolation.',
-    task: 'Drag the time slider: both are the same shape at every time.',
-    sentence: 'With two keys, the spline is the geodesic. Shown here on a cactus.',
+    task: 'Drag the time slider: both methods give the same shape at every time.',
+    sentence: 'With two keys, the spline is the geodesic. This page shows both on a cactus.',
   },
   {
     number: '5',
     name: 'Large turns',
     state: 'sample=gymnast&between=0,1&t=0&loop=bounce&play=1',
     text: 'The paper completes five poses of a person, the first and last of which are rotated by almost 180 degrees.',
-    task: 'Watch the arms: more than half a turn from the first pose to the last, and no arm takes the shortcut back.',
+    task: 'Watch the arms. They turn by more than half a turn from the first pose to the last, and neither takes the shortcut back.',
     sentence:
       'Rotations accumulate from key to key, so a turn can exceed 180 degrees, which no single rotation can express.',
   },
@@ -95,7 +95,7 @@ const LIST: readonly Figure[] = [
     text: 'The paper shows coarse ghost meshes of its shapes, and lines from each ghost vertex to its corresponding vertex.',
     task: 'Change the number of faces in Shape, Ghost mesh.',
     sentence:
-      'As in the paper, the ghost and its correspondences are found automatically. Here the ghost stands beside the shape.',
+      'As in the paper, the ghost and its correspondences are found automatically. Here the ghost is shown beside the shape.',
     live: ({ stats }) => `${stats.ghostFaces.toLocaleString('en')} faces lead the shape.`,
   },
   {
@@ -133,13 +133,13 @@ const LIST: readonly Figure[] = [
     wide: true,
     task: 'Enlarge the Bending energy plot in Analysis, and look at the geodesic at the keys.',
     sentence:
-      'As in the paper, the geodesic peaks at the keys. The third curve is a vertex spline instead of a spline in shell space. Each method’s energy is measured in its own coordinates, so the vertex spline lies below: compare shapes of curves, not heights.',
+      'As in the paper, the geodesic peaks at the keys. The third curve is a vertex spline instead of a spline in shell space. Each method’s energy is measured in its own coordinates, so compare the shapes of the curves, not their heights.',
   },
   {
     number: '10',
     name: 'Many faces',
     state: 'sample=serpent&between=0,1&t=0&loop=bounce&play=1',
-    text: 'The paper completes an armadillo of 332,000 faces and one of 1.3 million.',
+    text: 'The paper completes two armadillos, of 332,000 and of 1.3 million faces.',
     task: 'Drag the time slider, and read the frame time at the bottom right.',
     sentence:
       'Each frame solves two systems that are factored once: rotations, then positions. The serpent has about as many faces as the paper’s smaller armadillo.',

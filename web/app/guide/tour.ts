@@ -38,7 +38,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     state: 'sample=cactus&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
     text: 'An artist made three poses of a cactus: the keys. Every other shape that you see is computed, both between the keys and beyond them.',
     panel: 'motion',
-    task: 'Drag the time slider. Go past both ends, too.',
+    task: 'Drag the time slider, even past both ends.',
     sentence: 'Blue shapes are given. Green ones are interpolated, yellow ones extrapolated.',
     live: ({ keyTimes, faces }) => `${keyTimes.length} keys of ${grouped(faces)} faces, at ${listed(keyTimes)}.`,
     formula: {
@@ -49,7 +49,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Why not simply blend?',
     state: 'sample=twisted-bar&compare=linear&between=0,0.5&t=0.25&loop=bounce&play=1',
-    text: 'Two poses of a bar differ by half a turn. The simplest idea is to move every vertex along a straight line from one to the other. How much of its volume is left halfway? Guess first.',
+    text: 'Two poses of a bar differ by half a turn. The simplest idea is to move every vertex along a straight line between its two positions. How much of the bar’s volume is left halfway? Guess first.',
     panel: 'analysis',
     part: 'plot-volume',
     plot: 'volume',
@@ -68,7 +68,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'What a shape is made of',
     state: 'sample=cactus&colour=patches&between=0,1&t=0&loop=bounce&play=1',
-    text: 'The surface is cut into patches. For each pair of neighbouring patches, only their relative rotation is kept; for each face, its rotation and stretch within its patch. The position of the shape is not part of the description.',
+    text: 'The surface is cut into patches. For each pair of neighbouring patches, only the relative rotation is kept. For each face, the rotation and stretch within its patch are kept. The position of the shape is not part of the description.',
     panel: 'analysis',
     part: 'faces',
     fill: { field: 'face-number', value: '12000' },
@@ -85,14 +85,14 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Adding up along the body',
     state: 'sample=column&keys=0@0,2@1&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Two keys: a straight column, and one twisted by almost a full turn. Judged by its ends alone, it might have turned slightly the other way. But neighbouring patches turn by much less than half a turn, and these rotations add up. Whether the whole column also spun around once, no key can tell.',
+    text: 'Two keys: a straight column, and a column twisted by almost a full turn. Judged by its ends alone, it might have turned slightly the other way. But neighbouring patches turn by much less than half a turn, and these rotations add up. No key can tell whether the whole column also spun around once.',
     panel: 'motion',
     ask: twistOf,
     task: 'Open key 2 in the row of keys and add a full turn. Then look halfway: the stripes have changed places.',
     sentence: 'Small rotations add up along the body, but two keys cannot tell how many full turns lie between them.',
     formula: {
       math: '<mrow><msub><mi>R</mi><mrow><mn>1</mn><mi>n</mi></mrow></msub><mo>=</mo><msub><mi>R</mi><mn>12</mn></msub><msub><mi>R</mi><mn>23</mn></msub><mo>⋯</mo><msub><mi>R</mi><mrow><mi>n</mi><mo>−</mo><mn>1</mn><mo>,</mo><mi>n</mi></mrow></msub></mrow>',
-      words: 'From the first patch to the last: the rotations between neighbours, one after the other.',
+      words: 'The rotation from the first patch to the last: the product of the rotations between neighbours.',
     },
   },
   {
@@ -103,7 +103,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     part: 'plot-bending',
     plot: 'bending',
     task: 'Watch the middle key, then look at the Bending energy plot.',
-    sentence: 'The shortest path is straight from key to key, and turns sharply at each one.',
+    sentence: 'The shortest path is straight from key to key, and turns sharply at each key.',
     formula: {
       math: '<mrow><mi>E</mi><mo>(</mo><mi>s</mi><mo>)</mo><mo>=</mo><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>‖</mo><msup><mi>s</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>‖</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
       words: 'The bending energy of a motion: its squared acceleration, added up over time.',
@@ -112,12 +112,12 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'The bent ruler',
     state: 'sample=cactus&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Pass a thin ruler between a few nails. It settles into the shape with the least total bending and runs straight past the last nail. That is the natural cubic spline. Every coordinate of the shape follows one of these.',
+    text: 'Pass a thin ruler between a few nails. It settles into the shape with the least total bending and runs straight past the last nail. That is the natural cubic spline. Every coordinate of the shape follows such a spline.',
     task: 'In the playground, drag a point up and down.',
     sentence: 'The smoothest curve through the keys has the least total bending. One tiny linear system finds it.',
     formula: {
       math: '<mrow><munder><mi>min</mi><mi>f</mi></munder><munderover><mo>∫</mo><mn>0</mn><mn>1</mn></munderover><msup><mrow><mo>|</mo><msup><mi>f</mi><mo>″</mo></msup><mo>(</mo><mi>t</mi><mo>)</mo><mo>|</mo></mrow><mn>2</mn></msup><mi>d</mi><mi>t</mi></mrow>',
-      words: 'Among all curves through the values, the one with the smallest integral of squared second derivative.',
+      words: 'Of all curves through the values, the spline has the smallest integral of the squared second derivative.',
     },
     beside: { label: 'Open the playground', href: './play.html#take', framed: 'Playground' },
     wide: true,
@@ -142,7 +142,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     fill: { field: 'face-number', value: `${SHRINKING}` },
     plot: 'face-stretch',
     state: 'sample=turret&colour=phase&between=0,1.4&t=0&loop=bounce&play=1',
-    text: 'Past the last key, the motion keeps its speed. A rotation can go on like that forever; a stretch cannot. Something that shrinks by the same amount again and again reaches zero and then turns inside out. The surface shown is clamped before that; its coordinates are not.',
+    text: 'Past the last key, the motion keeps its speed. A rotation can continue forever, but a stretch cannot. A face that keeps shrinking by the same amount reaches zero size and then turns inside out. The displayed surface is clamped before that, but its coordinates are not.',
     task: 'In Analysis, find where the face’s stretch crosses zero. Then choose Logarithmic under Shape, Stretch.',
     ask: narrownessOf,
     sentence:
@@ -160,7 +160,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     plot: 'plane',
     wide: true,
     state: 'sample=cactus&compare=geodesic,linear&between=-0.2,1.2&t=0&loop=bounce&play=1',
-    text: 'Like three points, three shapes span a plane. In it the spline is a smooth curve and the geodesic a polygon; a vertex blend leaves the plane. Points off the curves are shapes too: weighted mixtures of the keys.',
+    text: 'Like three points, three shapes span a plane. In this plane, the spline is a smooth curve and the geodesic a polygon. A vertex blend leaves the plane. Points off the curves are shapes too: weighted mixtures of the keys.',
     task: 'In Analysis, drag the point off the curve, or draw a path.',
     sentence: 'Every mixture of the keys is a shape; a motion is a path among them.',
     formula: {
@@ -172,12 +172,13 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     title: 'Two systems, factored once',
     state: 'sample=octopus&between=0,1.5&t=0&loop=bounce&play=1',
     panel: 'motion',
-    text: 'From coordinates back to a shape is two steps: the rotations of all patches, then all vertices. Each is a large linear system whose matrix does not depend on time, so it is factored once.',
-    task: 'Open poses of your own, and export the motion.',
-    sentence: 'First rotations, then positions; both factored once. That is why the slider responds instantly.',
+    text: 'Computing a shape from its coordinates takes two steps: the rotations of all patches, then all vertices. Each step solves a large linear system. Its matrix does not depend on time, so it is factored once.',
+    task: 'Open your own poses and export the motion.',
+    sentence:
+      'Both systems, for rotations and for positions, are factored once. That is why the slider responds instantly.',
     formula: {
       math: '<mrow><mi>A</mi><mi>G</mi><mo>=</mo><mi>b</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>,</mo><mspace width="0.6em"/><mi>L</mi><mi>v</mi><mo>=</mo><mi>c</mi><mo>(</mo><mi>t</mi><mo>)</mo></mrow>',
-      words: 'A gives the patch rotations G, L the vertices v. Only the right-hand sides change with time.',
+      words: 'A determines the patch rotations G, and L the vertices v. Only the right-hand sides change with time.',
     },
     live: ({ stats, ms, faces }) =>
       `${grouped(faces)} faces: factored in ${milliseconds(stats.encodeMs + stats.orderMs + stats.factorMs)}` +

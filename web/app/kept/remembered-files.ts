@@ -53,11 +53,11 @@ const UNASKED_BYTES = 128e6;
 /** Delay of the notice about stored files, so the user can read the opening message first. */
 const TELL_DELAY_MS = 4000;
 
-const KEPT = 'These files are remembered on this computer for your next visit. They are sent nowhere.';
+const KEPT = 'These files are remembered on this computer for your next visit. They never leave your computer.';
 const NO_ROOM =
   'This browser cannot store these files: it has no room for them, or this is a private window. Export a GLB to save the project.';
 const NOT_WRITTEN =
-  'The last change could not be stored: this browser has no room for it. The version before is kept. Export a GLB to save the project.';
+  'The last change could not be stored: this browser has no room for it. The previous version is kept. Export a GLB to save the project.';
 
 export class RememberedFiles {
   private readonly tabs =
@@ -82,7 +82,7 @@ export class RememberedFiles {
   constructor(private readonly parts: RememberedFilesParts) {
     this.tabs?.addEventListener('message', ({ data }: MessageEvent<{ forgotten?: unknown } | null>) => {
       if (typeof data?.forgotten !== 'string') return;
-      if (this.own === data.forgotten && this.isKept) this.parts.say('Forgotten in another tab.');
+      if (this.own === data.forgotten && this.isKept) this.parts.say('Another tab has deleted the remembered files.');
       this.giveUp(data.forgotten);
     });
   }

@@ -37,7 +37,7 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
   setHidden(figure.element, true);
   const alone = h('p', { class: 'plane-note', hidden: true }, ALONE);
   const pick = button({
-    label: 'Compare with an animation of the same mesh; it can be dropped here, too',
+    label: 'Compare with an animation of the same mesh, from a file or dropped here',
     testId: 'truth-pick',
     text: 'An animation from a file…',
     onClick: parts.onPickTruth,
@@ -45,7 +45,7 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
   const leave = button({
     label: 'Stop comparing',
     testId: 'truth-leave',
-    text: 'Without it',
+    text: 'Remove',
     onClick: parts.onLeaveTruth,
   });
   const tools = h('div', { class: 'plane-tools' }, pick, leave);

@@ -20,8 +20,8 @@ const STRETCHES = ['along the first edge', 'shear', 'across'];
 
 export function createFaceCharts(events: ChartEvents): PartCharts {
   const turned = 'degrees, as a rotation vector';
-  const rotation = createCoordinateChart('face-rotation', 'Rotation against its patch', turned, events);
-  const stretch = createCoordinateChart('face-stretch', 'Stretch', 'of the face, 1 as in the reference', events);
+  const rotation = createCoordinateChart('face-rotation', 'Rotation within its patch', turned, events);
+  const stretch = createCoordinateChart('face-stretch', 'Stretch', 'of the face, relative to the reference', events);
   const element = h('div', { class: 'group', hidden: true }, rotation.element, stretch.element);
   let asked = 0;
   return {

@@ -49,8 +49,8 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
     'Coordinates over time',
     'part',
     [
-      { value: 'face', label: 'Face', hint: 'How a face turns in its patch, and how it stretches' },
-      { value: 'patch', label: 'Patch', hint: 'How a patch turns against its neighbours, and how it stretches' },
+      { value: 'face', label: 'Face', hint: 'Rotation of a face within its patch, and its stretch' },
+      { value: 'patch', label: 'Patch', hint: 'Rotation of a patch relative to its neighbours, and its stretch' },
     ],
     (value) => {
       choose(value);
@@ -125,8 +125,8 @@ function createSurfaceColours(input: () => AnalysisInput | null, events: FacesFi
     'heat',
     [
       { value: 'none', label: 'Off' },
-      { value: 'rotation', label: 'Rotation', hint: 'The angle by which each face is turned against the reference' },
-      { value: 'stretch', label: 'Stretch', hint: 'How much longer or shorter each face is than in the reference' },
+      { value: 'rotation', label: 'Rotation', hint: 'Rotation angle of each face relative to the reference' },
+      { value: 'stretch', label: 'Stretch', hint: 'Stretch of each face relative to the reference' },
       {
         value: 'distance',
         label: 'Distance',

@@ -13,13 +13,13 @@ export function importOffer(opened: OpenResult, files: Opener, onLoop: () => voi
   if (same) return { message: same };
   if (opened.stoodUp && orientation)
     return {
-      message: 'The files do not say which axis is up. Z was taken as the up axis.',
+      message: 'The files do not state the up axis. Z is used.',
       action: 'Lay it back',
       onAccept: () => void files.reorient({ ...orientation, up: 'y' }),
     };
   if (orientation?.up === 'y' && message('z-up-unclear'))
     return {
-      message: 'The files do not say which axis is up. If the shape lies on its back, stand it up.',
+      message: 'The files do not state the up axis. If the shape lies on its back, stand it up.',
       action: 'Stand it up',
       onAccept: () => void files.reorient({ ...orientation, up: 'z' }),
     };

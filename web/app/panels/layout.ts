@@ -78,7 +78,7 @@ export function createLayout(): Layout {
     tabindex: 0,
     role: 'application',
     'data-testid': 'viewport',
-    'aria-label': 'The shape. Arrow keys turn it, plus and minus zoom, Shift with arrows moves it.',
+    'aria-label': 'The shape. Arrow keys rotate it, plus and minus zoom, Shift with arrow keys moves it.',
   });
   let app: HTMLElement | null = null;
   return {

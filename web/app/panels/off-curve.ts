@@ -129,7 +129,7 @@ function createPlaneTools(onDraw: () => void, onPlay: () => void, onBack: () => 
     onClick: onDraw,
   });
   const play = button({
-    label: 'Play the path that was drawn',
+    label: 'Play the drawn path',
     testId: 'plane-play',
     icon: 'play',
     text: 'Play path',

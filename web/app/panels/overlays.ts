@@ -93,7 +93,7 @@ export function createChoosers(
       if (place && 'time' in place) return `A pose of this mesh becomes a key at ${Number(place.time.toFixed(3))} s`;
       if (at && takesTruth(at)) return 'An animation of this mesh is compared with the motion';
       const end = at && motionPanel.endAt(at);
-      return end && `The motion ${end === 'start' ? 'leaves towards' : 'arrives from'} a pose of this mesh`;
+      return end && `A pose of this mesh sets the ${end} tangent`;
     },
   );
   return {

@@ -57,9 +57,9 @@ export function createPatchCharts(events: ChartEvents, onPair: (patch: number | 
 
 /** The patch's rotation angle against all neighbours, and its rotation axis against a chosen one. */
 function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) => void) {
-  const angles = createCoordinateChart('patch-angles', 'Turn against its neighbours', 'angle, degrees', events);
+  const angles = createCoordinateChart('patch-angles', 'Rotation relative to neighbours', 'angle, degrees', events);
   const turned = 'degrees, as a rotation vector in the axes of the reference pose';
-  const rotation = createCoordinateChart('patch-rotation', 'Turn against a neighbour', turned, events);
+  const rotation = createCoordinateChart('patch-rotation', 'Rotation relative to a neighbour', turned, events);
   const against = select<string>('Neighbour', 'patch-neighbour', [], (value) => {
     wanted = Number(value);
     draw();
@@ -86,7 +86,7 @@ function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) =>
     const turning = natural?.neighbours.find(({ patch }) => patch === of.patch);
     rotation.draw({
       ...common,
-      title: `Turn against ${nameOf(of.patch)}`,
+      title: `Rotation relative to ${nameOf(of.patch)}`,
       series: overNatural(vector(of), turning ? vector(turning) : null),
       ...{ include: 0, leastSpan: 2 },
     });

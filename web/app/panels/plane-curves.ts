@@ -96,8 +96,8 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
     void refresh();
   });
   toggle.element.title =
-    'The samples that bend least with the keys held, found by minimising over all of them at once: what the spline ' +
-    'gives in closed form';
+    'The samples with the least total bending for fixed keys, found by minimising over all of them. The spline ' +
+    'gives the same curve in closed form';
   const element = h('div', { class: 'plane-tools' }, toggle.element, count, h('span', {}, 'samples'));
 
   const refresh = async (): Promise<void> => {
@@ -136,11 +136,11 @@ function blendOverlay({ method, points }: BlendCurve): PlaneOverlay {
 function minimisedWords({ energy, splineEnergy, off }: MinimisedCurve, samples: number): string {
   const more = energy > 0 ? Math.abs(splineEnergy / energy - 1) : 0;
   return (
-    `The ${samples} samples that bend least are at most ${percent(off)} of the keys\u2019 extent off the spline; ` +
-    `their bending energy is within ${percent(more)} of its own at their times.`
+    `The ${samples}-sample minimiser is within ${percent(off)} of the keys\u2019 extent of the spline. ` +
+    `Its bending energy differs by at most ${percent(more)}.`
   );
 }
 
 function blendWords({ method, off }: BlendCurve): string {
-  return `${METHOD_WORDS[method].label}: up to ${percent(off)} of the mean distance between keys off this plane.`;
+  return `${METHOD_WORDS[method].label}: up to ${percent(off)} of the mean distance between keys away from this plane.`;
 }

@@ -33,9 +33,9 @@ export interface ShapePlaneFigure {
   setSpeeds(speeds: Speeds | null, most: Speeds): void;
 }
 
-const POINT_LABEL = 'The shape that is shown. Arrow keys move it off the curve, Escape brings it back.';
+const POINT_LABEL = 'The current shape. Arrow keys move it off the curve, Escape returns it to the curve.';
 const TITLE =
-  "The plane of the keys' two leading principal components; distances in it approximate those between shapes";
+  "The plane of the keys' two leading principal components; distances in the plane approximate distances between shapes";
 
 export function createShapePlaneFigure(
   input: () => AnalysisInput | null,

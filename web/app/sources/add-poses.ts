@@ -77,6 +77,6 @@ async function pooled(
   const poses = await readPoses(engine, await readFiles(files), pool.keys, workspace.options);
   if (workspace.pool !== pool) return null;
   if (poses.length > most)
-    throw new Error(`These files hold ${poses.length} poses, but a tangent is one shape. Choose a file with one pose.`);
+    throw new Error(`These files have ${poses.length} poses, but a tangent is one shape. Choose a file with one pose.`);
   return poses.map(({ name, positions }) => ({ name: modelName(name), pose: pool.add(modelName(name), positions) }));
 }

@@ -71,13 +71,13 @@ export async function openInitial(
   const [left] = named ? [] : kept;
   if (left?.opening) {
     onStopped({
-      message: `“${left.names[0] ?? 'A file'}” was not opened again: the last attempt failed or did not end.`,
+      message: `“${left.names[0] ?? 'A file'}” was not reopened, because the last attempt failed or did not finish.`,
       action: 'Open it',
       onAccept: () => void remembered.reopen(left.id, reopening(files)),
     });
   } else if (left) {
     if ((await remembered.reopen(left.id, again).catch(() => false)) || isOvertaken()) return;
-    say(`“${left.names[0] ?? 'A file'}” could not be opened again. This is a sample instead.`);
+    say(`“${left.names[0] ?? 'A file'}” could not be reopened. A sample is shown instead.`);
   }
   const link = named ?? (isNew && !left ? readPermalink(FIRST_VISIT) : null);
   const first = samples.find(({ id }) => id === link?.sample) ?? samples[0];
@@ -86,7 +86,7 @@ export async function openInitial(
   const opened = await files.sample(first.id, first.id === link?.sample ? link : null, input);
   if (opened && !named) writeSetting(VISITED, '1');
   if (named && named.sample !== first.id)
-    say(`There is no sample named “${named.sample}”. This is “${first.title}”; choose another under Samples.`);
+    say(`There is no sample named “${named.sample}”. “${first.title}” is shown instead. Choose another under Samples.`);
 }
 
 /** Opens a stored project; null if another request replaces it. */

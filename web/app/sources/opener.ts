@@ -179,7 +179,7 @@ export class Opener {
     await this.guarded(async () => {
       const files = await given;
       const name = files.length > 0 ? await this.reading(() => takeTangent(this.parts, files, end)) : null;
-      if (name) say(end === 'start' ? `The motion leaves towards “${name}”.` : `The motion arrives from “${name}”.`);
+      if (name) say(`“${name}” now sets the ${end} tangent.`);
       return name !== null;
     });
   }

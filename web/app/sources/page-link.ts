@@ -37,7 +37,7 @@ export function guideLink(fragment: string): string | null {
 /** A fragment with an unknown name; null if it names nothing. */
 export function strangeLink(fragment: string): string | null {
   if (fragment.replace(/^#/, '') === '') return null;
-  return 'The link names no sample and no page of the tour: it was left out.';
+  return 'The link does not name a sample or tour page, so it was ignored.';
 }
 
 /**

@@ -48,7 +48,7 @@ const MADE: readonly Sample[] = [
   {
     id: 'serpent',
     title: 'Serpent',
-    description: '307,000 faces, every scale modelled: it winds, coils and raises its head.',
+    description: '307,000 faces, with every scale modelled. It winds, coils and raises its head.',
     files: ['serpent.glb'],
     made: true,
     names: ['Winding', 'Winding back', 'Coiled'],
@@ -90,7 +90,7 @@ async function request(path: string, signal?: AbortSignal): Promise<Response> {
   });
   if (!response.ok)
     throw new Error(
-      `The sample could not be fetched: ${path} answered ${response.status}. Is the page's folder complete?`,
+      `The sample could not be fetched: ${path} returned status ${response.status}. Check that the page's folder is complete.`,
     );
   return response;
 }

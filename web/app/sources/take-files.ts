@@ -109,7 +109,7 @@ export class TakeFiles {
     const differs = this.hasOwn ? `${differenceOf(other)} ` : '';
     this.waiting = first;
     onOffer({
-      message: `${differs}${titleOf(first)} is the first pose of ${which}. Drop the next one, or choose it.`,
+      message: `${differs}${titleOf(first)} is the first pose of ${which}. Drop or choose the next pose.`,
       action: 'Choose files',
       onAccept: onPick,
       onDecline: () => (this.waiting = []),

@@ -51,15 +51,15 @@ export function disposed(what: string): EngineError {
 export function crashed(reason: string): EngineError {
   return engineError(
     'crashed',
-    `The computation stopped unexpectedly (${reason}). It restarts with the next step; ` +
-      'if it happens again, use fewer or smaller keys.',
+    `The computation stopped unexpectedly (${reason}). It restarts with the next step. ` +
+      'If it stops again, use fewer or smaller keys.',
   );
 }
 
 export function outOfMemory(): EngineError {
   return engineError(
     'out-of-memory',
-    'There is not enough memory for this. Close other pages, or use fewer keys or a mesh with fewer faces.',
+    'There is not enough memory. Close other pages, or use fewer keys or a mesh with fewer faces.',
   );
 }
 

@@ -158,7 +158,7 @@ export const MOTION = {
     choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'],
     default: 'lri',
     flag: 'method',
-    help: "the paper's method (lri), or a method to compare with it",
+    help: "the paper's method (lri), or a method for comparison",
     page: 'method',
     undo: 'method',
   },
@@ -237,8 +237,8 @@ export const MOTION = {
     default: 'off',
     flag: 'own-paths',
     help:
-      'each face rotates from key to key by itself where that agrees with its patch: nearer to sampled animations ' +
-      "(absolute), or against the largest patch, so a key's own orientation changes nothing (root)",
+      'rotate each face separately from key to key where this agrees with its patch; absolute: closer to sampled ' +
+      'animations; root: rotations relative to the largest patch, independent of the orientation of a key',
   },
   /** Largest number of faces of the mesh that the methods lengths and shell fit. */
   spaceFaces: {
@@ -317,8 +317,8 @@ export const PER_KEY = {
     undo: 'turns',
     label: 'Extra turns since the previous key',
     hint:
-      'Full turns to add since the previous key. The keys cannot show how many there were; ' +
-      'negative turns go the other way',
+      'Full turns to add since the previous key. The keys cannot determine their number; ' +
+      'negative turns have the opposite direction',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
@@ -415,7 +415,7 @@ export const ENCODING = {
     default: null,
     flag: 'end-tangent',
     value: 'FILE',
-    help: 'hermite: pose that sets the slope at the last key, which points from this pose to that key; default: the key before the last',
+    help: 'hermite: pose from which the motion arrives at the last key; default: the key before the last',
     page: 'endTangentPose',
     undo: 'end tangent pose',
   },
@@ -441,7 +441,7 @@ export const IMPORT = {
     kind: 'animation',
     flag: 'animation',
     value: 'NAME|INDEX',
-    help: 'take the keys from this animation of the file; default: the first one that moves',
+    help: 'take the keys from this animation of the file; default: the first animation that moves',
   },
   /** Times on the animation's own timeline, in seconds, or the number of evenly spaced ones; default 8. */
   sample: {
@@ -492,7 +492,7 @@ export const IMPORT = {
   /** Positions of that mesh in any pose, 3 x vertices. The keys use its vertices, however the files split theirs. */
   likePose: {
     kind: 'shape',
-    help: 'positions of that mesh; the keys then use its vertices, however the files split theirs',
+    help: 'positions of that mesh; the keys then use its vertices, even if the files split them differently',
   },
   /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a far shape. */
   offset: {
@@ -502,7 +502,7 @@ export const IMPORT = {
   /** `scene.objects` of that mesh, for matching the files' objects. */
   likeObjects: {
     kind: 'objects',
-    help: "`scene.objects` of that mesh: the files' objects are matched with these",
+    help: "`scene.objects` of that mesh, for matching the files' objects",
   },
 } as const satisfies OptionTable;
 
@@ -524,7 +524,7 @@ export const EXPORT = {
     default: null,
     flag: 'at',
     value: 'T,T,...',
-    help: 'times to export, which may lie beyond the keys: --at=-0.3,1.3',
+    help: 'times to export, which can be beyond the keys: --at=-0.3,1.3',
   },
   /** Evenly spaced frames over the range. A GLB also includes the keys in the range, to pass through them. */
   frames: {
@@ -548,7 +548,7 @@ export const EXPORT = {
     default: null,
     flag: 'fps',
     value: 'F',
-    help: 'frames per second; the times are whole frames, to match those of an animation program',
+    help: 'frames per second; all times are whole frames, as in animation programs',
   },
   /**
    * Largest error of a vertex in GLB playback, in percent of the bounding box's diagonal. Without it, every frame is
@@ -577,7 +577,7 @@ export const EXPORT = {
     choices: ['none', 'quantized', 'meshopt'],
     default: 'none',
     flag: 'compression',
-    help: 'GLB: 16 bits per coordinate (KHR_mesh_quantization), or that with EXT_meshopt_compression',
+    help: 'GLB: quantized: 16 bits per coordinate (KHR_mesh_quantization); meshopt: also EXT_meshopt_compression',
   },
   /** First and last time; default: first and last key. */
   range: {
@@ -610,7 +610,7 @@ export const EXPORT = {
     default: null,
     flag: 'blend',
     value: 'W,W,...',
-    help: 'instead of the motion, one mixture of the keys in shape space: a weight per key, sum 1',
+    help: 'export one mixture of the keys in shape space instead of the motion: one weight per key, sum 1',
   },
   /** Exports only the pose at this time; frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'a single pose at this time' },

@@ -78,7 +78,7 @@ const path: Check = (v) => {
   return good ? null : 'whose path is not { time, move: [x, y, z] } in increasing times';
 };
 
-/** The problem with a pin, for a sentence after 'must not have a pin'. */
+/** The problem with a pin, after 'has a pin'. */
 function wrongWithPin(pin: unknown): string | null {
   if (!isRecord(pin)) return 'that is not an object';
   const { vertex, radius, stay = 0, path: keys = [], ...rest } = pin;
@@ -92,13 +92,15 @@ function wrongWithPin(pin: unknown): string | null {
 const pins: Check = (v) => {
   if (!Array.isArray(v)) return 'must be an array of { vertex, radius, stay?, path? }';
   const wrong = v.map(wrongWithPin).find((one) => one !== null);
-  return wrong ? `must not have a pin ${wrong}` : null;
+  return wrong ? `has a pin ${wrong}` : null;
 };
 
 const sample: Check = (v) => {
   if (!wholeFrom(2)(v)) return null;
   const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isTime(t) && (i === 0 || t > v[i - 1]));
-  return increasing ? null : `must be increasing times in seconds ${BETWEEN_TIMES}, or how many (at least 2)`;
+  return increasing
+    ? null
+    : `must be increasing times in seconds ${BETWEEN_TIMES}, or the number of times (at least 2)`;
 };
 
 const isObject = (v: unknown): boolean =>
@@ -257,7 +259,7 @@ export function checkUpdate(
   const { keyTimes, ...rest } = change as { keyTimes?: unknown };
   const name = Object.keys(rest).find((key) => Object.hasOwn(encodingChecks, key));
   if (name) {
-    throw invalidOption(`The option '${name}' changes the encoding: make a new sequence with createSequence for it.`);
+    throw invalidOption(`The option '${name}' changes the encoding: make a new sequence with createSequence.`);
   }
   const wrong = keyTimes === undefined ? null : times(keyTimes);
   if (wrong) throw invalidOption(`'keyTimes' ${wrong}.`);

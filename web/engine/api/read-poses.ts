@@ -93,7 +93,7 @@ function checkSameMesh(file: string, { report, faces }: KeysInfo, keys: KeysInfo
   if (faces.length !== keys.faces.length)
     throw refused('face-count-mismatch', `${faces.length / 3} faces, but the keys have ${keys.faces.length / 3}`);
   const face = firstOtherFace(faces, keys.faces);
-  if (face >= 0) throw refused('face-mismatch', `other faces than the keys from face ${face + 1} on`, face);
+  if (face >= 0) throw refused('face-mismatch', `different faces than the keys, starting at face ${face + 1}`, face);
 }
 
 /** Index of the first different triangle, or -1. Triangles may start at any corner. */

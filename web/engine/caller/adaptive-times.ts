@@ -55,7 +55,7 @@ export async function adaptiveTimes(motion: Motion, wanted: Wanted): Promise<Ada
 function tooMany(count: number, most: number): EngineError {
   const sentence =
     `This tolerance needs more than ${most.toLocaleString('en')} morph targets (${count.toLocaleString('en')} so far). ` +
-    'Allow a larger one, or export a shorter range.';
+    'Use a larger tolerance, or export a shorter range.';
   return new EngineError('too-large', sentence);
 }
 

@@ -102,7 +102,7 @@ async function principalOf(
   if (2 * 4 * size * times.length > MOST_HELD)
     throw new EngineError(
       'too-large',
-      `Principal targets of a shape of this size need ${times.length} frames in memory, more than fit. ` +
+      `For a shape of this size, principal targets need ${times.length} frames in memory. They do not fit. ` +
         'Use frames as targets, or a larger tolerance.',
     );
   const frame = async (t: number) => {

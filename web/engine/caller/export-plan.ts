@@ -74,7 +74,7 @@ function wholeFrames([first, last]: readonly [number, number], fps: number, dura
       ? frameTimes([first, last], fps)
       : frameTimes([0, duration], fps).map((seconds) => Math.min(first + seconds / scale, last));
   if (times.length > 1) return times;
-  throw invalidOption('The range holds fewer than two whole frames. Use a longer one or more frames per second.');
+  throw invalidOption('The range has fewer than two whole frames. Use a longer range or more frames per second.');
 }
 
 /** Whether a GLB omits frames within the tolerance; for principal targets, weight times. */
@@ -146,7 +146,7 @@ export function checkWeights(frames: number, targets: number): void {
 export function checkBytes({ format }: ExportOptions, bytes: number): void {
   if (format !== 'glb' || bytes <= MOST_GLB_BYTES) return;
   throw tooLarge(
-    `The file would be ${(bytes / 1e9).toFixed(1)} GB and could not be opened again; a GLB may have 2.1 GB. Export fewer frames, or an OBJ sequence.`,
+    `The file would be ${(bytes / 1e9).toFixed(1)} GB, but a GLB can have at most 2.1 GB. Export fewer frames, or an OBJ sequence.`,
   );
 }
 
@@ -172,8 +172,8 @@ export function frameWarnings(
       ...NO_PLACE,
       code: 'keys-off-frames',
       message:
-        `At ${fps} frames per second, ${off.length === 1 ? `key ${named} lies` : `keys ${named} lie`} between whole frames` +
-        `${ends ? ', and the animation ends before the last one' : ''}. Move them onto frames, or omit the frame rate.`,
+        `At ${fps} frames per second, ${off.length === 1 ? `key ${named} is` : `keys ${named} are`} between whole frames` +
+        `${ends ? ', and the animation ends before the last key' : ''}. Move the keys onto frames, or omit the frame rate.`,
       key: off[0]!.key,
       count: off.length,
     },
@@ -188,7 +188,7 @@ export function localWarnings(options: ExportOptions, offset: Point): Warning[] 
   if (!isPointCache(options) || offset.every((value) => value === 0)) return [];
   const message =
     `The ${options.format.toUpperCase()} and its OBJ have positions relative to ${offset.join(', ')} (y up). ` +
-    'Move the object there in the other program. When the files are opened here, the offset is applied.';
+    'In other programs, move the object by this offset. shapespline applies it when it opens the files.';
   return [{ ...NO_PLACE, code: 'local-positions', message, count: 0 }];
 }
 
@@ -203,9 +203,9 @@ export function exportWarnings(options: ExportOptions, targets: number, vertices
       ...NO_PLACE,
       code: 'heavy-animation',
       message:
-        `Playing this takes ${bytesText(texture)} of graphics memory in three.js and Babylon.js (${grouped(targets)} ` +
+        `Playing this file takes ${bytesText(texture)} of graphics memory in three.js and Babylon.js (${grouped(targets)} ` +
         `morph targets of ${grouped(vertices)} vertices, 32 bytes each) and ${bytes(PLAYED_BYTES.memory)} of memory; ` +
-        `${bytes(PLAYED_BYTES.blender)} in Blender. A larger tolerance or fewer frames reduce this.`,
+        `${bytes(PLAYED_BYTES.blender)} in Blender. To use less memory, choose a larger tolerance or fewer frames.`,
       count: targets,
     });
   if (targets > MOST_LAYERS)

@@ -86,8 +86,5 @@ function increasing(times: number[], count: number): number[] {
 }
 
 function countMismatch(what: string, given: number, wanted: number): EngineError {
-  return new EngineError(
-    'time-count-mismatch',
-    `There are ${given} ${what} for ${wanted} keys: give one for each key.`,
-  );
+  return new EngineError('time-count-mismatch', `There are ${given} ${what} for ${wanted} keys. Give one per key.`);
 }

@@ -21,7 +21,7 @@ export class PointCache {
     if (length > MOST_BYTES)
       throw new EngineError(
         'too-large',
-        `The point cache would be ${(length / 1e9).toFixed(1)} GB; it may have 2.1 GB. Export fewer frames.`,
+        `The point cache would be ${(length / 1e9).toFixed(1)} GB, but it can have at most 2.1 GB. Export fewer frames.`,
       );
     this.bytes = new Uint8Array(length);
     this.view = new DataView(this.bytes.buffer);

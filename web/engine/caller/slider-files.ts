@@ -19,7 +19,7 @@ function csv(names: readonly string[], times: readonly number[], rows: readonly 
 
 function blenderScript(names: readonly string[], times: readonly number[], rows: readonly number[][]): string {
   const columns = names.map((name, k) => [name, rows.map((row) => row[k])] as const);
-  return `# Blender: import the GLB, select its mesh, run this in the Text Editor. The object then has a custom property
+  return `# Blender: import the GLB, select its mesh, and run this script in the Text Editor. The object then has a custom property
 # "slider" that drives all its shape keys.
 import bpy
 

@@ -121,9 +121,9 @@ function why(): string {
   if (refusals.has('trusted-types'))
     return "The page's policy does not list this package's Trusted Types policy: add shapespline to its trusted-types.";
   if (refusals.has('require-trusted-types-for'))
-    return "The page's policy requires Trusted Types, and the policy named shapespline could not be made.";
+    return "The page's policy requires Trusted Types, but the policy named shapespline could not be created.";
   if (refusals.has('worker-src'))
-    return `The page's policy refuses it: ${lowered(OWN)}, or allow blob: in its worker-src.`;
+    return `The page's policy blocks the worker: ${lowered(OWN)}, or allow blob: in its worker-src.`;
   if (globalThis.origin === 'null')
     return 'This frame is sandboxed without allow-same-origin: the host must send Access-Control-Allow-Origin: * with worker.js.';
   return `${OWN}.`;

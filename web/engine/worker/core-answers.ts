@@ -67,7 +67,7 @@ export class CoreAnswers {
       return { ...frame, threads: choice?.chosen ?? 1, ms: performance.now() - begun };
     } catch (reason) {
       // The worker must end, because its second thread may still write to the shared memory.
-      throw core.secondThreadLost ? crashed('its second thread broke down in the middle of a frame') : reason;
+      throw core.secondThreadLost ? crashed('its second thread failed during a frame') : reason;
     }
   }
 

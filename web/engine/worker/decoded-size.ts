@@ -40,7 +40,7 @@ export function checkDecodedSize(json: unknown, bytes: number, name: string): vo
   const megabytes = Math.round(room / 1e6).toLocaleString('en');
   throw new EngineError(
     'too-large',
-    `${name} declares more than the ${megabytes} MB that its bytes may expand to. Export the file again, or without compression.`,
+    `${name} expands to more than the ${megabytes} MB allowed for its size. Export the file again, or without compression.`,
     { file: name },
   );
 }
@@ -52,7 +52,7 @@ function meshoptSize(view: Json, index: number): number {
   const { count, byteStride, byteLength, mode = 'ATTRIBUTES' } = extension;
   const ratio = MESHOPT_RATIO[String(mode)];
   if (!isSize(count) || !isSize(byteStride) || !isSize(byteLength) || byteStride > 256 || ratio === undefined)
-    throw new Error(`bufferView ${index} has a size that meshopt cannot have`);
+    throw new Error(`bufferView ${index} has a size that is invalid for meshopt`);
   if (count * byteStride > ratio * byteLength)
     throw new Error(`bufferView ${index} declares more than its ${byteLength} bytes can hold`);
   return count * byteStride;
@@ -86,7 +86,7 @@ export function checkCompressedViews(json: unknown): void {
       if (draco === undefined) continue;
       const view = isObject(draco) ? draco['bufferView'] : undefined;
       if (!isSize(view) || view >= views)
-        throw new Error(`mesh ${m}, primitive ${p} lies in buffer view ${Number(view)}, which does not exist`);
+        throw new Error(`mesh ${m}, primitive ${p} refers to buffer view ${Number(view)}, which does not exist`);
     }
 }
 

@@ -100,7 +100,7 @@ function warning(code: string, count: number): Warning {
   const what =
     code === 'large-texture'
       ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, or more than ${Math.round(MOST_PIXELS_KEPT / 1e6)} million together,`
-      : 'textures that are cut off, or in a format that browsers do not read,';
+      : 'textures that are cut off, or in a format that browsers cannot read,';
   return {
     ...NO_PLACE,
     code,

@@ -76,9 +76,9 @@ function changedMesh(project: string, { vertices, faces }: MeshReport): Warning 
   if (!mesh || (mesh.vertices === vertices && mesh.faces === faces)) return null;
   const grouped = (count: number): string => count.toLocaleString('en');
   const message =
-    `Another program changed the mesh of this project: it has ${grouped(vertices)} vertices and ${grouped(faces)} ` +
-    `faces, and was saved with ${grouped(mesh.vertices)} and ${grouped(mesh.faces)}. Its keys are used as they are now; ` +
-    'open the original export to work on the whole mesh.';
+    `Another program changed the mesh of this project. It now has ${grouped(vertices)} vertices and ${grouped(faces)} ` +
+    `faces instead of ${grouped(mesh.vertices)} and ${grouped(mesh.faces)}. The changed keys are used. ` +
+    'To work on the whole mesh, open the original export.';
   return { ...NO_PLACE, code: 'project-mesh-changed', message, count: Math.abs(mesh.vertices - vertices) };
 }
 
@@ -95,7 +95,7 @@ function lostProject(files: readonly InputFile[], { project, animation }: Pick<I
   const text = files.length === 1 && project === '' && animation >= 0 ? jsonOf(files[0]!.bytes) : null;
   if (text === null || text.includes('"shapespline":') || !hasOurTargets(text)) return [];
   const message =
-    'This animation was exported from here, and another program saved it again without the project. Its keys ' +
-    'are taken from the animation. To work on the project itself, open the original export.';
+    'shapespline exported this animation, but another program saved it again without the project. The keys ' +
+    'are taken from the animation. To work on the project, open the original export.';
   return [{ ...NO_PLACE, code: 'project-lost', message, count: 0 }];
 }

@@ -128,5 +128,5 @@ function cursorParts({ state: { time, layers }, derived: { curves } }: Shown, pl
 function describe({ keys, layers, plane, taken }: PlayState): string {
   const shown = layers.map((layer) => LAYER_WORDS[layer].name).join(', ') || 'no curve';
   const what = taken ? `${taken.name} (${taken.unit})` : plane ? 'Points in a plane' : 'Values over time';
-  return `${what}: ${keys.length} keys that can be dragged, and through them: ${shown}. The table below has the numbers.`;
+  return `${what}: ${keys.length} draggable keys. Curves through them: ${shown}. The table below has the numbers.`;
 }

@@ -57,7 +57,7 @@ function createRow(layer: Layer, onShow: (layer: Layer, on: boolean) => void) {
       setText(value, number(bending));
       setText(
         said,
-        `, total bending ${bending === Infinity ? 'without end' : Number.isNaN(bending) ? 'unknown' : number(bending)}`,
+        `, total bending ${bending === Infinity ? 'infinite' : Number.isNaN(bending) ? 'unknown' : number(bending)}`,
       );
       setStyle(bar, '--share', String(Number.isFinite(bending) ? bending / most : bending > 0 ? 1 : 0));
       setAttribute(bar, 'data-endless', bending === Infinity);

@@ -53,8 +53,8 @@ function describe(layers: readonly Layer[], derived: Derived, derivative: 1 | 2)
   const said = layers.map((layer) => {
     const jump = largestJump(derived, layer, derivative);
     const { name } = LAYER_WORDS[layer];
-    if (derivative === 2 && layer === 'linear') return `${name}: a spike without end at every corner`;
-    return `${name}: ${jump > 1e-6 ? `jumps by up to ${number(jump)} at a key` : 'goes on at every key'}`;
+    if (derivative === 2 && layer === 'linear') return `${name}: an infinite spike at every corner`;
+    return `${name}: ${jump > 1e-6 ? `jumps by up to ${number(jump)} at a key` : 'is continuous at every key'}`;
   });
   return `${NAMES[derivative]}. ${said.join('; ')}`;
 }

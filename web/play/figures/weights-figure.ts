@@ -51,7 +51,7 @@ export function createWeightsFigure(onTime: (time: number) => void): Part<SVGSVG
       ),
     );
     const sum = weights.map((weight, k) => `${number(valueAt(weight, state.time))} times key ${k + 1}`).join(', ');
-    element.setAttribute('aria-label', `Weights of the keys over time. At ${number(state.time)}: ${sum}`);
+    element.setAttribute('aria-label', `Weights of the keys over time. At time ${number(state.time)}: ${sum}`);
     return axes;
   }
 

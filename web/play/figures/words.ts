@@ -4,19 +4,19 @@ import type { Ends } from '../splines/slopes.ts';
 import type { Layer } from '../state.ts';
 
 export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
-  linear: { name: 'Straight lines', what: 'Linear: the shortest way, with a corner at every key' },
+  linear: { name: 'Straight lines', what: 'Linear: the shortest path, with a corner at every key' },
   natural: { name: 'Natural cubic', what: 'Free ends; in Blender the smoothing “Continuous Acceleration”' },
   samples: {
     name: 'Brute force',
-    what: 'K samples that bend least, with the keys held, and the smoothest curve through all of them',
+    what: 'K samples that bend least with fixed keys, and the smoothest curve through all of them',
   },
   'catmull-rom': {
     name: 'Catmull-Rom',
     what: 'Uses only the two neighbouring keys, as with Blender’s smoothing “None”',
   },
   hermite: { name: 'Given speeds', what: 'Hermite ends: drag the handles; 0 eases in and out' },
-  periodic: { name: 'Loop', what: 'Periodic: after the last key comes the first again' },
-  shaped: { name: 'Tension and bias', what: 'Of each key, after Kochanek and Bartels' },
+  periodic: { name: 'Loop', what: 'Periodic: the last key is followed by the first' },
+  shaped: { name: 'Tension and bias', what: 'Set for each key, after Kochanek and Bartels' },
 };
 
 export const ENDS_WORDS: Record<Ends, string> = { natural: 'Free', hermite: 'Given speeds', periodic: 'Loop' };
