@@ -235,6 +235,8 @@ interface NumberFieldOptions {
   step?: number | 'any';
   /** Meaning of an empty field. */
   empty?: number;
+  /** Why a number is refused, after 'must be'; null: it is not. */
+  wrongWith?: (value: number) => string | null;
   onInput: (value: number) => void;
 }
 
@@ -246,16 +248,19 @@ export const REFUSED = 'refused';
  * number beyond a limit becomes the limit.
  */
 export function numberField(options: NumberFieldOptions): HTMLInputElement {
-  const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, onInput } = options;
+  const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, wrongWith, onInput } = options;
+  const name = label.split(/[;,]/)[0]!;
   const refuse = (why: string): void => {
-    field.dispatchEvent(new CustomEvent(REFUSED, { bubbles: true, detail: `${label}: ${why}` }));
+    field.dispatchEvent(new CustomEvent(REFUSED, { bubbles: true, detail: `${name} must be ${why}.` }));
   };
   const take = (): void => {
     const value = field.valueAsNumber;
     if (field.value === '' && !field.validity.badInput) return empty === undefined ? undefined : onInput(empty);
-    if (!Number.isFinite(value)) return refuse('this is not a number.');
-    if (value < min) refuse(`at least ${min}.`);
-    if (value > max) refuse(`at most ${max}.`);
+    if (!Number.isFinite(value)) return refuse('a number');
+    if (value < min) refuse(`at least ${min}`);
+    if (value > max) refuse(`at most ${max}`);
+    const wrong = wrongWith?.(value);
+    if (wrong) return refuse(wrong);
     onInput(Math.min(Math.max(value, min), max));
   };
   const commit = (): void => {

@@ -104,10 +104,12 @@ export function createMotionEnds(events: MotionEndsEvents): MotionEnds {
 }
 
 function createPeriod({ onMotion }: MotionEndsEvents): Component<MotionEndsProps> {
+  let keysLast = 0;
   const period = numberField({
     label: 'Period',
     testId: 'period',
-    min: 1e-6,
+    wrongWith: (value) =>
+      value > keysLast ? null : `longer than the time from the first key to the last, ${keysLast} s`,
     onInput: (value) => onMotion({ period: value }),
   });
   const reset = button({
@@ -118,7 +120,8 @@ function createPeriod({ onMotion }: MotionEndsEvents): Component<MotionEndsProps
   });
   return {
     element: fieldRow('Period', period, reset),
-    update({ motion, period: fallback }) {
+    update({ motion, keys, period: fallback }) {
+      keysLast = Number(((keys.at(-1)?.time ?? 0) - (keys[0]?.time ?? 0)).toFixed(4));
       setField(period, String(Number((motion.period ?? fallback).toFixed(4))));
       setIdle(reset, motion.period === null);
     },

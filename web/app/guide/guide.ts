@@ -2,6 +2,7 @@
  * The guide: pages that are states of the app, each with a link. Closing it restores the earlier content, unless the
  * user has opened something else.
  */
+import '../../ui/styles/guide.css';
 import type { Plot } from '../../model/state.ts';
 import { createGuidePanel } from '../../ui/guide-panel.ts';
 import type { GuidePanelProps } from '../../ui/guide-panel.ts';

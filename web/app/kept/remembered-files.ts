@@ -257,7 +257,7 @@ export class RememberedFiles {
     void this.writeInTurn(id).then(() => {
       if (this.told || !this.kept.has(id)) return;
       this.told = true;
-      this.telling = window.setTimeout(() => this.parts.say(KEPT), TELL_DELAY_MS);
+      this.telling = window.setTimeout(() => this.own === id && this.parts.say(KEPT), TELL_DELAY_MS);
     });
   }
 
