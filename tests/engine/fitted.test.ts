@@ -33,7 +33,8 @@ describe('lengths', () => {
       const first = (await frameAt(sequence, 0.37)).positions.slice();
       await frameAt(sequence, 1.4);
       expect((await frameAt(sequence, 0.37)).positions).toEqual(first);
-      expect(sequence.warnings).toEqual([]);
+      // Of the strongly bent sheet, times beyond the keys are warned of.
+      expect(sequence.warnings.filter(({ code }) => code !== 'open-beyond-keys')).toEqual([]);
       expect(sequence.keyTimes).toEqual([0, 1]);
       expect(sequence.options.method).toBe(method);
       sequence.dispose();

@@ -517,7 +517,7 @@ TEST_CASE("keys that are not poses of one mesh") {
   refused(box(boxPose(), faces), ErrorCode::FaceCountMismatch, {"second.glb (key 2)", "11", "12"});
   faces = boxFaces();
   std::swap(faces[3][0], faces[3][1]);
-  refused(box(boxPose(), faces), ErrorCode::FaceMismatch, {"face 3", "wound"});
+  refused(box(boxPose(), faces), ErrorCode::FaceMismatch, {"face 3", "winding"});
   refused(box(Positions(8, Vec3(1, 1, 1)), boxFaces()), ErrorCode::NoArea, {"zero area"});
 }
 

@@ -392,7 +392,7 @@ TEST_CASE("broken OBJ files") {
   checkRefused("bad.obj", v + "f 1 2 -4\n", ErrorCode::IndexOutOfRange, "line 4");
   checkRefused("bad.obj", v + "f 1 2 99999999999\n", ErrorCode::IndexOutOfRange, "line 4");
   checkRefused("bad.obj", v + "f 1 2 -9223372036854775808\n", ErrorCode::IndexOutOfRange,
-               "corner -9,223,372,036,854,775,808,");
+               "index -9,223,372,036,854,775,808,");
   checkRefused("bad.obj", v + "f 1 2 99999999999999999999\n", ErrorCode::MalformedFile, "line 4");
   checkRefused("bad.obj", v + "f 0 1 2\n", ErrorCode::MalformedFile, "line 4");
   checkRefused("bad.obj", v + "f a b c\n", ErrorCode::MalformedFile, "line 4");
