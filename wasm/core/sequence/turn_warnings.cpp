@@ -21,7 +21,7 @@ constexpr int fewestFaces = 4;
 
 // Beyond the keys: as far as the page shows, in mean intervals; and where regions disagree by more in the mean, noise
 // in the keys moves the shape by percents of its diagonal. Ordinary poses reach 6 degrees.
-constexpr double reach = 0.8, openBeyond = 25 / degrees;
+constexpr double reach = 0.8, openBeyond = 30 / degrees;
 
 std::string angleText(double radians) { return std::to_string(std::lround(radians * degrees)) + " degrees"; }
 
