@@ -37,7 +37,7 @@ class PatchMotion {
   /// The local frames at `point`. At a key, they equal the encoded ones.
   void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
-  /// Of an open curve's point: by how much each patch turns otherwise than its own path says, radians.
+  /// Angle between each patch's rotation and its own path, in radians, at a point of an open curve.
   std::vector<double> disagreement(const CurvePoint& point) const;
 
   const PatchCoordinates& coordinates() const { return patches_; }

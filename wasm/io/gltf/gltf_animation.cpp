@@ -132,7 +132,7 @@ bool takeWeights(std::string_view rest, Target& target) {
   return target.weight >= 0 && rest.empty();
 }
 
-// Returns nothing if the pointer has any other target.
+// Empty for pointers to other properties.
 std::optional<Target> pointedAt(const GltfDocument& doc, std::string_view pointer) {
   Target target;
   if (take(pointer, "/meshes")) {

@@ -30,7 +30,7 @@ const LIST: readonly Figure[] = [
     text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys.',
     task: 'Watch the middle key: the geodesic turns sharply at this key, the spline does not.',
     sentence:
-      'This page shows the paper’s spline and the geodesic, on a different cactus. The spline in shell space is not implemented.',
+      'This page shows the paper’s spline and the geodesic, on a different cactus. To add the spline in shell space, check “Shell spline” under “Compare with”.',
   },
   {
     number: '2a',
