@@ -79,6 +79,22 @@ describe('the analysis', () => {
     expect(asked).toHaveLength(2);
   });
 
+  it('is told at once to an observer that comes later', async () => {
+    const { cache, heard } = setUp('lri');
+    const observe = (): void =>
+      cache.observe({
+        onChange: () => heard.push('change'),
+        onStale: () => heard.push('stale'),
+        onFresh: () => heard.push('fresh'),
+      });
+    observe();
+    expect(heard).toEqual(['change']);
+    await cache.get();
+    heard.length = 0;
+    observe();
+    expect(heard).toEqual(['fresh']);
+  });
+
   it('of motions that changed meanwhile is not fresh, and its end is reported', async () => {
     const { cache, heard } = setUp('lri');
     const first = cache.refresh();

@@ -83,8 +83,7 @@ export interface View {
   film: boolean;
   /** Number of shapes in a film strip; null: chosen from the keys. */
   filmShapes: number | null;
-  /** Methods shown beside the main one. */
-  /** At most MOST_COMPARED methods. */
+  /** Methods shown beside the main one, at most MOST_COMPARED. */
   compare: Method[];
   /** Position of the divider between two motions, relative to the width; null: side by side. */
   split: number | null;

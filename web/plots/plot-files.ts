@@ -73,7 +73,7 @@ function standing(element: SVGSVGElement, heading: Heading): SVGSVGElement {
   const tall = lines * large;
   head.setAttribute('transform', `translate(${left} ${-tall}) scale(${large})`);
   const [width, height] = [right - left, bottom + tall].map((size) => Number(size.toFixed(2))) as [number, number];
-  const ground = part('rect', { x: left, y: -tall, width, height, fill: groundOf(element) });
+  const ground = part('rect', { x: left, y: -tall, width, height, fill: groundOf(element.parentElement) });
   copy.prepend(ground, head, axes);
   const mm = width > COLUMN_UNITS ? PAGE_MM : COLUMN_MM;
   const size = { width: `${mm}mm`, height: `${((mm * height) / width).toFixed(2)}mm` };
@@ -96,7 +96,7 @@ function axisTitles({ x = '', y = '' }: Partial<Axes>, { left, bottom }: Box, el
   const size = (SMALL * typeOf(element)) / TYPE;
   const look = { 'font-family': FONT, 'font-size': `${size}px`, 'text-anchor': 'middle' };
   const group = part('g', { ...look, fill: plainColour(color).colour });
-  const along = part('text', { x: width / 2, y: bottom + size });
+  const along = part('text', { x: width / 2, y: bottom + 1.25 * size });
   along.textContent = x;
   const up = part('text', { transform: `translate(${left - MARGIN / 2} ${height / 2}) rotate(-90)` });
   up.textContent = y;
@@ -232,9 +232,9 @@ export function csvOf(names: readonly string[], rows: readonly (readonly number[
   return [names.join(','), ...rows.map((row) => row.map(cell).join(',')), ''].join('\n');
 }
 
-/** The first visible background behind the element. */
-function groundOf(element: Element): string {
-  for (let at: Element | null = element; at; at = at.parentElement) {
+/** The first visible background from the element upwards. */
+function groundOf(element: Element | null): string {
+  for (let at = element; at; at = at.parentElement) {
     const { backgroundColor } = getComputedStyle(at);
     if (!/^(transparent|rgba\(0, 0, 0, 0\))$/.test(backgroundColor)) return backgroundColor;
   }

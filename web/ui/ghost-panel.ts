@@ -72,7 +72,7 @@ export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): 
       hint,
       lriMethod
         ? 'A coarse mesh leads the motion and the full shape follows it.'
-        : 'This method blends positions and uses no ghost mesh.',
+        : 'This method uses no ghost mesh.',
     );
     setHidden(details, encoding.ghostFaces === 0);
     setHidden(study, !lriMethod);

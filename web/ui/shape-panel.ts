@@ -19,7 +19,8 @@ export interface ShapePanelProps {
   stats: SequenceStats | null;
   /** Number of threads for a frame. */
   threads: number | null;
-  lriMethod: boolean;
+  /** The method interpolates stretches. */
+  hasStretches: boolean;
   /** The user's own files are open, so keys and objects can be chosen again. */
   canSample: boolean;
   /** Orientation of files that do not specify it; otherwise null. */
@@ -78,7 +79,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
     const { encoding, keys, info, stats } = props;
     stretch.update(
       encoding.stretch,
-      props.lriMethod ? {} : { log: 'This method blends positions and has no stretches.', linear: '' },
+      props.hasStretches ? {} : { log: 'This method blends positions and has no stretches.', linear: '' },
     );
     reference.update(
       String(keys[props.reference]?.pose ?? ''),

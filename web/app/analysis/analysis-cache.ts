@@ -30,8 +30,11 @@ export class AnalysisCache {
     return this.outOfDate;
   }
 
+  /** Tells `observer` the present state at once. */
   observe(observer: AnalysisObserver): void {
     this.observer = observer;
+    if (this.analysis && !this.outOfDate) observer.onFresh(this.analysis);
+    else observer.onChange(false);
   }
 
   invalidate(): void {

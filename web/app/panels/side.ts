@@ -121,7 +121,7 @@ function createShape(context: Context, commands: Commands, connect: Connect): HT
     objects: viewState.objects,
     disabled,
     defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING,
-    lriMethod: METHOD[doc.motion.method].space === 'lri',
+    hasStretches: METHOD[doc.motion.method].space !== 'vertices',
   }));
   connect(ghostPanel, ({ state: { doc, view }, viewState, disabled }) => ({
     encoding: doc.encoding,
