@@ -184,10 +184,15 @@ double FeatureCurve::overshoot(const Eigen::VectorXd& poseWeights, double t) con
 
 // Inner products in the motion's own space.
 Eigen::MatrixXd FeatureCurve::ownGram() const {
-  if (motion_.blendsVertices()) return lri_.vertexGram();
-  if (motion_.inLri()) return gram_;
-  return motion_.options().method == Method::Rimd ? encoded_.rimd().gramMatrix()
-                                                  : encoded_.rotationStrain().gramMatrix();
+  switch (motion_.options().method) {
+    case Method::Linear:
+    case Method::CubicVertex: return lri_.vertexGram();
+    case Method::RotationStrain: return encoded_.rotationStrain().gramMatrix();
+    case Method::Rimd: return encoded_.rimd().gramMatrix();
+    case Method::Lri:
+    case Method::Geodesic: break;
+  }
+  return gram_;
 }
 
 std::vector<double> FeatureCurve::bendingEnergy(const std::vector<double>& times) const {
