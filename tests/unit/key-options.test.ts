@@ -1,4 +1,4 @@
-/** An option per key passes through all conversions; only the table has to know it. */
+/** An option per key passes through all conversions; only the table lists it. */
 import { describe, expect, it } from 'vitest';
 import { parseArguments } from '../../web/cli/arguments.ts';
 import { COMPLETE, sequenceOptions } from '../../web/cli/settings.ts';

@@ -71,7 +71,7 @@ export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): 
     setText(
       hint,
       lriMethod
-        ? 'A coarse mesh leads the motion and the full shape follows it.'
+        ? 'The motion is computed on a coarse mesh and transferred to the full shape.'
         : 'This method blends positions and uses no ghost mesh.',
     );
     setHidden(details, encoding.ghostFaces === 0);
