@@ -8,7 +8,7 @@ import { SWEEP, sweptParts, type DistanceAt, type SweptParts } from './sweep.ts'
 export interface Errors {
   /** Distance from the shape computed in double. */
   double: SweptParts;
-  /** Distance from the shape led by a ghost; null without one. */
+  /** Distance from the shape computed with a ghost mesh; null without one. */
   ghost: SweptParts | null;
 }
 

@@ -1,5 +1,5 @@
 /**
- * npm run bench -- ghost browser [FACES,...]: large meshes led by a ghost of 2,000 faces, on the built page in
+ * npm run bench -- ghost browser [FACES,...]: large meshes with a ghost mesh of 2,000 faces, on the built page in
  * Chromium. Reports the response to each move of the slider, the main thread's long tasks, and the tab's peak memory.
  */
 import { execFileSync, spawn } from 'node:child_process';

@@ -1,4 +1,4 @@
-/** A sequence led by a ghost mesh: the paper's two stages, timed by the core. */
+/** A sequence with a ghost mesh: times of the paper's two stages, measured by the core. */
 import type { Engine, Keys, Sequence } from '../../web/engine/api/api.ts';
 import type { Frame, SequenceStats } from '../../web/engine/api/types.ts';
 import { fromFramesMs, msOf, stagesMs } from './frames.ts';

@@ -172,7 +172,7 @@ const cell = ({ raw, aligned: rigid, sliding }: Errors): string => [raw, rigid, 
 
 function errorTable(runs: readonly Run[]): string {
   const rows = runs.map(({ name, errors }) => [name, ...NAMES.map((one) => cell(errors[one]))]);
-  return `KG error in %, the same with every frame aligned, sliding in % of the diagonal:\n\n${table(['', ...NAMES], rows)}`;
+  return `KG error in %, KG error with every frame aligned, and sliding in % of the diagonal:\n\n${table(['', ...NAMES], rows)}`;
 }
 
 /** Geometric mean, minimum and maximum of the ratios to the plain motion. */
@@ -197,5 +197,5 @@ function costTable(costs: readonly Costs[]): string {
     short(plainMs),
     ...titles.map((title) => short(ratios[title]!)),
   ]);
-  return `A frame in wasm, in turn: milliseconds of the plain one, and the others over it (medians):\n\n${table(['', 'plain', ...titles], rows)}`;
+  return `Frame times in wasm, measured alternately (medians): the plain motion in milliseconds, the others relative to it:\n\n${table(['', 'plain', ...titles], rows)}`;
 }

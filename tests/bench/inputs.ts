@@ -88,7 +88,7 @@ export async function benchInputs([number]: readonly string[], say: (text: strin
   return [
     verdict,
     '',
-    `Times are of the processor, and include the start of the engine; ${itself.mb.toFixed(0)} MB of the process itself are not counted.`,
+    `Times are processor times and include the start of the engine. Memory excludes the ${itself.mb.toFixed(0)} MB of the process itself.`,
     '',
     '| | input | kB | ms | MB | outcome |',
     '|---|---|---|---|---|---|',

@@ -14,7 +14,7 @@ const babylonProgram = fileURLToPath(new URL('load-babylon.mjs', import.meta.url
 const WAIT_MS = 300_000;
 
 export interface InThree {
-  /** Seconds until the scene is loaded, and from then until its first drawing. */
+  /** Seconds until the scene is loaded, and from then until its first frame. */
   seconds: number;
   /** A message if nothing was drawn. */
   firstFrame: number | string;

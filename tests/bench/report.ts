@@ -33,61 +33,62 @@ export function report({ where, sizes, motions, resolutions, keys }: Results): {
   ];
   const inPaper = table1(sizes.flatMap(({ family, run }) => (family === 'smooth' ? [run] : [])));
   const machines =
-    `Milliseconds. "here": ${where}, one thread of WebAssembly; "paper": ${PAPER_MACHINE}. The machine differs as\n` +
-    'the program does.';
+    `Milliseconds. "here": ${where}, one thread of WebAssembly; "paper": ${PAPER_MACHINE}. Machine and program\n` +
+    'both differ.';
   const parts = [
     `# ${where}`,
     `**${verdict(targets)}**`,
-    'Three keys of a generated mesh; milliseconds unless said otherwise. Builds are medians of five; frames median / 95th percentile.\n' +
-      `Less than ${CLOCK_MS} is below what clocks can tell. "in parts": several components, open boundaries, slivers; held back:\n` +
-      'no option or limit was chosen by it.',
+    'Three keys of a generated mesh. Times are in milliseconds unless stated otherwise: for builds the median of five, for frames median / 95th\n' +
+      `percentile. Clocks cannot resolve less than ${CLOCK_MS}. "in parts": several components, open boundaries, slivers; no option or limit was\n` +
+      'tuned to these meshes.',
     '## Targets',
     targetTable(targets),
     '## Building a sequence',
-    '"silent": the longest time without a sign of progress, and what was reported after it.',
+    '"silent": the longest time without a progress report, and the report after it.',
     buildTable(sizes),
     memoryTable(sizes),
     '## A frame',
-    '"patches": their rotations; "faces": splined faces and right-hand side; "frame" has the copy out of the wasm heap, too. Ratios are\n' +
-      'medians of five rounds, with the lowest and highest; the targets are the same medians.',
+    '"patches": patch rotations; "faces": splined faces and right-hand side; "frame" includes the copy out of the wasm heap. Ratios are medians\n' +
+      'of five rounds, with minimum and maximum; targets apply to these medians.',
     frameTable(sizes),
-    '## How far shapes are off',
-    '"double": the same keys in double, native. Distances to the exact frame of the default precision over a sweep of times between the keys (0 to 1) and in the margins (0.4 on\n' +
-      'either side), in % of the diagonal of the bounding box: mean of all, largest mean of one shape, worst vertex with its time.',
+    '## Errors of shapes',
+    '"double": the same keys in double precision, native. Distances from the exact frame of the default precision at times between the keys (0 to 1)\n' +
+      'and in the margins (0.4 on either side), in % of the diagonal of the bounding box: mean over all shapes, largest mean of one shape, and\n' +
+      'worst vertex with its time.',
     errorTable(sizes),
     ...(keys.length > 0
       ? [
           '## More keys',
-          'The same mesh with more keys, in turn with three: "frame / with few" is the median of the rounds\' ratios, and grows less than\n' +
-            'linearly as long as it is below "keys / few".',
+          'The same mesh with more keys and with three, measured alternately. "frame / with few" is the median ratio over the rounds. Below\n' +
+            '"keys / few", the cost grows less than linearly.',
           keysTable(keys),
         ]
       : []),
     '## The second system',
-    'Native but for our own in wasm, in one thread, one after the other in each of five rounds: medians, and ratios of what was measured\n' +
-      'in the same round, with the lowest and highest. A solve has three columns. Eigen: `SimplicialLLT` with its minimum degree order;\n' +
-      'CHOLMOD, where it is installed: supernodal, METIS order. "entries" are those of the triangular factor, "MB" what is stored of it,\n' +
-      'indices included; "error": how far the solution of a known system is off, as a share of the diagonal.',
+    'Solvers on one thread, native except our own in wasm, one after the other in each of five rounds: medians, and ratios of times from the\n' +
+      'same round, with minimum and maximum. A solve has three columns. Eigen: `SimplicialLLT` with its minimum degree order. CHOLMOD, if\n' +
+      'installed: supernodal, METIS order. "entries": entries of the triangular factor; "MB": size of the stored factor with its indices; "error":\n' +
+      'distance from the known solution of a system, relative to the diagonal.',
     solverTable(sizes),
     ...(inPaper
       ? [
           "## One shape, as in the paper's Table 1",
-          `${machines}\nt_ir: interpolation and reconstruction on a ghost mesh of 2,000 faces, its vertices included, which a frame here does\n` +
-            'without; t_ts: from there to the shape; t_o: without a ghost. All by the clock of the core, the copy out of the wasm heap left out.',
+          `${machines}\nt_ir: interpolation and reconstruction on a ghost mesh of 2,000 faces with its vertices, which a frame here does not need;\n` +
+            't_ts: from there to the shape; t_o: without a ghost mesh. Times are from the core and exclude the copy out of the wasm heap.',
           inPaper,
         ]
       : []),
     ...(motions.length > 0
       ? [
           "## K shapes, as in the paper's Table 2",
-          `${machines}\nFor all shapes; γ is the share of vertices that the ghost mesh keeps, [2] the method that the paper compares with.`,
+          `${machines}\nTimes are for all K shapes. γ is the share of vertices that the ghost mesh keeps; [2] is the method that the paper compares with.`,
           table2(motions),
         ]
       : []),
     ...(resolutions.length > 0
       ? [
           "## The same motion at two resolutions, as in the paper's Fig. 10",
-          'A mesh, and the same with every face split into four: how far the vertices that both have are apart, in % of the diagonal.',
+          'A mesh, and the same mesh with every face split into four. Distance of the common vertices, in % of the diagonal.',
           table(
             ['faces', 'split', 'in the mean %', 'at worst %'],
             resolutions.map(({ coarseFaces, fineFaces, distance }) => [

@@ -73,9 +73,11 @@ function grid(size: number, pose: number): string {
 const OBJ_INPUTS: SmallInput[] = [
   obj('equal triangles', TRIANGLE, () => 'f 1 2 3\n'),
   obj('equal triangles from other corners', TRIANGLE, (i) => ['f 1 2 3\n', 'f 2 3 1\n', 'f 3 1 2\n'][i % 3]!),
-  obj('triangles to and fro', TRIANGLE, (i) => (i % 2 ? 'f 1 2 3\n' : 'f 3 2 1\n')),
+  obj('triangles with alternating winding', TRIANGLE, (i) => (i % 2 ? 'f 1 2 3\n' : 'f 3 2 1\n')),
   obj('equal quads', SQUARE, () => 'f 1 2 4 3\n'),
-  obj('equal quads, cut otherwise', SQUARE, (_, pose) => (pose ? 'f 1 2 4\nf 1 4 3\n' : 'f 1 2 3\nf 2 4 3\n')),
+  obj('equal quads, triangulated differently', SQUARE, (_, pose) =>
+    pose ? 'f 1 2 4\nf 1 4 3\n' : 'f 1 2 3\nf 2 4 3\n',
+  ),
   obj('equal triangles in another order', SQUARE, (i, pose) => ((i + pose) % 2 ? 'f 1 2 3\n' : 'f 2 4 3\n')),
   obj(
     'triangles of the same three places',
@@ -83,7 +85,7 @@ const OBJ_INPUTS: SmallInput[] = [
     (i, pose) => `${TRIANGLE(pose)}f ${3 * i + 1} ${3 * i + 2} ${3 * i + 3}\n`,
   ),
   obj(
-    'triangles beside each other, alike',
+    'identical separate triangles',
     () => '',
     (i, pose) => `v ${i} 0 0\nv ${i} 1 0\nv ${i} 0 ${1 + pose}\nf -3 -2 -1\n`,
   ),
@@ -93,7 +95,7 @@ const OBJ_INPUTS: SmallInput[] = [
     (i, pose) => `v ${9000 - i * pose} 0 0\nv ${9001 - i * pose} 0 0\nv ${9000 - i * pose} 1 0\nf -3 -2 -1\n`,
   ),
   obj(
-    'tetrahedra beside each other, alike',
+    'identical separate tetrahedra',
     () => '',
     (i, pose) =>
       `v ${3 * i} 0 0\nv ${3 * i + 1} 0 0\nv ${3 * i} 1 0\nv ${3 * i} 0 ${1 + pose}\nf -4 -3 -2\nf -4 -2 -1\nf -4 -1 -3\nf -3 -1 -2\n`,

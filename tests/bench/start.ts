@@ -16,7 +16,7 @@ const WINDOW_MS = 1200;
 
 type Times = Record<(typeof MARKS)[number] | 'cpu', number>;
 
-/** Runs in the page. The first mark says that the image was requested, this one that it was finished. */
+/** Runs in the page. The first mark is set when the image is requested, this one when it is finished. */
 function markFinished(): void {
   const mark = performance.mark.bind(performance);
   performance.mark = (name, options) => {

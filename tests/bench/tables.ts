@@ -167,7 +167,7 @@ export function errorTable(results: Result[]): string {
         ...sweptCells(inside),
         ...sweptCells(margins),
       ];
-      return [row('double', double), ...(ghost ? [row('led by a ghost', ghost)] : [])];
+      return [row('double', double), ...(ghost ? [row('with a ghost', ghost)] : [])];
     }),
   );
 }

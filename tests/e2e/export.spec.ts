@@ -113,7 +113,7 @@ test('poses without times get a second each, which the timeline says, and play i
   const text = await stated(app, () => app.by('export-animation-video').check());
   expect(text).toMatch(/^60 frames, 2 s, /);
   await expect(app.by('export-duration')).toHaveValue('2');
-  await expect(app.by('export-speed')).toHaveText('as it plays here');
+  await expect(app.by('export-speed')).toHaveText('as played here');
 });
 
 test('a link brings the whole view back', async ({ app, page }) => {

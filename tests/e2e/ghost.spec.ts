@@ -32,7 +32,7 @@ async function apart(app: App): Promise<{ percent: number[]; shown: number[] }> 
   });
 }
 
-test('a ghost mesh leads the shape when it is switched on, through the same keys', async ({ app }) => {
+test('a ghost mesh drives the shape when it is switched on, through the same keys', async ({ app }) => {
   await app.open();
   const full = [await app.positionsAt(1), await app.positionsAt(0.2)] as const;
   expect((await app.stats()).ghostFaces).toBe(0);

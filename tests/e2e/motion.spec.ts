@@ -25,7 +25,7 @@ test('the boundary changes the motion between the keys and the picture, not the 
   expect(apart(natural, hermite)).toBeGreaterThan(1e-3);
   expect(changedShare(picture, await app.picture())).toBeGreaterThan(2e-4);
   expect(apart(key, await app.positionsAt(0.5))).toBeLessThan(1e-5);
-  // A key can be the tangent shape.
+  // A key can be the tangent pose.
   await app.by('start-tangent').selectOption({ index: 3 });
   await app.settled();
   expect(apart(hermite, await app.positionsAt(0.2))).toBeGreaterThan(1e-3);
@@ -107,7 +107,7 @@ test(
     const towards = await app.positionsAt(0.3);
     expect(difference(towards, before)).toBeGreaterThan(0.005 * diagonal(before));
     expect((await app.state()).doc.keys).toHaveLength(2);
-    // The tangent shape is shown in the shape plane, which two keys alone do not span.
+    // The tangent pose is shown in the shape plane, which two keys alone do not span.
     await app.by('plot-plane').scrollIntoViewIfNeeded();
     await expect(app.by('plane-start-tangent')).toBeAttached();
     await expect(app.by('plane-end-tangent')).toHaveCount(0);
@@ -154,7 +154,7 @@ test(
     await expect(most).not.toHaveAttribute('aria-valuemax', '4');
     const fastest = Number(await most.getAttribute('aria-valuemax'));
     expect(fastest).toBeGreaterThan(4);
-    await expect(most).toHaveAttribute('aria-valuetext', /from the first key to the shape of its tangent$/);
+    await expect(most).toHaveAttribute('aria-valuetext', /from the first key to the start tangent pose$/);
     await expect(app.by('start-speed')).toHaveAttribute('max', String(fastest));
     await app.by('plot-plane').scrollIntoViewIfNeeded();
     await expect(app.by('plane-start-speed')).toHaveAttribute('aria-valuemax', String(fastest));

@@ -4,7 +4,7 @@ import { PNG } from 'pngjs';
 
 export type Colour = readonly [red: number, green: number, blue: number];
 
-/** A decoded picture, four bytes per pixel. */
+/** A decoded image, four bytes per pixel. */
 export interface Picture {
   width: number;
   height: number;

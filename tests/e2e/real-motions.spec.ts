@@ -48,17 +48,17 @@ test.describe('real motions', { tag: '@all' }, () => {
     await app.expectNoProblems();
   });
 
-  test('three poses of a lion whose parts turn far: each warning names its keys and its place', async ({ app }) => {
+  test('three poses of a lion with large rotations: each warning names its keys and its place', async ({ app }) => {
     await opened(
       app,
       [1, 4, 7].map((number) => `turns/lion/${number}.obj`),
     );
     await app.by('warning-count').click();
-    const turns = app.by('warnings').getByText(/regions turn by/);
+    const turns = app.by('warnings').getByText(/regions rotate by/);
     await expect(turns.first()).toBeVisible();
     for (const text of await turns.allInnerTexts())
       expect(text).toMatch(
-        /^Between key \d and key \d, (in the middle|at the [a-z ]+), neighbouring regions turn by \d+/,
+        /^Between key \d and key \d, (in the middle|at the [a-z ]+), neighbouring regions rotate by \d+/,
       );
     await app.expectNoProblems();
   });

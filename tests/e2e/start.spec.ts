@@ -1,4 +1,4 @@
-/** The first visit: nothing unnecessary delays the first image. */
+/** The first visit loads only what the first image needs before it is shown. */
 import { poseFiles } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';
 import { stated } from './exporting.ts';

@@ -10,7 +10,7 @@ import type { App } from './support.ts';
 test.use({ sharpness: 1 });
 
 const LONG =
-  'Neighbouring parts turn by more than 150 degrees against each other. Add a key in between if they go the wrong way.';
+  'Neighbouring parts rotate by over 150 degrees against each other. Add a key in between if they go the wrong way.';
 const WARNINGS: Warning[] = [
   {
     code: 'ambiguous-component-turn',

@@ -152,7 +152,7 @@ describe('complete --blend', () => {
       [['--blend', '1,0', '--output', 'bad.obj'], 'There are 2 weights for 3 keys. Give one per key.'],
       [['--blend', '1,1,0', '--output', 'bad.obj'], '--blend: must sum to 1, not 2'],
       [['--blend', '1,0,0', '--output', 'bad.pc2'], '--blend gives one shape: bad.pc2 must end in .glb, .obj or .ply'],
-      [['--blend', '1,0,0', '--at', '1', '--output', 'bad.obj'], '--blend gives one shape, so --at has no effect'],
+      [['--blend', '1,0,0', '--at', '1', '--output', 'bad.obj'], '--blend gives one shape: leave out --at'],
     ] as const) {
       const wrong = await run(...words);
       expect(wrong.code, words.join(' ')).toBe(2);

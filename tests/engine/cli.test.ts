@@ -306,7 +306,7 @@ describe('complete', () => {
     expect(Math.abs(Number(/about (\d+)/.exec(stderr)![1]) * 1e6 - written)).toBeLessThan(0.1 * written);
   });
 
-  it('takes tangent shapes', async () => {
+  it('takes tangent poses', async () => {
     const shape = async (...words: string[]): Promise<Float32Array> => {
       const { code } = await runCli(
         folder,

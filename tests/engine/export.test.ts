@@ -271,7 +271,7 @@ describe('an animated GLB', () => {
       const bytes = await exported(sequence, { ...options, compression });
       await expectValid(bytes);
       const { float, short } = await targetNormals(bytes);
-      expect(short).toBeGreaterThan(float); // the bar's normals turn by up to 80 degrees
+      expect(short).toBeGreaterThan(float); // the bar's normals rotate by up to 80 degrees
       // Of 24 bytes per vertex remain a position with 16 bits per coordinate and, if it fits, a normal, each padded to
       // 8 bytes.
       const quantized = (8 + (8 * short + 12 * float) / (short + float)) / 24;

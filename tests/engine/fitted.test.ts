@@ -33,7 +33,7 @@ describe('lengths', () => {
       const first = (await frameAt(sequence, 0.37)).positions.slice();
       await frameAt(sequence, 1.4);
       expect((await frameAt(sequence, 0.37)).positions).toEqual(first);
-      // Of the strongly bent sheet, times beyond the keys are warned of.
+      // The strongly bent sheet also gets a warning about times beyond the keys.
       expect(sequence.warnings.filter(({ code }) => code !== 'open-beyond-keys')).toEqual([]);
       expect(sequence.keyTimes).toEqual([0, 1]);
       expect(sequence.options.method).toBe(method);
@@ -44,7 +44,7 @@ describe('lengths', () => {
     expect(lengths).toBeLessThan(0.001);
   });
 
-  it('lets a coarse mesh lead a larger shape', async () => {
+  it('transfers the motion of a coarse mesh to a larger shape', async () => {
     const { keys, poses } = await bendKeys(engine, bar(4, 40));
     const options = { method: 'lengths', spaceFaces: 200, spaceSamples: 6 } as const;
     const sequence = await engine.createSequence(keys, options);
@@ -85,18 +85,18 @@ describe('lengths', () => {
   it('refuses what it cannot do, an update, and mixtures of keys', async () => {
     const { keys, poses } = await importSheet(4);
     for (const [options, what] of [
-      [{ hold: 'on' }, 'hold resting parts'],
-      [{ pins: [{ vertex: 0, radius: 0.1 }] }, 'hold pins'],
-      [{ boundary: 'periodic' }, "have ends other than 'natural'"],
-      [{ boundary: 'hermite' }, "have ends other than 'natural'"],
-      [{ startTangent: poses[0]! }, 'take end tangents'],
-      [{ tension: [0.5, 0] }, 'take tension or bias'],
-      [{ turns: [{ key: 1, turns: 1 }] }, 'take whole turns'],
-      [{ ownPaths: 'root' }, 'take own paths of faces'],
+      [{ hold: 'on' }, 'keeping resting parts in place'],
+      [{ pins: [{ vertex: 0, radius: 0.1 }] }, 'pins'],
+      [{ boundary: 'periodic' }, "ends other than 'natural'"],
+      [{ boundary: 'hermite' }, "ends other than 'natural'"],
+      [{ startTangent: poses[0]! }, 'end tangents'],
+      [{ tension: [0.5, 0] }, 'tension or bias'],
+      [{ turns: [{ key: 1, turns: 1 }] }, 'full turns'],
+      [{ ownPaths: 'root' }, 'own paths of faces'],
     ] as const) {
       const failure = await failureOf(engine.createSequence(keys, { ...options, method: 'lengths' } as object));
       expect(failure.code).toBe('invalid-option');
-      expect(failure.message).toBe(`The method 'lengths' cannot ${what}: choose the method 'lri' for that.`);
+      expect(failure.message).toBe(`The method 'lengths' does not support ${what}. Use the method 'lri'.`);
     }
     const sequence = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 2 });
     expect((await failureOf(sequence.update({ method: 'lri' }))).message).toMatch(/make a new sequence/);

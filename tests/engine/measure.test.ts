@@ -126,7 +126,7 @@ describe('shapespline measure', () => {
       const cache = ['--against', 'c.pc2', '--against', 'c.obj'];
       const spread = await runCli(folder, 'measure', ...KEYS, ...cache);
       expect(percent(spread.stdout)).toBeLessThan(0.001);
-      expect(spread.stdout).toContain('25, spread from the first key to the last');
+      expect(spread.stdout).toContain('25, spaced evenly from the first key to the last');
 
       const alike = await runCli(folder, 'measure', ...KEYS, '--up', 'z', ...cache);
       expect([percent(alike.stdout) < 0.001, alike.stderr]).toEqual([true, '']);

@@ -95,7 +95,7 @@ describe('an OBJ whose texture has seams', () => {
     expect(
       largestDistance((await frameAt(other, 0.3)).positions, (await frameAt(sequence, 0.3)).positions),
     ).toBeLessThan(1e-5 * diagonal(poses[0]!));
-    // A pose from a separate file matches the mesh, whatever its format.
+    // A pose from a separate file of any format matches the mesh.
     const [pose] = await other.export({ format: 'glb', pose: 0.3 });
     expect((await engine.importKeyframes([pose!, files[0]!])).info.report.vertices).toBe(vertices);
     for (const one of [sequence, other]) one.dispose();

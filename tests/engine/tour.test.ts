@@ -10,7 +10,7 @@ const engine = testEngine();
 /** Number of vertices of one shape to find in the other. */
 const PROBES = 300;
 
-/** Distance of the surfaces in percent of the diagonal, whatever their vertex order. */
+/** Distance of the surfaces in percent of the diagonal, independent of their vertex order. */
 function apart(a: Float32Array, b: Float32Array, diagonal: number): number {
   const step = 3 * Math.ceil(a.length / 3 / PROBES);
   let most = 0;

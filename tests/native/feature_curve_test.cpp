@@ -84,7 +84,7 @@ TEST_CASE("shape plane: the shapes that stand for end tangents are where the mot
   }
   CHECK(moved(Method::Lri).featureCurve()->plane({0}).tangents.empty());
 
-  // Two keys lie on a line. A tangent shape off this line spans the plane.
+  // Two keys lie on a line. A tangent pose off this line spans the plane.
   encoding.startTangent.reset();
   Sequence two = sequenceOf(keyframes(bar, {bend(0), twist(1)}), encoding, motion);
   const ShapePlane spanned =

@@ -336,7 +336,8 @@ TEST_CASE("sparse accessors out of bounds") {
     return maker;
   };
   checkMended(sparse(json::object()));
-  checkRefused(sparse({{"count", 2}}), ErrorCode::MalformedFile, "element 8 but has only 8");
+  checkRefused(sparse({{"count", 2}}), ErrorCode::MalformedFile,
+               "has the sparse index 8, but only 8 elements (0 to 7)");
   checkRefused(sparse({{"count", 9}}), ErrorCode::MalformedFile, "more elements than it has");
   checkRefused(sparse({{"indices", {{"bufferView", 99}}}}), ErrorCode::MalformedFile, "buffer view");
   checkRefused(sparse({{"indices", {{"byteOffset", 2}}}}), ErrorCode::MalformedFile, "needs 3 bytes");

@@ -306,7 +306,7 @@ TEST_CASE("kernels: columns whose weight the precision cannot see are left out, 
 }
 
 TEST_CASE("kernels: a blend of many columns with the weights of a spline is that of all of them, to a rounding step") {
-  // Weights fall by 0.27 per key away from t.
+  // With each key farther from t, weights shrink to 0.27 of their value.
   std::vector<double> weights(100);
   double sum = 0;
   for (int c = 0; c < 100; ++c) sum += weights[c] = std::pow(-0.27, std::abs(c - 40));

@@ -99,7 +99,7 @@ TEST_CASE("repro: a wheel turns on in a loop, too") {
   checkRolls(sequence, car, 0, 360);
 }
 
-TEST_CASE("repro: parts that turn far between two keys draw a warning that says where") {
+TEST_CASE("repro: parts with large rotations between two keys draw a warning that says where") {
   const Car car = oneWheeled();
   for (const double degrees : {155.0, 175.0, 185.0}) {
     CAPTURE(degrees);

@@ -1,5 +1,5 @@
-// Motions through lengths and dihedral angles: their derivatives, what they keep, what they fall back to; the
-// correction of a full shape by its coarse mesh.
+// Motions fitted to lengths and dihedral angles: derivatives of the measures, preserved lengths, intervals without a
+// fit, and the transfer from the coarse mesh to the full shape.
 #include <doctest/doctest.h>
 
 #include <limits>
@@ -50,7 +50,7 @@ std::vector<Positions> posesOf(const Keyframes& k) {
   return poses;
 }
 
-// K + 1 even times of a motion, which its keys are among.
+// K + 1 evenly spaced times of a motion, including the times of its keys.
 std::vector<ShellSample> samplesOf(const Keyframes& k, int count, const MotionOptions& motion = {}) {
   Sequence sequence = sequenceOf(k, doublePrecision(), motion);
   std::vector<ShellSample> samples;
@@ -82,7 +82,7 @@ Sequence motionThrough(const Keyframes& k, const std::vector<ShellSample>& sampl
   return sequenceOf(through, doublePrecision());
 }
 
-// Mean over time of the root mean square by which edge lengths are off their spline, in percent.
+// Root mean square deviation of edge lengths from their spline, as a mean over time, in percent.
 double lengthError(Sequence& sequence, const Keyframes& k) {
   const std::vector<Positions> keys = posesOf(k);
   const ShellMetric metric(k.faces, keys);

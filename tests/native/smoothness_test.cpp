@@ -166,7 +166,7 @@ TEST_CASE("sweep: a cubic blend of vertices passes, and a corner is seen") {
   CHECK(sweep(sequence).growth > 16);
 }
 
-TEST_CASE("sweep: bars that turn far") {
+TEST_CASE("sweep: bars with large rotations") {
   checkBoundaries("twist 0/180/350", twistedBar({0, 180, 350}), doublePrecision(), 5);
   checkBoundaries("twist 0/720", twistedBar({0, 720}), doublePrecision(), 5);
   checkBoundaries("bend 0/540", bentBar({0, 540}), doublePrecision(), 5);

@@ -103,7 +103,7 @@ TEST_CASE("hermite ends have the assigned slopes") {
   CHECK(value(shapes, y, 4, 1) == doctest::Approx((y[5] - y[7]) / 1.7));
 }
 
-TEST_CASE("a tangent shape equal to the neighbour key changes nothing") {
+TEST_CASE("a tangent pose equal to the neighbour key changes nothing") {
   Eigen::VectorXd y = randomColumns(6);
   y[6] = y[1], y[7] = y[4];
   const Curve plain = fit({.boundary = BoundaryKind::Hermite}),

@@ -34,7 +34,7 @@ async function acrossHosts({ policy = '', first = '' } = {}): Promise<string> {
   return host([folder, path.join(folder, 'public')], { headers });
 }
 
-/** wasm-unsafe-eval allows compiling WebAssembly, and nothing else. */
+/** wasm-unsafe-eval allows only compiling WebAssembly. */
 const STRICT =
   "default-src 'none'; script-src 'self' LIBRARY 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob:; " +
   "connect-src 'self' LIBRARY; ";

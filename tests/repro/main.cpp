@@ -1,5 +1,5 @@
-// shapespline_repro OUT_FOLDER: writes the inputs of repro_shapes.h, a folder each with one OBJ per key, to be dropped
-// on the page.
+// shapespline_repro OUT_FOLDER: writes the inputs of repro_shapes.h, one folder per input with one OBJ per key, to open
+// in the page.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-// Inputs that showed defects, generated each time: small, exact, and identical as files (main.cpp) and in the tests
+// Generates inputs that showed defects: small, exact, and the same for files (main.cpp) and tests
 // (tests/native/repro_test.cpp).
 #pragma once
 
@@ -13,11 +13,11 @@ namespace shapespline::repro {
 using namespace shapespline::test;
 
 struct Repro {
-  std::string name;  ///< also of its folder
+  std::string name;  ///< name of the input and its folder
   Keyframes keyframes;
 };
 
-/// As a file in single precision holds it: the noise that decided which way a wheel turned.
+/// Rounds positions to single precision, as in a file. This noise determined in which direction a wheel turned.
 inline Keyframes roundedToFloat(Keyframes k) {
   for (Key& key : k.keys)
     for (Vec3& p : key.positions) p = p.cast<float>().cast<double>();
@@ -44,7 +44,7 @@ inline Shape cylinder(double radius, double width, int segments = 24) {
   return shape;
 }
 
-/// How a car stands in a key: where, which way, and how far its wheels have turned (degrees).
+/// The pose of a car: its position along x, and the angles of steering and wheels in degrees.
 struct CarPose {
   double forward = 0, steering = 0, wheels = 0;
 };

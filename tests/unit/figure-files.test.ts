@@ -9,7 +9,7 @@ import type { Presented } from '../../web/model/state.ts';
 
 const times = Array.from({ length: 97 }, (_, i) => i / 96);
 
-it('numbers of a chart: a row a time, a column a curve, nothing where nothing is known', () => {
+it('numbers of a chart: a row a time, a column a curve, nothing if nothing is known', () => {
   const numbers = chartNumbers({
     times,
     keyTimes: [0, 0.5, 1],

@@ -5,7 +5,7 @@ import { NO_PLACE, type Warning } from '../../web/engine/api/types.ts';
 const warning = (change: Partial<Warning>): Warning => ({
   ...NO_PLACE,
   code: 'ambiguous-component-turn',
-  message: 'Parts turn far.',
+  message: 'Large rotations.',
   count: 1,
   ...change,
 });

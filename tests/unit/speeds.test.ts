@@ -44,7 +44,7 @@ describe('what an end leads towards', () => {
     expect(endTangents(doc({ endTangentPose: 0 }))).toEqual({ start: 'neighbour', end: 'shape' });
   });
 
-  it('is nothing where the boundary has no tangents', () => {
+  it('is nothing if the boundary has no tangents', () => {
     expect(endTangents({ ...doc({}), motion: { ...DEFAULT_MOTION } })).toBeNull();
   });
 });

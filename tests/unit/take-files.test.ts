@@ -56,7 +56,7 @@ it('files of another mesh are opened, and what differs from own files is said wi
   await takeFilesOf(own, false).take(picked('a.obj', 'b.obj'), { before: 1 });
   expect(log).toEqual([
     'add a.obj+b.obj at {"before":1}',
-    'a.obj has 3 vertices, but the keys have 4. They are opened as another motion.',
+    'a.obj has 3 vertices, but the keys have 4. The files are opened as another motion.',
     'open a.obj+b.obj',
   ]);
   expect(offer).toBeNull();

@@ -34,8 +34,8 @@ std::string keyList(int first, int last) {
 std::string whatToDo(const FileFacts& facts) {
   if (!facts.gltf) return " Export each pose as displayed.";
   std::string text =
-      " Blender writes the rest pose of a rig or modifier that is not applied. Apply the modifiers before each export, "
-      "or export one GLB with the animation.";
+      " By default, Blender exports a rig in its rest pose and leaves modifiers out. Apply the modifiers before each "
+      "export, or export one GLB with the animation.";
   if (facts.animated == facts.files)
     text +=
         " Each file has its own animation. Take the keys from the animations (on the command line, with "

@@ -301,7 +301,7 @@ struct Matcher {
   }
 
   // If both poses have the same number of unmatched objects, these were renamed. Otherwise, if some names match,
-  // objects with different names are different, however similar.
+  // objects with different names are different, even if they are similar.
   void matchRest() {
     const bool namesTell = std::find(out.rule.begin(), out.rule.end(), MatchRule::Name) != out.rule.end();
     std::vector<int> mine = openFirst(), others = openOther();

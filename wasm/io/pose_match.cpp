@@ -84,7 +84,7 @@ std::optional<PoseMatch> PoseMatcher::find(const std::vector<Triangle>& faces,
                                            std::span<const Positions* const> poses) const {
   if (faces.size() != faces_.size()) return {};
   const bool same = poses[0]->size() == positions_.size() && sameSurface(faces_, faces);
-  // Triangles without shared vertices, numbered in file order, look alike however their quads are cut.
+  // Triangles without shared vertices, numbered in file order, are equal for both cuts of a quad.
   const bool cutsShow = positions_.size() <= faces_.size() + 2;
   if (!same || !cutsShow) {
     if (auto match = same ? std::nullopt : byCopies(faces, poses)) return match;

@@ -21,16 +21,16 @@ class PoseMatcher {
  public:
   PoseMatcher(const std::vector<Triangle>& faces, const Positions& positions) : faces_(faces), positions_(positions) {}
 
-  /// Ways to match a pose with the mesh, in the order tried:
+  /// Tries three methods to match a pose with the mesh, in this order:
   /// 1. the same vertices, with faces in any order and polygons cut along other diagonals (sameSurface);
   /// 2. as 1, after merging consecutive vertices at one position, which exporters such as Blender leave when they sort
   ///    copies for normals and coordinates by vertex;
   /// 3. faces in the same order, whose corners determine the vertices: two corners are one vertex if they coincide in
   ///    the mesh and in the pose. Pairs of triangles may be cut along the other diagonal, as Blender cuts quads.
-  /// Way 3 applies to any two lists of equal length. It succeeds if corners that coincide in one list coincide in the
-  /// other, except where the shape touches itself in one of them. The pose must also not fit the mesh's own faces much
-  /// better, which would indicate wrong indices. Way 3 comes first if faces share no vertices, because faces then look
-  /// alike however quads are cut. Returns nothing if all three fail. `poses`: all from one file.
+  /// Method 3 applies to any two lists of equal length. It succeeds if corners that coincide in one list coincide in
+  /// the other, except where the shape touches itself in one of them. The pose must also not fit the mesh's own faces
+  /// much better, which would indicate wrong indices. Method 3 is tried first if faces share no vertices, because the
+  /// faces are then equal for both cuts of a quad. Returns nothing if all three fail. `poses`: all from one file.
   std::optional<PoseMatch> find(const std::vector<Triangle>& faces, std::span<const Positions* const> poses) const;
 
  private:

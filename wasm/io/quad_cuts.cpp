@@ -37,7 +37,7 @@ Cut cutOf(const Triangle& f, const Triangle& g) {
   return Cut::None;
 }
 
-// Where the pose cuts a quad the other way, reorders its corners as in the mesh.
+// If the pose cuts a quad along the other diagonal, reorders its corners as in the mesh.
 void turnUsualCuts(const std::vector<Triangle>& mesh, const std::vector<Triangle>& pose, std::vector<int>& corners) {
   for (std::size_t f = 0; f + 1 < mesh.size(); ++f) {
     const Cut wanted = cutOf(mesh[f], mesh[f + 1]), given = cutOf(pose[f], pose[f + 1]);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int mostFitSteps = 60;
 constexpr double firstDamping = 1e-3, mostDamping = 1e6;
-constexpr double fitStop = 1e-6;  // length of a step, over the size of the shape
+constexpr double fitStop = 1e-6;  // stops at steps shorter than this share of the shape's size
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The shape whose lengths and angles come nearest to given ones (NRIC: Sassen et al. 2020).
+// Finds the shape with lengths and angles closest to given ones (NRIC: Sassen et al. 2020).
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace shapespline {
 
-/// Levenberg-Marquardt from `start`. size: of the shape, a length. Nothing where it does not converge.
+/// Levenberg-Marquardt from `start`. size: diagonal of the shape. Returns nullopt if the fit does not converge.
 std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& target, Positions start, double size);
 
 }  // namespace shapespline

@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-// Side c of a face runs from corner c to the next; opposite is the third.
+// Side c of a face runs from corner c to the next corner. The third corner is opposite.
 int endOf(int side) { return (side + 1) % 3; }
 int oppositeOf(int side) { return (side + 2) % 3; }
 
@@ -88,7 +88,7 @@ Positions LedShape::follow(const Positions& raw, const Positions& from, const Po
   return result;
 }
 
-// The system knows no place of a component.
+// The system does not determine the translation of a component.
 void LedShape::place(Positions& solution, const Positions& shape, const Positions& from, const Positions& to) const {
   struct Sum {
     Vec3 offset = Vec3::Zero(), moved = Vec3::Zero();

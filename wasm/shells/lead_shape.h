@@ -1,4 +1,4 @@
-// The full shape led by a coarse mesh: the deformation transfer of the paper (section 4.3), on top of another motion.
+// A coarse mesh drives the full shape: the deformation transfer of the paper (section 4.3), on top of another motion.
 #pragma once
 
 #include <array>
@@ -13,24 +13,24 @@
 
 namespace shapespline {
 
-/// A coarse mesh, and which of its faces and vertices a full one follows.
+/// A coarse mesh, and its correspondence with the full mesh.
 struct Leader {
   std::vector<Triangle> faces;
-  std::vector<int> faceOf;    ///< of each full face: a coarse one, or -1
-  std::vector<int> vertexOf;  ///< of each full vertex: a coarse one, or -1
+  std::vector<int> faceOf;    ///< the coarse face that each full face follows, or -1
+  std::vector<int> vertexOf;  ///< the coarse vertex that each full vertex follows, or -1
 };
 
-/// Corrects shapes of the full mesh where their coarse meshes are corrected. Immutable.
+/// Transfers corrections of a coarse mesh to shapes of the full mesh. Immutable.
 class LedShape {
  public:
-  /// faces, keys: of the full mesh; copies of a vertex that coincide in all keys are one. The first key is the
-  /// reference. Errors: those of the solver.
+  /// faces, keys: the full mesh; vertices that coincide in all keys are merged. The first key is the reference.
+  /// Errors: those of the solver.
   static Result<LedShape> create(const std::vector<Triangle>& faces, const std::vector<Positions>& keys, Leader leader,
                                  const FractionReport& onProgress = {});
 
-  /// `shape`, whose coarse mesh lies at `from`, as it is where that lies at `to`: every face is deformed as the one
-  /// that it follows, and the vertices fit that best (least squares, in the metric of the reference). Each component
-  /// goes where its coarse vertices go in the mean.
+  /// Deforms `shape` as its coarse mesh deforms between `from` and `to`. Every face gets the deformation of its coarse
+  /// face; the vertices are the least-squares fit, in the metric of the reference. Each component is translated by the
+  /// mean displacement of its coarse vertices.
   Positions follow(const Positions& shape, const Positions& from, const Positions& to) const;
 
  private:
@@ -42,8 +42,8 @@ class LedShape {
   Welding welding_;
   std::vector<Triangle> faces_;
   Leader leader_;
-  std::vector<std::array<double, 3>> cotangent_;  // of each face, opposite its sides; 0 without area
-  std::vector<int> componentOf_;                  // of each vertex, or -1 in no face with area
+  std::vector<std::array<double, 3>> cotangent_;  // one per face and opposite side; 0 for a face without area
+  std::vector<int> componentOf_;                  // one per vertex; -1 if no face with area has the vertex
   Cholesky solver_;
 };
 

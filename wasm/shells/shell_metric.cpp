@@ -12,10 +12,10 @@ namespace shapespline {
 
 namespace {
 
-constexpr double bendingShare = 1e-4;  // of an angle against a length, over the area of the shape
-constexpr double mostSlender = 10;     // cap of an angle's weight: slivers would own the system
+constexpr double bendingShare = 1e-4;  // weight of an angle relative to a length, divided by the area of the shape
+constexpr double mostSlender = 10;     // limit of an angle's weight; without it, slivers would dominate the system
 
-// One side of an edge: the face's third corner, and whether it runs from the lower vertex to the higher.
+// One side of an edge: its face, the face's third corner, and whether it runs from the lower to the higher vertex.
 struct Side {
   int face, opposite;
   bool upwards;

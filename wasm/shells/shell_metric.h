@@ -1,4 +1,4 @@
-// What a shell measures of itself: the lengths of its edges and the dihedral angles at them, and how much each counts.
+// The measures of a shell, its edge lengths and dihedral angles, and their weights.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace shapespline {
 
-/// An edge of the mesh. left, right: the third corners of the faces beside it, of that which runs along it from `from`
-/// to `to` and of that which runs against it; -1 where the edge has no dihedral angle.
+/// An edge of the mesh. left, right: third corners of its two faces; the left face runs along the edge from `from` to
+/// `to`, the right one from `to` to `from`. -1 if the edge has no dihedral angle.
 struct ShellEdge {
   int from, to;
   int left = -1, right = -1;
@@ -18,19 +18,20 @@ struct ShellEdge {
 /// Lengths of all edges, then the angles of those that have one.
 using ShellMeasures = std::vector<double>;
 
-/// A constant metric of lengths and angles: of shells that are thin and made of one material (Grinspun et al. 2003,
-/// Froehlich and Botsch 2011). Immutable.
+/// A constant metric of lengths and angles, for thin shells of one material (Grinspun et al. 2003, Froehlich and Botsch
+/// 2011). Immutable.
 class ShellMetric {
  public:
-  /// What a measure depends on: its vertices, its gradient by each, and its weight.
+  /// The derivative of a measure: its vertices, and its gradient with respect to each.
   struct Row {
     std::array<int, 4> vertex;
     std::array<Vec3, 4> gradient;
     int count;
   };
 
-  /// faces: of a welded mesh. poses: the keys; the first one weighs. Edges with one face or more than two, with faces
-  /// that run along them the same way, and beside faces without area in some pose have a length only.
+  /// faces: a welded mesh. poses: the keys; the first key determines the weights. Some edges have no angle: those with
+  /// one face or more than two, those whose faces are wound in opposite directions, and those of a face that has no
+  /// area in some pose.
   ShellMetric(const std::vector<Triangle>& faces, const std::vector<Positions>& poses);
 
   int vertexCount() const { return vertices_; }
@@ -43,10 +44,10 @@ class ShellMetric {
 
   ShellMeasures measuresOf(const Positions& positions) const;
 
-  /// The measures of some keys, their angles on the branches nearest to those of the key before.
+  /// The measures of each key. Angles are on the branch closest to the angle in the previous key.
   std::vector<ShellMeasures> measuresOfKeys(const std::vector<Positions>& keys) const;
 
-  /// a - b, of angles the way round that is shorter.
+  /// a - b; differences of angles are wrapped to [-pi, pi].
   ShellMeasures difference(const ShellMeasures& a, const ShellMeasures& b) const;
 
   /// The square of the length of a difference.
@@ -55,7 +56,7 @@ class ShellMetric {
   /// The derivative of one measure.
   Row rowOf(int measure, const Positions& positions) const;
 
-  /// How the measures change where the vertices move by `change`, to first order.
+  /// The first-order change of the measures if the vertices move by `change`.
   ShellMeasures changeOf(const Positions& positions, const Positions& change) const;
 
  private:

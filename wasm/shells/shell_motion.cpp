@@ -24,7 +24,8 @@ std::vector<std::vector<int>> componentsOf(const std::vector<Triangle>& faces, i
   return members;
 }
 
-// Lengths and angles know no place: every component is moved rigidly onto where it is in `place`.
+// Lengths and angles do not determine the position of a component, so each is fitted rigidly to its position in
+// `place`.
 void moveOnto(Positions& shape, const Positions& place, const std::vector<std::vector<int>>& components) {
   for (const std::vector<int>& component : components) {
     Positions from, to;
@@ -42,7 +43,7 @@ ShellMeasures blendOf(const std::vector<ShellMeasures>& keys, const std::vector<
   return blend;
 }
 
-/// Keys and samples on the mesh without copies of vertices.
+/// Keys and samples on the welded mesh.
 struct Welded {
   Welding welding;
   std::vector<Triangle> faces;
@@ -64,8 +65,8 @@ Welded weldedOf(const std::vector<Triangle>& faces, const std::vector<Positions>
   return welded;
 }
 
-// Fits every sample. Of an interval all or nothing is fitted: between a fitted shape and one that is not, the motion
-// would jump.
+// Fits every sample. If one fit in an interval fails, all its samples keep their starts, because the motion would jump
+// between a fitted shape and a start.
 ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
                        const FractionReport& onProgress) {
   const std::vector<ShellMeasures> measures = system.metric().measuresOfKeys(mesh.keys);
@@ -96,7 +97,7 @@ void minimiseBending(ShellSystem& system, const Welded& mesh, const std::vector<
   std::vector<double> times;
   std::vector<char> fixed;
   for (const ShellSample& s : samples) times.push_back(s.time), fixed.push_back(s.key >= 0);
-  if (times.size() == mesh.keys.size()) return;  // nothing is free
+  if (times.size() == mesh.keys.size()) return;  // every sample is a key
   ShellSpline(system, times, mesh.size).minimise(shapes, fixed, onProgress);
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
   for (std::size_t s = 0; s < samples.size(); ++s)

@@ -1,4 +1,4 @@
-// The shapes at some times of a motion through keys: fitted to splined lengths and angles.
+// Computes shapes of a motion through keys by fitting them to splined lengths and angles.
 #pragma once
 
 #include <vector>
@@ -9,28 +9,28 @@
 
 namespace shapespline {
 
-/// A time of the motion, whose shape is wanted.
+/// A time at which to compute the shape.
 struct ShellSample {
   double time = 0;
-  std::vector<double> weights;  ///< one per key, sum 1: of the spline at this time
-  Positions start;              ///< the shape that LRI space has there: where the fit starts, and the shape's place
-  int key = -1;                 ///< key at this time, which the sample is then, or -1
+  std::vector<double> weights;  ///< the spline's weights of the keys at this time, sum 1
+  Positions start;              ///< LRI's shape at this time: the start of the fit, and the position of its components
+  int key = -1;                 ///< the key at this time, which is then the result, or -1
 };
 
-/// What the shapes between the keys are.
+/// How the shapes between the keys are computed.
 enum class ShellMethod {
-  Lengths,  ///< those whose lengths and angles come nearest to splined ones
-  Spline,   ///< from there on, the time-discrete spline in the space of shells
+  Lengths,  ///< fitted to splined lengths and angles
+  Spline,   ///< as Lengths, then improved to the time-discrete spline in the space of shells
 };
 
 struct ShellShapes {
   std::vector<Positions> shapes;  ///< one per sample
-  std::vector<int> failed;        ///< keys that end the intervals whose fits did not converge: their starts are kept
+  std::vector<int> failed;        ///< intervals whose fits did not converge, by their last key; they keep their starts
   int factors = 0;
 };
 
-/// keys: of one mesh; copies of a vertex that coincide in all of them are one. samples: in the order of time, from the
-/// first key to the last, which are samples. Errors: those of the solver, and NoArea.
+/// keys: poses of one mesh; vertices that coincide in all keys are merged. samples: in increasing time, starting with
+/// the first key and ending with the last. Errors: those of the solver, and NoArea.
 Result<ShellShapes> shellShapes(const std::vector<Triangle>& faces, const std::vector<Positions>& keys,
                                 const std::vector<ShellSample>& samples, ShellMethod method,
                                 const FractionReport& onProgress = {});

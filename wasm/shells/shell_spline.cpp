@@ -12,16 +12,16 @@ namespace shapespline {
 namespace {
 
 constexpr int mostSplineSteps = 20, mostHalvings = 10;
-constexpr double leastFall = 1e-4;  // of the energy, relative
+constexpr double leastFall = 1e-4;  // stops when a step lowers the energy by less than this fraction
 constexpr int mostMeanSteps = 60;
-constexpr double meanStop = 1e-8;  // length of a step, over the size of the shape
-constexpr double slow = 0.3;       // a step this long against the one before asks for a new factor
+constexpr double meanStop = 1e-8;  // stops at steps shorter than this share of the shape's size
+constexpr double slow = 0.3;       // factors again if a step is longer than this share of the previous step
 constexpr double lightDamping = 1e-8;
 constexpr double preconditionerDamping = 1e-6;
 constexpr int mostAdjointSteps = 40;
-constexpr double adjointStop = 1e-5;   // of the residual, relative
-constexpr double probe = 1e-5;         // length of a step that differences are taken over, over the size
-constexpr std::size_t remembered = 8;  // pairs of L-BFGS
+constexpr double adjointStop = 1e-5;   // stops when the residual has fallen to this fraction
+constexpr double probe = 1e-5;         // step of finite differences, as a share of the shape's size
+constexpr std::size_t remembered = 8;  // number of pairs that L-BFGS keeps
 
 using Path = std::vector<Positions>;
 
@@ -48,7 +48,7 @@ SpacedTimes::SpacedTimes(const std::vector<double>& times)
   }
 }
 
-// The shape whose measures come nearest to the mean of the neighbours', by modified Newton steps.
+// Finds the shape whose measures are closest to the mean of its neighbours' measures, by modified Newton steps.
 bool ShellSpline::findMean(int k, const std::vector<ShellMeasures>& measures, Positions& mean, ShellMeasures& middle) {
   const ShellMetric& metric = system_->metric();
   middle = measures[k - 1];
@@ -70,7 +70,7 @@ bool ShellSpline::findMean(int k, const std::vector<ShellMeasures>& measures, Po
     addScaled(trial, -1, change);
     ShellMeasures trialError = metric.difference(metric.measuresOf(trial), middle);
     const double trialEnergy = metric.squaredNorm(trialError);
-    // Where steps are this short, the sum is all rounding.
+    // For steps this short, the energy differs only by rounding.
     const bool better = trialEnergy < energy || length < 1e-6;
     refresh = !better || length > slow * last;
     if (better) mean = std::move(trial), error = std::move(trialError), energy = trialEnergy, last = length;
@@ -79,8 +79,8 @@ bool ShellSpline::findMean(int k, const std::vector<ShellMeasures>& measures, Po
   return false;
 }
 
-// H^-1 J^T W away, with H the second derivative of half the squared distance that the mean minimises. Conjugate
-// gradients; the last factor is near H.
+// Solves H x = J^T W away, where H is the second derivative of half the squared distance that the mean minimises.
+// Conjugate gradients, preconditioned by the last factor, which is close to H.
 Positions ShellSpline::adjointOf(const Positions& mean, const ShellMeasures& middle, const ShellMeasures& away) {
   const ShellMetric& metric = system_->metric();
   const auto slopeAt = [&](const Positions& direction, double step) {
@@ -141,9 +141,8 @@ double ShellSpline::energy(const std::vector<Positions>& shapes, std::vector<Pos
 
 namespace {
 
-/// Near the inverse of the energy's second derivative: in time that of the second differences, in space the change of
-/// a shape whose measures change as those of the other shapes would. Every shape has a factor of its own, as shapes
-/// turn.
+/// Approximates the inverse of the energy's second derivative. In time, it inverts the second differences; in space, it
+/// finds the change of a shape from a change of its measures. Every shape has its own factor, because shapes rotate.
 class Preconditioner {
  public:
   static Result<Preconditioner> create(const ShellMetric& metric, const SpacedTimes& spaced, const Path& shapes,

@@ -9,29 +9,31 @@
 
 namespace shapespline {
 
-/// What second differences over uneven times are made of, with the whole time as the unit.
+/// Coefficients of second differences at unevenly spaced times. Times are relative to the whole duration.
 struct SpacedTimes {
   explicit SpacedTimes(const std::vector<double>& times);
 
-  /// What the neighbours of an inner time count in its mean; they sum to 1.
+  /// Weights of the two neighbours in the mean at an inner time; their sum is 1.
   std::vector<double> before, after;
-  /// What the squared distance at an inner time counts.
+  /// Weight of the squared distance at an inner time.
   std::vector<double> weight;
 };
 
-/// The energy of a path of shapes s_k: at each inner time, the shape m_k is found whose measures come nearest to the
-/// mean of its neighbours', and the squared distance of s_k's measures from those of m_k is added, over the fourth
-/// power of the spacing, times the spacing. With even spacing 1 / K: 4 K^3 sum W[s_k, m_k].
+/// The energy of a path of shapes s_k with measures z(s_k). m_k is the shape whose measures are closest to the weighted
+/// mean of z(s_(k-1)) and z(s_(k+1)). The energy is the sum over inner times of 4 |z(s_k) - z(m_k)|^2 / h^3, for
+/// spacing h.
 class ShellSpline {
  public:
-  /// system: must outlive it. times: of the shapes, at least 3, increasing. size: of the shape, a length.
+  /// system: must outlive this object. times: one per shape, at least 3, increasing. size: diagonal of the shape.
   ShellSpline(ShellSystem& system, const std::vector<double>& times, double size)
       : system_(&system), spaced_(times), size_(size) {}
 
-  /// The energy of shapes, and where `gradient` is given its derivative by each. Infinite where a mean is not found.
+  /// The energy of the shapes. If `gradient` is given, it receives the derivative with respect to each shape. Infinite
+  /// if a mean is not found.
   double energy(const std::vector<Positions>& shapes, std::vector<Positions>* gradient = nullptr);
 
-  /// Improves the shapes that are not fixed until the energy hardly falls. onProgress: fraction of the most steps.
+  /// Improves the shapes that are not fixed, until a step hardly lowers the energy. onProgress: steps taken, as a
+  /// fraction of the largest allowed number.
   void minimise(std::vector<Positions>& shapes, const std::vector<char>& fixed, const FractionReport& onProgress = {});
 
   int stepCount() const { return steps_; }
@@ -43,7 +45,7 @@ class ShellSpline {
   ShellSystem* system_;
   SpacedTimes spaced_;
   double size_;
-  std::vector<Positions> means_;  // where the search for each starts
+  std::vector<Positions> means_;  // the last means, from which the next searches start
   int steps_ = 0;
 };
 

@@ -9,10 +9,10 @@ namespace shapespline {
 
 namespace {
 
-// Keeps vertices that no edge holds, over the mean of all.
+// damping of vertices without edges, as a share of the mean diagonal
 constexpr double leastDamping = 1e-8;
 
-// Unknowns of one vertex follow each other.
+// The three unknowns of a vertex are adjacent.
 std::vector<int> orderInBlocks(const Graph& vertices) {
   std::vector<int> order;
   for (const int v : fillReducingOrder(vertices, {}))

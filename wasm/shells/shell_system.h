@@ -1,4 +1,4 @@
-// The linear systems of lengths and angles: J^T W J in 3 x 3 blocks of vertices, damped and factored.
+// The linear systems of the fits: J^T W J of lengths and angles, in 3 x 3 blocks of vertices, damped and factored.
 #pragma once
 
 #include <vector>
@@ -9,19 +9,20 @@
 
 namespace shapespline {
 
-/// One pattern for all shapes of a mesh: analysed once, filled and factored again and again.
+/// The sparsity pattern is the same for all shapes of a mesh, so it is analysed once. Each shape fills and factors it.
 class ShellSystem {
  public:
-  /// metric: must outlive it. Errors: those of the solver.
+  /// metric: must outlive this object. Errors: those of the solver.
   static Result<ShellSystem> create(const ShellMetric& metric);
 
   const ShellMetric& metric() const { return *metric_; }
 
-  /// J^T W J of a shape.
+  /// Computes J^T W J of a shape.
   void fill(const Positions& positions);
 
-  /// Factors what was filled, plus on each vertex `damping` times the mean of its diagonal: one number per vertex, so
-  /// rotating all shapes changes nothing. False where it is not positive definite.
+  /// Factors the filled matrix, after adding `damping` times the mean diagonal of each vertex to its diagonal. This is
+  /// one number per vertex, so a rotation of all shapes changes nothing. Returns false if the matrix is not positive
+  /// definite.
   bool factor(double damping);
 
   /// Solves with the last factor.
@@ -33,7 +34,7 @@ class ShellSystem {
   int factorCount() const { return factors_; }
 
  private:
-  // Where the three columns of a block of the lower triangle start.
+  // A block of the lower triangle, with the starts of its three columns.
   struct Block {
     int lower, higher;  // vertices
     std::array<int, 3> start;
@@ -47,15 +48,15 @@ class ShellSystem {
 
   const ShellMetric* metric_;
   SymmetricMatrix matrix_, damped_;
-  std::vector<int> rowStart_;  // of each vertex, in blocks_: its diagonal block first
+  std::vector<int> rowStart_;  // index in blocks_ of each vertex's first block, which is its diagonal block
   std::vector<Block> blocks_;
-  std::vector<std::array<int, 10>> blocksOf_;  // of each measure
+  std::vector<std::array<int, 10>> blocksOf_;  // blocks to which each measure adds
   Cholesky solver_;
   Work work_;
   int factors_ = 0;
 };
 
-/// The vertices times a number, added to others.
+/// to += factor * from.
 void addScaled(Positions& to, double factor, const Positions& from);
 double dot(const Positions& a, const Positions& b);
 double largestNorm(const Positions& p);

@@ -1,4 +1,4 @@
-/** A visit: its initial content, the work that starts after the first drawing, and the hook for tests. */
+/** A visit: its initial content, the work that starts after the first frame is drawn, and the hook for tests. */
 import { clampTime } from '../model/time-scale.ts';
 import type { Context } from './actions/context.ts';
 import { showMotion } from './follow-state.ts';

@@ -132,22 +132,23 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
 
   inspect FILE...                        print the contents of the files as JSON
   complete FILE... --output OUT          compute and write the motion
-  measure FILE... [--output T.csv]       table of volume, area, bending energy and shape plane over time
+  measure FILE... [--output T.csv]       table over time: volume, area, bending energy, sliding, and
+                                         coordinates in the shape plane
 
 FILE is a .glb, .gltf, .obj, .ply or .off file. Several FILEs are the keys, in the order given. A single
 FILE must contain morph targets or an animation. A .pc2 or .mdd file with its .obj is an animation. So are
-numbered .obj or .ply files; with more than 32 frames, --sample picks 8 of them as keys by default. A
-folder means the models in it, in the order of their names. Buffers, materials and textures of a
+numbered .obj or .ply files: up to 32 frames all become keys, of more frames --sample uses 8 by default.
+A folder stands for the models in it, in the order of their names. Buffers, materials and textures of a
 .gltf or .obj file are read from its folder.
 
-An OUT ending in .glb is one file with an animation. An .obj or .ply is one shape (give one --at time). A
+If OUT ends in .glb, it is one file with an animation. An .obj or .ply is one shape (give one --at time). A
 .pc2 or .mdd is a point cache with its OBJ next to it. A folder (ending in /) gets 0000.obj, 0001.obj, ...,
 one per time. Materials and textures of an OBJ are written next to it.
 
 Keys are counted from 1, animations from 0; reports count everything from 0. Times are in seconds.
 
 ${line('  --methods M,M,...', 'measure: methods to compare; default: lri')}
-${line('  --against FILE', "measure: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Files without times are spread from the first key to the last")}
+${line('  --against FILE', "measure: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
 ${line('  --against-up y|z', 'measure: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure: metres per unit of that animation; default: as its file states, otherwise --unit')}
 ${line('  --report R.json', 'write options, timings, counts, warnings, volume and area to this file')}
@@ -186,7 +187,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   if (METHOD[method].curve === 'fitted') checkFitted(options, method);
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(
-      `--boundary hermite sets end speeds, but --method ${method} has none, because it is straight from key to key`,
+      `--boundary hermite sets end speeds, but --method ${method} is straight from key to key and has none`,
     );
   if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
     throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} requires --method lri`);
@@ -197,7 +198,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   return options;
 }
 
-/** Flags that methods with fitted shapes do not take, and that no other check below is about. */
+/** Refuses flags that methods with fitted shapes do not support, unless a later check does. */
 function checkFitted({ boundary, tension, bias }: Partial<SequenceOptions>, method: Method): void {
   const flag = boundary && boundary !== 'natural' ? 'boundary' : tension ? 'tension' : bias ? 'bias' : null;
   if (flag) throw new UsageError(`--method ${method} has natural ends, no tension and no bias: leave out --${flag}`);
@@ -227,7 +228,7 @@ function oneBlend(args: Arguments, output: string, options: Partial<ExportOption
   const other = exportFlags.find(
     ({ name, flag }) => OF_A_MOTION.includes(name) && (args.values.has(flag) || args.flags.has(flag)),
   );
-  if (other) throw new UsageError(`--blend gives one shape, so --${other.flag} has no effect`);
+  if (other) throw new UsageError(`--blend gives one shape: leave out --${other.flag}`);
   if (!['glb', 'obj', 'ply'].includes(options.format!))
     throw new UsageError(`--blend gives one shape: ${output} must end in .glb, .obj or .ply, or in / for a folder`);
   return options;

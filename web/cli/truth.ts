@@ -117,7 +117,7 @@ function placeFrames(
   const scale = (last - first) / (end - start);
   return {
     times: times.map((t, i) => (i === times.length - 1 ? last : first + (t - start) * scale)),
-    placed: 'spread from the first key to the last, because its files do not state frame times',
+    placed: 'spaced evenly from the first key to the last, because its files do not state frame times',
   };
 }
 

@@ -174,7 +174,7 @@ const OWN = {
     kind: 'flag',
     default: false,
     concern: 'motion',
-    doc: `Lets a ghost mesh lead the motion, with ${GHOST_FACES} faces unless \`ghost-faces\` is given.`,
+    doc: `Computes the motion on a ghost mesh, with ${GHOST_FACES} faces unless \`ghost-faces\` is given.`,
   },
 } as const satisfies Readonly<Record<string, Row>>;
 

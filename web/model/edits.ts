@@ -143,7 +143,7 @@ export function setMotion(doc: Doc, change: Partial<Motion>): Doc {
   return changed(doc.motion, change) ? { ...doc, motion: { ...doc.motion, ...change } } : doc;
 }
 
-/** A tangent shape has no effect at speed 0, so the speed becomes the default. */
+/** A tangent pose has no effect at speed 0, so the speed becomes the default. */
 export function setEncoding(doc: Doc, change: Partial<Encoding>): Doc {
   if (!changed(doc.encoding, change)) return doc;
   const still = (['start', 'end'] as const).filter(

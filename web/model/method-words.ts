@@ -27,22 +27,22 @@ export const METHOD_WORDS: Record<Method, { label: string; short: string; hint: 
   linear: {
     label: 'Morph targets (linear)',
     short: 'Morph targets',
-    hint: 'Blends positions, as most programs do. Shrinks and shears where the shape turns.',
+    hint: 'Blends positions, as most programs do. Shrinks and shears where the shape rotates.',
   },
   'cubic-vertex': {
     label: 'Morph targets (cubic)',
     short: 'Morph spline',
-    hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape turns.',
+    hint: 'Cubic splines of positions. Smooth, but shrinks and shears where the shape rotates.',
   },
   'rotation-strain': {
     label: 'Rotation-strain spline',
     short: 'Rotation-strain',
-    hint: 'Cubic splines of how each face rotates and stretches. Tears where faces turn by nearly 360 degrees.',
+    hint: 'Cubic splines of the rotation and stretch of each face. Tears where faces rotate by nearly 360 degrees.',
   },
   rimd: {
     label: 'Mesh difference spline (RIMD)',
     short: 'RIMD',
-    hint: 'Cubic splines of how each face rotates against its neighbours and stretches. Smooth, but slow.',
+    hint: 'Cubic splines of the stretch of each face and its rotation relative to its neighbours. Smooth, but slow.',
   },
   lengths: {
     label: 'Lengths and angles (NRIC)',

@@ -45,8 +45,8 @@ export interface Play {
 }
 
 /**
- * `texture`: the file's materials, or clay without any. `distance`: of every vertex of the compared motion from the
- * first motion or the animation of the keys.
+ * `texture`: the file's materials, or clay without any. `distance`: distance of every vertex of the compared motion
+ * from the first motion or the animation of the keys.
  */
 export type Colouring = 'texture' | 'phase' | 'patches' | FaceAmount | 'distance';
 /** Heat map of every face relative to the reference pose. */

@@ -47,9 +47,10 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
 
 const SPACING_NOTICE: Record<PlayState['spacing'], string> = {
   hand: 'Changing a key’s time changes its slope, because time is part of the curve.',
-  even: 'With even times, a short step takes as long as a long step. The curve overshoots or loops where keys are close.',
-  root: 'Times by the square root of the distance (centripetal) keep the curve closest to its keys.',
-  difference: 'Times by distance (chord length) make the speed even. The curve overshoots a little on long steps.',
+  even: 'With evenly spaced times, a short step takes as long as a long step. The curve overshoots or loops where keys are close.',
+  root: 'Spacing the times by the square root of the distance (centripetal) keeps the curve closest to the straight lines between its keys.',
+  difference:
+    'Spacing the times by the distance (chord length) makes the speed even. The curve overshoots a little on long steps.',
 };
 
 function keyNotice({ selected }: PlayState, { curves, times, weights }: Derived, layers: readonly Layer[]): string {
@@ -96,9 +97,9 @@ export function rateNotice({ layers }: PlayState, derived: Derived, derivative: 
       : `No second derivative jumps at a key (C2)${shown.includes('natural') ? '. At free ends it is 0: this is what “natural” means' : ''}.`;
   const what =
     derivative === 1
-      ? 'The slope jumps at the keys, which makes a corner'
-      : 'The second derivative jumps at a key, visible as a jerk';
-  return `${what}: ${names(jumping)}.${calm.length > 0 ? ` It is continuous (${says}) for ${names(calm)}.` : ''}`;
+      ? 'These curves have corners, because their slope jumps at the keys'
+      : 'These curves have a visible jerk, because their second derivative jumps at a key';
+  return `${what}: ${names(jumping)}.${calm.length > 0 ? ` Continuous (${says}): ${names(calm)}.` : ''}`;
 }
 
 function tooManySamples({ sampleCount }: Derived): string {

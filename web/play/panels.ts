@@ -119,7 +119,11 @@ export function createCurveControls(events: PanelEvents): Panel {
       onInput: (value) => events.onShaping({ [name]: value }),
     });
   const tension = shaping('tension', 'Tension', '1 stops at the key; below 0, the curve passes it faster');
-  const bias = shaping('bias', 'Bias', 'Negative: slope toward the next key; positive: slope from the previous key');
+  const bias = shaping(
+    'bias',
+    'Bias',
+    'Positive: the slope follows the interval before the key; negative: the interval after it',
+  );
   const selected = h('p', { class: 'selected-key', 'data-testid': 'selected-key' });
   const shaped = h('div', { class: 'control-group' }, selected, tension.element, bias.element);
   const ends = h('div', { class: 'control-group' }, ...speeds.map(({ element }) => element));

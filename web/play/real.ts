@@ -35,7 +35,7 @@ export function createReal({ get, change }: RealParts): Panel {
     draw();
   });
   const take = button({
-    label: 'Use this coordinate as the values',
+    label: 'Use the values of this coordinate',
     testId: 'take-real',
     text: 'Use it',
     onClick() {

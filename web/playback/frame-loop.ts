@@ -20,7 +20,7 @@ export interface Screen {
   onError(error: unknown): void;
 }
 
-/** Drawings that take longer, in milliseconds, are done by a processor that other work needs. */
+/** If drawing takes longer than this, in milliseconds, the processor is drawing and other work has to wait. */
 const SLOW_MS = 50;
 /** When drawing is slow, a playing frame stays for STAYS times its draw time (at most LONGEST_MS). */
 const [STAYS, LONGEST_MS] = [4, 1000];

@@ -5,7 +5,7 @@ import type { Frame, Method } from '../engine/api/types.ts';
 /** One of the motions shown side by side. */
 export interface Variant {
   method: Method;
-  /** Faces of the leading ghost mesh; 0 without one. */
+  /** Number of faces of the ghost mesh; 0 without one. */
   ghost: number;
   /** The method as published, without holding and pins. */
   plain?: true;

@@ -68,5 +68,5 @@ function describe({ title, unit, sizes, series, level }: GhostChartData): string
     ({ label, values }) =>
       `${label}: ${values.map((value, i) => `${tickLabel(Number(value.toPrecision(3)))} at ${sizes[i]}`).join(', ')}`,
   );
-  return `${title} (${unit}) over faces of the ghost mesh. ${[...lines, ...(level ? [`${level.label}: ${tickLabel(Number(level.value.toPrecision(3)))}`] : [])].join('; ')}`;
+  return `${title} (${unit}) by faces of the ghost mesh. ${[...lines, ...(level ? [`${level.label}: ${tickLabel(Number(level.value.toPrecision(3)))}`] : [])].join('; ')}`;
 }

@@ -54,7 +54,7 @@ export interface ShapePlanePlot {
   element: SVGSVGElement;
   draw(data: ShapePlaneData): void;
   setCursor(t: number): void;
-  /** The motion's point at t; [0, 0] before the first drawing. */
+  /** The motion's point at t; [0, 0] before the plot is first drawn. */
   curvePoint(t: number): Vector;
   /** Position of the shape shown instead of the motion's; null: on the curve. */
   setPoint(point: Vector | null): void;

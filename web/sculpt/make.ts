@@ -1,4 +1,4 @@
-/** Samples made in the browser. Their formulas are a thousandth of their files' size. */
+/** Samples made in the browser. The code is a thousandth of the files' size. */
 import { column } from './column.ts';
 import type { Sculpture } from './glb.ts';
 import { glb } from './glb.ts';
@@ -12,7 +12,7 @@ const SCULPTORS: Record<string, (detail: number) => Promise<Sculpture>> = { colu
 /** A sample as a GLB and as arrays; `detail` 1 is the shown shape, smaller values are coarser. */
 export async function make(id: string, detail = 1): Promise<{ bytes: Uint8Array; mesh: Mesh }> {
   const sculptor = SCULPTORS[id];
-  if (!sculptor) throw new Error(`Nothing is known of how ${id} is made.`);
+  if (!sculptor) throw new Error(`There is no code that makes the sample ${id}.`);
   const sculpture = await sculptor(detail);
   return { bytes: glb(sculpture), mesh: meshOf(sculpture) };
 }

@@ -19,7 +19,7 @@ export interface DividerProps {
 
 export function createDivider(onMove: (share: number) => void): Component<DividerProps> {
   let now = 0.5;
-  // Several events can arrive before the next drawing. Each continues from the last requested value.
+  // Several events can arrive before the page is redrawn. Each continues from the last requested value.
   const move = (share: number): void => {
     now = Math.min(Math.max(share, LEAST_SHARE), 1 - LEAST_SHARE);
     onMove(now);

@@ -53,7 +53,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
     onInput: (value) => change(turns ? { turn: value } : { duration: value }),
   });
   const reset = button({
-    label: 'As it plays here',
+    label: 'Reset to the playback duration',
     testId: 'export-duration-reset',
     icon: 'reset',
     onClick: () => change({ duration: null }),
@@ -108,7 +108,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
 function speedWords({ duration }: ExportRequest, speed: number): string {
   const times = `${Number(speed.toPrecision(3))}×`;
   if (duration !== null) return `${times} the timeline`;
-  return speed === 1 ? 'as it plays here' : `as played at ${times}`;
+  return speed === 1 ? 'as played here' : `as played at ${times}`;
 }
 
 const SIZE_WORDS: Record<SizeName, string> = {

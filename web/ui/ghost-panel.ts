@@ -70,7 +70,9 @@ export function createGhostPanel(events: GhostPanelEvents, study: HTMLElement): 
     toggle.update(encoding.ghostFaces > 0, disabled);
     setText(
       hint,
-      lriMethod ? 'A coarse mesh leads the motion and the full shape follows it.' : 'This method uses no ghost mesh.',
+      lriMethod
+        ? 'The motion is computed on a coarse mesh and transferred to the full shape.'
+        : 'This method uses no ghost mesh.',
     );
     setHidden(details, encoding.ghostFaces === 0);
     setHidden(study, !lriMethod);

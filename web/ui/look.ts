@@ -92,7 +92,7 @@ export function createLook(events: LookEvents): Component<View> {
 
 function createOnionFields({ onView }: LookEvents): Component<View> {
   const count = numberField({
-    label: 'Onion skins before, and as many after',
+    label: 'Number of onion skins before and after the shape',
     testId: 'onion-skins',
     min: 1,
     max: MOST_ONION_SKINS,
@@ -132,7 +132,7 @@ function createOnionFields({ onView }: LookEvents): Component<View> {
 
 function createFilmShapes({ onView }: LookEvents): Component<View> {
   const count = numberField({
-    label: 'Shapes of the film strip',
+    label: 'Number of shapes in the film strip',
     testId: 'film-shapes',
     min: LEAST_FILM_SHAPES,
     max: MOST_FILM_SHAPES,

@@ -31,7 +31,7 @@ export type LoopHandles = Fields<LoopHandlesProps>;
 export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents): LoopHandles {
   let props: LoopHandlesProps | null = null;
   const gap = (): number => (props!.fps === null ? 0.001 * length(props!.range) : 1 / props!.fps);
-  // Several events can arrive before the next drawing. Each continues from the last requested value.
+  // Several events can arrive before the page is redrawn. Each continues from the last requested value.
   const move = (end: End, t: number): void => {
     const between = withEnd(props!.between, props!.range, end, t, gap());
     props = { ...props!, between };

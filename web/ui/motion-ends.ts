@@ -139,7 +139,7 @@ function speedSlider(end: End, { onSpeed }: MotionEndsEvents): NumberControl {
     fallback: DEFAULT_SPEED,
     onInput: (value) => onSpeed(end, value),
     format: (value) => `${Number(value.toFixed(2))}`,
-    hint: 'Relative to the constant speed towards the neighbouring key or tangent shape. 0 eases in or out. You can type any value',
+    hint: 'Relative to the constant speed towards the neighbouring key or tangent pose. 0 eases in or out. You can type any value',
   });
 }
 

@@ -58,7 +58,7 @@ export function createMotionPanel(
   const ends = createMotionEnds(events);
   const parts = [createMethods(events), ends, createHolding(events), createTiming(events)];
   const reset = button({
-    label: 'Reset the motion to what it was when opened',
+    label: 'Reset the motion to its state when opened',
     testId: 'motion-reset',
     icon: 'reset',
     onClick: () => events.onReset(),

@@ -54,7 +54,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
   );
   const patches = createPatches(events);
   const reset = button({
-    label: 'Reset the shape options to what they were when opened',
+    label: 'Reset the shape options to their state when opened',
     testId: 'shape-reset',
     icon: 'reset',
     onClick: () => events.onReset(),

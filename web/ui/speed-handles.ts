@@ -19,10 +19,10 @@ const UNIT_PX = 40;
 const NUMBER_PX = 56;
 const WORDS_PX = 112;
 const ROOM_FOR_WORDS_PX = 480;
-/** Text for a tangent given by a shape. */
+/** Text for a tangent given by a pose. */
 const SHAPED: Record<End, string> = {
-  start: 'the first key to the shape of its tangent',
-  end: 'the shape of its tangent to the last key',
+  start: 'the first key to the start tangent pose',
+  end: 'the end tangent pose to the last key',
 };
 /** Number of steps with Shift. */
 const LARGE = 10;
@@ -89,7 +89,7 @@ function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): num
 
 function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Component<SpeedHandleProps> {
   let props: SpeedHandleProps | null = null;
-  // Several events can arrive before the next drawing. Each continues from the last requested value.
+  // Several events can arrive before the page is redrawn. Each continues from the last requested value.
   const set = (speed: number): void => {
     if (props) props = { ...props, speeds: { ...props.speeds, [end]: speed } };
     onSpeed(speed);

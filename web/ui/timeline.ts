@@ -59,7 +59,7 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const { track } = slider;
   const isOn = (): boolean => props !== null && !props.disabled;
   const shown = (): Range => windowOf(props!.window, props!);
-  // Several events can arrive before the next drawing. Each continues from the last requested value.
+  // Several events can arrive before the page is redrawn. Each continues from the last requested value.
   const setWindow = (window: Range | null): void => {
     if (props) props = { ...props, window };
     events.onWindow(window);

@@ -4,7 +4,7 @@ import type { Bounds } from './stage.ts';
 /** Enough to fit a view tightly, few enough to process in one frame. */
 const POINTS_PER_POSE = 1500;
 
-/** What is this near to the floor touches it, as a share of the height. */
+/** Points this close to the floor count as touching it. A share of the height. */
 const TOUCHES = 0.05;
 
 /**

@@ -47,7 +47,7 @@ export class GhostView {
   private readonly beside = new Group();
   private readonly lines = new Group();
 
-  /** Draws one mesh; `fits` checks whether a picture has this mesh. */
+  /** Draws one mesh; `fits` checks whether an image has this mesh. */
   constructor({ faces, positions, vertexOf }: GhostPicture, studio: Studio, layer: number) {
     studio.install(this.clay, new Rim());
     this.faces = faces;

@@ -1,4 +1,4 @@
-/** Prepares shader programs before the first drawing with them. */
+/** Compiles shader programs before the first frame that uses them. */
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 
 /** Resolves once the programs are requested and, if compiled asynchronously, ready. */

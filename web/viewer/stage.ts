@@ -8,7 +8,7 @@ import { ContactShadow, REACH } from './contact-shadow.ts';
 export interface Bounds {
   min: [number, number, number];
   max: [number, number, number];
-  /** Circle on the floor about what touches it. */
+  /** Circle on the floor around the points that touch it. */
   foot: { x: number; z: number; radius: number };
 }
 
@@ -66,7 +66,7 @@ export class Stage {
     await Promise.all([makePrograms(renderer, this.floor, camera), this.shadow.compile(renderer)]);
   }
 
-  /** Call before each drawing; see ContactShadow.render. */
+  /** Call before each drawn frame; see ContactShadow.render. */
   prepare(renderer: WebGLRenderer, scene: Scene, layers: number, version: number): void {
     if (this.floor.visible) this.shadow.render(renderer, scene, layers, version);
   }

@@ -53,7 +53,7 @@ export class Studio {
     });
   }
 
-  /** Call before each drawing, because light directions are in eye coordinates. */
+  /** Call before each drawn frame, because light directions are in eye coordinates. */
   follow(camera: PerspectiveCamera): void {
     camera.updateMatrixWorld();
     this.uniforms.studioUp.value.set(0, 1, 0).transformDirection(camera.matrixWorldInverse);
@@ -63,7 +63,7 @@ export class Studio {
     });
   }
 
-  /** Lights a MeshStandardMaterial; `rim` is the colour of its outline. Call before its first drawing. */
+  /** Lights a MeshStandardMaterial; `rim` is the colour of its outline. Call before it is first drawn. */
   install(material: Material, rim: Rim): void {
     extend(material, 'studio', (shader) => {
       Object.assign(shader.uniforms, this.uniforms, rim.uniforms);

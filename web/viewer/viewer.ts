@@ -107,7 +107,7 @@ export class Viewer {
         this.stage.restore();
         this.started ||= this.starting !== null; // the lost context has no programs
         this.floored ||= this.flooring !== null;
-        // The first drawing after this has no floor and no transparent background. The second drawing is complete.
+        // The next frame has no floor and no transparent background. The frame after it is complete.
         this.draw();
         this.invalidate();
       },
@@ -137,7 +137,7 @@ export class Viewer {
 
   /**
    * An import that has been read and will be set soon. The graphics card compiles the first shape's programs while the
-   * motion is made. Nothing is drawn yet. No effect after the first drawing.
+   * motion is made. Nothing is drawn yet. No effect once a frame has been drawn.
    */
   expect(info: KeysInfo): void {
     this.starting ??= this.contents
@@ -517,7 +517,7 @@ export class Viewer {
     this.stage.dispose();
     this.over.abort();
     this.surface.dispose();
-    // Releases callers that wait for a drawing, because drawing has ended.
+    // Releases callers that wait for a frame, because drawing has ended.
     for (const resolve of this.waiting.splice(0)) resolve();
   }
 

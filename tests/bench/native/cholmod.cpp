@@ -1,5 +1,5 @@
-// CHOLMOD as it is fastest on such systems: METIS orders, supernodes go through BLAS. One thread where the environment
-// says so (native.ts does).
+// Solves with CHOLMOD, with its fastest settings for such systems: METIS ordering, and supernodes with BLAS. native.ts
+// sets the environment to one thread.
 #include "solver.h"
 
 #ifdef SHAPESPLINE_CHOLMOD
@@ -50,7 +50,7 @@ cholmod_dense columns(const Eigen::MatrixX3d& matrix) {
   return view;
 }
 
-// The solution and the scratch of cholmod_solve2, which a second solve uses again.
+// The solution and scratch memory of cholmod_solve2, reused by later solves.
 struct Solution {
   explicit Solution(Common& common) : common(common) {}
   ~Solution() { cholmod_free_dense(&x, &common), cholmod_free_dense(&y, &common), cholmod_free_dense(&e, &common); }

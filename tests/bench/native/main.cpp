@@ -1,7 +1,7 @@
-// shapespline_bench_native FILE.glb REFERENCE T...: the file's second system, native, as lines of JSON on stdout. The
-// shape at the k-th time, computed in double, is written to REFERENCE followed by k, from 0 on: 3 doubles a vertex. The
-// first line has the number of unknowns; then each line on stdin asks for a round: whole solutions by our own solver in
-// both precisions, by Eigen and by CHOLMOD, until stdin ends.
+// shapespline_bench_native FILE.glb REFERENCE T...: solves the file's second system natively and prints lines of JSON.
+// Writes the shape at the k-th time, computed in double precision, to the file REFERENCE followed by k (from 0), 3
+// doubles per vertex. The first printed line has the number of unknowns. For each line on stdin, the program then runs
+// one round: our own solver in both precisions, Eigen and CHOLMOD. It ends with stdin.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +35,7 @@ std::vector<std::uint8_t> bytesOf(const char* name) {
   return bytes;
 }
 
-// As the engine has them: what an import hands over are floats.
+// Rounds positions to float, as an import does for the engine.
 void roundToFloats(Keyframes& keyframes) {
   for (Key& key : keyframes.keys)
     for (Vec3& position : key.positions) position = position.cast<float>().cast<double>();

@@ -4,7 +4,7 @@
 namespace shapespline::bench {
 namespace {
 
-// Copying the right-hand side counts: the others do not solve in place.
+// The time includes copying the right-hand side, because the other solvers do not solve in place.
 template <class Real>
 Eigen::MatrixX3d solve(const Cholesky& cholesky, const Eigen::MatrixX3d& b, double& ms) {
   const auto position = cholesky.eliminationPosition();

@@ -1,4 +1,4 @@
-// The second system by several solvers: times, memory, accuracy.
+// Solves the second system with several solvers, and measures times, memory and accuracy.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace shapespline::bench {
 
-/// A system whose solution is known: the vertices' positions.
+/// A system with a known solution: the positions of the vertices.
 struct KnownSystem {
   explicit KnownSystem(const CotangentLaplacian& laplacian);
 
-  /// Largest distance of a solution to the positions, over the diagonal of their bounding box.
+  /// Largest distance of a solution from the positions, relative to the diagonal of their bounding box.
   double errorOf(const Eigen::MatrixX3d& solution) const;
 
   const CotangentLaplacian& laplacian;
@@ -26,21 +26,21 @@ struct KnownSystem {
   Eigen::MatrixX3d positions, b;
 };
 
-/// The order and the structure once; the factorisation and a solve of three columns as medians of a few.
+/// Times in ms: one analysis (order and structure); medians of a few factorisations and solves of three columns.
 struct SolverRound {
   double orderMs = 0, factorMs = 0, solveMs = 0;
-  std::int64_t entries = 0;  ///< of the triangular factor
-  std::int64_t bytes = 0;    ///< of the factor as it is stored, indices included
+  std::int64_t entries = 0;  ///< entries of the triangular factor
+  std::int64_t bytes = 0;    ///< bytes of the stored factor, with its indices
   double error = 0;          ///< KnownSystem::errorOf
 };
 
-/// Nothing where the system cannot be factored.
+/// Returns nullopt if the system cannot be factored.
 std::optional<SolverRound> solveByOurs(const KnownSystem& system, Precision precision);
 std::optional<SolverRound> solveByEigen(const KnownSystem& system);
-/// Nothing, too, where CHOLMOD was not installed when this was compiled.
+/// Also returns nullopt if CHOLMOD was not installed at compile time.
 std::optional<SolverRound> solveByCholmod(const KnownSystem& system);
 
-/// The median of up to five runs, begun within three seconds.
+/// The median of up to five runs that start within three seconds.
 template <class Work>
 double medianMs(Work work) {
   std::vector<double> ms;

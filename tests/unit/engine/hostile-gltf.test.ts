@@ -20,7 +20,7 @@ const accessors = (count: number, copies = 1) => ({
 const size = (json: object, bytes: number) => () => checkDecodedSize(json, bytes, 'a.glb');
 
 describe('the JSON of a glTF', () => {
-  it('is parsed as others are, and is nothing where it is broken', () => {
+  it('is parsed as others are, and is nothing if it is broken', () => {
     expect(parseGltf('\uFEFF{"a":["}]\\"[{",1]}')).toEqual({ a: ['}]"[{', 1] });
     for (const broken of ['{', '', '{"a":}', '["\\']) expect(parseGltf(broken)).toBeUndefined();
   });

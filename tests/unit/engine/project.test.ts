@@ -7,7 +7,7 @@ const keys = { times: [0, 1], names: ['a', 'b'], frames: [0, 9] };
 const mesh = { vertices: 3, faces: 1, error: 0.001 };
 
 describe('a project', () => {
-  it('gives its options back, tangent shapes bit for bit', () => {
+  it('gives its options back, tangent poses bit for bit', () => {
     const tangent = Float32Array.from({ length: 3000 }, (_, i) => Math.sin(i) / 3);
     const options: SequenceOptions = {
       ...SEQUENCE_DEFAULTS,
@@ -51,7 +51,7 @@ describe('a project', () => {
     expect(readOptions(text)).toBeNull();
   });
 
-  it('says what mesh it was saved with, and nothing where that is missing or no number', () => {
+  it('says what mesh it was saved with, and nothing if that is missing or no number', () => {
     expect(readMesh(writeProject(keys, SEQUENCE_DEFAULTS, mesh))).toEqual(mesh);
     for (const text of ['{}', '{"mesh": 1}', '{"mesh": {"vertices": "3", "faces": 1}}', 'no JSON'])
       expect(readMesh(text)).toBeNull();

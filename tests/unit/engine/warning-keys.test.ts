@@ -5,7 +5,7 @@ import { keysOf } from '../../../web/engine/api/warning-keys.ts';
 const warning = (code: string, key: number): Warning => ({
   ...NO_PLACE,
   code,
-  message: 'Something turns far.',
+  message: 'A large rotation.',
   count: 0,
   key,
 });

@@ -41,7 +41,7 @@ describe('edits', () => {
     expect(plane.now.state.keys[2]).toMatchObject({ time: 0.5, value: 0.4, across: 0.7 });
   });
 
-  it('change nothing where the key is selected already', () => {
+  it('change nothing if the key is selected already', () => {
     const { edits, now } = editing();
     edits.onSelect(INITIAL.selected);
     expect(now.touched).toBeNull();

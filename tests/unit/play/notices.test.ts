@@ -14,10 +14,10 @@ describe('the notices', () => {
   it('tell corners from steps of the bend', () => {
     const straight = of({ ...INITIAL, layers: ['linear', 'natural', 'catmull-rom'] });
     expect(rateNotice(straight.state, straight.derived, 1)).toMatch(
-      /corner: Straight lines\..*for Natural cubic, Catmull-Rom/,
+      /corners, .*: Straight lines\..*: Natural cubic, Catmull-Rom/,
     );
     expect(rateNotice(straight.state, straight.derived, 2)).toMatch(
-      /jerk: Straight lines, Catmull-Rom\..*for Natural cubic/,
+      /jerk, .*: Straight lines, Catmull-Rom\..*: Natural cubic/,
     );
     const smooth = of(INITIAL);
     expect(rateNotice(smooth.state, smooth.derived, 1)).toMatch(/no corner/);
@@ -32,7 +32,7 @@ describe('the notices', () => {
     expect(percent).toBeLessThan(25);
   });
 
-  it('say that tension and bias change a slope, and nothing where there are none', () => {
+  it('say that tension and bias change a slope, and nothing if there are none', () => {
     const plain = of(INITIAL);
     expect(curveNotice(plain.state, plain.derived, 'shaping')).toMatch(
       /slope at key \d+ is that of the natural spline/,

@@ -1,4 +1,4 @@
-// Keys and the shapes of LRI space -> shapes that keep lengths and angles; a full shape led by them.
+// Fits shapes that keep lengths and angles to keys and shapes of LRI space, and transfers them to a full shape.
 #include "bindings/export.h"
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
@@ -18,7 +18,7 @@ struct ShapesObject {
 
 struct LedObject {
   LedShape shape;
-  std::vector<float> positions;  // of the last answer
+  std::vector<float> positions;  // positions of the last answer
 };
 
 constexpr auto reportFitting = [](double fraction) { reportProgress("fitting lengths", fraction); };

@@ -173,7 +173,7 @@ inline T* stepBack(T* p, int n) {
   return p;
 }
 
-/// Keeps i in a register of its own. Loading and scaling four indices as one vector costs more to unpack than it saves.
+/// Keeps i in a separate register. Loading and scaling four indices as one vector costs more to unpack than it saves.
 inline int alone(int i) {
 #if SHAPESPLINE_SIMD_WASM
   __asm__("" : "+r"(i));

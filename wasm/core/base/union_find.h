@@ -8,7 +8,7 @@
 namespace shapespline {
 
 /// Disjoint sets of the numbers below n (Tarjan 1975, with path halving). A set's representative is its smallest
-/// member, whatever the order of joins.
+/// member, independent of the order of joins.
 class UnionFind {
  public:
   UnionFind() = default;

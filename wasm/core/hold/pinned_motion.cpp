@@ -114,7 +114,7 @@ void PinnedMotion::apply(double t, const std::vector<Quaternion>& frames, const 
   system.addSolved(scratch.pulls, shape, scratch.solve, forkJoin);
 }
 
-// Displacements from each held vertex's current position to its wanted position.
+// Displacements from each held vertex's current position to its target position.
 void PinnedMotion::findDisplacement(double t, const SpanPosition& inSpan, const std::vector<Quaternion>& frames,
                                     const Vec3& mean, const Positions& shape, Scratch& scratch) const {
   target_.at(t, frames, mean, scratch.target, scratch.body);

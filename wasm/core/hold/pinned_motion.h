@@ -1,4 +1,4 @@
-// A motion with pins. Rotations of patches are predicted from the pins' wanted positions, then the shape is pulled
+// A motion with pins. Rotations of patches are predicted from the pins' target positions, then the shape is pulled
 // there. Takes one solve per time with a factored system, and is as smooth as the pull.
 #pragma once
 

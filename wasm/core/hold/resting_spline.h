@@ -9,7 +9,7 @@
 
 namespace shapespline {
 
-/// Where a path must not overshoot.
+/// The keys at which a path must not overshoot.
 struct PathRest {
   enum { Nowhere, WhereStill, AtEnds } where = Nowhere;
   double size = 1;  ///< size of the whole shape (keySize); a motion by a small share of it counts as rest

@@ -6,7 +6,7 @@
 
 namespace shapespline {
 
-/// The resting vertices depend only on the keys, so all methods are measured alike. Immutable.
+/// The resting vertices depend only on the keys, so all methods are measured in the same way. Immutable.
 class Sliding {
  public:
   /// keys: the natural cubic spline through the keys. mesh: must outlive this object.

@@ -12,14 +12,14 @@ namespace shapespline {
 
 namespace {
 
-// Squared lengths are compared in steps of about 1e-7 of the pose's squared radius: far above rounding, far below any
-// detail. The factor moves the steps away from round numbers, which are frequent in regular meshes.
+// Squared lengths are compared in steps of about 1e-7 of the pose's squared radius. This is far above rounding errors
+// and far below any detail. The factor keeps steps away from round numbers, which are frequent in regular meshes.
 constexpr double stepsPerUnit = 0x1p24 * 0.7390851332151607;
 
-// Number of faces for comparing walks from sides with equal lengths. Shapes that differ only further away count as
-// symmetric.
+// Walks from sides with equal lengths are compared over this number of faces. A shape that differs only beyond them
+// counts as symmetric.
 constexpr std::size_t comparedFaces = 4096;
-// Number of such comparisons for an empty mesh during the search for starts. The limit grows with the mesh.
+// Limit of such comparisons while the starts are searched, in addition to one per face of the mesh.
 constexpr std::size_t comparedWalks = 64;
 
 int inSteps(double squaredLength) {
@@ -34,7 +34,7 @@ class Walk {
       : next_(nextAlongEdge), seen_(nextAlongEdge.size() / 3, 0), crossed_(nextAlongEdge.size(), 0) {}
 
   bool hasSeen(int face) const { return seen_[face] != 0; }
-  /// The side through which each face was entered.
+  /// The entry side of each face: the side across which the walk reached it.
   const std::vector<int>& entries() const { return queue_; }
 
   void begin(int side) { meet(side); }
@@ -48,7 +48,7 @@ class Walk {
     served_ = 0;
   }
 
-  // The side through which the next face was entered, or -1 at the end.
+  // The entry side of the next face, or -1 at the end.
   int step() {
     if (served_ == queue_.size()) return -1;
     const int entry = queue_[served_++];
@@ -59,7 +59,7 @@ class Walk {
   static int sideAfter(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
  private:
-  // If many sides share one edge, the first of them visits all their faces.
+  // If many sides share one edge, the first of them to be crossed visits all their faces.
   void cross(int side) {
     const bool crowded = next_[next_[side]] != side;
     if (crowded && crossed_[side]) return;
@@ -106,8 +106,8 @@ class Orderer {
   }
 
  private:
-  // Farness of each vertex: mean over the poses of its squared distance from the centroid, relative to the farthest
-  // vertex.
+  // Farness of a vertex: its squared distance from the centroid relative to that of the farthest vertex, as a mean over
+  // the poses.
   void measure() {
     std::vector<double> sum(poses_.front().size(), 0);
     for (const Positions& pose : poses_) {
@@ -144,8 +144,8 @@ class Orderer {
     return result;
   }
 
-  // Below zero where side a comes before side b by what a rigid motion keeps of their faces, above zero where after it.
-  // First by what does not depend on the order of the poses, then by that if asked for.
+  // Compares two sides by lengths in their faces that a rigid motion preserves: negative if s comes first, positive if
+  // t does. Lengths in single poses are compared last, and only if `mayCompareByPose`.
   int compare(const Triangle& s, const Triangle& t, bool mayCompareByPose = true) const {
     for (int i = 0; i < 3; ++i)
       if (farness_[s[i]] != farness_[t[i]]) return farness_[s[i]] > farness_[t[i]] ? -1 : 1;
@@ -165,7 +165,7 @@ class Orderer {
     return byPose;
   }
 
-  // Whether the first of all sides that run against their faces comes before the first of the others.
+  // Whether the first of all reversed sides precedes the first of all sides.
   bool isMirrored() const {
     Triangle forward = faces_[0], backward = {forward[1], forward[0], forward[2]};
     for (int side = 0; side < 3 * static_cast<int>(faces_.size()); ++side) {
@@ -176,7 +176,7 @@ class Orderer {
     return compare(backward, forward, false) < 0;
   }
 
-  // The same for the walks that begin at the sides.
+  // Compares the walks that begin at two sides, face by face.
   int compareWalks(int a, int b) {
     while (walks_.size() < 2) walks_.emplace_back(next_);
     walks_[0].forget(), walks_[1].forget();
@@ -229,7 +229,7 @@ class Orderer {
     return first;
   }
 
-  // The first side of each component that the walk has not seen, in reverse order.
+  // The first sides of the components that the walk has not seen, in reverse order.
   std::vector<int> findOthers(Walk walk) {
     std::vector<int> firsts;
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {

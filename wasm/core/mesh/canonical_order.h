@@ -11,9 +11,9 @@ namespace shapespline {
 
 /// A new numbering of a mesh, as maps from new to old numbers.
 struct MeshOrder {
-  std::vector<int> vertex;  ///< of each vertex
-  std::vector<int> corner;  ///< of each face 3 f + c: face f, whose corner c comes first now
-  bool mirrored = false;    ///< every face runs the other way round
+  std::vector<int> vertex;  ///< old number of each vertex
+  std::vector<int> corner;  ///< one per face: 3 f + c for old face f, whose corner c is now the first
+  bool mirrored = false;    ///< the winding of every face is reversed
 
   std::vector<Triangle> apply(const std::vector<Triangle>& faces) const;
   Positions apply(const Positions& positions) const;
@@ -21,13 +21,13 @@ struct MeshOrder {
   std::vector<int> oldFaces() const;  ///< old number of each face
 };
 
-/// Breadth first from face to face over their edges, from the side of a face that lies farthest out in all poses. Faces
-/// that are entered over an edge start with it; vertices are numbered as they are met, those in no face last.
-/// Neighbours are therefore near each other. Which side comes first, which component, and which neighbour at a
-/// non-manifold edge, is decided by lengths that a rigid motion of a pose keeps, so coarsely that rounding decides
-/// nothing; so is the way round in which sides follow each other. By the file's order only where the shape is symmetric
-/// in every pose. faces: of vertices that every pose has; those without area count, too. Time: linear but for symmetric
-/// shapes, where it is bounded.
+/// Visits faces breadth first across their edges, starting with the side of a face that is farthest out in all poses.
+/// The first side of each face is the one across which it was visited. Numbers vertices when they are first visited,
+/// and vertices without a face last, so neighbours have close numbers. Lengths that a rigid motion preserves choose the
+/// first side, the next component, the neighbour at a non-manifold edge and the direction around a face. They are
+/// rounded coarsely, so rounding errors decide nothing. The file's order decides only in shapes that are symmetric in
+/// every pose. faces: indices of the poses' vertices; may include faces without area. Time: linear, with a bounded
+/// addition for symmetric shapes.
 MeshOrder canonicalOrder(const std::vector<Triangle>& faces, const std::vector<Positions>& poses,
                          const FractionReport& onProgress = {});
 

@@ -10,9 +10,9 @@ namespace shapespline {
 
 struct InputMesh {
   std::vector<Triangle> faces;
-  Welding welding;               ///< of the vertices
-  std::vector<int> inputFaceOf;  ///< of each welded face
-  bool mirrored = false;         ///< welded faces run the other way round
+  Welding welding;               ///< welds the vertices
+  std::vector<int> inputFaceOf;  ///< input face of each welded face
+  bool mirrored = false;         ///< the winding of welded faces is reversed
 
   int vertexCount() const { return static_cast<int>(welding.weldedOfRaw.size()); }
 

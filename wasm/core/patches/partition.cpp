@@ -194,7 +194,8 @@ class Partition {
     }
   }
 
-  // Patch of each face that is connected to its seed by faces with all neighbours in the same patch, else -1.
+  // The patch of each inner face, else -1. Inner faces are connected to the seed by faces whose neighbours are all in
+  // the same patch.
   std::vector<int> within(const std::vector<Centre>& centres) const {
     const std::vector<int>& patch = patches_.ofFace;
     std::vector<int> result(faceCount_, -1), queue;

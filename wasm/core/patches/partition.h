@@ -1,5 +1,5 @@
-// A deterministic partition of the faces into connected patches that turn as one, and the graph of neighbouring patches
-// (paper section 4.2, after Wang et al. 2007).
+// A deterministic partition of the faces into connected patches that rotate as one, and the graph of neighbouring
+// patches (paper section 4.2, after Wang et al. 2007).
 #pragma once
 
 #include <vector>

@@ -12,7 +12,7 @@ namespace shapespline {
 namespace {
 
 // Steps of a frame. Halfway, the cross-sections of a bar twisted by two turns are 1.9 % off with one step and 1 % with
-// two. Where maps disagree strongly, a second step would move towards minima that disappear over time. It therefore
+// two. If maps disagree strongly, a second step would move towards minima that disappear over time. It therefore
 // moves only links that nearly agree.
 constexpr std::array frameSteps = {1, 16};
 // Shorter rotation vectors have no usable axis.
@@ -21,7 +21,8 @@ constexpr double noAxis = 1e-6;
 constexpr double atRest = 0.01;
 // A root with a smaller rotation does not take the other direction.
 constexpr double surelyShort = 0.5;
-// Of bends, radians squared: below it turns are even up to rounding. And of their mean, what counts as even.
+// A bend is the squared change of a rotation from step to step. The smallest bend above rounding, in radians squared;
+// and the share of the mean bend below which a rotation counts as even.
 constexpr double leastBend = 1e-6, leastShare = 0.3;
 // The shares of a step at which paths are compared.
 constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
@@ -152,8 +153,9 @@ std::vector<int> PatchMotion::stepsOf(const WeldedShape& shape, bool loop) const
   return result;
 }
 
-// Links are weighted by the length of the shared boundary. Links that turn far, or whose maps disagree with the others,
-// have less weight. Smooth shapes hardly change: ((1 + cos a) / 2)^6 is 1 - O(a^2).
+// Links are weighted by the length of the shared boundary. Links with large rotations, or whose maps disagree with the
+// others, have less weight. For small angles a, the factor ((1 + cos a) / 2)^6 is 1 - O(a^2), so smooth shapes hardly
+// change.
 Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& steps) const {
   const std::size_t count = patches_.graph.links().size();
   std::vector<double> weight, cost;
@@ -237,8 +239,8 @@ GlobalAlignment PatchMotion::makeAlignment(const Solver& solver, const std::vect
   return GlobalAlignment(halfway, evennessWeights(steps.back() == steps_.closing()));
 }
 
-// How much each patch says about how the whole is turned: its area, more where it turns evenly. Splines miss most of
-// what turns unevenly, such as the end of a limb, whose turn is the sum of all joints' turns.
+// Weight of each patch for the rotation of the whole shape: its area, increased if it rotates evenly. Splines miss most
+// of an uneven rotation, such as that of the end of a limb, which is the sum of the rotations of all its joints.
 std::vector<double> PatchMotion::evennessWeights(bool isLoop) const {
   const int last = isLoop ? steps_.closing() : steps_.closing() - 1;
   std::vector<double> weight = patches_.graph.area(), bend;

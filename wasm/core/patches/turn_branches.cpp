@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-// Shorter increments have no axis for a turn in the other direction, radians.
+// Shorter increments have no axis for a rotation in the other direction, radians.
 constexpr double axisless = 1e-3;
 constexpr std::array robustSteps = {1, 1, 1, 1, 1, 1, 1, 1};
 

@@ -1,4 +1,4 @@
-// Direction in which a patch turned relative to its neighbour between two poses: the branch of the increment's
+// Direction in which a patch rotated relative to its neighbour between two poses: the branch of the increment's
 // logarithm.
 #pragma once
 
@@ -17,8 +17,8 @@ struct TurnBranches {
   std::vector<double> residual;
 };
 
-/// Logarithms near half a turn do not determine their sense. For links with large turns, the signs of the patches'
-/// turns do (turn_senses.h). from, to: the maps C = G_i^T G_j of each link in the two poses. turn: G_to G_from^T of
+/// Logarithms near 180 degrees do not determine their sense. For links with large rotations, the signs of the patches'
+/// rotations do (turn_senses.h). from, to: the maps C = G_i^T G_j of each link in the two poses. turn: G_to G_from^T of
 /// each patch. Error: the solver's.
 Result<TurnBranches> chooseTurnBranches(const PatchGraph& graph, const std::vector<Quaternion>& from,
                                         const std::vector<Quaternion>& to, const std::vector<Quaternion>& turn);

@@ -14,7 +14,7 @@ namespace shapespline {
 namespace {
 
 constexpr double certainTurn = std::numbers::pi / 3;
-// Number of groups of certain joints, processed from small to large turns.
+// Number of groups of trusted joints, processed from small to large rotations.
 constexpr int certainGroups = 32;
 constexpr double openTurn = 0.8 * std::numbers::pi;
 // Share of the area. Smaller sets are not reported.

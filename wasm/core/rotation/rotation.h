@@ -32,7 +32,7 @@ Vec3 nearestRepresentative(const Vec3& rotationVector, const Vec3& target);
 /// Adds `turns` full turns about the rotation vector's axis, or about `fallbackAxis` if it is zero.
 Vec3 addTurns(const Vec3& rotationVector, int turns, const Vec3& fallbackAxis);
 
-/// Turns between two keys above this angle are ambiguous in direction and number, radians.
+/// Between two keys, larger rotations are ambiguous in direction and number of turns. Radians.
 inline constexpr double ambiguousTurn = 150 * std::numbers::pi / 180;
 
 /// Accumulates weighted rotations. Their mean minimises sum w |R - G|_F^2 over SO(3), which is the projection of the

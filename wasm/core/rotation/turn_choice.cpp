@@ -8,8 +8,8 @@ namespace shapespline {
 
 namespace {
 
-// Weight of turning relative to bending. With this weight, a swing by 165 degrees and its return cost as much as a full
-// turn in two steps.
+// Weight of rotation relative to bending. With this weight, a swing by 165 degrees and its return cost as much as a
+// full turn in two steps.
 constexpr double turningWeight = 10;
 // Smaller cost differences may be rounding errors, radians squared.
 constexpr double sameCost = 1e-2;
@@ -37,7 +37,7 @@ std::vector<char> chooseTurns(const std::vector<TurnOptions>& steps) {
   };
   const auto turn = [&](std::size_t s, int way) -> const Vec3& { return way == 0 ? steps[s].turn : steps[s].other; };
   std::vector<std::array<double, 2>> least(steps.size());
-  // The best direction of step s after a given turn, and its cost.
+  // The best direction of step s after a given rotation, and its cost.
   const auto best = [&](std::size_t s, const Vec3* before) {
     std::array<double, 2> sum;
     for (int way = 0; way < 2; ++way) sum[way] = least[s][way] + (before ? (turn(s, way) - *before).squaredNorm() : 0);

@@ -14,13 +14,13 @@ namespace shapespline {
 /// Positions of a sequence's shapes in the plane of the two leading principal components (Fig. 2b).
 struct ShapePlane {
   std::vector<double> keys;  ///< 2J
-  /// 2 values for each tangent shape, the start tangent first.
+  /// 2 values for each tangent pose, the start tangent first.
   std::vector<double> tangents;
   std::vector<double> curve;  ///< 2 values per requested time
   /// Per requested time: distance of the shape from the plane in the metric, relative to the mean distance of
   /// consecutive keys; 0 if all keys are equal.
   std::vector<double> distance;
-  std::vector<double> weights;  ///< a row per requested time: a weight for each key, then for each tangent shape
+  std::vector<double> weights;  ///< a row per requested time: a weight for each key, then for each tangent pose
   double explained = 0;         ///< share of the keys' variance in the plane, in [0, 1]
 };
 
@@ -41,7 +41,7 @@ struct CoordinateCurve {
 /// discrete_spline.h).
 struct DiscretePath {
   std::vector<double> times;    ///< K; for a periodic motion, those of one period
-  std::vector<double> weights;  ///< K rows: a weight for each key, then for each tangent shape
+  std::vector<double> weights;  ///< K rows: a weight for each key, then for each tangent pose
   std::vector<double> plane;    ///< 2K: positions of the samples in the plane of ShapePlane
   double energy = 0;            ///< energy of the samples in the metric of the feature vector, per unit of time cubed
   double curveEnergy = 0;       ///< energy of the curve's shapes at the same times

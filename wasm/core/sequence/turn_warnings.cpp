@@ -11,16 +11,16 @@ namespace shapespline {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-// Patches with larger disagreements halfway have turned in a different direction than their neighbours.
+// Patches with larger disagreements halfway have rotated in a different direction than their neighbours.
 constexpr double ambiguousResidual = 20 / degrees;
-// Patches smaller than this share of the mean, and faces below these shares of the shape, are noise, because their
-// turns are invisible.
+// Patches smaller than this share of the mean, and sets of fewer faces than this share or number, get no warning,
+// because their rotations are invisible.
 constexpr double smallPatch = 0.3;
 constexpr double fewFaces = 0.001;
 constexpr int fewestFaces = 4;
 
-// Beyond the keys: as far as the page shows, in mean intervals; and where regions disagree by more in the mean, noise
-// in the keys moves the shape by percents of its diagonal. Ordinary poses reach 6 degrees.
+// `reach`: distance beyond the keys that the page shows, in mean intervals. `openBeyond`: above this mean disagreement,
+// noise in the keys moves the shape there by percents of its diagonal. Ordinary poses reach 25 degrees.
 constexpr double reach = 0.8, openBeyond = 30 / degrees;
 
 std::string angleText(double radians) { return std::to_string(std::lround(radians * degrees)) + " degrees"; }
@@ -34,7 +34,7 @@ class TurnWarnings {
     leastArea_ = smallPatch * total / patches_.graph.patchCount();
   }
 
-  // turns: added to this step.
+  // turns: the full turns added in this step.
   void addStep(int step, const AmbiguousFaces* faces, const std::vector<AddedTurns>& turns = {}) {
     step_ = step;
     turns_ = turns;
@@ -76,7 +76,7 @@ class TurnWarnings {
     const double angle = motion_.wholeTurn(step_);
     if (angle <= ambiguousTurn && !motion_.isWholeTurnOpen(step_)) return;
     add("ambiguous-turn",
-        "the whole shape turns by " + angleText(angle) +
+        "the whole shape rotates by " + angleText(angle) +
             ". The keys alone do not determine the direction or the number of full turns. Add full "
             "turns to the key, or add a key in between.",
         0, -1, {});
@@ -98,8 +98,8 @@ class TurnWarnings {
     if (count == 0) return;
     const bool one = count == 1;
     add("ambiguous-component-turn",
-        (one ? "a component turns by " : std::to_string(count) + " components turn by up to ") + angleText(furthest) +
-            " relative to " + (one ? "its neighbour" : "their neighbours") +
+        (one ? "a component rotates by " : std::to_string(count) + " components rotate by up to ") +
+            angleText(furthest) + " relative to " + (one ? "its neighbour" : "their neighbours") +
             ". The keys alone do not determine the direction or the number of full turns. Add full turns to the "
             "component, or add a key in between.",
         count, face, std::move(found));
@@ -129,13 +129,13 @@ class TurnWarnings {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     add("ambiguous-patch-turn",
-        "neighbouring regions turn by " + angleText(angleThere) +
+        "neighbouring regions rotate by " + angleText(angleThere) +
             " relative to each other, and the keys do not determine the "
             "direction. If the direction is wrong, add a key in between.",
         count, face, std::move(found));
   }
 
-  // Unless the interval next to it has a warning, which names it by the key that ends it.
+  // Adds no warning if the neighbouring interval already has one. interval: its last key, as in Warning::key.
   void addBeyond(const CurvePoint& point, int interval, int key, const std::string& where) {
     if (std::any_of(warnings_.begin(), warnings_.end(), [&](const Warning& w) { return w.key == interval; })) return;
     const std::vector<double> angle = motion_.disagreement(point);
@@ -150,7 +150,7 @@ class TurnWarnings {
     }
     if (sum <= openBeyond * total) return;
     warnings_.push_back({"open-beyond-keys",
-                         where + std::to_string(key + 1) + " regions turn so far that their rotations disagree by " +
+                         where + std::to_string(key + 1) + " rotations of regions are so large that they disagree by " +
                              angleText(sum / total) +
                              ". Small changes to the keys change the shape there. Add a key if it goes wrong.",
                          static_cast<int>(found.size()), key, faceOf(worst), std::move(found)});
@@ -161,7 +161,7 @@ class TurnWarnings {
     if (faces.worst < 0 || faces.count < least || faces.area < fewFaces) return;
     add("ambiguous-face-turn",
         std::to_string(faces.count) +
-            " faces turn by more than 150 degrees relative to the faces around them, and the keys "
+            " faces rotate by more than 150 degrees relative to the faces around them, and the keys "
             "do not determine the direction. If the direction is wrong, add a key in between.",
         faces.count, faces.worst, {patchOfFace_[faces.worst]});
   }

@@ -33,12 +33,12 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
     if (!*tangent) continue;
     if (static_cast<int>((*tangent)->size()) != k.vertexCount())
       return Error{ErrorCode::VertexCountMismatch,
-                   "A tangent shape has " + grouped(static_cast<std::int64_t>((*tangent)->size())) +
+                   "A tangent pose has " + grouped(static_cast<std::int64_t>((*tangent)->size())) +
                        " vertices, but the keys have " + grouped(k.vertexCount()) + ". Use a pose of the same mesh."};
     for (std::size_t v = 0; v < (*tangent)->size(); ++v)
       if (!(**tangent)[v].allFinite())
         return Error{ErrorCode::NotFinite,
-                     "A tangent shape's vertex " + grouped(static_cast<std::int64_t>(v)) + " is not finite.", -1,
+                     "A tangent pose's vertex " + grouped(static_cast<std::int64_t>(v)) + " is not finite.", -1,
                      static_cast<int>(v)};
   }
   return {};

@@ -10,7 +10,7 @@
 namespace shapespline {
 
 /// keyframes: poses are freed after welding. Errors: those of validate(), InvalidOption, and VertexCountMismatch and
-/// NotFinite for tangent shapes.
+/// NotFinite for tangent poses.
 Result<WeldedKeys> weldKeys(Keyframes keyframes, const EncodingOptions& options, const FractionReport& onProgress = {});
 
 }  // namespace shapespline

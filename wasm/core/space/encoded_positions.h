@@ -36,8 +36,9 @@ PoseCoordinates coordinatesOf(const PatchCoordinates& patches, const LriCoordina
   return {patches, &x.face, read, x.meanPosition};
 }
 
-/// Encodes a shape in the poses' patches. weights: one per column, sum 1; the shape must belong to them, like the blend
-/// of the poses' vertices. Logarithms use the representatives nearest to the same blend of the poses' logarithms.
+/// Encodes a shape with the poses' patches. weights: one per column, sum 1. The shape must be the result of blending
+/// with these weights, for example a blend of the poses' vertices. Logarithms use the representatives nearest to the
+/// same blend of the poses' logarithms.
 ShapeCoordinates encodeShape(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
                              const Eigen::VectorXd& weights, const Positions& positions);
 

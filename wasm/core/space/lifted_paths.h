@@ -12,7 +12,7 @@ namespace shapespline {
 
 struct LiftedPaths {
   RotationSplines paths;  ///< paths of R_f relative to the reference pose; faces without area rest
-  /// One entry per interval between keys: faces whose increment differs by more than half a turn from a neighbour's.
+  /// One entry per interval between keys: faces whose increment differs by more than 180 degrees from a neighbour's.
   /// The surface tears there, because the axis of a rotation is undetermined near a full turn.
   std::vector<AmbiguousFaces> torn;
 };

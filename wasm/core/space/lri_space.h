@@ -23,19 +23,19 @@ struct LriOptions {
   int patches =
       0;  ///< requested number of patches (of the ghost, if any); 0 = the default formula (patches/partition.h)
   Stretch stretch = Stretch::Linear;
-  /// 0 = off; otherwise at least 4: the splines run on a ghost mesh with about this number of faces
+  /// approximate number of faces of the ghost mesh on which the motion is computed, at least 4; 0 = no ghost mesh
   int ghostFaces = 0;
   Transfer transfer = Transfer::Exact;  ///< only with a ghost
   bool optimalPlacement = false;        ///< ghost vertices may leave the shape's vertices (simplify.h)
   Precision precision = Precision::Single;
 };
 
-/// The coarse mesh that controls the motion (paper section 4.3, Fig. 6), and its correspondence to the input.
+/// The coarse mesh that drives the motion (paper section 4.3, Fig. 6), and its correspondence with the input.
 struct Ghost {
   std::vector<Triangle> faces;     ///< indices of ghost vertices; empty without a ghost
   std::vector<int> vertexOf;       ///< corresponding input vertex of each ghost vertex
   std::vector<int> ghostVertexOf;  ///< ghost vertex that each input vertex collapsed to, or -1
-  std::vector<int> ghostFaceOf;    ///< ghost face followed by each input face; -1 without area
+  std::vector<int> ghostFaceOf;    ///< ghost face that each input face follows; -1 for a face without area
 };
 
 /// Costs of building the space. Encodings and factorisations do not change with t, motion options or key times.
@@ -69,9 +69,9 @@ class LriSpace {
 
   const VertexNormals& normals() const { return *normals_; }
 
-  /// The patches that control the motion: the ghost's, if any.
+  /// The patches that drive the motion: the ghost's, if any.
   const PatchMotion& patches() const { return ghost_ ? ghost_->patches() : *patches_; }
-  /// The ghost that controls the shape, or null.
+  /// The ghost that drives the shape, or null.
   const GhostMotion* ghostMotion() const { return ghost_ ? &*ghost_ : nullptr; }
   const Ghost& ghost() const { return ghostOfInput_; }
   /// The mesh of the splines: the ghost, if any.

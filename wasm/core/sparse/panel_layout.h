@@ -36,7 +36,8 @@ class PanelLayout {
 
   int size_ = 0;
   std::vector<Panel> panels_;
-  std::vector<int> partStart_;   // start of both parts and the top in panels_, and the end
+  // Indices into panels_: the starts of the first part, of the second part and of the top, then the end.
+  std::vector<int> partStart_;
   std::vector<int> firstPanel_;  // first panel of each supernode
   std::vector<int> top_;         // unknowns of the top; their copies start at size_ + 2
   std::vector<int> row_;         // padded with size_, in the second part with size_ + 1

@@ -7,8 +7,8 @@
 namespace shapespline {
 
 // In a postorder, all supernodes before a split form whole subtrees. Supernodes after the split with a descendant
-// before it form the top; the others are whole subtrees again. A single split thus defines the cut. The chosen split
-// lets both threads finish earliest.
+// before it form the top; the other supernodes form whole subtrees. A single split thus defines the cut. The chosen
+// split lets both threads finish earliest.
 std::vector<int> cutTree(const SymbolicFactor& symbolic) {
   const int count = symbolic.supernodes();
   std::vector<int> firstDescendant(count);

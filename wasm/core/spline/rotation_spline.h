@@ -26,7 +26,7 @@ struct WholeTurns {
 
 /// Rotations through the keys: F(t) = R_b prod_s exp(C_s w_s). R_b is the rotation at the curve's base key, w_s with
 /// exp(w_s) = R_from^T R_to is the increment of step s, and C_s its share (spline.h). Exact at the keys, as smooth as
-/// the weights, for any number of turns. With two keys, it is the geodesic.
+/// the weights, for any number of full turns. With two keys, it is the geodesic.
 ///
 /// Increments do not commute, so the reversed keys give a different motion B(t). The path is the normalised sum of both
 /// quaternions, so reversed keys give the reversed motion.

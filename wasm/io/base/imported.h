@@ -43,7 +43,7 @@ struct AnimationInfo {
   std::string name;
   double start = 0, end = 0;  ///< in seconds
   int keys = 0;               ///< distinct key times
-  bool moves = true;          ///< false: the animation is a single pose, whatever its key count
+  bool moves = true;          ///< false: the animation is a single pose, with any number of key times
 };
 
 /// How an object of one pose was matched with another.

@@ -124,7 +124,9 @@ struct Reader {
     for (std::size_t i = 0; i < indices.size(); ++i) {
       indices[i] = wholeNumber(found->at(i), type);
       if (indices[i] >= a.count)
-        return malformed("replaces element " + grouped(indices[i]) + " but has only " + grouped(std::int64_t(a.count)));
+        return malformed("has the sparse index " + grouped(indices[i]) + ", but only " +
+                         grouped(std::int64_t(a.count)) + " elements (0 to " + grouped(std::int64_t(a.count) - 1) +
+                         ")");
     }
     return indices;
   }

@@ -47,7 +47,7 @@ struct PrimitiveFrames {
   }
 };
 
-// Normalises. Where a shape has no normal (a vertex of degenerate faces), any unit vector will do.
+// Normalises. If a vertex has no normal, because its faces are degenerate, any unit vector is written.
 void makeUnit(std::vector<float>& normals) {
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
     const double x = normals[i], y = normals[i + 1], z = normals[i + 2], length = std::sqrt(x * x + y * y + z * z);

@@ -75,7 +75,7 @@ function changeMotion({ session: { store } }: Context, change: Partial<Motion>, 
   store.edit(undoName(change), (doc) => setMotion(doc, eased(withBoundary(change, doc.motion), doc)), merge);
 }
 
-/** Turns on easing at the ends, unless they already have a chosen speed or tangent shape. */
+/** Turns on easing at the ends, unless they already have a chosen speed or tangent pose. */
 function eased(change: Partial<Motion>, { motion, encoding }: Doc): Partial<Motion> {
   const begins = change.boundary === 'hermite' && motion.boundary !== 'hermite';
   const chosen = (['start', 'end'] as const).some(

@@ -74,7 +74,8 @@ export const TIME = {
       const reached = clampTime(t, range());
       const scale = timeScale(range(), doc.keys.length);
       window(context, including(windowOf(view.window, scale), scale, reached));
-      if (reached !== t) context.feedback.say(`The timeline ends at ${formatTime(reached, range())} s.`);
+      if (reached !== t)
+        context.feedback.say(`The timeline ${t < reached ? 'starts' : 'ends'} at ${formatTime(reached, range())} s.`);
       seek(context, t);
     },
   },

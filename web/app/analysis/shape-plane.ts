@@ -17,7 +17,7 @@ export interface ShapePlaneInput {
   towards: Readonly<Record<End, Towards>> | null;
 }
 
-/** Bézier handles: a third of the tangent at speed 1. `shape`: position of the tangent shape. */
+/** Bézier handles: a third of the tangent at speed 1. `shape`: position of the tangent pose. */
 export interface Tangent {
   handle: [number, number];
   shape: [number, number] | null;
@@ -51,7 +51,7 @@ export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapeP
 }
 
 /**
- * Shapes with known weights: the keys and the motion's shapes. If tangent shapes contribute to the motion's shapes,
+ * Shapes with known weights: the keys and the motion's shapes. If tangent poses contribute to the motion's shapes,
  * only the keys are used.
  */
 export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
@@ -61,7 +61,7 @@ export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
   return { keys, points: [...keys, ...(own ? curve : [])], weights: [...units, ...(own ? weights : [])] };
 }
 
-/** The largest offered end speeds, from the distances between tangent shapes and their keys in the plane. */
+/** The largest offered end speeds, from the distances between tangent poses and their keys in the plane. */
 export function mostSpeeds(plane: ShapePlane, towards: ShapePlaneInput['towards']): Speeds {
   if (!towards) return USUAL_MOST;
   const { start, end } = endsOf(plane, towards);
@@ -82,7 +82,7 @@ function tangentsOf(plane: ShapePlane, towards: Readonly<Record<End, Towards>>):
 
 type Point = [number, number];
 
-/** Positions of an end's key, of its neighbouring key, and of the tangent shape, if any. */
+/** Positions of an end's key, of its neighbouring key, and of the tangent pose, if any. */
 interface Ended {
   key: Point;
   neighbour: Point;

@@ -109,7 +109,7 @@ export function filmStrips(input: OnionSkinInput, motions: readonly (readonly Fr
 /** Distance between centres, in mean widths of neighbours. */
 const FILM_SPACING = 1.08;
 
-/** Column centres, symmetric about 0. `widths`: of each shape in each strip. */
+/** Column centres, symmetric about 0. `widths`: one width per shape of each strip. */
 export function columnsOf(widths: readonly (readonly number[])[]): number[] {
   const widest = (widths[0] ?? []).map((_, column) => Math.max(...widths.map((strip) => strip[column]!)));
   const middles: number[] = [];

@@ -31,7 +31,10 @@ import type { FrameSet, RunningMotion } from '../../playback/frame-set.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { LoadedKeys } from '../session/workspace.ts';
 
-/** While playing, a time within this share of the range shows the key's colour, because exact hits are rare. */
+/**
+ * While playing, the shape has the colour of a key if the time is this close to the key (as a share of the range),
+ * because a frame rarely hits it exactly.
+ */
 export const PLAYING_TOLERANCE = 0.006;
 /** While playing, shapes larger than this are measured only every MEASURE_MS. */
 const MEASURED_FACES = 60_000;
@@ -410,7 +413,7 @@ export class SceneController {
     return film.names.map((name, i) => ({ ...name, x: at[2 * i]!, y: at[2 * i + 1]! }));
   }
 
-  /** On the page the names follow every drawing, because the camera may turn. */
+  /** On the page, the names move with every drawn frame, because the camera may rotate. */
   private placeNames(): void {
     if (!this.film && !this.named) return;
     this.named = this.film !== null;
@@ -461,7 +464,7 @@ function sizeName({ ghost }: RunningMotion, width: number): string {
   return `${width < NARROW_PX ? '' : 'Ghost of '}${ghost.toLocaleString('en')} faces`;
 }
 
-/** Beside a divider, a blend has the name that newcomers know. */
+/** Beside a divider, a blend has the name that is familiar to new users. */
 function titleOf({ ghost, ...motion }: RunningMotion, split: boolean): string {
   const title = motionWords(motion)[split || ghost > 0 ? 'short' : 'label'];
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;

@@ -1,4 +1,4 @@
-/** Turn warnings with their location on the shape in words; each location appears once. */
+/** Adds the location on the shape, in words, to warnings about rotations. Each location appears once. */
 import type { KeysInfo, Warning } from '../../engine/api/types.ts';
 
 /** Warnings about neighbouring regions, which two tests can both report. */
@@ -11,7 +11,7 @@ const SIDES = [
   ['back', 'front'],
 ] as const;
 
-/** `positionsOf`: of the key with this number, V x 3. */
+/** `positionsOf` returns the positions of a key, V x 3. */
 export function withPlaces(
   warnings: readonly Warning[],
   faces: KeysInfo['faces'],

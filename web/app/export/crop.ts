@@ -15,7 +15,7 @@ interface Box {
   bottom: number;
 }
 
-/** The box of a view's drawn pixels, from its corner; null for an empty view. `pixels`: of this view only, RGBA. */
+/** The box of a view's drawn pixels, from its corner; null for an empty view. `pixels`: RGBA of this view only. */
 export function drawnBox({ data, width, height }: Pick<ImageData, 'data' | 'width' | 'height'>): Box | null {
   const box = { left: width, top: height, right: 0, bottom: 0 };
   for (let y = 0; y < height; y += 1) {

@@ -79,12 +79,12 @@ const LIST: readonly Figure[] = [
   },
   {
     number: '5',
-    name: 'Large turns',
+    name: 'Large rotations',
     state: 'sample=gymnast&between=0,1&t=0&loop=bounce&play=1',
     text: 'The paper completes five poses of a person, the first and last of which are rotated by almost 180 degrees.',
-    task: 'Watch the arms. They turn by more than half a turn from the first pose to the last, and neither takes the shortcut back.',
+    task: 'Watch the arms. Each rotates by more than 180 degrees from the first pose to the last, and neither takes the shorter way back.',
     sentence:
-      'Rotations accumulate from key to key, so a turn can exceed 180 degrees, which no single rotation can express.',
+      'Rotations accumulate from key to key, so an arm can rotate by more than 180 degrees. No single rotation can express this.',
   },
   {
     number: '6',
@@ -96,7 +96,7 @@ const LIST: readonly Figure[] = [
     task: 'Change the number of faces in Shape, Ghost mesh.',
     sentence:
       'As in the paper, the ghost and its correspondences are found automatically. Here the ghost is shown beside the shape.',
-    live: ({ stats }) => `${stats.ghostFaces.toLocaleString('en')} faces lead the shape.`,
+    live: ({ stats }) => `The ghost mesh has ${stats.ghostFaces.toLocaleString('en')} faces.`,
   },
   {
     number: '7',

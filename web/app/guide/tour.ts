@@ -61,9 +61,9 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     formula: {
       math: '<mrow><mi>p</mi><mo>(</mo><mi>t</mi><mo>)</mo><mo>=</mo><mo>(</mo><mn>1</mn><mo>−</mo><mi>t</mi><mo>)</mo><msub><mi>p</mi><mn>0</mn></msub><mo>+</mo><mi>t</mi><msub><mi>p</mi><mn>1</mn></msub></mrow>',
       words:
-        'A weighted average of two positions. A chord lies inside its circle, so halfway every point is closer to the axis it turns about, and the bar is thinner.',
+        'A weighted average of two positions. A chord lies inside its circle, so halfway every point is closer to the rotation axis, and the bar is thinner.',
     },
-    more: 'Where the bar turns by 180 degrees, the chord passes through the axis: all points of that cross-section meet there.',
+    more: 'Where the bar rotates by 180 degrees, the chord passes through the axis: all points of that cross-section meet there.',
   },
   {
     title: 'What a shape is made of',
@@ -85,7 +85,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Adding up along the body',
     state: 'sample=column&keys=0@0,2@1&between=0,1&t=0&loop=bounce&play=1',
-    text: 'Two keys: a straight column, and a column twisted by almost a full turn. Judged by its ends alone, it might have turned slightly the other way. But neighbouring patches turn by much less than half a turn, and these rotations add up. No key can tell whether the whole column also spun around once.',
+    text: 'Two keys: a straight column, and a column twisted by almost a full turn. Judged by its ends alone, it might have turned slightly the other way. But neighbouring patches rotate by much less than half a turn, and these rotations add up. No key can tell whether the whole column also spun around once.',
     panel: 'motion',
     ask: twistOf,
     task: 'Open key 2 in the row of keys and add a full turn. Then look halfway: the stripes have changed places.',

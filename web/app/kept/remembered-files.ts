@@ -87,7 +87,7 @@ export class RememberedFiles {
     });
   }
 
-  /** Starts storing the open files and all later ones, or removes all and stores nothing from now on. */
+  /** Starts storing the open files and all later ones, or removes all files and stops storing. */
   async toggle(): Promise<void> {
     const id = this.own;
     if (id !== null) await (this.isKept ? this.forget(id) : this.remember(id));

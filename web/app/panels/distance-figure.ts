@@ -39,7 +39,7 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
   const pick = button({
     label: 'Compare with an animation of the same mesh, from a file or dropped here',
     testId: 'truth-pick',
-    text: 'An animation from a file…',
+    text: 'Choose an animation file…',
     onClick: parts.onPickTruth,
   });
   const leave = button({

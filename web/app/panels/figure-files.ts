@@ -8,7 +8,7 @@ import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
 
 /** Axis labels in files. */
 const AXES: Readonly<Record<Plot, Axes>> = {
-  plane: { x: 'First component, relative to the distance of keys', y: 'Second component' },
+  plane: { x: 'First component, relative to the distance between keys', y: 'Second component' },
   ...overTime({ volume: 'Volume (%)', area: 'Area (%)', bending: 'Bending (1/s⁴)', sliding: 'Sliding (%)' }),
   ...overTime({ distance: 'Distance (%)', 'face-rotation': 'Rotation (°)', 'face-stretch': 'Stretch' }),
   ...overTime({ 'patch-angles': 'Angle (°)', 'patch-rotation': 'Rotation (°)', 'patch-stretch': 'Stretch' }),
@@ -35,7 +35,7 @@ export interface FigureNumbers {
 export interface FigureFilesOptions {
   plot: Plot;
   title: string;
-  /** The figure's values; null before the first drawing. */
+  /** The figure's values; null before the figure is first drawn. */
   numbers(): FigureNumbers | null;
   onError(error: unknown): void;
 }

@@ -91,7 +91,7 @@ function figure(plot: Plot, { faces, ...chart }: SizesChart, events: FigureEvent
   );
   const numbers = {
     names: [
-      faces.includes(null) ? 'Faces, empty without a ghost mesh' : 'Faces of the ghost mesh',
+      faces.includes(null) ? 'Faces (empty: no ghost mesh)' : 'Faces of the ghost mesh',
       ...series.map(({ label }) => label),
     ],
     rows: faces.map((size, i) => [size ?? NaN, ...series.map(({ values }) => values[i] ?? NaN)]),

@@ -201,7 +201,7 @@ function createSide(panels: HTMLElement[]): HTMLElement {
       name,
     ),
   );
-  const row = h('nav', { class: 'side-nav', 'aria-label': 'Parts of the options' }, ...buttons);
+  const row = h('nav', { class: 'side-nav', 'aria-label': 'Sections of the options' }, ...buttons);
   oneStop(row);
   const side = h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, row, ...panels);
   const mark = (): void => {

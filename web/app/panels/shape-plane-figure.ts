@@ -35,7 +35,7 @@ export interface ShapePlaneFigure {
 
 const POINT_LABEL = 'The current shape. Arrow keys move it off the curve, Escape returns it to the curve.';
 const TITLE =
-  "The plane of the keys' two leading principal components; distances in the plane approximate distances between shapes";
+  'The plane of the keys’ two leading principal components; distances in the plane approximate distances between shapes';
 
 export function createShapePlaneFigure(
   input: () => AnalysisInput | null,

@@ -20,7 +20,7 @@ export interface PlaybackParts {
 
 export interface Playback {
   frameLoop: FrameLoop;
-  /** Stops playback until `resume`, whatever the state; resolves when no work is left. */
+  /** Stops playback until `resume`, in any state; resolves when no work is left. */
   rest(): Promise<void>;
   resume(): void;
   /** Call when the state has changed. */

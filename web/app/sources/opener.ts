@@ -60,7 +60,7 @@ export interface OpenerParts {
   onError(error: unknown): void;
 }
 
-/** Methods that open content resolve to whether it is open now. They reject only where their comments say so. */
+/** Methods that open content resolve to whether it is open now. They reject only if their comments state it. */
 export class Opener {
   readonly history = new OpenHistory();
   /** Number of requests so far. */

@@ -57,7 +57,8 @@ export class TakeFiles {
     if (this.waiting.length > 0 || !areKeys) return this.open(picked);
     const other = await this.add(picked, place);
     if (!other) return true;
-    if (this.hasOwn && countOf(picked) > 1) this.parts.say(`${differenceOf(other)} They are opened as another motion.`);
+    if (this.hasOwn && countOf(picked) > 1)
+      this.parts.say(`${differenceOf(other)} The files are opened as another motion.`);
     return this.open(picked, other);
   }
 

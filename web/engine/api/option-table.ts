@@ -168,7 +168,7 @@ export const MOTION = {
     formerly: { contact: 'on', anchored: 'on' },
     default: 'off',
     flag: 'hold',
-    help: 'on: vertices that rest between two keys are kept in place; off (default): no correction, as in the paper',
+    help: 'on keeps the vertices in place that do not move between two keys; off (default) makes no correction, as in the paper',
     page: 'hold',
     undo: 'hold',
   },
@@ -180,8 +180,9 @@ export const MOTION = {
     flag: 'pin',
     value: 'VERTEX[:RADIUS][:stay=KEY][:path=T/X/Y/Z,...]',
     help:
-      "pin the vertices around VERTEX (0-based index in the file), within RADIUS (fraction of the shape's size) or its " +
-      'patch; they follow their own splines, or stay as in KEY, offset by X, Y, Z at time T; repeatable',
+      'pin the vertices within RADIUS of VERTEX (0-based index in the file). RADIUS is relative to the size of the shape ' +
+      '(default: 0.06), or the word patch for the patch of VERTEX. Pinned vertices follow their own splines or stay as in ' +
+      'KEY, and are offset by X, Y, Z at time T. Repeatable',
     page: 'pins',
     undo: 'pins',
   },
@@ -190,7 +191,7 @@ export const MOTION = {
     choices: ['natural', 'hermite', 'periodic'],
     default: 'natural',
     flag: 'boundary',
-    help: 'no bending at the ends, given speeds at the ends, or a loop',
+    help: 'natural (default) has no bending at the ends, hermite has given speeds at the ends, periodic is a loop',
     page: 'boundary',
     undo: 'ends',
   },
@@ -202,7 +203,7 @@ export const MOTION = {
     default: 1,
     flag: 'start-speed',
     value: 'S',
-    help: 'hermite: speed at the first key, relative to the speed between the first two keys; 0 eases in',
+    help: 'speed at the first key with boundary hermite, relative to the speed between the first two keys; 0 eases in',
     page: 'startSpeed',
     undo: 'start speed',
   },
@@ -214,7 +215,7 @@ export const MOTION = {
     default: 1,
     flag: 'end-speed',
     value: 'S',
-    help: 'hermite: speed at the last key, relative to the speed between the last two keys; 0 eases out',
+    help: 'speed at the last key with boundary hermite, relative to the speed between the last two keys; 0 eases out',
     page: 'endSpeed',
     undo: 'end speed',
   },
@@ -226,7 +227,7 @@ export const MOTION = {
     default: null,
     flag: 'period',
     value: 'P',
-    help: 'periodic: length of one period',
+    help: 'length of one period with boundary periodic',
     page: 'period',
     undo: 'period',
   },
@@ -237,8 +238,8 @@ export const MOTION = {
     default: 'off',
     flag: 'own-paths',
     help:
-      'rotate each face separately from key to key where this agrees with its patch; absolute: closer to sampled ' +
-      'animations; root: rotations relative to the largest patch, independent of the orientation of a key',
+      'rotate each face on its own path between keys, unless it disagrees with its patch. absolute is closer to sampled ' +
+      'animations; root does not depend on the orientation of a key, because rotations are relative to the largest patch',
   },
   /** Largest number of faces of the mesh that the methods lengths and shell fit. */
   spaceFaces: {
@@ -249,7 +250,7 @@ export const MOTION = {
     default: 1000,
     flag: 'space-faces',
     value: 'N',
-    help: 'lengths, shell: faces of the coarse mesh; default: 1,000',
+    help: 'number of faces of the coarse mesh that the methods lengths and shell fit; default: 1,000',
   },
   /** Number of intervals between the times of the fitted shapes. */
   spaceSamples: {
@@ -260,7 +261,7 @@ export const MOTION = {
     default: 24,
     flag: 'space-samples',
     value: 'K',
-    help: 'lengths, shell: shapes are fitted at K + 1 times; default: 24',
+    help: 'the methods lengths and shell fit shapes at K + 1 times; default of K: 24',
   },
   /** Removes the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
@@ -279,15 +280,15 @@ export const PER_KEY = {
     default: 0,
     flag: 'tension',
     value: 'X,X,...',
-    help: 'one per key: 0 keeps the smooth slope, 1 stops at the key',
+    help: 'one number per key; 0 keeps the smooth slope, 1 stops at the key',
     undo: 'tension',
     label: 'Tension',
     hint: 'Scales the slope at this key. 0: smooth; 1: stops at the key, which removes overshoot',
     slider: [0, 1],
   },
   /**
-   * Positive values blend the slope toward the difference from the previous key, negative values toward that to the
-   * next key.
+   * A positive value gives the interval before the key more weight in the slope, a negative value the interval after
+   * it.
    */
   bias: {
     kind: 'number',
@@ -297,13 +298,11 @@ export const PER_KEY = {
     flag: 'bias',
     value: 'X,X,...',
     help:
-      'one per key, -1 to 1: negative biases the slope toward the step to the next key, positive toward the step from ' +
-      'the previous key',
+      'one number per key, -1 to 1; a positive value gives the interval before the key more weight in the slope, a negative ' +
+      'value the interval after it',
     undo: 'bias',
     label: 'Bias (earlier / later)',
-    hint:
-      'Bias of the slope at this key: negative toward the step to the next key, positive toward the step from the ' +
-      'previous key',
+    hint: 'Positive: the interval before this key has more weight in its slope; negative: the interval after it',
     slider: [-1, 1],
   },
   /** Full turns added between the previous key and this one. */
@@ -312,13 +311,13 @@ export const PER_KEY = {
     flag: 'turns',
     value: 'KEY:N[@COMPONENT],...',
     help:
-      'add N full turns between the previous key and KEY, to the whole shape or to COMPONENT (1-based, in the order of ' +
-      'their faces in the file)',
+      'add N full turns between the previous key and KEY, to the whole shape or to COMPONENT (1-based; components are ' +
+      'counted in the order of their faces in the file)',
     undo: 'turns',
     label: 'Extra turns since the previous key',
     hint:
-      'Full turns to add since the previous key. The keys cannot determine their number; ' +
-      'negative turns have the opposite direction',
+      'Full turns to add since the previous key, because keys cannot determine their number. ' +
+      'Negative turns have the opposite direction',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
@@ -352,13 +351,13 @@ export const ENCODING = {
     choices: ['linear', 'log'],
     default: 'linear',
     flag: 'stretch',
-    help: 'how stretch is interpolated; with log, faces cannot turn inside out',
+    help: 'interpolation of the stretch; with log, faces cannot turn inside out',
     page: 'stretch',
     undo: 'stretch',
   },
   /**
-   * Number of faces of a ghost mesh, at least 4, or 0 for none. The splines run on the ghost mesh, and the shape
-   * follows it.
+   * Number of faces of a ghost mesh, at least 4, or 0 for none. The motion is computed on the ghost mesh and
+   * transferred to the shape.
    */
   ghostFaces: {
     kind: 'number',
@@ -369,7 +368,7 @@ export const ENCODING = {
     default: 0,
     flag: 'ghost-faces',
     value: 'N|off',
-    help: 'let a ghost mesh of about N faces lead the motion; default: off',
+    help: 'compute the motion on a simplified mesh (ghost mesh) of about N faces and transfer it to the shape; default: off',
     page: 'ghostFaces',
     undo: 'ghost faces',
   },
@@ -379,7 +378,7 @@ export const ENCODING = {
     choices: ['exact', 'paper'],
     default: 'exact',
     flag: 'transfer',
-    help: 'with a ghost mesh: pass exactly through every key (default), or transfer as in the paper',
+    help: 'with a ghost mesh, pass exactly through every key (default), or transfer as in the paper',
     page: 'transfer',
     undo: 'transfer',
   },
@@ -398,7 +397,7 @@ export const ENCODING = {
     formerly: { double: 'exact' },
     default: 'single',
     flag: 'precision',
-    help: 'exact: double-precision coordinates, and a solution refined to that precision',
+    help: 'exact uses double-precision coordinates and refines the solution to that precision',
   },
   /** Hermite: a shape that replaces the neighbouring key in the difference at that end. */
   startTangent: {
@@ -406,7 +405,7 @@ export const ENCODING = {
     default: null,
     flag: 'start-tangent',
     value: 'FILE',
-    help: 'hermite: pose toward which the motion leaves the first key; default: the second key',
+    help: 'pose toward which the motion leaves the first key with boundary hermite; default: the second key',
     page: 'startTangentPose',
     undo: 'start tangent pose',
   },
@@ -415,7 +414,7 @@ export const ENCODING = {
     default: null,
     flag: 'end-tangent',
     value: 'FILE',
-    help: 'hermite: pose from which the motion arrives at the last key; default: the key before the last',
+    help: 'pose from which the motion arrives at the last key with boundary hermite; default: the key before the last',
     page: 'endTangentPose',
     undo: 'end tangent pose',
   },
@@ -454,7 +453,7 @@ export const IMPORT = {
       'MDD file with its OBJ, and for numbered .obj or .ply files (24 per second; up to 32 frames are all keys)',
   },
   /** Every frame of the animation becomes a key. */
-  everyFrame: { kind: 'flag', flag: 'every-frame', help: 'take every frame of the animation as a key' },
+  everyFrame: { kind: 'flag', flag: 'every-frame', help: 'use every frame of the animation as a key' },
   /** Axis that points up in OBJ, PLY and OFF files; glTF is always y. Default 'y'. */
   up: {
     kind: 'choice',
@@ -487,22 +486,22 @@ export const IMPORT = {
    */
   like: {
     kind: 'faces',
-    help: 'faces of the mesh that the files must match; their polygons are cut into its triangles',
+    help: 'faces of the mesh that the files must match; polygons in the files are triangulated as in this mesh',
   },
-  /** Positions of that mesh in any pose, 3 x vertices. The keys use its vertices, however the files split theirs. */
+  /** Positions of the mesh given by `like` in any pose, 3 x vertices. The keys then use the vertices of this mesh. */
   likePose: {
     kind: 'shape',
-    help: 'positions of that mesh; the keys then use its vertices, even if the files split them differently',
+    help: 'positions of the mesh given by `like`; the keys then use its vertices, even if the files split them differently',
   },
   /** `info.offset` of the keys that these poses belong to; default: zero, or the middle of a far shape. */
   offset: {
     kind: 'point',
-    help: 'offset to subtract from positions before rounding to single precision; for added poses, the offset of the keys; default: zero, or the middle of a shape far from the origin',
+    help: 'offset to subtract from positions before rounding to single precision. For added poses, give the offset of the keys. Default: zero, or the middle of a shape far from the origin',
   },
-  /** `scene.objects` of that mesh, for matching the files' objects. */
+  /** `scene.objects` of the mesh given by `like`, for matching the files' objects. */
   likeObjects: {
     kind: 'objects',
-    help: "`scene.objects` of that mesh, for matching the files' objects",
+    help: "`scene.objects` of the mesh given by `like`, to match the files' objects",
   },
 } as const satisfies OptionTable;
 
@@ -524,7 +523,7 @@ export const EXPORT = {
     default: null,
     flag: 'at',
     value: 'T,T,...',
-    help: 'times to export, which can be beyond the keys: --at=-0.3,1.3',
+    help: 'times to export. They may be beyond the keys, for example --at=-0.3,1.3',
   },
   /** Evenly spaced frames over the range. A GLB also includes the keys in the range, to pass through them. */
   frames: {
@@ -535,7 +534,7 @@ export const EXPORT = {
     default: null,
     flag: 'frames',
     value: 'K',
-    help: `number of evenly spaced times; default: GLB: as few as --tolerance allows; otherwise ${USUAL_FRAMES}`,
+    help: `number of evenly spaced times; default: ${USUAL_FRAMES}, or for GLB as few as --tolerance allows`,
   },
   /**
    * Whole frames of the motion's time, or of the exported time if a duration is given. A GLB omits frames within the
@@ -548,7 +547,7 @@ export const EXPORT = {
     default: null,
     flag: 'fps',
     value: 'F',
-    help: 'frames per second; all times are whole frames, as in animation programs',
+    help: 'frames per second; frames are at multiples of 1/F seconds, as in animation programs; a GLB also has the times of the keys',
   },
   /**
    * Largest error of a vertex in GLB playback, in percent of the bounding box's diagonal. Without it, every frame is
@@ -562,7 +561,7 @@ export const EXPORT = {
     default: 0.1,
     flag: 'tolerance',
     value: 'PERCENT|off',
-    help: "GLB: largest error of linear playback, in % of the model's size; off: every frame; default: 0.1",
+    help: "in a GLB, leave out frames that linear playback reproduces within this error, in % of the model's size; off writes every frame; default: 0.1",
   },
   /** 'principal': blends the keys and a few corrections, instead of one target per time. */
   targets: {
@@ -570,14 +569,14 @@ export const EXPORT = {
     choices: ['frames', 'principal'],
     default: 'frames',
     flag: 'targets',
-    help: 'GLB: frames: one morph target per exported time; principal: one per key plus a few in-betweens, which the animation blends',
+    help: 'in a GLB, frames stores one morph target per exported time; principal stores one per key and a few corrections, which the animation blends',
   },
   compression: {
     kind: 'choice',
     choices: ['none', 'quantized', 'meshopt'],
     default: 'none',
     flag: 'compression',
-    help: 'GLB: quantized: 16 bits per coordinate (KHR_mesh_quantization); meshopt: also EXT_meshopt_compression',
+    help: 'in a GLB, quantized stores 16 bits per coordinate (KHR_mesh_quantization); meshopt also compresses the data (EXT_meshopt_compression)',
   },
   /** First and last time; default: first and last key. */
   range: {
@@ -585,7 +584,7 @@ export const EXPORT = {
     default: null,
     flag: 'range',
     value: 'A:B',
-    help: 'time range to export; may extend beyond the keys; default: first to last key: --range=-0.3:1.3',
+    help: 'time range to export, default: first to last key. It may extend beyond the keys, for example --range=-0.3:1.3',
   },
   /** Duration of the exported animation in seconds; default: the length of the range. GLB and MDD. */
   duration: {
@@ -595,14 +594,14 @@ export const EXPORT = {
     default: null,
     flag: 'duration',
     value: 'SECONDS',
-    help: 'length of the exported animation; its times start at 0 and include the keys in the range',
+    help: 'length of the animation in a GLB or MDD, which then starts at 0; a GLB also has a frame at every key in the range',
   },
   /** GLB: appends the motion in reverse, which doubles the duration. */
   bounce: {
     kind: 'flag',
     default: false,
     flag: 'bounce',
-    help: 'GLB: play forwards, then backwards (twice as long), for a seamless loop',
+    help: 'in a GLB, play forwards, then backwards (twice as long), for a seamless loop',
   },
   /** Exports only one pose: a blend of the keys, which may lie off the curve. */
   blend: {
@@ -610,7 +609,7 @@ export const EXPORT = {
     default: null,
     flag: 'blend',
     value: 'W,W,...',
-    help: 'export one mixture of the keys in shape space instead of the motion: one weight per key, sum 1',
+    help: 'export one mixture of the keys in shape space, instead of the motion; one weight per key, sum 1',
   },
   /** Exports only the pose at this time; frames, range and duration are ignored. */
   pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'a single pose at this time' },
@@ -621,7 +620,7 @@ export const EXPORT = {
     default: null,
     flag: 'name',
     value: 'NAME',
-    help: "name of the mesh in a GLB, and of files that belong together; default: the output's name",
+    help: "name of the mesh in a GLB, and of files next to the output; default: the output's name",
   },
 } as const satisfies OptionTable;
 

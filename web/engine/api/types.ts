@@ -158,7 +158,7 @@ export interface AnimationInfo {
   end: number;
   /** Number of distinct key times. */
   keys: number;
-  /** False for a single pose, whatever its number of keys. Keys cannot be sampled from it. */
+  /** False for a single pose, with any number of key times. Keys cannot be sampled from it. */
   moves: boolean;
 }
 
@@ -236,7 +236,7 @@ export interface KeysInfo {
   played: [number, number] | null;
 }
 
-/** The coarse mesh that leads the motion (Fig. 6), and its correspondence with the shape. */
+/** The coarse mesh that drives the motion (Fig. 6), and its correspondence with the shape. */
 export interface Ghost {
   /** Ghost vertex indices, 3 x ghost faces. */
   faces: Uint32Array;
@@ -351,12 +351,12 @@ export interface MotionSpeed {
 /** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 export interface ShapePlane {
   keys: number[];
-  /** Positions of the tangent shapes, 2 numbers each, that of the start first. */
+  /** Positions of the tangent poses, 2 numbers each, that of the start first. */
   tangents: number[];
   curve: number[];
   /** Distance of each point of the curve from the plane, relative to the mean distance between keys. */
   distance: number[];
-  /** For each point of the curve: weights of the keys, then of the tangent shapes; sum 1. */
+  /** For each point of the curve: weights of the keys, then of the tangent poses; sum 1. */
   weights: number[];
   /** Share of the keys' variance in the plane, in [0, 1]. */
   explained: number;

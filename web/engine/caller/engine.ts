@@ -225,7 +225,9 @@ export class EngineClient implements Engine {
     }
   }
 
-  /** Keeps this worker as the idle one and ends any other. */
+  /**
+   * Keeps this worker if there is no idle one yet and the engine is in use; otherwise ends it. Returns the idle worker.
+   */
   private kept<W extends AnyWorker>(client: W, idle: W | null): W | null {
     if (!idle?.alive && !this.over) return client;
     client.terminate(disposed('engine'));

@@ -22,7 +22,7 @@ import type { ExportedFile, ExportOptions, ExportPlan, Frame, Scene } from '../a
 const NO_SCENE: Scene = { uvs: null, colors: null, seams: null, polygons: null, groups: [], materials: [], images: [] };
 
 /**
- * Measured compression ratios. Quantised: 0.75 to 0.84, higher for large rotations (normals that turn far stay floats).
+ * Measured compression ratios. Quantised: 0.75 to 0.84, higher for large rotations, whose normals stay floats.
  * Meshopt: 0.28 (a smooth bar) to 0.6 (a horse).
  */
 const LEFT = { none: 1, quantized: 0.8, meshopt: 0.5 };

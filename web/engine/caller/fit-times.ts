@@ -1,4 +1,4 @@
-/** The times at which a fitted motion has shapes of its own. */
+/** The times at which a fitted motion has a key or a fitted shape. */
 
 export interface FitTime {
   time: number;
@@ -6,7 +6,10 @@ export interface FitTime {
   key: number;
 }
 
-/** Every key and evenly spaced times between neighbours: `samples` intervals in all, at least one between two keys. */
+/**
+ * The times of all keys, and evenly spaced times between them. `samples` intervals in total, at least one between two
+ * keys.
+ */
 export function fitTimes(keyTimes: readonly number[], samples: number): FitTime[] {
   const lengths = keyTimes.slice(1).map((time, i) => time - keyTimes[i]!);
   const counts = shareOut(lengths, samples);
@@ -19,7 +22,7 @@ export function fitTimes(keyTimes: readonly number[], samples: number): FitTime[
   return times;
 }
 
-/** Whole numbers of at least 1, one more at a time where intervals are longest. */
+/** Distributes `total` samples over the intervals, at least 1 each. The next one always goes to the widest spacing. */
 function shareOut(lengths: readonly number[], total: number): number[] {
   const counts = lengths.map(() => 1);
   for (let left = total - lengths.length; left > 0; --left) {

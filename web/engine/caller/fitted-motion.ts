@@ -1,6 +1,6 @@
 /**
- * Motions whose shapes are fitted while they are made (methods `lengths` and `shell`): motions in LRI space through
- * further keys, of a shape of their own. Loaded with the first one.
+ * Motions of the methods `lengths` and `shell`. Creating one fits shapes between the keys. The motion is then a motion
+ * in LRI space through the keys and the fitted shapes, which are the keys of a second shape. Loaded on first use.
  */
 import type { CallOptions, Motion, Sequence } from '../api/api.ts';
 import { invalidOption, untilAborted } from '../api/errors.ts';
@@ -24,10 +24,10 @@ import { MotionClient } from './motion.ts';
 import type { ShapeClient } from './shape.ts';
 import type { ShellsWorker } from './worker-client.ts';
 
-/** More faces than this of a coarse mesh take too long to fit. */
+/** Fitting a coarse mesh with more faces takes too long. */
 const MOST_COARSE = 4000;
 
-/** Shares of the progress. */
+/** Progress when the starts are ready, and when the shapes are fitted. */
 const STARTED = 0.3;
 const FITTED = 0.7;
 
@@ -35,14 +35,14 @@ type Sample = RequestOf<'fitShells'>['samples'][number];
 type Report = NonNullable<CallOptions['onProgress']>;
 type Call = CallOptions & { onProgress: Report };
 
-/** The mesh whose lengths are fitted, with its keys and the shapes that the fits start from. */
+/** The mesh that is fitted, with its keys and the starts of the fits. */
 interface Coarse {
   faces: Uint32Array;
   keys: Float32Array[];
   samples: Sample[];
 }
 
-/** A motion of the shape with the spec's options and times, in a shape of its own. */
+/** Fits a motion of `shape` with the options and times of `spec`. The motion has its own inner shape. */
 export async function fitMotion(
   shape: ShapeClient,
   spec: MotionSpec,
@@ -71,20 +71,23 @@ export async function fitMotion(
   }
 }
 
-/** What these methods cannot do. `encoding`: of the shape, where no other motion uses it. */
+/**
+ * Rejects options that these methods do not support. `encoding`: the shape's encoding options, or null if other motions
+ * use the shape as well.
+ */
 function checkSpec({ options }: MotionSpec, encoding: EncodingOptions | null): void {
   const { method, hold, pins, boundary, tension, bias, turns, ownPaths } = options;
   const wanted: [boolean, string][] = [
-    [hold === 'on', 'hold resting parts'],
-    [pins.length > 0, 'hold pins'],
-    [boundary !== 'natural', "have ends other than 'natural'"],
-    [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'take end tangents'],
-    [[...tension, ...bias].some((value) => value !== 0), 'take tension or bias'],
-    [turns.some((one) => one.turns !== 0), 'take whole turns'],
-    [ownPaths !== 'off', 'take own paths of faces'],
+    [hold === 'on', 'keeping resting parts in place'],
+    [pins.length > 0, 'pins'],
+    [boundary !== 'natural', "ends other than 'natural'"],
+    [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'end tangents'],
+    [[...tension, ...bias].some((value) => value !== 0), 'tension or bias'],
+    [turns.some((one) => one.turns !== 0), 'full turns'],
+    [ownPaths !== 'off', 'own paths of faces'],
   ];
   const [, what] = wanted.find(([isWanted]) => isWanted) ?? [];
-  if (what) throw invalidOption(`The method '${method}' cannot ${what}: choose the method 'lri' for that.`);
+  if (what) throw invalidOption(`The method '${method}' does not support ${what}. Use the method 'lri'.`);
 }
 
 class Fit {
@@ -115,14 +118,14 @@ class Fit {
     }
   }
 
-  /** The shape with a ghost mesh, which is the coarse one. */
+  /** Encodes the shape with a ghost mesh, which becomes the coarse mesh. */
   private encodeLed(): Promise<ShapeClient> {
     const { keys, encoding, encode } = this.shape.parts;
     const leading = { ghostFaces: this.spec.options.spaceFaces, transfer: 'exact', placement: 'vertices' } as const;
     return encode(keys, { ...withoutTangents(encoding), ...leading }, this.part(0, 0.2));
   }
 
-  /** The motion in LRI space that fits start from. */
+  /** Options of the motion in LRI space that provides the starts of the fits. */
   private startOptions(): object {
     return { method: 'lri', keyTimes: [...this.spec.keyTimes] };
   }
@@ -164,7 +167,7 @@ class Fit {
     return this.worker.call('fitShells', { method, faces, keys, samples }, this.part(STARTED, FITTED));
   }
 
-  /** Of each time without a key. */
+  /** The starts of the fits, one per time; null at a key. */
   private async starts(at: (t: number) => Promise<Float32Array>): Promise<(Float32Array | null)[]> {
     const starts: (Float32Array | null)[] = [];
     for (const { time, key } of this.times) {
@@ -218,7 +221,7 @@ class Fit {
     }
   }
 
-  /** A warning that counts the user's keys. */
+  /** Converts a warning's index of a fitted key to the index of the user's next key. */
   private ofKeys(warning: Warning): Warning {
     if (warning.key < 0) return warning;
     const next = this.times.slice(warning.key).find(({ key }) => key >= 0);
@@ -232,7 +235,7 @@ class Fit {
 
 interface Fitted {
   shapes: Float32Array[];
-  /** Keys that end the intervals without a fit. */
+  /** Intervals whose fits did not converge, by the index of their last key. */
   failed: number[];
 }
 
@@ -241,8 +244,8 @@ function notFitted(key: number): Warning {
     ...NO_PLACE,
     code: 'lengths-not-fitted',
     message:
-      `Between keys ${key} and ${key + 1}, no shapes were found that keep lengths and angles: ` +
-      'the shape spline (LRI) is shown there. Add a key between them.',
+      `Between keys ${key} and ${key + 1}, no shapes were found that keep lengths and angles, ` +
+      'so the shape spline (LRI) is shown. Add a key between them.',
     count: 1,
     key,
   };
@@ -253,10 +256,10 @@ function withoutTangents(encoding: EncodingOptions): EncodingOptions {
 }
 
 export class FittedMotion extends MotionClient implements Sequence {
-  /** Whether no other motion uses the shape of the user's keys. */
+  /** True if no other motion uses the shape of the user's keys; dispose() then releases it. */
   owner = false;
 
-  /** `shape`, `spec`: of the user's keys; `inner`, `innerSpec`: of the fitted ones. */
+  /** `outer`, `own`: the shape and spec of the user's keys; `inner`, `innerSpec`: those of the fitted keys. */
   constructor(
     private readonly outer: ShapeClient,
     private readonly own: MotionSpec,
@@ -279,7 +282,7 @@ export class FittedMotion extends MotionClient implements Sequence {
     throw noBlend();
   }
 
-  /** Of the user's keys, in LRI space. */
+  /** The spacing of the user's keys in LRI space, not of the fitted keys. */
   override async keySpacing(): Promise<KeySpacing> {
     const plain = await this.outer.motion({ method: 'lri', keyTimes: [...this.own.keyTimes] });
     try {
@@ -344,7 +347,5 @@ function meanSquare(values: readonly number[]): number {
 }
 
 function noBlend() {
-  return invalidOption(
-    'Mixtures of keys belong to methods in LRI space: choose the method lri or geodesic to evaluate one.',
-  );
+  return invalidOption('Mixtures of keys exist only in LRI space. To evaluate one, choose the method lri or geodesic.');
 }

@@ -26,7 +26,7 @@ export interface Offsets {
   largest: number;
 }
 
-/** Weights of all keys except the first at t; `period`: of a loop, which returns to the first key. */
+/** Weights of all keys except the first at t; `period`: period of a loop, which returns to the first key. */
 export function keyWeights(keyTimes: readonly number[], period: number | null, t: number): number[] {
   const weights = new Array<number>(keyTimes.length).fill(0);
   const first = keyTimes[0]!;

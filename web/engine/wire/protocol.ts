@@ -140,13 +140,13 @@ export interface ShellCalls {
       method: 'lengths' | 'shell';
       faces: Uint32Array;
       keys: Float32Array[];
-      /** In the order of time; `key`: the key at this time, or -1, and then `start` is where the fit starts. */
+      /** In increasing time. `key`: the key at this time, or -1; `start`: the start of the fit, null at a key. */
       samples: { time: number; weights: number[]; start: Float32Array | null; key: number }[];
     };
-    /** `failed`: keys that end intervals whose fits did not converge. */
+    /** `failed`: intervals whose fits did not converge, by their last key. */
     result: { shapes: Float32Array[]; failed: number[] };
   };
-  /** Prepares the full shape that follows a coarse mesh. */
+  /** Prepares the transfer from a coarse mesh to a full shape. */
   leadShape: {
     request: {
       faces: Uint32Array;
@@ -155,7 +155,7 @@ export interface ShellCalls {
     };
     result: null;
   };
-  /** A full shape, whose coarse mesh moves `from` one pose `to` another. */
+  /** Deforms a full shape as its coarse mesh deforms between `from` and `to`. */
   follow: {
     request: { shape: Float32Array; from: Float32Array; to: Float32Array };
     result: { positions: Float32Array };

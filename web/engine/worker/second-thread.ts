@@ -35,7 +35,7 @@ export function help({ module, memory, stack }: SecondThreadStart, onReady: () =
   }
 }
 
-// A frame's computation calls nothing in the page.
+// Computing a frame calls no imported function, so every import is a stub that throws.
 function notHere(name: string) {
   return (): never => {
     throw new Error(`${name} was called in the second thread`);

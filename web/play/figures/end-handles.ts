@@ -28,7 +28,7 @@ export function createEndHandles(picture: SVGSVGElement, onSpeed: (end: End, spe
       const step = { ArrowUp: 0.1, ArrowRight: 0.1, ArrowDown: -0.1, ArrowLeft: -0.1 }[event.key];
       if (step === undefined) return;
       event.preventDefault();
-      // Several key presses can arrive before the next drawing. Each continues from the last requested value.
+      // Several key presses can arrive before the page is redrawn. Each continues from the last requested value.
       speeds = { ...speeds, [end]: clamp(speeds[end] + step * (event.shiftKey ? 10 : 1), 0, MOST_SPEED) };
       onSpeed(end, speeds[end]);
     },

@@ -18,7 +18,7 @@ export const BOTTOM = 22;
 export interface Picture {
   element: SVGSVGElement;
   box(): Box;
-  /** Axes of the last drawing; null before the first. */
+  /** Axes of the plot as last drawn; null before that. */
   axes(): Axes | null;
   /** Clips the parts to the axes. */
   framed(parts: readonly SVGElement[]): SVGElement[];

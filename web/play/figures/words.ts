@@ -5,14 +5,14 @@ import type { Layer } from '../state.ts';
 
 export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
   linear: { name: 'Straight lines', what: 'Linear: the shortest path, with a corner at every key' },
-  natural: { name: 'Natural cubic', what: 'Free ends; in Blender the smoothing “Continuous Acceleration”' },
+  natural: { name: 'Natural cubic', what: 'Free ends, as in Blender with handle smoothing “Continuous Acceleration”' },
   samples: {
     name: 'Brute force',
     what: 'K samples that bend least with fixed keys, and the smoothest curve through all of them',
   },
   'catmull-rom': {
     name: 'Catmull-Rom',
-    what: 'Uses only the two neighbouring keys, as with Blender’s smoothing “None”',
+    what: 'The slope at a key depends only on its two neighbours, as in Blender with handle smoothing “None”',
   },
   hermite: { name: 'Given speeds', what: 'Hermite ends: drag the handles; 0 eases in and out' },
   periodic: { name: 'Loop', what: 'Periodic: the last key is followed by the first' },
