@@ -137,9 +137,9 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
 
 FILE is a .glb, .gltf, .obj, .ply or .off file. Several FILEs are the keys, in the order given. A single
 FILE must contain morph targets or an animation. A .pc2 or .mdd file with its .obj is an animation. So are
-numbered .obj or .ply files: up to 32 frames all become keys, of more frames --sample uses 8 by default.
-A folder stands for the models in it, in the order of their names. Buffers, materials and textures of a
-.gltf or .obj file are read from its folder.
+numbered .obj or .ply files: up to 32 frames all become keys; of more frames, --sample selects 8 by
+default. A folder stands for the models in it, in the order of their names. Buffers, materials and
+textures of a .gltf or .obj file are read from its folder.
 
 If OUT ends in .glb, it is one file with an animation. An .obj or .ply is one shape (give one --at time). A
 .pc2 or .mdd is a point cache with its OBJ next to it. A folder (ending in /) gets 0000.obj, 0001.obj, ...,
