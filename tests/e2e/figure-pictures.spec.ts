@@ -41,7 +41,10 @@ const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<vo
   'figure=8': { t: 0.3, ready: (app) => expect(app.by('plot-ghost-time')).toBeVisible({ timeout: 170_000 }) },
   'figure=9': {
     t: 0.25,
-    ready: (app) => expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3),
+    async ready(app) {
+      await expect(app.by('plot-bending').locator('.unit')).toContainText('edge lengths', { timeout: 90_000 });
+      await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3);
+    },
   },
   'figure=10': { t: 0.3 },
 };

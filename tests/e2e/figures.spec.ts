@@ -108,6 +108,39 @@ test('values are read and saved as SVG, PNG and CSV: of the motion, a face and a
   await app.expectNoProblems();
 });
 
+// Only the page connects the choice, the motions, their worker and the plot.
+test('bending is measured by edge lengths and angles on request, again after an edit, and not after Cancel', async ({
+  app,
+}) => {
+  await app.open({ hash: '#sample=cactus&compare=geodesic' });
+  const plot = app.by('plot-bending');
+  const unit = plot.locator('.unit');
+  await plot.scrollIntoViewIfNeeded();
+  await expect(plot.locator('path.curve')).toHaveCount(2);
+  await expect(unit).not.toContainText('edge lengths');
+  await app.by('bending-shell').press(' ');
+  await app.by('bending-cancel').press('Enter');
+  await expect(app.by('bending-shell')).not.toBeChecked();
+  await expect(app.by('bending-working')).toBeHidden();
+  await expect(unit).not.toContainText('edge lengths');
+
+  await app.by('bending-shell').press(' ');
+  await expect(unit).toContainText('of edge lengths and angles', { timeout: 60_000 });
+  await expect(plot).not.toHaveAttribute('data-stale');
+  await app.by('bending-values').locator('summary').press('Enter');
+  const [head] = (await saved(app, 'bending-csv')).bytes.toString().split('\n');
+  expect(head).toContain('"Geodesic (LRI), by edge lengths and angles"');
+
+  const drawn = (): Promise<string | null> => plot.locator('path.curve').first().getAttribute('d');
+  const before = await drawn();
+  await app.by('boundary-periodic').press(' ');
+  await expect.poll(drawn, { timeout: 60_000 }).not.toBe(before);
+  await expect(unit).toContainText('of edge lengths and angles');
+  await app.by('bending-shell').press(' ');
+  await expect(unit).not.toContainText('edge lengths');
+  await app.expectNoProblems();
+});
+
 test('no plot of the shape before is seen beside the one that has taken its place', async ({ app }) => {
   await app.open({ hash: '#sample=cactus' });
   await app.by('plot-bending').scrollIntoViewIfNeeded();

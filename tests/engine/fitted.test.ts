@@ -5,9 +5,45 @@ import { folderOf, runCli } from './support/cli.ts';
 import { dataFile, hasData } from './support/data.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
-import { bar, bent, diagonal, largestDistance, rolledSheet } from './support/shapes.ts';
+import { bar, bent, diagonal, largestDistance, rolledSheet, type Mesh } from './support/shapes.ts';
 
 const engine = testEngine();
+
+/** The walls of n x n x n cubes in a unit cube. Inside, all vertices are junctions, which simplification keeps. */
+function foam(n: number): Mesh {
+  const at = (place: number[]): number => place[0]! + (n + 1) * (place[1]! + (n + 1) * place[2]!);
+  const positions: number[] = [];
+  const faces: number[] = [];
+  for (let z = 0; z <= n; ++z)
+    for (let y = 0; y <= n; ++y)
+      for (let x = 0; x <= n; ++x) {
+        positions.push(x / n, y / n, z / n);
+        const corner = (...steps: number[]): number[] => [x, y, z].map((one, axis) => one + steps[axis]!);
+        for (const [u, v] of [
+          [corner(1, 0, 0), corner(0, 1, 0)],
+          [corner(0, 1, 0), corner(0, 0, 1)],
+          [corner(0, 0, 1), corner(1, 0, 0)],
+        ] as const) {
+          const opposite = u.map((one, axis) => one + v[axis]! - [x, y, z][axis]!);
+          if (Math.max(...opposite) > n) continue;
+          faces.push(at([x, y, z]), at(u), at(opposite), at([x, y, z]), at(opposite), at(v));
+        }
+      }
+  return { indices: Uint32Array.from(faces), positions: Float32Array.from(positions) };
+}
+
+/** The same triangles, each with its own vertices and smaller. */
+function apart({ indices, positions }: Mesh): Mesh {
+  const moved = new Float32Array(3 * indices.length);
+  indices.forEach((vertex, corner) => {
+    const start = corner - (corner % 3);
+    for (let axis = 0; axis < 3; ++axis) {
+      const mean = [0, 1, 2].reduce((sum, c) => sum + positions[3 * indices[start + c]! + axis]! / 3, 0);
+      moved[3 * corner + axis] = mean + 0.9 * (positions[3 * vertex + axis]! - mean);
+    }
+  });
+  return { indices: indices.map((_, corner) => corner), positions: moved };
+}
 
 async function importSheet(n: number): Promise<{ keys: Keys; poses: Float32Array[] }> {
   const { faces, poses } = rolledSheet(n, 3.5);
@@ -103,6 +139,24 @@ describe('lengths', () => {
     expect((await failureOf(sequence.evaluateBlend([0.5, 0.5]))).code).toBe('invalid-option');
     const plain = await engine.createSequence(keys);
     expect((await failureOf(plain.update({ method: 'lengths' }))).message).toMatch(/make a new sequence/);
+  });
+
+  it('refuses a shape whose coarse mesh stays too large, and can use thousands of loose triangles', async () => {
+    const keysOf = (mesh: Mesh): Promise<Keys> => {
+      const poses = [mesh.positions, bent(mesh, 40, 1)];
+      return engine.createKeys({
+        faces: mesh.indices,
+        poses: poses.map((at, time) => ({ name: `${time}`, time, positions: at })),
+      });
+    };
+    const options = { method: 'lengths', spaceSamples: 2 } as const;
+    const failure = await failureOf(engine.createSequence(await keysOf(foam(9)), options));
+    expect(failure.code).toBe('invalid-option');
+    expect(failure.message).toMatch(
+      /^The shape cannot be simplified: its coarse mesh still has 4,\d{3} faces, .* 4,000/,
+    );
+    const sequence = await engine.createSequence(await keysOf(apart(foam(9))), options);
+    expect((await frameAt(sequence, 0.5)).positions.every(Number.isFinite)).toBe(true);
   });
 
   it('can be cancelled, and reports how far it is', async () => {

@@ -11,6 +11,7 @@
 #include "shapes.h"
 #include "shells/fit_shape.h"
 #include "shells/lead_shape.h"
+#include "shells/shell_bending.h"
 #include "shells/shell_motion.h"
 #include "shells/shell_spline.h"
 
@@ -251,6 +252,41 @@ TEST_CASE("shells: a shape follows its coarse mesh") {
   CHECK(largestDistance(led->follow(bent, bent, more), more) < 1e-9);
   const Map move = turn({1, 2, -1}, 2.1, {3, -1, 2});
   CHECK(largestDistance(led->follow(bent, bent, mapped(bent, move)), mapped(bent, move)) < 1e-9);
+}
+
+TEST_CASE("shells: the bending energy of lengths and angles that are quadratic in time") {
+  constexpr double slope = 0.3, curving = 0.7, step = 0.125;
+  const auto square = [](double x) { return x * x; };
+  const auto at = [&](double t) { return slope * t + curving * t * t; };
+  const double known = square(2 * curving / at(1));  // x'' over the change between keys at 0 and 1
+
+  // Lengths: a box that grows, and turns at the same time.
+  const Shape ball = box(1, 1, 2, 2, 2, 4);
+  const auto grown = [&](double t) {
+    return mapped(ball.positions,
+                  [&](const Vec3& p) { return turn({1, 2, -1}, 5 * t, {3 * t, 0, t})((1 + at(t)) * p); });
+  };
+  const auto lengths = ShellBending::create(ball.faces, {grown(0), grown(1)});
+  REQUIRE(lengths.ok());
+  // An angle: two triangles that fold beyond 180 degrees.
+  const auto folded = [&](double t) {
+    const double angle = 2.9 + at(t);
+    return Positions{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -std::cos(angle), std::sin(angle)}};
+  };
+  const auto angle = ShellBending::create({{0, 1, 2}, {1, 0, 3}}, {folded(0), folded(1)});
+  REQUIRE(angle.ok());
+  for (const double t : {0.2, 0.5, 0.77}) {
+    const auto energyOf = [&](const ShellBending& bending, const auto& shape) {
+      return bending.energy(bending.measuresOf(shape(t - step)), bending.measuresOf(shape(t)),
+                            bending.measuresOf(shape(t + step)), step);
+    };
+    CHECK(energyOf(*lengths, grown) == doctest::Approx(known).epsilon(1e-9));
+    CHECK(energyOf(*angle, folded) == doctest::Approx(known).epsilon(1e-9));
+  }
+  const auto resting = ShellBending::create(ball.faces, {grown(0), grown(0)});
+  const ShellMeasures rest = resting->measuresOf(grown(0));
+  CHECK(resting->energy(rest, rest, rest, step) == 0);
+  CHECK(!ShellBending::create({{0, 1, 1}}, {folded(0), folded(1)}).ok());
 }
 
 TEST_CASE("shells: real sheets and bodies" * dense) {

@@ -1,7 +1,8 @@
 """Lengths, dihedral angles and the energy of shells by their formulas, in numpy: what spaces.test.ts compares with.
 
 Gets the mesh, its keys, and paths of shapes at the same even times. Answers by how much Gauss-Newton steps from each
-fitted shape lower the energy that it should minimise, and the bending energy of every path.
+fitted shape lower the energy that it should minimise, and the bending energy of every path; and of three shapes `step`
+apart, the squared second derivative of their lengths and angles over the squared change between the keys.
 """
 
 import numpy as np
@@ -83,6 +84,10 @@ class Shell:
             total += self.energy(here, self.z(self.fit(here, middle, 15)))
         return 4 * k**3 * total
 
+    def density(self, before, here, after, step):
+        second = self.difference(self.z(after), self.z(here)) - self.difference(self.z(here), self.z(before))
+        return np.sum(self.weights * second**2) / step**4
+
 
 given = arguments()
 faces = [tuple(f) for f in np.array(given["faces"], dtype=int).reshape(-1, 3).tolist()]
@@ -94,4 +99,11 @@ for n, shape in enumerate(paths["lengths"][1:-1], start=1):
     t = n / (len(paths["lengths"]) - 1)
     target = shell.z(first) + t * shell.difference(shell.z(last), shell.z(first))
     falls.append(1 - shell.energy(shell.fit(shape, target, 10), target) / shell.energy(shape, target))
-answer({"falls": falls, "bending": {name: shell.bending(path) for name, path in paths.items()}})
+around = [np.array(s).reshape(-1, 3) for s in given["around"]]
+answer(
+    {
+        "falls": falls,
+        "bending": {name: shell.bending(path) for name, path in paths.items()},
+        "density": shell.density(*around, given["step"]) / shell.energy(first, shell.z(last)),
+    }
+)

@@ -64,10 +64,15 @@ describeBlender('the rival spaces', () => {
       paths[method] = (await sequence.evaluateMany(times)).map(({ positions }) => [...positions]);
       sequence.dispose();
     }
-    const { falls, bending } = await runInBlender<{ falls: number[]; bending: Record<string, number> }>(
-      'shell_energy.py',
-      { faces: [...faces], paths },
-    );
+    const [t, step] = [0.4, 1 / 24];
+    const plain = await engine.createSequence(keys);
+    const around = (await plain.evaluateMany([t - step, t, t + step])).map(({ positions }) => [...positions]);
+    const { falls, bending, density } = await runInBlender<{
+      falls: number[];
+      bending: Record<string, number>;
+      density: number;
+    }>('shell_energy.py', { faces: [...faces], paths, around, step });
+    expect((await plain.shellBending([t]))[0]! / density).toBeCloseTo(1, 6);
     expect(falls).toHaveLength(samples - 1);
     for (const fall of falls) expect(fall).toBeLessThan(1e-6);
     expect(bending['lengths']).toBeLessThan(0.95 * bending['lri']!);

@@ -24,6 +24,12 @@ it('numbers of a chart: a row a time, a column a curve, nothing if nothing is kn
   expect(numbers.rows[48]).toEqual([0.5, 1, NaN]);
 });
 
+it('numbers of a chart with a choice of measures say which it is', () => {
+  const series = [{ label: 'a', values: [1], style: '' }];
+  const numbers = chartNumbers({ times: [0], keyTimes: [0], range: [0, 1], series, measure: 'by lengths' });
+  expect(numbers.names).toEqual(['Time', 'a, by lengths']);
+});
+
 it('about two dozen rows are read, the keys among them', () => {
   const keep = [times[1]!, times[95]!];
   const read = briefly({ names: ['Time'], rows: times.map((t) => [t]), keep }).map(([t]) => t);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { FIGURES } from '../../web/app/guide/figures.ts';
 import { TOUR } from '../../web/app/guide/tour.ts';
-import { bendingUnit } from '../../web/app/panels/measure-charts.ts';
+import { bendingUnit } from '../../web/app/panels/bending-figure.ts';
 import { guideLink } from '../../web/app/sources/page-link.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 
@@ -55,7 +55,7 @@ describe('the figures of the paper', () => {
   it('count systems as the tour does, and say where heights of curves mean nothing', () => {
     const sentenceOf = (link: string): string => FIGURES.find((one) => one.link === link)!.sentence;
     for (const text of [TOUR[9]!.title, sentenceOf('figure=10')]) expect(text).toMatch(/\btwo systems\b/i);
-    expect(sentenceOf('figure=9')).toMatch(/own coordinates/);
+    expect(sentenceOf('figure=9')).toMatch(/by edge lengths and angles/);
     expect(bendingUnit(['lri', 'geodesic'], null)).not.toMatch(/own coordinates/);
     expect(bendingUnit(['lri', 'geodesic', 'cubic-vertex'], 0.1)).toMatch(/own coordinates; logarithmic/);
   });

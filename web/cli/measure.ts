@@ -4,7 +4,7 @@ import type { Motion } from '../engine/api/api.ts';
 import { checkSequenceOptions, encodingOf, motionOf } from '../engine/api/options.ts';
 import type { ExportOptions, Method } from '../engine/api/types.ts';
 import { withEngine } from '../engine/node.ts';
-import { MEASURE_UNITS, columnsOf, measureMotion, tableJson, tableOf } from '../study/motion-measures.ts';
+import { MEASURE_UNITS, SHELL_UNITS, columnsOf, measureMotion, tableJson, tableOf } from '../study/motion-measures.ts';
 import type { Column } from '../study/motion-measures.ts';
 import { MotionError } from '../study/motion-error.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
@@ -30,6 +30,7 @@ export interface Measured {
 export async function measure(args: Arguments): Promise<Measured> {
   if (args.files.length === 0) throw new UsageError('give at least one file (see --help)');
   const methods = measuredMethods(args);
+  const byShell = args.flags.has('shell-bending');
   const against = args.values.get('against')?.split(BETWEEN_VALUES) ?? [];
   const own = againstOptions(args);
   if (against.length === 0 && Object.keys(own).length > 0)
@@ -50,6 +51,7 @@ export async function measure(args: Arguments): Promise<Measured> {
     for (const method of methods) {
       const motion = method === methods[0] ? sequence : await motionBy(method);
       columns.push(...columnsOf(await measureMotion(motion, { method }, times)));
+      if (byShell) columns.push({ name: `${method} shell bending energy`, values: await motion.shellBending(times) });
       if (!compared) continue;
       const error = await compare(motion, compared, keys.info.report.diagonal);
       columns.push(
@@ -65,6 +67,7 @@ export async function measure(args: Arguments): Promise<Measured> {
       ...warnings.map((warning) => `# warning: ${warning}`),
       ...(truth ? [`# against ${tableJson(against)}`, ...comments, ERROR_UNITS] : []),
       MEASURE_UNITS,
+      ...(byShell ? [SHELL_UNITS] : []),
       ...tableOf(times, 1, columns),
     ];
     return { text: await handOut(args, `${lines.join('\n')}\n`, times.length), warnings };
@@ -88,7 +91,7 @@ interface Compared {
 const AT_END = 1e-6;
 
 /** The animation's frames within the range of the keys, or the requested times. */
-async function comparedTimes(
+export async function comparedTimes(
   sequence: Motion,
   truth: Truth,
   wanted: Partial<ExportOptions>,
@@ -115,7 +118,7 @@ async function comparedTimes(
 /** Number of frames to check for a different size or axis. */
 const LOOKED_AT = 5;
 
-async function doubtsOf(sequence: Motion, { times, frames }: Compared, truth: Truth): Promise<string[]> {
+export async function doubtsOf(sequence: Motion, { times, frames }: Compared, truth: Truth): Promise<string[]> {
   const found = frames.flatMap((animation, index) => (animation ? [{ animation, t: times[index]! }] : []));
   const step = Math.max(1, Math.floor(found.length / LOOKED_AT));
   const looked = found.filter((_, index) => index % step === 0);

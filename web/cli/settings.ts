@@ -78,8 +78,8 @@ const motionFlags = [...flagsOf(MOTION), ...perKey];
 const encodingFlags = flagsOf(ENCODING);
 const exportFlags = flagsOf(EXPORT);
 
-/** `several`: the command's own repeatable options. */
-function known(flags: Flag[], own: string[], several: string[] = []): Known {
+/** `several`: the command's own repeatable options; `bare`: its own options without a value. */
+function known(flags: Flag[], own: string[], several: string[] = [], bare: string[] = []): Known {
   const named = (withValue: boolean): string[] =>
     flags.filter((one) => (one.read !== null) === withValue).map(({ flag }) => flag);
   const repeated = flags
@@ -88,12 +88,15 @@ function known(flags: Flag[], own: string[], several: string[] = []): Known {
   return {
     options: new Set([...named(true), ...own]),
     repeated: new Set([...repeated, ...several]),
-    flags: new Set([...named(false), 'help']),
+    flags: new Set([...named(false), ...bare, 'help']),
   };
 }
 
 export const INSPECT = known(importFlags, []);
 export const COMPLETE = known([...importFlags, ...motionFlags, ...encodingFlags, ...exportFlags], ['output', 'report']);
+
+/** Options of the ghost mesh that its study varies. */
+const LEADING: readonly string[] = ['ghostFaces', 'transfer'];
 
 /** Options that select times. */
 const MOMENTS: readonly string[] = ['times', 'frames', 'fps', 'range'];
@@ -103,7 +106,21 @@ export const MEASURE = known(
   [...importFlags, ...shownFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape'), ...momentFlags],
   ['output', 'methods', 'against', 'against-up', 'against-unit'],
   ['against'],
+  ['shell-bending'],
 );
+
+const studied = [...importFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
+const fittedFlags = motionFlags.filter(({ name }) => name === 'spaceFaces' || name === 'spaceSamples');
+export const STUDY_GHOST = known(
+  [...studied, ...motionFlags].filter(({ name }) => !LEADING.includes(name)),
+  [...['output', 'sizes']],
+);
+export const STUDY_SPACES = known(
+  [...studied, ...fittedFlags],
+  ['output', 'methods', 'against', 'against-up', 'against-unit'],
+  ['against'],
+);
+export const STUDY_TABLES = known(importFlags, ['output']);
 
 const HELP_COLUMN = 41;
 const HELP_WIDTH = 112;
@@ -134,6 +151,9 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
   complete FILE... --output OUT          compute and write the motion
   measure FILE... [--output T.csv]       table over time: volume, area, bending energy, sliding, and
                                          coordinates in the shape plane
+  study ghost FILE... [--output T.csv]   table of error and frame time by size of the ghost mesh
+  study spaces FILE... [--output T.csv]  table of volume, area, lengths, bending and cost by method
+  study tables FILE... [--output T.csv]  tables of costs in the paper: our measurements beside the published
 
 FILE is a .glb, .gltf, .obj, .ply or .off file. Several FILEs are the keys, in the order given. A single
 FILE must contain morph targets or an animation. A .pc2 or .mdd file with its .obj is an animation. So are
@@ -147,10 +167,12 @@ one per time. Materials and textures of an OBJ are written next to it.
 
 Keys are counted from 1, animations from 0; reports count everything from 0. Times are in seconds.
 
-${line('  --methods M,M,...', 'measure: methods to compare; default: lri')}
-${line('  --against FILE', "measure: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
+${line('  --methods M,M,...', 'measure, study spaces: methods to compare; default: lri for measure, all methods for study spaces')}
+${line('  --sizes N,N,...', 'study ghost: faces of the ghost meshes; default: 500,1000,2000,3000,5000,10000')}
+${line('  --against FILE', "measure, study spaces: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
 ${line('  --against-up y|z', 'measure: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure: metres per unit of that animation; default: as its file states, otherwise --unit')}
+${line('  --shell-bending', 'measure: adds the bending energy of edge lengths and angles, which is the same measure for every method; computes three more shapes per time')}
 ${line('  --report R.json', 'write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}
 

@@ -1,9 +1,10 @@
-// Fits shapes that keep lengths and angles to keys and shapes of LRI space, and transfers them to a full shape.
+// Fits shapes that keep lengths and angles, transfers them to a full shape, and measures the bending energy of motions.
 #include "bindings/export.h"
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
 #include "bindings/marshal.h"
 #include "shells/lead_shape.h"
+#include "shells/shell_bending.h"
 #include "shells/shell_motion.h"
 
 namespace shapespline::bindings {
@@ -80,6 +81,23 @@ EXPORT const char* shapespline_follow(int handle, const char* request) {
     led.positions =
         floatsFrom(led.shape.follow(poseFrom(json.at("shape")), poseFrom(json.at("from")), poseFrom(json.at("to"))));
     return Json{{"positions", range(led.positions.data(), led.positions.size())}};
+  });
+}
+
+/// {faces, keys: [positions], shapes: [positions], steps: [[before, here, after]], step} -> {energy}: shell_bending.h.
+/// steps: three indices of shapes per energy. null where an edge has no length.
+EXPORT const char* shapespline_shell_bending(const char* request) {
+  return answer(request, [](const Json& json) -> Result<Json> {
+    const auto bending =
+        ShellBending::create(trianglesFrom(elements<std::int32_t>(json.at("faces"))), posesFrom(json.at("keys")));
+    if (!bending) return bending.error();
+    std::vector<ShellMeasures> measures;
+    for (const Json& shape : json.at("shapes")) measures.push_back(bending->measuresOf(poseFrom(shape)));
+    const double step = json.at("step");
+    Json energy = Json::array();
+    for (const Json& at : json.at("steps"))
+      energy.push_back(bending->energy(measures[int(at[0])], measures[int(at[1])], measures[int(at[2])], step));
+    return Json{{"energy", energy}};
   });
 }
 

@@ -125,15 +125,16 @@ const LIST: readonly Figure[] = [
   {
     number: '9',
     name: 'Smoothness',
-    state: 'sample=dachshund&boundary=natural&compare=geodesic,cubic-vertex&between=0,0.875&t=0&loop=bounce&play=1',
+    state: 'sample=dachshund&boundary=natural&compare=geodesic,shell&between=0,0.875&t=0&loop=bounce&play=1',
     panel: 'analysis',
     text: 'The paper plots the second derivative of motions through ten poses of a person: geodesics peak at every key, splines stay low.',
     part: 'plot-bending',
     plot: 'bending',
     wide: true,
+    press: 'bending-shell',
     task: 'Enlarge the Bending energy plot in Analysis, and look at the geodesic at the keys.',
     sentence:
-      'As in the paper, the geodesic peaks at the keys. The third curve is a vertex spline instead of a spline in shell space. Each method’s energy is measured in its own coordinates, so compare the shapes of the curves, not their heights.',
+      'As in the paper, the geodesic peaks at the keys, and both splines stay low. All three are measured by edge lengths and angles, so their heights compare.',
   },
   {
     number: '10',

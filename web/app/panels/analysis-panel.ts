@@ -51,7 +51,7 @@ export function createAnalysisPanel(
     facesProps = { ...facesProps, ...change };
     faces.update(facesProps);
   };
-  const charts = createMeasureCharts(events);
+  const charts = createMeasureCharts(cache.input, events);
   element.append(charts.legend, plane.element, ...charts.elements, faces.element);
   let visible = false;
   let timer = 0;
@@ -73,6 +73,7 @@ export function createAnalysisPanel(
     onChange: (isOther) => {
       if (isOther) for (const figure of element.querySelectorAll('.figure')) setAttribute(figure, 'data-gone', true);
       element.dataset['stale'] = '';
+      charts.outdate();
       updateFaces({ version: facesProps.version + 1 });
       if (visible) plane.refresh();
     },

@@ -4,6 +4,7 @@ import { createLineChart } from '../../plots/line-chart.ts';
 import type { LineChart, LineChartData } from '../../plots/line-chart.ts';
 import { h, setText, svg } from '../../ui/dom.ts';
 import { chartNumbers } from './chart-numbers.ts';
+import type { ChartCurves } from './chart-numbers.ts';
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
 
@@ -20,7 +21,7 @@ export interface ChartCaption {
 }
 
 /** Title and unit only if they changed. */
-export type ChartData = Omit<LineChartData, 'title' | 'unit'> & Partial<Pick<LineChartData, 'title' | 'unit'>>;
+export type ChartData = ChartCurves & Partial<Pick<LineChartData, 'title' | 'unit'>>;
 
 export interface ChartFigure extends Pick<LineChart, 'setCursor'> {
   element: HTMLElement;
@@ -41,7 +42,7 @@ export function createChartFigure(
     h('figcaption', {}, heading, value, counted, legend),
     plot.element,
   );
-  let drawn: LineChartData | null = null;
+  let drawn: (LineChartData & ChartData) | null = null;
   const numbers = () => drawn && chartNumbers(drawn);
   const redrawn = addFigureTools(element, { ...events, plot: name, title, numbers });
   return {

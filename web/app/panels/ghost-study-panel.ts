@@ -7,13 +7,14 @@ import type { Engine } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { button } from '../../ui/controls.ts';
-import { h, setHidden, setStyle, setText } from '../../ui/dom.ts';
+import { h, setHidden } from '../../ui/dom.ts';
 import { encodingFor, motionFor, sequencePlan } from '../session/sequence-plan.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Sample } from '../sources/samples.ts';
 import type { FigureEvents } from './figure-tools.ts';
 import type { Found } from './ghost-study-result.ts';
+import { createWorkingLine } from './working-line.ts';
 
 export interface GhostStudyParts extends FigureEvents {
   engine: Engine;
@@ -44,7 +45,7 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
     onClick: () => void run(studyWithShapes),
   });
   const starts = h('div', { class: 'button-row' }, start, startShapes);
-  const working = createWorking(() => abort?.abort());
+  const working = createWorkingLine('study', 'Cancel the comparison', () => abort?.abort());
   const result = h('div', { class: 'group', 'data-testid': 'study', hidden: true });
   const element = h('div', { class: 'group', 'data-testid': 'study-charts' }, starts, working.element, result);
   let abort: AbortController | null = null;
@@ -73,7 +74,7 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
   /** Shows the result; `done` is null while the study is running. */
   const show = (done: boolean | null): void => {
     if (done === null) result.replaceChildren();
-    setHidden(working.element, done !== null);
+    working.show(done === null);
     setHidden(starts, done === null);
     setHidden(result, !done);
   };
@@ -87,31 +88,6 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
       abort?.abort();
       result.replaceChildren();
       if (!abort) show(false);
-    },
-  };
-}
-
-/** Progress of the comparison, and its cancel button. */
-function createWorking(onCancel: () => void) {
-  const stage = h('span', { class: 'muted stage', role: 'status' });
-  const bar = h('div', { class: 'bar' });
-  const cancel = button({
-    label: 'Cancel the comparison',
-    testId: 'study-cancel',
-    text: 'Cancel',
-    onClick: onCancel,
-  });
-  const element = h(
-    'div',
-    { class: 'field row', hidden: true, 'data-testid': 'study-working' },
-    h('div', { class: 'progress-text' }, stage, h('div', { class: 'meter' }, bar)),
-    cancel,
-  );
-  return {
-    element,
-    update(progress: Progress): void {
-      setText(stage, progress.stage);
-      setStyle(bar, 'width', `${(100 * progress.fraction).toFixed(1)}%`);
     },
   };
 }

@@ -122,6 +122,14 @@ export interface Motion {
   /** Speed and overshoot over time. Has lower priority than shown frames and frames fetched ahead. */
   motionSpeed(times: number[]): Promise<MotionSpeed>;
   bendingEnergy(times: number[]): Promise<number[]>;
+  /**
+   * Bending energy by edge lengths and dihedral angles, the same measure for every method: the squared second
+   * derivative in the metric of shells, relative to the mean squared change between keys, in the unit of bendingEnergy.
+   * Uses second differences over a 24th of the range. Shapes with more than 1,000 faces are measured on a coarse mesh
+   * of about 1,000 faces between some of their vertices. NaN where an edge of that mesh has no length. Takes three
+   * shapes per time; the first call for a large shape also makes its coarse mesh.
+   */
+  shellBending(times: number[], call?: CallOptions): Promise<number[]>;
   /** Positions of the ghost mesh at t, 3 x ghost vertices; code 'invalid-option' without a ghost mesh. */
   ghostPositions(t: number): Promise<Float32Array>;
   /**

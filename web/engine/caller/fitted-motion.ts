@@ -303,6 +303,10 @@ export class FittedMotion extends MotionClient implements Sequence {
     return energies.map((energy) => (Number.isFinite(scale) ? scale * energy : energy));
   }
 
+  protected override get keysShape(): ShapeClient {
+    return this.outer;
+  }
+
   async update(): Promise<void> {
     throw notUpdated(this.own.options.method);
   }

@@ -157,6 +157,15 @@ export class MotionClient implements Motion {
     return (await this.ask('bending', { times: checkTimes(times) })).energy;
   }
 
+  async shellBending(times: number[], call: CallOptions = {}): Promise<number[]> {
+    checkCall(call);
+    const checked = checkTimes(times);
+    const motion = await this.settled();
+    const { shellBending } = await import('./shell-bending.ts');
+    const frame = (t: number): Promise<Frame> => this.batch(() => this.frame(t, motion));
+    return shellBending({ shape: this.keysShape, range: this.range, frame }, checked, call);
+  }
+
   async ghostPositions(t: number): Promise<Float32Array> {
     return (await this.ask('ghostPositions', { t: checkTime(t) })).positions;
   }
@@ -197,6 +206,11 @@ export class MotionClient implements Motion {
   protected async settled(): Promise<MotionSpec> {
     this.checkAlive();
     return this.spec;
+  }
+
+  /** The shape of the user's keys. */
+  protected get keysShape(): ShapeClient {
+    return this.shape;
   }
 
   private get faces(): number {

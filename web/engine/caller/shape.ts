@@ -12,6 +12,7 @@ import type { FittedMotion } from './fitted-motion.ts';
 import { MotionClient } from './motion.ts';
 import { orderBeside } from './order-beside.ts';
 import { Scheduler, urgency } from './scheduler.ts';
+import type { CoarseMesh } from './shell-bending.ts';
 import type { CoreWorker, ShellsWorker, WorkerCall } from './worker-client.ts';
 
 export interface ShapeParts {
@@ -37,6 +38,8 @@ export class ShapeClient implements Shape {
   private over = false;
   /** Motions that end with it. */
   readonly led = new Set<FittedMotion>();
+  /** The mesh on which bending is measured, once it is made. */
+  readonly coarse: { mesh: CoarseMesh | null } = { mesh: null };
 
   private constructor(
     readonly parts: ShapeParts,

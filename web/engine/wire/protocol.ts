@@ -160,6 +160,19 @@ export interface ShellCalls {
     request: { shape: Float32Array; from: Float32Array; to: Float32Array };
     result: { positions: Float32Array };
   };
+  /** Bending energies in the metric of lengths and angles; null where an edge has no length. */
+  shellBending: {
+    request: {
+      faces: Uint32Array;
+      keys: readonly Float32Array[];
+      shapes: Float32Array[];
+      /** For each energy: indices of the shapes one step before, at, and one step after its time. */
+      steps: [number, number, number][];
+      /** Time between these shapes. */
+      step: number;
+    };
+    result: { energy: (number | null)[] };
+  };
 }
 
 export interface Calls extends CoreCalls, FileCalls, ShellCalls {}

@@ -11,5 +11,6 @@ export function shellAnswers(wasm: WasmShells): Answers<ShellCallName> {
       return null;
     },
     follow: (request) => ({ positions: wasm.follow(request) }),
+    shellBending: (request) => wasm.bending(request),
   };
 }

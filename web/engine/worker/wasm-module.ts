@@ -53,6 +53,7 @@ export interface ShellsModule extends WasmModule {
   _shapespline_fit_shells(request: Address): Address;
   _shapespline_lead_shape(request: Address): Address;
   _shapespline_follow(handle: number, request: Address): Address;
+  _shapespline_shell_bending(request: Address): Address;
 }
 
 export interface WasmSettings {

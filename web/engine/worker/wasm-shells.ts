@@ -29,4 +29,11 @@ export class WasmShells extends WasmCalls<ShellsModule> {
     );
     return positions;
   }
+
+  bending(request: RequestOf<'shellBending'>): ResultOf<'shellBending'> {
+    const { energy } = this.send<ResultOf<'shellBending'>>(request, (address) =>
+      this.module._shapespline_shell_bending(address),
+    );
+    return { energy };
+  }
 }

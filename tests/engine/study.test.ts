@@ -1,0 +1,192 @@
+/** `study`: tables about a ghost mesh, methods and the paper's costs, on samples of the page. */
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { describe, expect, it } from 'vitest';
+import type { Keys } from '../../web/engine/api/api.ts';
+import { studyTimes } from '../../web/study/ghost-study.ts';
+import { folderOf, runCli } from './support/cli.ts';
+import { testEngine } from './support/engines.ts';
+import { poseFiles } from './support/glb.ts';
+import { rigFile } from './support/rig.ts';
+import { bar, bent } from './support/shapes.ts';
+
+const engine = testEngine();
+
+async function sample(name: string): Promise<{ name: string; bytes: Uint8Array }> {
+  return { name, bytes: await readFile(path.resolve(import.meta.dirname, '../../public/samples', name)) };
+}
+
+interface Table {
+  comments: string[];
+  rows: Record<string, string>[];
+}
+
+function read(text: string): Table {
+  const lines = text.trimEnd().split('\n');
+  const comments = lines.filter((line) => line.startsWith('#'));
+  const [columns, ...rows] = lines.slice(comments.length).map((line) => line.split(','));
+  expect(comments.length).toBeGreaterThan(columns!.length);
+  for (const name of columns!) expect(comments.some((line) => line.startsWith(`# ${name}: `))).toBe(true);
+  return { comments, rows: rows.map((row) => Object.fromEntries(columns!.map((name, i) => [name, row[i]!]))) };
+}
+
+async function study(folder: string, ...words: string[]): Promise<Table> {
+  const { code, stdout, stderr } = await runCli(folder, 'study', ...words);
+  expect([code, stderr]).toEqual([0, '']);
+  return read(stdout);
+}
+
+const KEY_TIMES = ['--key-times', '0,0.5,1'];
+
+async function importCactus(): Promise<Keys> {
+  return engine.importKeyframes([await sample('cactus.glb')], { keyTimes: [0, 0.5, 1] });
+}
+
+describe('study ghost', () => {
+  it('gives the error as the paper defines it, and a reason for sizes that the shape does not have', async () => {
+    const folder = await folderOf([await sample('cactus.glb')]);
+    const words = ['ghost', 'cactus.glb', ...KEY_TIMES, '--sizes', '500,40000'];
+    const { rows } = await study(folder, ...words);
+    expect(rows.map((row) => [row['wanted faces'], row['transfer']])).toEqual([
+      ...[
+        ['20568', 'none'],
+        ['500', 'exact'],
+        ['500', 'paper'],
+      ],
+      ['40000', ''],
+    ]);
+    expect(rows[3]!['reason']).toBe('the shape has only 20568 faces');
+    expect(rows[3]!['KG error']).toBe('');
+
+    const keys = await importCactus();
+    const [full, ghost] = [
+      await engine.createSequence(keys),
+      await engine.createSequence(keys, { ghostFaces: 500, transfer: 'paper' }),
+    ];
+    let [off, spread] = [0, 0];
+    for (const t of studyTimes(0, 1)) {
+      const [[a], [b]] = [await full.evaluateMany([t]), await ghost.evaluateMany([t])];
+      const n = a!.positions.length / 3;
+      const centre = [0, 0, 0];
+      a!.positions.forEach((value, i) => (centre[i % 3]! += value / n));
+      a!.positions.forEach((value, i) => {
+        off += (value - b!.positions[i]!) ** 2;
+        spread += (value - centre[i % 3]!) ** 2;
+      });
+    }
+    expect(Number(rows[2]!['KG error']) / (100 * Math.sqrt(off / spread))).toBeCloseTo(1, 3);
+    for (const row of rows.slice(0, 3)) expect(Number(row['frame time'])).toBeGreaterThan(0);
+
+    const written = await runCli(folder, 'study', ...words, '--output', 'ghost.json');
+    expect([written.code, written.stdout]).toEqual([0, 'ghost.json: 4 rows\n']);
+    const json = JSON.parse(await readFile(path.join(folder, 'ghost.json'), 'utf8')) as {
+      columns: object;
+      rows: Record<string, unknown>[];
+    };
+    expect(json.rows[3]).toMatchObject({ 'wanted faces': 40000, 'KG error': null });
+    expect(Object.keys(json.rows[0]!)).toEqual(Object.keys(json.columns));
+  });
+});
+
+describe('study spaces', () => {
+  it('gives how far edge lengths are off the splines of the keys, and volumes', async () => {
+    const folder = await folderOf([await sample('cactus.glb')]);
+    const { rows } = await study(folder, 'spaces', 'cactus.glb', ...KEY_TIMES, '--methods', 'lri,linear');
+    expect(rows.map((row) => row['method'])).toEqual(['lri', 'linear']);
+    const keys = await importCactus();
+    const { faces } = keys.info;
+    const edges = new Map<string, [number, number]>();
+    for (let f = 0; f < faces.length; f += 3)
+      for (const [a, b] of [
+        [faces[f]!, faces[f + 1]!],
+        [faces[f + 1]!, faces[f + 2]!],
+        [faces[f + 2]!, faces[f]!],
+      ] as const)
+        edges.set([a, b].sort((x, y) => x - y).join(), [a, b]);
+    const lengths = (p: Float32Array): number[] =>
+      [...edges.values()].map(([a, b]) => Math.hypot(...[0, 1, 2].map((k) => p[3 * a + k]! - p[3 * b + k]!)));
+    const [y0, y1, y2] = [0, 1, 2].map((key) => lengths(keys.positions(key))) as [number[], number[], number[]];
+    /** The natural cubic spline of three even values, from its second derivative in the middle. */
+    const splined = (edge: number, t: number): number => {
+      const h = 0.5;
+      const middle = (1.5 * (y0[edge]! - 2 * y1[edge]! + y2[edge]!)) / h ** 2;
+      const [from, to, x] = t <= h ? [y0[edge]!, y1[edge]!, t] : [y2[edge]!, y1[edge]!, 1 - t];
+      return from + ((to - from) * x) / h + (middle / 6) * (x ** 3 / h - x * h);
+    };
+    for (const [index, method] of (['lri', 'linear'] as const).entries()) {
+      const sequence = await engine.createSequence(keys, { method });
+      let [sum, count] = [0, 0];
+      for (let i = 0; i < 48; i += 1) {
+        const t = (i + 0.5) / 48;
+        const [frame] = await sequence.evaluateMany([t]);
+        lengths(frame!.positions).forEach((length, edge) => {
+          sum += (length / splined(edge, t) - 1) ** 2;
+          count += 1;
+        });
+      }
+      expect(Number(rows[index]!['edge lengths']) / (100 * Math.sqrt(sum / count)), method).toBeCloseTo(1, 3);
+    }
+    const [lri, linear] = rows.map((row) => Number(row['volume'])) as [number, number];
+    expect(lri).toBeLessThan(1);
+    expect(linear).toBeGreaterThan(5);
+    for (const row of rows) {
+      expect(Number(row['largest bending'])).toBeGreaterThanOrEqual(Number(row['bending']));
+      expect(row['KG error']).toBe('');
+    }
+  });
+
+  it('gives the errors that measure gives, and a row with a reason for a method that is refused', async () => {
+    const folder = await folderOf([await rigFile('rig.glb')]);
+    const words = ['rig.glb', '--sample', '0,0.5,1,1.5,2', '--methods', 'lri,lengths', '--against', 'rig.glb'];
+    const { rows } = await study(folder, 'spaces', ...words, '--space-samples', '4');
+    const { stdout } = await runCli(folder, 'measure', ...words, '--space-samples', '4');
+    for (const row of rows) {
+      const said = new RegExp(`^# ${row['method']}: KG error ([\\d.]+) %`, 'm').exec(stdout)![1]!;
+      expect(Number(row['KG error']) / Number(said)).toBeCloseTo(1, 2);
+    }
+    const flat = ['v 0 0 0', 'v 1 0 0', 'v 2 0 0', 'v 0 1 0', 'f 1 2 3', 'f 1 2 4'].join('\n');
+    const text = (content: string): Uint8Array => new TextEncoder().encode(content);
+    const other = await folderOf([
+      { name: 'a.obj', bytes: text(flat.replace('0 1 0', '0 0 0')) },
+      { name: 'b.obj', bytes: text(flat) },
+    ]);
+    const refused = await runCli(other, 'study', 'spaces', 'a.obj', 'b.obj');
+    console.log(refused);
+  });
+});
+
+describe('study tables', () => {
+  it("gives the paper's costs beside those measured, of a cactus", async () => {
+    const folder = await folderOf([await sample('cactus.glb')]);
+    const { rows } = await study(folder, 'tables', 'cactus.glb', ...KEY_TIMES);
+    expect(rows.map((row) => [row['table'], row['source'], row['shapes'], row['full'] !== ''].join())).toEqual([
+      ...['1,paper,1,true', '1,here,1,true', '2,paper,20,true', '2,paper,170,true'],
+      ...['2,here,20,true', '2,here,170,true'],
+    ]);
+    expect(rows[3]).toMatchObject({ '[2] full': '762', full: '23.9', ghost: '0.31' });
+    const [, one, , , some] = rows.map((row) => Number(row['full']));
+    expect(some! / (20 * one!)).toBeCloseTo(1, 2);
+    for (const row of rows.slice(4)) expect(Number(row['[2] ghost'])).toBeGreaterThan(0.1);
+    expect(rows[5]!['note']).toContain('101 times');
+  });
+
+  it('names no figures of the paper for another shape, and says why a ghost mesh is missing', async () => {
+    const mesh = bar();
+    const files = poseFiles(mesh, [mesh.positions, bent(mesh, 60)]);
+    const folder = await folderOf(files);
+    const { rows } = await study(folder, 'tables', ...files.map(({ name }) => name));
+    expect(rows.map((row) => row['source'])).toEqual(['here', 'here']);
+    expect(rows[0]).toMatchObject({ ghost: '', transfer: '' });
+  });
+
+  it('is one of three studies', async () => {
+    const folder = await folderOf([]);
+    expect(await runCli(folder, 'study')).toMatchObject({ code: 2, stdout: '' });
+    const { code, stderr } = await runCli(folder, 'study', 'cost', 'a.glb');
+    expect(code).toBe(2);
+    expect(stderr).toMatch(/study ghost, study spaces, study tables/);
+    expect((await runCli(folder, 'study', 'spaces')).code).toBe(2);
+    expect((await runCli(folder, 'study', 'ghost', 'a.glb', '--sizes', '2')).stderr).toMatch(/--sizes/);
+    expect((await runCli(folder, 'study', '--help')).code).toBe(0);
+  });
+});

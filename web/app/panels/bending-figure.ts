@@ -1,0 +1,127 @@
+/** Bending energy of the shown motions: of each in its own coordinates, or of all by edge lengths and angles. */
+import { METHOD } from '../../engine/api/methods.ts';
+import { isCancelled } from '../../engine/api/errors.ts';
+import type { Method } from '../../engine/api/types.ts';
+import { logFloor } from '../../plots/scale.ts';
+import { checkbox } from '../../ui/controls.ts';
+import { h, setAttribute } from '../../ui/dom.ts';
+import type { Analysis, AnalysisInput } from '../analysis/analysis.ts';
+import { shellBendings } from '../analysis/shell-bendings.ts';
+import type { ChartData, ChartEvents } from './chart-figure.ts';
+import { createValuedChart, motionCurves } from './valued-chart.ts';
+import { createWorkingLine } from './working-line.ts';
+
+export interface BendingFigure {
+  element: HTMLElement;
+  draw(analysis: Analysis): void;
+  /** The motions have changed since the last drawing. */
+  outdate(): void;
+  setCursor(t: number): void;
+}
+
+const BENDING = 'squared acceleration, relative, 1/s⁴';
+const SHELL = 'squared acceleration of edge lengths and angles, relative, 1/s⁴';
+const BENDING_UNIT = 'Relative to the mean deformation energy between keys';
+const CHOICE = 'By edge lengths and angles';
+const CHOICE_HINT =
+  'Measures all methods alike: by the lengths of edges and the angles between faces, as of a thin shell, on a coarse mesh';
+/** In the names of a table's columns. */
+const MEASURE = 'by edge lengths and angles';
+const LEAST_BENDING = 1;
+
+export function createBendingFigure(input: () => AnalysisInput | null, events: ChartEvents): BendingFigure {
+  const figure = createValuedChart('bending', 'Bending energy', BENDING, events);
+  figure.element.title = BENDING_UNIT;
+  const toggle = checkbox(CHOICE, 'bending-shell', (on) => choose(on));
+  toggle.element.title = CHOICE_HINT;
+  const working = createWorkingLine('bending', 'Stop measuring', () => choose(false));
+  figure.element.querySelector('details')!.before(h('div', { class: 'plane-tools' }, toggle.element), working.element);
+  /** The current motions and their analysis; null if it is out of date. */
+  let known: { analysis: Analysis; of: AnalysisInput } | null = null;
+  let byShell = false;
+  let abort: AbortController | null = null;
+  let cursor = 0;
+
+  const choose = (on: boolean): void => {
+    byShell = on;
+    toggle.update(on);
+    void show();
+  };
+  const setWorking = (now: AbortController | null): void => {
+    abort?.abort();
+    abort = now;
+    working.show(now !== null);
+    setAttribute(figure.element, 'data-stale', now !== null);
+  };
+  const redraw = (data: ChartData): void => {
+    figure.draw(data);
+    figure.setCursor(cursor);
+  };
+  const show = async (): Promise<void> => {
+    setWorking(null);
+    if (!known) return;
+    const { analysis, of } = known;
+    if (!byShell) return redraw(ownData(analysis));
+    const own = new AbortController();
+    setWorking(own);
+    try {
+      const call = { signal: own.signal, onProgress: working.update };
+      const energies = await shellBendings(of, analysis.times, call);
+      if (!own.signal.aborted) redraw(shellData(analysis, energies));
+    } catch (error) {
+      if (own.signal.aborted || isCancelled(error)) return;
+      choose(false);
+      events.onError(error);
+    } finally {
+      if (abort === own) setWorking(null);
+    }
+  };
+  return {
+    element: figure.element,
+    draw(analysis) {
+      const of = input();
+      known = of && { analysis, of };
+      void show();
+    },
+    outdate() {
+      setWorking(null);
+      known = null;
+    },
+    setCursor(t) {
+      cursor = t;
+      figure.setCursor(t);
+    },
+  };
+}
+
+function ownData(analysis: Analysis): ChartData {
+  const energies = analysis.motions.map(({ bending }) => bending);
+  const methods = analysis.motions.map(({ method }) => method);
+  return bendingData(analysis, energies, (floor) => bendingUnit(methods, floor));
+}
+
+function shellData(analysis: Analysis, energies: readonly number[][]): ChartData {
+  return { ...bendingData(analysis, energies, (floor) => withAxis([SHELL], floor)), measure: MEASURE };
+}
+
+function bendingData(
+  analysis: Analysis,
+  energies: readonly number[][],
+  unit: (floor: number | null) => string,
+): ChartData {
+  const floor = logFloor(energies);
+  return { ...motionCurves(analysis, energies), include: 0, leastSpan: LEAST_BENDING, floor, unit: unit(floor) };
+}
+
+/**
+ * Bending energies are comparable within one space only. In its own space, a vertex blend has a lower energy, whether
+ * it looks smoother or not.
+ */
+export function bendingUnit(methods: readonly Method[], floor: number | null): string {
+  const spaces = new Set(methods.map((method) => METHOD[method].space));
+  return withAxis([BENDING, ...(spaces.size > 1 ? ['each in its own coordinates'] : [])], floor);
+}
+
+function withAxis(words: readonly string[], floor: number | null): string {
+  return [...words, ...(floor ? ['logarithmic'] : [])].join('; ');
+}

@@ -1,0 +1,199 @@
+/** The study commands: tables that compare sizes of a ghost mesh, methods, and the paper's costs. */
+import { version } from '../../package.json';
+import type { Engine, Keys } from '../engine/api/api.ts';
+import { wrongWith } from '../engine/api/options.ts';
+import { ENCODING } from '../engine/api/option-table.ts';
+import { METHODS } from '../engine/api/methods.ts';
+import type { Method } from '../engine/api/types.ts';
+import { withEngine } from '../engine/node.ts';
+import { GHOST_SIZES, studyGhosts, studyTimes } from '../study/ghost-study.ts';
+import { tableJson } from '../study/motion-measures.ts';
+import { measureTables, modelOf } from '../study/paper-tables.ts';
+import type { Costs, Tables } from '../study/paper-tables.ts';
+import { studySpaces } from '../study/space-study.ts';
+import type { TrueShapes } from '../study/space-study.ts';
+import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
+import { readInputs } from './input.ts';
+import { comparedTimes, doubtsOf } from './measure.ts';
+import type { Measured } from './measure.ts';
+import { writeOutputs } from './output.ts';
+import { againstOptions, importOptions, measuredMethods, sequenceOptions } from './settings.ts';
+import { readTruth } from './truth.ts';
+import * as read from './values.ts';
+
+type Cell = string | number;
+
+/** A table with a sentence about each column. */
+interface StudyTable {
+  columns: Readonly<Record<string, string>>;
+  rows: Cell[][];
+  warnings?: string[];
+}
+
+type Study = (args: Arguments, engine: Engine, keys: Keys) => Promise<StudyTable>;
+
+export function studyGhost(args: Arguments): Promise<Measured> {
+  const sizes = ghostSizes(args);
+  return run(args, async (_, engine, keys) => {
+    const { faces } = keys.info.report;
+    const [first, last] = [keys.info.times[0]!, keys.info.times.at(-1)!];
+    const options = { ...keys.info.project, ...sequenceOptions(args) };
+    const found = await studyGhosts(engine, keys, options, { times: studyTimes(first, last), sizes });
+    const refused = sizes.filter((size) => size >= faces);
+    return {
+      columns: GHOST_COLUMNS,
+      rows: [
+        [faces, faces, 'none', 0, found.ms, found.buildMs, ''],
+        ...found.rows.map((row): Cell[] => [...[row.wanted, row.faces, row.transfer, row.kg, row.ms, row.buildMs, '']]),
+        ...refused.map((size): Cell[] => [size, NaN, '', NaN, NaN, NaN, `the shape has only ${faces} faces`]),
+      ],
+    };
+  });
+}
+
+const GHOST_COLUMNS = {
+  'wanted faces': 'of the ghost mesh; the first row is the motion without one',
+  'ghost faces': 'its number of faces',
+  transfer: 'how the shape follows the ghost mesh: exact or paper',
+  'KG error': 'Karni-Gotsman error against the motion without a ghost mesh, %',
+  'frame time': 'median time of a frame, ms',
+  'build time': 'from the keys until the first frame can be computed, ms',
+  reason: 'why there are no numbers',
+};
+
+function ghostSizes(args: Arguments): number[] {
+  const text = args.values.get('sizes');
+  if (text === undefined) return [...GHOST_SIZES];
+  return text.split(',').map((word) => {
+    const size = read.wholeFrom(ENCODING.ghostFaces.least)(word, '--sizes');
+    const wrong = wrongWith(ENCODING.ghostFaces, size);
+    if (wrong) throw new UsageError(`--sizes: ${wrong}`);
+    return size;
+  });
+}
+
+export function studyMethods(args: Arguments): Promise<Measured> {
+  const methods: readonly Method[] = args.values.has('methods') ? measuredMethods(args) : METHODS;
+  const against = args.values.get('against')?.split(BETWEEN_VALUES) ?? [];
+  const own = againstOptions(args);
+  if (against.length === 0 && Object.keys(own).length > 0)
+    throw new UsageError('--against-up and --against-unit require --against');
+  return run(args, async (_, engine, keys) => {
+    const { truth, warnings } = await truthOf(args, engine, keys, against);
+    const rows = await studySpaces(engine, keys, sequenceOptions(args), { methods, truth });
+    return {
+      columns: SPACE_COLUMNS,
+      rows: rows.map((row): Cell[] => [
+        ...[row.method, row.volume, row.area, row.lengths, row.bending, row.peak, row.kg, row.ms, row.buildMs],
+        row.reason ?? '',
+      ]),
+      warnings,
+    };
+  });
+}
+
+const SPACE_COLUMNS = {
+  method: 'as of --methods; every other number is of 48 times between the first and the last key',
+  volume: "largest difference from the natural spline of the keys' volumes, %; empty for open surfaces",
+  area: "largest difference from the natural spline of the keys' areas, %",
+  'edge lengths': 'root mean square over edges and times of the differences from the splines of their lengths, %',
+  bending: 'mean over time of the bending energy of edge lengths and angles, as in measure --shell-bending, 1/s^4',
+  'largest bending': 'its largest value, 1/s^4',
+  'KG error': 'Karni-Gotsman error against the animation of --against, at its frames, %',
+  'frame time': 'median time of a frame, ms',
+  'build time': 'from the keys until the first frame can be computed, ms',
+  reason: 'why the method cannot move this shape',
+};
+
+async function truthOf(
+  args: Arguments,
+  engine: Engine,
+  keys: Keys,
+  against: string[],
+): Promise<{ truth: TrueShapes | null; warnings: string[] }> {
+  if (against.length === 0) return { truth: null, warnings: [] };
+  const truth = await readTruth(engine, keys, await readInputs(against), importOptions(args), againstOptions(args));
+  const sequence = await engine.createSequence(keys);
+  const compared = await comparedTimes(sequence, truth, {}, against[0]!);
+  const warnings = await doubtsOf(sequence, compared, truth);
+  sequence.dispose();
+  return { truth: { times: compared.times, shapes: compared.frames.map((frame) => frame!) }, warnings };
+}
+
+export function studyTables(args: Arguments): Promise<Measured> {
+  return run(args, async (_, engine, keys) => ({
+    columns: TABLE_COLUMNS,
+    rows: rowsOf(await measureTables(engine, keys, modelOf(args.files))),
+  }));
+}
+
+const TABLE_COLUMNS = {
+  table: '1: seconds for one shape; 2: seconds for all shapes of a motion',
+  source: 'paper: as published, on an Intel i7-3770; here: measured on this computer',
+  model: 'of the paper, where a file name contains its name',
+  faces: 'of the shape; empty where the paper does not state them',
+  shapes: 'number of shapes of the motion, K of the paper',
+  share: 'of the vertices that are left on the ghost mesh, gamma of the paper; table 1: about 2000 faces are left',
+  '[2] ghost': 'spline in shell space, on the ghost mesh, s; here: fitting the shapes',
+  '[2] transfer': 'deformation transfer, s; here: all else, from the keys to the last shape',
+  '[2] full': 'without a ghost mesh, s',
+  ghost: 'spline in LRI space, on the ghost mesh, s',
+  transfer: 'deformation transfer, s',
+  full: 'without a ghost mesh, s',
+  note: 'what differs, or why a time is missing',
+};
+
+function rowsOf({ table1, table2 }: Tables): Cell[][] {
+  const cells = ({ ghost, transfer, full }: Costs): Cell[] => [ghost, transfer, full];
+  return [
+    ...table1.map((row): Cell[] => [1, row.source, row.model, row.faces, 1, NaN, NaN, NaN, NaN, ...cells(row), '']),
+    ...table2.map(({ source, model, faces, shapes, share, shell, lri, note }): Cell[] => [
+      ...[2, source, model, faces, shapes, share],
+      ...[...cells(shell), ...cells(lri), note],
+    ]),
+  ];
+}
+
+async function run(args: Arguments, study: Study): Promise<Measured> {
+  if (args.files.length === 0) throw new UsageError('give at least one file (see --help)');
+  const imported = importOptions(args);
+  return withEngine(async (engine) => {
+    const keys = await engine.importKeyframes(await readInputs(args.files), imported);
+    const table = await study(args, engine, keys);
+    const output = args.values.get('output');
+    const isJson = output?.toLowerCase().endsWith('.json') ?? false;
+    const text = (isJson ? jsonOf : csvOf)(args.files, table);
+    const { warnings = [] } = table;
+    if (!output) return { text, warnings };
+    await writeOutputs([{ path: output, files: [{ name: 'study', bytes: text }] }]);
+    return { text: `${output}: ${table.rows.length} rows\n`, warnings };
+  });
+}
+
+/** Significant digits. */
+const DIGITS = 5;
+const rounded = (cell: Cell): Cell => (typeof cell === 'string' ? cell : Number(cell.toPrecision(DIGITS)));
+
+function csvOf(files: string[], { columns, rows, warnings = [] }: StudyTable): string {
+  const cell = (value: Cell): string =>
+    typeof value === 'string' ? quoted(value) : Number.isFinite(value) ? String(rounded(value)) : '';
+  return [
+    `# shapespline ${version}`,
+    `# files ${tableJson(files)}`,
+    ...warnings.map((warning) => `# warning: ${warning}`),
+    ...Object.entries(columns).map(([name, about]) => `# ${name}: ${about}`),
+    Object.keys(columns).join(','),
+    ...rows.map((row) => row.map(cell).join(',')),
+    '',
+  ].join('\n');
+}
+
+/** Quotes text with separators. */
+const quoted = (text: string): string => (/[",;\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+
+/** Numbers that are not known are null. */
+function jsonOf(files: string[], { columns, rows, warnings = [] }: StudyTable): string {
+  const names = Object.keys(columns);
+  const named = rows.map((row) => Object.fromEntries(row.map((cell, i) => [names[i], rounded(cell)])));
+  return `${JSON.stringify({ version, files, warnings, columns, rows: named }, null, 2)}\n`;
+}

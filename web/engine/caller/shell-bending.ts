@@ -1,0 +1,105 @@
+/**
+ * Bending energy of a motion by edge lengths and dihedral angles, which any method's shapes have. Loaded with its first
+ * use.
+ */
+import type { CallOptions } from '../api/api.ts';
+import { invalidOption, untilAborted } from '../api/errors.ts';
+import { partOf } from '../api/progress.ts';
+import { ENCODING_DEFAULTS, type Frame } from '../api/types.ts';
+import type { ShapeClient } from './shape.ts';
+
+/** Largest mesh that is measured as it is, and size of the coarse mesh of others. */
+const MOST_FACES = 1000;
+/** Steps of the second differences per range. */
+const STEPS = 24;
+/** Share of a coarse mesh in the progress. */
+const COARSE = 0.3;
+
+type Report = NonNullable<CallOptions['onProgress']>;
+
+/** The measured mesh. */
+export interface CoarseMesh {
+  faces: Uint32Array;
+  keys: readonly Float32Array[];
+  /** Positions on this mesh, 3 x its vertices, of a shape. */
+  shapeOf(positions: Float32Array): Float32Array;
+}
+
+/** The motion to measure. */
+export interface Measured {
+  /** The shape of its keys. */
+  shape: ShapeClient;
+  range: readonly [number, number];
+  frame(t: number): Promise<Frame>;
+}
+
+export async function shellBending(
+  { shape, range, frame }: Measured,
+  times: readonly number[],
+  call: CallOptions,
+): Promise<number[]> {
+  const { signal, onProgress: report = () => undefined } = call;
+  const measured = partOf(report, shape.coarse.mesh ? 0 : COARSE, 1);
+  const mesh = shape.coarse.mesh ?? (await coarseMesh(shape, { ...call, onProgress: partOf(report, 0, COARSE) }));
+  shape.coarse.mesh = mesh;
+  const step = (range[1] - range[0]) / STEPS;
+  const { sampled, steps } = stepsAround(times, step);
+  const shapes: Float32Array[] = [];
+  for (const t of sampled) {
+    const { positions, release } = await untilAborted(signal, frame(t));
+    shapes.push(mesh.shapeOf(positions));
+    release();
+    measured({ stage: 'evaluating', fraction: shapes.length / sampled.length });
+  }
+  const worker = shape.parts.shellsWorker();
+  try {
+    const request = { faces: mesh.faces, keys: mesh.keys, shapes, steps, step };
+    const { energy } = await untilAborted(signal, worker.call('shellBending', request));
+    return energy.map((one) => one ?? NaN);
+  } finally {
+    worker.terminate(invalidOption('The measure has ended.'));
+  }
+}
+
+/** The times a step before and after these times; times on a common grid share shapes. */
+function stepsAround(times: readonly number[], step: number) {
+  const index = new Map<number, number>();
+  const sampled: number[] = [];
+  const at = (t: number): number => {
+    const place = Math.round((1e6 * t) / step);
+    if (!index.has(place)) index.set(place, sampled.push(t) - 1);
+    return index.get(place)!;
+  };
+  const steps = times.map((t): [number, number, number] => [at(t - step), at(t), at(t + step)]);
+  return { sampled, steps };
+}
+
+/**
+ * A function of the keys alone, whatever the shape's encoding. Its vertices are vertices of the shape: then no face is
+ * flipped or thin at a key (wasm/core/ghost/simplify.h).
+ */
+async function coarseMesh(
+  { parts: { keys, encode } }: ShapeClient,
+  call: CallOptions & { onProgress: Report },
+): Promise<CoarseMesh> {
+  const { faces } = keys.info;
+  if (faces.length / 3 <= MOST_FACES) return { faces, keys: keys.positions, shapeOf: (positions) => positions.slice() };
+  const led = await encode(
+    keys,
+    { ...ENCODING_DEFAULTS, ghostFaces: MOST_FACES, placement: 'vertices' },
+    { ...call, onProgress: partOf(call.onProgress, 0, 0.2) },
+  );
+  try {
+    const motion = await led.motion({}, { ...call, onProgress: partOf(call.onProgress, 0.2, 1) });
+    motion.dispose();
+    const ghost = (await led.ghost())!;
+    const shapeOf = (positions: Float32Array): Float32Array => {
+      const coarse = new Float32Array(3 * ghost.vertexOf.length);
+      ghost.vertexOf.forEach((vertex, i) => coarse.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * i));
+      return coarse;
+    };
+    return { faces: ghost.faces, keys: keys.positions.map(shapeOf), shapeOf };
+  } finally {
+    led.dispose();
+  }
+}

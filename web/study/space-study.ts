@@ -1,0 +1,154 @@
+/** Motions of several methods through the same keys, measured alike: what each keeps, how it bends, what it costs. */
+import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
+import { EngineError, isCancelled } from '../engine/api/errors.ts';
+import { partOf } from '../engine/api/progress.ts';
+import type { Method, SequenceOptions } from '../engine/api/types.ts';
+import { edgeLengths, edgesOf } from './edge-lengths.ts';
+import { KgError } from './kg-error.ts';
+
+/** The animation of the keys: a shape per time. */
+export interface TrueShapes {
+  times: readonly number[];
+  shapes: readonly Float32Array[];
+}
+
+export interface SpaceRow {
+  method: Method;
+  /** Largest difference over time from the natural spline of the keys' volumes, in percent; NaN for open surfaces. */
+  volume: number;
+  /** The same of areas. */
+  area: number;
+  /** Root mean square over edges and times of the differences from the natural splines of their lengths, in percent. */
+  lengths: number;
+  /** Mean over time of the bending energy of edge lengths and angles, and its largest value. */
+  bending: number;
+  peak: number;
+  /** Error against the animation, in percent; NaN without one. */
+  kg: number;
+  /** Median time of a frame in the worker. */
+  ms: number;
+  /** Milliseconds from the keys until the first frame can be computed. */
+  buildMs: number;
+  /** Why the method cannot move this shape; null if it can. Then all numbers are NaN. */
+  reason: string | null;
+}
+
+export interface SpaceStudyOptions extends CallOptions {
+  methods: readonly Method[];
+  truth: TrueShapes | null;
+}
+
+/** Times per range, in the middle of as many intervals. */
+const TIMES = 48;
+
+export async function studySpaces(
+  engine: Engine,
+  keys: Keys,
+  options: Partial<SequenceOptions>,
+  { methods, truth, signal, onProgress = () => undefined }: SpaceStudyOptions,
+): Promise<SpaceRow[]> {
+  const spline = await splineOf(engine, keys);
+  const rows: SpaceRow[] = [];
+  for (const [index, method] of methods.entries()) {
+    const report = partOf(onProgress, index / methods.length, (index + 1) / methods.length);
+    const call = { ...(signal && { signal }), onProgress: partOf(report, 0, 0.5) };
+    try {
+      const start = performance.now();
+      const sequence = await engine.createSequence(keys, { ...options, method }, call);
+      const buildMs = performance.now() - start;
+      const numbers = await measured(sequence, spline, truth, signal).finally(() => sequence.dispose());
+      rows.push({ method, buildMs, reason: null, ...numbers });
+    } catch (error) {
+      if (!(error instanceof EngineError) || isCancelled(error)) throw error;
+      rows.push({ ...NOTHING, method, reason: error.message });
+    }
+  }
+  return rows;
+}
+
+const NOTHING = { volume: NaN, area: NaN, lengths: NaN, bending: NaN, peak: NaN, kg: NaN, ms: NaN, buildMs: NaN };
+
+/** The natural spline of the keys' own measures, at the times of the study. */
+interface Spline {
+  times: number[];
+  edges: Uint32Array;
+  /** One per time; null for open surfaces. */
+  volume: number[] | null;
+  area: number[];
+  /** Lengths of all edges at a time, by its index. */
+  lengthsAt(time: number): Float64Array;
+}
+
+async function splineOf(engine: Engine, keys: Keys): Promise<Spline> {
+  const { times: keyTimes, faces, report } = keys.info;
+  const [start, end] = [keyTimes[0]!, keyTimes.at(-1)!];
+  const times = Array.from({ length: TIMES }, (_, i) => start + ((i + 0.5) / TIMES) * (end - start));
+  const natural = await engine.createSequence(keys);
+  const { weights } = await natural.shapePlane(times);
+  const { volume, area } = await natural.measures(keyTimes);
+  natural.dispose();
+  const count = keyTimes.length;
+  const blend = (time: number, of: (key: number) => number): number => {
+    let sum = 0;
+    for (let key = 0; key < count; key += 1) sum += weights[time * count + key]! * of(key);
+    return sum;
+  };
+  const edges = edgesOf(faces);
+  const lengths = keyTimes.map((_, key) => edgeLengths(edges, keys.positions(key)));
+  return {
+    times,
+    edges,
+    volume: report.boundaryEdges > 0 ? null : times.map((_, time) => blend(time, (key) => volume[key]!)),
+    area: times.map((_, time) => blend(time, (key) => area[key]!)),
+    lengthsAt: (time) => lengths[0]!.map((_, edge) => blend(time, (key) => lengths[key]![edge]!)),
+  };
+}
+
+type Numbers = Omit<SpaceRow, 'method' | 'buildMs' | 'reason'>;
+
+async function measured(
+  sequence: Sequence,
+  { times, edges, lengthsAt, ...spline }: Spline,
+  truth: TrueShapes | null,
+  signal: AbortSignal | undefined,
+): Promise<Numbers> {
+  const call = signal && { signal };
+  const ms: number[] = [];
+  let [sum, count] = [0, 0];
+  for (const [index, t] of times.entries()) {
+    const [frame] = await sequence.evaluateMany([t], call);
+    const wanted = lengthsAt(index);
+    edgeLengths(edges, frame!.positions).forEach((length, edge) => {
+      if (!(wanted[edge]! > 0)) return;
+      sum += (length / wanted[edge]! - 1) ** 2;
+      count += 1;
+    });
+    ms.push(frame!.ms);
+    frame!.release();
+  }
+  const { volume, area } = await sequence.measures(times, call);
+  const bending = await sequence.shellBending(times, call);
+  return {
+    volume: spline.volume ? largestOff(volume, spline.volume) : NaN,
+    area: largestOff(area, spline.area),
+    lengths: 100 * Math.sqrt(sum / count),
+    bending: bending.reduce((total, energy) => total + energy / bending.length, 0),
+    peak: Math.max(...bending),
+    kg: truth ? await kgAgainst(sequence, truth, signal) : NaN,
+    ms: ms.sort((a, b) => a - b)[Math.floor(ms.length / 2)]!,
+  };
+}
+
+function largestOff(values: readonly number[], wanted: readonly number[]): number {
+  return 100 * Math.max(...values.map((value, i) => Math.abs(value / wanted[i]! - 1)));
+}
+
+async function kgAgainst(sequence: Sequence, { times, shapes }: TrueShapes, signal?: AbortSignal): Promise<number> {
+  const error = new KgError();
+  for (const [index, t] of times.entries()) {
+    const [frame] = await sequence.evaluateMany([t], signal && { signal });
+    error.add(shapes[index]!, frame!.positions);
+    frame!.release();
+  }
+  return error.percent;
+}
