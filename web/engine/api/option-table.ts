@@ -239,8 +239,28 @@ export const MOTION = {
     help:
       'rotate each face separately from key to key where this agrees with its patch; absolute: closer to sampled ' +
       'animations; root: rotations relative to the largest patch, independent of the orientation of a key',
+    page: 'ownPaths',
+    undo: 'own paths',
   },
-  /** Largest number of faces of the mesh that the methods lengths and shell fit. */
+  /**
+   * Number of shapes between two neighbouring keys that are fitted to splined edge lengths and angles, for the method
+   * 'lri'. They depend on the key times, so this is an option of the motion.
+   */
+  keepLengths: {
+    kind: 'number',
+    whole: true,
+    least: 0,
+    most: 3,
+    default: 0,
+    flag: 'keep-lengths',
+    value: 'N',
+    help:
+      'number of shapes between two keys, 0 to 3, that lri fits to edge lengths and angles, for cloth and paper; ' +
+      'requires natural ends without holding, pins, turns and own paths; default: 0',
+    page: 'keepLengths',
+    undo: 'kept lengths',
+  },
+  /** Largest number of faces of the mesh whose lengths are fitted. */
   spaceFaces: {
     kind: 'number',
     whole: true,
@@ -249,7 +269,7 @@ export const MOTION = {
     default: 1000,
     flag: 'space-faces',
     value: 'N',
-    help: 'lengths, shell: faces of the coarse mesh; default: 1,000',
+    help: 'lengths, shell, --keep-lengths: faces of the coarse mesh; default: 1,000',
   },
   /** Number of intervals between the times of the fitted shapes. */
   spaceSamples: {

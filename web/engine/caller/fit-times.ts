@@ -1,4 +1,6 @@
 /** The times at which a fitted motion has shapes of its own. */
+import type { MotionOptions } from '../api/types.ts';
+import { METHOD } from '../api/methods.ts';
 
 export interface FitTime {
   time: number;
@@ -6,10 +8,17 @@ export interface FitTime {
   key: number;
 }
 
-/** Every key and evenly spaced times between neighbours: `samples` intervals in all, at least one between two keys. */
-export function fitTimes(keyTimes: readonly number[], samples: number): FitTime[] {
+/**
+ * Every key and evenly spaced times between neighbours. With a fitted method: `spaceSamples` intervals in all, at least
+ * one between two keys. Otherwise: `keepLengths` times between two keys.
+ */
+export function fitTimes(
+  keyTimes: readonly number[],
+  { method, keepLengths, spaceSamples }: Pick<MotionOptions, 'method' | 'keepLengths' | 'spaceSamples'>,
+): FitTime[] {
   const lengths = keyTimes.slice(1).map((time, i) => time - keyTimes[i]!);
-  const counts = shareOut(lengths, samples);
+  const counts =
+    METHOD[method].curve === 'fitted' ? shareOut(lengths, spaceSamples) : lengths.map(() => keepLengths + 1);
   const times: FitTime[] = [{ time: keyTimes[0]!, key: 0 }];
   for (const [i, count] of counts.entries()) {
     const start = keyTimes[i]!;

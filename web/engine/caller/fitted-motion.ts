@@ -1,9 +1,10 @@
 /**
- * Motions whose shapes are fitted while they are made (methods `lengths` and `shell`): motions in LRI space through
- * further keys, of a shape of their own. Loaded with the first one.
+ * Motions whose shapes are fitted while they are made (methods `lengths` and `shell`, option `keepLengths`): motions in
+ * LRI space through further keys, of a shape of their own. Loaded with the first one.
  */
 import type { CallOptions, Motion, Sequence } from '../api/api.ts';
 import { invalidOption, untilAborted } from '../api/errors.ts';
+import { METHOD } from '../api/methods.ts';
 import { notUpdated } from '../api/options.ts';
 import { partOf } from '../api/progress.ts';
 import {
@@ -15,6 +16,7 @@ import {
   type KeySpacing,
   type SequenceOptions,
   type SequenceStats,
+  type ShapePlane,
   type Warning,
 } from '../api/types.ts';
 import type { KeyData, MotionSpec, RequestOf } from '../wire/protocol.ts';
@@ -71,20 +73,26 @@ export async function fitMotion(
   }
 }
 
-/** What these methods cannot do. `encoding`: of the shape, where no other motion uses it. */
+/** What these motions cannot do. `encoding`: of the shape, where no other motion uses it. */
 function checkSpec({ options }: MotionSpec, encoding: EncodingOptions | null): void {
   const { method, hold, pins, boundary, tension, bias, turns, ownPaths } = options;
+  const isMethod = METHOD[method].curve === 'fitted';
   const wanted: [boolean, string][] = [
     [hold === 'on', 'hold resting parts'],
     [pins.length > 0, 'hold pins'],
     [boundary !== 'natural', "have ends other than 'natural'"],
     [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'take end tangents'],
-    [[...tension, ...bias].some((value) => value !== 0), 'take tension or bias'],
+    [isMethod && [...tension, ...bias].some((value) => value !== 0), 'take tension or bias'],
     [turns.some((one) => one.turns !== 0), 'take whole turns'],
     [ownPaths !== 'off', 'take own paths of faces'],
   ];
   const [, what] = wanted.find(([isWanted]) => isWanted) ?? [];
-  if (what) throw invalidOption(`The method '${method}' cannot ${what}: choose the method 'lri' for that.`);
+  if (!what) return;
+  throw invalidOption(
+    isMethod
+      ? `The method '${method}' cannot ${what}: choose the method 'lri' for that.`
+      : `A motion with keepLengths cannot ${what}: set keepLengths to 0 for that.`,
+  );
 }
 
 class Fit {
@@ -97,7 +105,7 @@ class Fit {
     private readonly worker: ShellsWorker,
     private readonly call: Call,
   ) {
-    this.times = fitTimes(spec.keyTimes, spec.options.spaceSamples);
+    this.times = fitTimes(spec.keyTimes, spec.options);
     this.report = call.onProgress;
   }
 
@@ -107,9 +115,10 @@ class Fit {
     try {
       const base = await (led ?? this.shape).motion(this.startOptions(), this.part(led ? 0.2 : 0, STARTED));
       const ghost = led && (await led.ghost());
-      const { shapes, failed } = ghost ? await this.fitLed(base, ghost) : await this.fitWhole(base);
+      const fitted = ghost ? await this.fitLed(base, ghost) : await this.fitWhole(base);
+      const open = base.warnings.filter(({ code }) => code.startsWith('ambiguous-'));
       base.dispose();
-      return await this.motionThrough(shapes, failed);
+      return await this.motionThrough(fitted, open);
     } finally {
       led?.dispose();
     }
@@ -122,9 +131,10 @@ class Fit {
     return encode(keys, { ...withoutTangents(encoding), ...leading }, this.part(0, 0.2));
   }
 
-  /** The motion in LRI space that fits start from. */
+  /** The motion in LRI space that fits start from. Its weights are those of the splined lengths. */
   private startOptions(): object {
-    return { method: 'lri', keyTimes: [...this.spec.keyTimes] };
+    const { tension, bias } = this.spec.options;
+    return { method: 'lri', keyTimes: [...this.spec.keyTimes], tension, bias };
   }
 
   private async fitWhole(base: Motion): Promise<Fitted> {
@@ -160,7 +170,7 @@ class Fit {
   }
 
   private async fit({ faces, keys, samples }: Coarse): Promise<Fitted> {
-    const method = this.spec.options.method as RequestOf<'fitShells'>['method'];
+    const method = this.spec.options.method === 'shell' ? 'shell' : 'lengths';
     return this.worker.call('fitShells', { method, faces, keys, samples }, this.part(STARTED, FITTED));
   }
 
@@ -193,12 +203,17 @@ class Fit {
     return positions;
   }
 
-  private async motionThrough(shapes: Float32Array[], failed: number[]): Promise<FittedMotion> {
+  /** `open`: warnings of the keys themselves, whose halves may turn too little for one. */
+  private async motionThrough({ shapes, failed }: Fitted, open: readonly Warning[]): Promise<FittedMotion> {
     const { keys, encoding, encode } = this.shape.parts;
     const at = (key: number): number => this.times.findIndex((one) => one.key === key);
     const through: KeyData = {
       ...keys,
-      info: { ...keys.info, times: this.times.map(({ time }) => time), names: this.times.map(({ time }) => `${time}`) },
+      info: {
+        ...keys.info,
+        times: this.times.map(({ time }) => time),
+        names: this.times.map(({ time, key }) => keys.info.names[key] ?? `${time}`),
+      },
       positions: shapes.map((shape, i) => keys.positions[this.times[i]!.key] ?? shape),
     };
     const options = { ...withoutTangents(encoding), reference: at(encoding.reference) };
@@ -206,11 +221,14 @@ class Fit {
     try {
       const { inPlace } = this.spec.options;
       const spec = inner.spec(
-        { ...this.spec.options, method: 'lri', tension: [], bias: [], inPlace },
+        { ...this.spec.options, method: 'lri', keepLengths: 0, tension: [], bias: [], inPlace },
         through.info.times,
       );
       const state = await inner.make(spec, this.part(0.8, 1));
-      const warnings = [...state.warnings.map((one) => this.ofKeys(one)), ...failed.map(notFitted)];
+      const warnings = [
+        ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings.map(this.ofKeys)]),
+        ...failed.map(notFitted),
+      ];
       return new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings });
     } catch (error) {
       inner.dispose();
@@ -218,12 +236,16 @@ class Fit {
     }
   }
 
-  /** A warning that counts the user's keys. */
-  private ofKeys(warning: Warning): Warning {
+  /** A warning that counts the user's keys, in its text as well. */
+  private readonly ofKeys = (warning: Warning): Warning => {
     if (warning.key < 0) return warning;
-    const next = this.times.slice(warning.key).find(({ key }) => key >= 0);
-    return { ...warning, key: next?.key ?? -1 };
-  }
+    const next = (own: number): number => this.times.slice(own).find(({ key }) => key >= 0)?.key ?? -1;
+    const message = warning.message.replace(/\b(key) (\d+)( and key (\d+))?/gi, (_, word, own, and, end) => {
+      const key = next(Number(end ?? own) - 1);
+      return and ? `${word} ${key} and key ${key + 1}` : `${word} ${key + 1}`;
+    });
+    return { ...warning, message, key: next(warning.key) };
+  };
 
   private part(from: number, to: number): Call {
     return { ...this.call, onProgress: partOf(this.report, from, to) };
@@ -234,6 +256,12 @@ interface Fitted {
   shapes: Float32Array[];
   /** Keys that end the intervals without a fit. */
   failed: number[];
+}
+
+/** Without those of further shapes in the same interval of keys. */
+function onePerPlace(warnings: readonly Warning[]): Warning[] {
+  const first = ({ code, key }: Warning): number => warnings.findIndex((one) => one.code === code && one.key === key);
+  return warnings.filter((one, i) => first(one) === i);
 }
 
 function notFitted(key: number): Warning {
@@ -300,8 +328,16 @@ export class FittedMotion extends MotionClient implements Sequence {
     return energies.map((energy) => (Number.isFinite(scale) ? scale * energy : energy));
   }
 
+  /** In the plane of the motion's own shapes, in which the user's keys have no weights. */
+  override async shapePlane(times: number[]): Promise<ShapePlane> {
+    const plane = await super.shapePlane(times);
+    const all = this.spec.keyTimes.map((time, i) => ({ time, point: plane.keys.slice(2 * i, 2 * i + 2) }));
+    const keys = all.filter(({ time }) => this.keyTimes.includes(time)).flatMap(({ point }) => point);
+    return { ...plane, keys, weights: [] };
+  }
+
   async update(): Promise<void> {
-    throw notUpdated(this.own.options.method);
+    throw notUpdated(this.own.options);
   }
 
   async stats(): Promise<SequenceStats> {
@@ -345,6 +381,7 @@ function meanSquare(values: readonly number[]): number {
 
 function noBlend() {
   return invalidOption(
-    'Mixtures of keys belong to methods in LRI space: choose the method lri or geodesic to evaluate one.',
+    'Mixtures of keys belong to methods in LRI space: choose the method lri without keepLengths, or geodesic, to ' +
+      'evaluate one.',
   );
 }
