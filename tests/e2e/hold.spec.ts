@@ -88,7 +88,7 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   // Compared with the published method, which is not offered when nothing is held.
   await app.by('compare-lri').check();
   await app.settled();
-  await expect(app.page.getByText('LRI), without holding').first()).toBeVisible();
+  await expect(app.page.getByText('LRI), as published').first()).toBeVisible();
   expect(difference(await app.positionsAt(0.3, 1), held)).toBeGreaterThan(0);
   await app.by('hold').uncheck();
   await app.settled();

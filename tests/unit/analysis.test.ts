@@ -11,6 +11,7 @@ const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 /** A sequence of constant measures that counts requests. */
 function running(method: Method, asked: string[], ghost = 0): RunningMotion {
   const sequence = {
+    options: { method, keepLengths: 0 },
     range: [0, 1] as const,
     measures: async (times: number[]) => {
       asked.push(method);
@@ -125,6 +126,19 @@ describe('the analysis', () => {
 });
 
 describe('shape planes', () => {
+  it('have no motion with fitted shapes, which the published one replaces', async () => {
+    const kept = running('lri', []);
+    const fitted = { ...kept, sequence: { ...kept.sequence, options: { method: 'lri', keepLengths: 1 } } };
+    const published = { ...running('lri', []), plain: true as const };
+    const input = { keyTimes: [0, 1], range: [0, 1] as const, towards: null };
+    const shown = async (...sequences: unknown[]): Promise<number> =>
+      (await computeShapePlanes({ ...input, sequences: sequences as RunningMotion[] })).planes.length;
+    expect(await shown(fitted)).toBe(0);
+    expect(await shown(fitted, published)).toBe(1);
+    // Beside a motion that holds parts, the published one has the same curve.
+    expect(await shown(kept, published)).toBe(1);
+  });
+
   it('are those of LRI space, with handles a third of the way to what tells the direction', async () => {
     const sequences = [running('lri', []), running('linear', [])];
     const input = {

@@ -18,7 +18,14 @@ const state: AppState = {
       }),
       keyRef(1, 'b', 1, { bias: 1 }),
     ],
-    motion: { ...DEFAULT_MOTION, boundary: 'hermite', startSpeed: 0, endSpeed: 2.5 },
+    motion: {
+      ...DEFAULT_MOTION,
+      boundary: 'hermite',
+      startSpeed: 0,
+      endSpeed: 2.5,
+      keepLengths: 2,
+      ownPaths: 'root',
+    },
     encoding: {
       ...DEFAULT_ENCODING,
       stretch: 'log',

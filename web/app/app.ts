@@ -8,6 +8,8 @@ import type { Context, Ways } from './actions/context.ts';
 import { ACTIONS } from './actions/table.ts';
 import { createAnalysisCache } from './analysis/analysis-cache.ts';
 import { createMotionSpeed } from './analysis/motion-speed.ts';
+import { createProposals } from './analysis/proposals.ts';
+import type { Proposals } from './analysis/proposals.ts';
 import { createDisplay } from './drawing/display.ts';
 import { applyLook, followState, sessionEvents } from './follow-state.ts';
 import { factsOf } from './guide/facts.ts';
@@ -46,6 +48,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     viewState,
     feedback,
     onOffer: offers.imported.offer,
+    onAnimation: () => context.proposals.follow(),
     onGuide(fragment) {
       if (fragment === null) void guide.now?.close();
       else openGuide(fragment).catch(feedback.onError);
@@ -70,6 +73,11 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       towards: () => endTangents(store.get().doc),
       onSpeed: (speedCurve, mostSpeeds) => viewState.change({ speedCurve, mostSpeeds }),
     }),
+    proposals: proposalsOf(
+      session,
+      () => context,
+      (proposal) => offers.option.offer(proposal && { ...proposal, onAccept: () => commands.motion(proposal.change) }),
+    ),
     takeFiles: new TakeFiles({
       store,
       files: ways.files,
@@ -96,6 +104,20 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   void display.scene.viewer.firstSeen.then(redraw);
   applyLook(context);
   redraw();
+}
+
+function proposalsOf(
+  session: Session,
+  app: () => Context,
+  onProposal: Parameters<typeof createProposals>[0]['onProposal'],
+): Proposals {
+  return createProposals({
+    session,
+    animation: () => app().animation.now?.atHand ?? null,
+    ms: () => app().viewState.get().ms ?? 1,
+    isQuiet: () => app().guide.now?.isOpen === true || session.store.get().view.present !== null,
+    onProposal,
+  });
 }
 
 async function loadGuide(

@@ -207,6 +207,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const options: Partial<SequenceOptions> = given(args, flags);
   const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
   if (METHOD[method].curve === 'fitted') checkFitted(options, method);
+  checkKept(options);
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(
       `--boundary hermite sets end speeds, but --method ${method} is straight from key to key and has none`,
@@ -224,6 +225,22 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
 function checkFitted({ boundary, tension, bias }: Partial<SequenceOptions>, method: Method): void {
   const flag = boundary && boundary !== 'natural' ? 'boundary' : tension ? 'tension' : bias ? 'bias' : null;
   if (flag) throw new UsageError(`--method ${method} has natural ends, no tension and no bias: leave out --${flag}`);
+}
+
+/** Flags that motions with kept lengths do not take. */
+function checkKept({ method = OWN_METHOD, keepLengths = 0, ...options }: Partial<SequenceOptions>): void {
+  if (keepLengths === 0) return;
+  if (method !== OWN_METHOD) throw new UsageError(`--keep-lengths requires --method ${OWN_METHOD}`);
+  const { boundary = 'natural', hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
+  const others: [boolean, string][] = [
+    [boundary !== 'natural', 'boundary'],
+    [hold !== 'off', 'hold'],
+    [pins.length > 0, 'pin'],
+    [turns.length > 0, 'turns'],
+    [ownPaths !== 'off', 'own-paths'],
+  ];
+  const [, flag] = others.find(([isGiven]) => isGiven) ?? [];
+  if (flag) throw new UsageError(`give either --keep-lengths or --${flag}`);
 }
 
 export function exportOptions(args: Arguments, output: string): Partial<ExportOptions> {

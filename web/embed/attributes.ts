@@ -183,7 +183,17 @@ const IMPORTED = pick(IMPORT, ['animation', 'sample', 'up', 'unit']);
 /** Options that do not need another import. */
 const TIMED = pick(IMPORT, ['keyTimes']);
 /** A project's file provides the pins. */
-const MOVED = pick(MOTION, ['method', 'hold', 'boundary', 'startSpeed', 'endSpeed', 'period', 'inPlace']);
+const MOVED = pick(MOTION, [
+  'method',
+  'hold',
+  'boundary',
+  'startSpeed',
+  'endSpeed',
+  'period',
+  'ownPaths',
+  'keepLengths',
+  'inPlace',
+]);
 const SHAPED = pick(PER_KEY, ['tension', 'bias']);
 const ENCODED = pick(ENCODING, ['stretch', 'patches', 'ghostFaces', 'transfer', 'placement', 'precision']);
 const ENGINE = { ...IMPORTED, ...TIMED, ...MOVED, ...SHAPED, ...ENCODED };

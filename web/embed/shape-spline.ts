@@ -1,4 +1,5 @@
 /** The element <shape-spline>. Importing it has no side effects and works without a DOM. */
+import { OWN_METHOD } from '../engine/api/methods.ts';
 import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
 import type { Keys, Motion } from '../engine/api/api.ts';
 import type {
@@ -426,9 +427,10 @@ export class ShapeSplineElement extends Base {
     const method = options.method ?? this.method;
     const methods = [method, ...this.compare.filter((one) => one !== method)];
     const times = this.keyTimes ?? sources.times;
-    const motions = methods.map((one) =>
-      takeMotion({ keys, times, options: { ...options, method: one } }, from(KEYS_SHARE)),
-    );
+    const motions = methods.map((one) => {
+      const own = one === OWN_METHOD ? {} : { ownPaths: 'off' as const };
+      return takeMotion({ keys, times, options: { ...options, ...own, method: one } }, from(KEYS_SHARE));
+    });
     for (const lease of this.#opening.motions) lease.release();
     this.#opening.motions = motions;
     const sequences = await Promise.all(motions.map(({ value }) => value));

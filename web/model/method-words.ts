@@ -1,8 +1,8 @@
 /** Names of the methods. */
 import type { Method } from '../engine/api/types.ts';
 
-/** The method as published, next to the same method with holding. */
-export const PLAIN_WORDS = { label: 'Shape spline (LRI), without holding', short: 'Without holding' } as const;
+/** The method as published, next to the same method with holding or other options. */
+export const PLAIN_WORDS = { label: 'Shape spline (LRI), as published', short: 'As published' } as const;
 
 export function motionWords({ method, plain }: { method: Method; plain?: true }): { label: string; short: string } {
   return plain ? PLAIN_WORDS : METHOD_WORDS[method];

@@ -110,8 +110,8 @@ export function segments<T extends string>(
         input.checked = input.value === value;
         input.disabled = reasons[input.value as T] !== undefined;
       }
-      const texts = Object.values(reasons) as string[];
-      setText(reason, texts.join(' ').trim());
+      const texts = [...new Set(Object.values(reasons) as string[])];
+      setText(reason, texts.join(' '));
       setHidden(reason, texts.length === 0);
     },
   };

@@ -5,7 +5,8 @@ import type { Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
-import { DEFAULT_MOTION, MOST_COMPARED, holds } from '../model/state.ts';
+import { departs } from '../model/spline-options.ts';
+import { DEFAULT_MOTION, MOST_COMPARED } from '../model/state.ts';
 import { button, buttonGroup, checkbox, select, setIdle, slider } from './controls.ts';
 import type { MotionEnds, MotionEndsEvents, MotionEndsProps } from './motion-ends.ts';
 import { createMotionEnds } from './motion-ends.ts';
@@ -50,13 +51,16 @@ export interface MotionPanelEvents extends MotionEndsEvents {
   onReset(): void;
 }
 
-/** `animation`: section on the source of the keys, shown at the top. */
+/** `animation`: section on the source of the keys, shown at the top; `options`: of the shape spline. */
 export function createMotionPanel(
   events: MotionPanelEvents,
   animation: HTMLElement,
+  options: HTMLElement,
 ): Component<MotionPanelProps> & Pick<MotionEnds, 'endAt'> {
   const ends = createMotionEnds(events);
-  const parts = [createMethods(events), ends, createHolding(events), createTiming(events)];
+  const methods = createMethods(events);
+  const others = [ends, createHolding(events), createTiming(events)];
+  const parts = [methods, ...others];
   const reset = button({
     label: 'Reset the motion to its state when opened',
     testId: 'motion-reset',
@@ -68,7 +72,9 @@ export function createMotionPanel(
     { class: 'panel', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
     h('header', {}, h('h2', { id: 'motion-title' }, 'Motion'), reset),
     animation,
-    ...parts.flatMap(({ elements }) => elements),
+    ...methods.elements,
+    options,
+    ...others.flatMap(({ elements }) => elements),
   );
   const draw = memo((props: MotionPanelProps) => {
     for (const part of parts) part.update(props);
@@ -108,15 +114,16 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
   );
   return {
     elements: [method.element, hint, comparison],
-    update({ motion, compare, disabled }) {
+    update({ motion, encoding, keys, compare, disabled }) {
       compared = compare;
+      const departing = departs({ motion, encoding, keys });
       method.update(motion.method);
       setText(hint, METHOD_WORDS[motion.method].hint);
-      const isFull = compared.filter((m) => m !== motion.method || holds(motion)).length >= MOST_COMPARED;
+      const isFull = compared.filter((m) => m !== motion.method || departing).length >= MOST_COMPARED;
       setHidden(most, !isFull);
       for (const { value, toggle } of others) {
         const { short } = value === motion.method ? PLAIN_WORDS : METHOD_WORDS[value];
-        setHidden(toggle.element, value === motion.method && !holds(motion));
+        setHidden(toggle.element, value === motion.method && !departing);
         setText(toggle.element.querySelector('span')!, short);
         const isShown = compared.includes(value);
         toggle.update(isShown, disabled || (isFull && !isShown));

@@ -136,6 +136,21 @@ describe('the values of options', () => {
     expect(sequenceOptions(parse('--own-paths=absolute'))).toEqual({ ownPaths: 'absolute' });
   });
 
+  it('refuse kept lengths with other methods, ends and options', () => {
+    for (const other of [
+      '--method=lengths',
+      '--method=linear',
+      '--boundary=periodic',
+      '--hold=on',
+      '--pin=3',
+      '--turns=2:1',
+      '--own-paths=root',
+    ])
+      expect(() => sequenceOptions(parse('--keep-lengths=1', other))).toThrow(/--keep-lengths/);
+    expect(() => sequenceOptions(parse('--keep-lengths=4'))).toThrow(/from 0 to 3/);
+    expect(sequenceOptions(parse('--keep-lengths=3', '--tension=0,1'))).toEqual({ keepLengths: 3, tension: [0, 1] });
+  });
+
   it('refuse whole turns with methods that have none', () => {
     for (const method of ['linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'])
       expect(() => sequenceOptions(parse('--turns=2:1', '--method', method))).toThrow(/--turns/);

@@ -2,7 +2,7 @@
  * Additional curves in the shape plane: the discretised minimisation that the spline solves in closed form (the paper's
  * third curve in Fig. 2b), and vertex blends, which leave the plane.
  */
-import { METHOD } from '../../engine/api/methods.ts';
+import { METHOD, isFitted } from '../../engine/api/methods.ts';
 import type { Motion } from '../../engine/api/api.ts';
 import type { Method } from '../../engine/api/types.ts';
 import type { AnalysisInput } from './analysis.ts';
@@ -53,7 +53,8 @@ export async function blendCurves({ sequences, range, ms }: AnalysisInput): Prom
   const times = Array.from({ length: count }, (_, i) => range[0] + ((range[1] - range[0]) * i) / (count - 1));
   const curves: BlendCurve[] = [];
   for (const { method, sequence } of sequences) {
-    if (METHOD[method].space === 'lri') continue;
+    // Fitted shapes have a plane of their own.
+    if (METHOD[method].space === 'lri' || isFitted(sequence.options)) continue;
     const { curve, distance } = await sequence.shapePlane(times);
     curves.push({ method, points: curve, off: Math.max(...distance) });
   }

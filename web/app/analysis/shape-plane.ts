@@ -1,5 +1,5 @@
 /** The motions in the principal plane of the keys, with the tangents at the ends. */
-import { METHOD } from '../../engine/api/methods.ts';
+import { METHOD, isFitted } from '../../engine/api/methods.ts';
 import type { ShapePlane } from '../../engine/api/types.ts';
 import { USUAL_MOST, mostSpeed } from '../../model/speeds.ts';
 import type { End, Speeds } from '../../model/speeds.ts';
@@ -35,11 +35,18 @@ export interface ShapePlanes {
 
 const POINTS = 97;
 
+/** Whether the motion lies in the plane of its keys, which fitted shapes do not. */
+export function inPlane({ method, sequence }: RunningMotion): boolean {
+  return METHOD[method].space === 'lri' && !isFitted(sequence.options);
+}
+
 export async function computeShapePlanes(input: ShapePlaneInput): Promise<ShapePlanes> {
   const { sequences, keyTimes, range, towards } = input;
   const times = plottedTimes(range, keyTimes, POINTS);
   // Holding moves shapes but not their coordinates, so the curve does not depend on it.
-  const inLri = sequences.filter(({ method, plain }) => METHOD[method].space === 'lri' && !plain);
+  const inLri = sequences
+    .filter(inPlane)
+    .filter(({ method, plain }, _, all) => !plain || !all.some((one) => one.method === method && !one.plain));
   const planes = await Promise.all(
     inLri.map(async ({ method, sequence }) => {
       const plane = await sequence.shapePlane(times);

@@ -7,6 +7,7 @@ import { checkbox, numberField } from '../../ui/controls.ts';
 import { h, setField, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../model/method-words.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
+import { inPlane } from '../analysis/shape-plane.ts';
 import { blendCurves, minimisedCurve } from '../analysis/plane-overlays.ts';
 import type { BlendCurve, MinimisedCurve } from '../analysis/plane-overlays.ts';
 
@@ -101,7 +102,7 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
   const element = h('div', { class: 'plane-tools' }, toggle.element, count, h('span', {}, 'samples'));
 
   const refresh = async (): Promise<void> => {
-    const spline = input?.sequences.find(({ method }) => method === OWN_METHOD);
+    const spline = input?.sequences.find((one) => one.method === OWN_METHOD && inPlane(one));
     setHidden(element, !spline);
     const mine = ++asked;
     const found = wanted && spline ? await leastBending(spline.sequence, samples, onError) : NONE;

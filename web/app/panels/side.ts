@@ -6,7 +6,6 @@ import { createGhostPanel } from '../../ui/ghost-panel.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { LazyComponent } from '../../ui/lazy.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
-
 import type { Sampling, SamplingProps } from '../../ui/sampling.ts';
 import { createShapePanel } from '../../ui/shape-panel.ts';
 import type { Context } from '../actions/context.ts';
@@ -43,6 +42,10 @@ export function createSide({ context, commands, connect, onFilled }: SideParts):
       onOriginal: (shown) => void commands.original(shown),
     });
   }, onError);
+  const splineOptions = lazyComponent(async () => {
+    const { createSplineOptions } = await import('../../ui/spline-options.ts');
+    return createSplineOptions(commands.motion);
+  }, onError);
   const motionPanel = createMotionPanel(
     {
       onMotion: commands.motion,
@@ -58,8 +61,14 @@ export function createSide({ context, commands, connect, onFilled }: SideParts):
       onReset: commands.resetMotion,
     },
     sampling.element,
+    splineOptions.element,
   );
   connect(sampling, samplingProps(sampling));
+  connect(splineOptions, ({ state: { doc }, viewState }) => {
+    // The options are loaded after the first shape, which does not need them.
+    if (viewState.ms !== null) void splineOptions.need();
+    return doc;
+  });
   const analysis = createAnalysis(context, commands, onFilled);
   const panels = [
     connect(motionPanel, motionProps(context)),

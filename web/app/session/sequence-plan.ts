@@ -1,13 +1,14 @@
 /** The document's requests to the engine as plain data: keys, encoding, motion. */
-import { METHOD, hasEnds } from '../../engine/api/methods.ts';
+import { METHOD, OWN_METHOD, hasEnds, isFitted } from '../../engine/api/methods.ts';
 import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
 import type { EncodingOptions, Method, MotionOptions, Pin } from '../../engine/api/types.ts';
 import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
-import type { Doc, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, holds, referenceKey } from '../../model/state.ts';
+import type { Doc, View } from '../../model/state.ts';
+import { departs, splineOptions } from '../../model/spline-options.ts';
+import { DEFAULT_VIEW, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
 
@@ -52,7 +53,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
       ...rest,
       pins: pinsFor(doc),
       ...listsOf(keys.map((key) => key.shaping)),
-      ownPaths: MOTION_DEFAULTS.ownPaths,
+      ...splineOptions(doc),
       spaceFaces: MOTION_DEFAULTS.spaceFaces,
       spaceSamples: MOTION_DEFAULTS.spaceSamples,
       inPlace: false,
@@ -60,17 +61,15 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
     variants: [
       { method, ghost: leading(method) },
       ...sizes.map((size) => ({ method, ghost: size })),
-      ...shown.compare.flatMap((other) =>
-        besideMethod(motion, other).map((one) => ({ ...one, ghost: leading(other) })),
-      ),
+      ...shown.compare.flatMap((other) => besideMethod(doc, other).map((one) => ({ ...one, ghost: leading(other) }))),
     ],
   };
 }
 
-/** Compares a motion that holds or pins with the same method without it. */
-function besideMethod(motion: Motion, other: Method): Omit<Variant, 'ghost'>[] {
-  if (other !== motion.method) return [{ method: other }];
-  return holds(motion) ? [{ method: other, plain: true }] : [];
+/** Compares a motion that departs from the published method with that. */
+function besideMethod(doc: Doc, other: Method): Omit<Variant, 'ghost'>[] {
+  if (other !== doc.motion.method) return [{ method: other }];
+  return departs(doc) ? [{ method: other, plain: true }] : [];
 }
 
 /** A pin whose key was removed follows its own spline. */
@@ -99,10 +98,10 @@ export function shapeKey(plan: SequencePlan, variant: Variant): string {
 
 /** Identifies the slow parts of a plan: its shapes, and motions with fitted shapes. */
 export function buildKey(plan: SequencePlan): string {
-  const keys = plan.variants.flatMap((variant) => [
-    shapeKey(plan, variant),
-    METHOD[variant.method].curve === 'fitted' && JSON.stringify([motionFor(plan, variant), plan.times]),
-  ]);
+  const keys = plan.variants.flatMap((variant) => {
+    const motion = motionFor(plan, variant);
+    return [shapeKey(plan, variant), isFitted(motion) && JSON.stringify([motion, plan.times])];
+  });
   return [...new Set(keys)].join();
 }
 
@@ -118,18 +117,22 @@ export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): P
 
 /**
  * The options that a method uses. Straight motion has no end derivatives, and fitted motion has natural ends and no
- * tension. Some methods ignore holding and added turns.
+ * tension. Some methods ignore holding and added turns, and only the
+ * shape spline keeps lengths and has own paths.
  */
 export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
   const { curve, holds: can, turns } = METHOD[method];
   const boundary = hasEnds(method, plan.motion.boundary) ? plan.motion.boundary : 'natural';
   const { hold, pins } = plain || !can ? MOTION_DEFAULTS : plan.motion;
+  const { keepLengths, ownPaths } = plain || method !== OWN_METHOD ? MOTION_DEFAULTS : plan.motion;
   return {
     ...plan.motion,
     method,
     boundary,
     hold,
     pins: [...pins],
+    keepLengths,
+    ownPaths,
     turns: turns ? plan.motion.turns : [],
     ...(curve === 'fitted' && { tension: [], bias: [] }),
   };

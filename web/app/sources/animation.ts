@@ -11,6 +11,7 @@ import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
 import type { ReferenceMotion, TimedShapes } from '../../study/reference-motion.ts';
 import { MOST_SAMPLED } from '../../engine/api/option-table.ts';
+import { splineOptions } from '../../model/spline-options.ts';
 import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
@@ -74,13 +75,15 @@ export class Animation {
       stopped.addEventListener('abort', () => this.seeking.abort());
       if (signal.aborted) return null;
       const reference = await this.referenceOf(animation, signal);
-      const { boundary, method } = store.get().doc.motion;
-      const { stretch } = store.get().doc.encoding;
+      const { doc } = store.get();
+      const { boundary, method } = doc.motion;
+      const { ownPaths } = splineOptions(doc);
+      const { stretch } = doc.encoding;
       if (!reference) return null;
       return fewestKeys(engine, reference, {
         tolerance: percent / 100,
         most: MOST_SAMPLED,
-        options: { method, stretch, boundary: boundary === 'periodic' ? 'natural' : boundary },
+        options: { method, stretch, ownPaths, boundary: boundary === 'periodic' ? 'natural' : boundary },
         signal,
         onProgress: onWorking,
       });
@@ -95,6 +98,15 @@ export class Animation {
     const given = this.truthNow;
     if (given) return spread(given.motion, () => keyRange(store, workspace));
     return this.guarded((signal) => this.referenceOf(workspace.info?.animation ?? -1, signal));
+  }
+
+  /** The animation of the keys if it has been read, and plays at the times of the keys; else null. */
+  get atHand(): TimedShapes | null {
+    const { workspace, store } = this.parts;
+    const { info } = workspace;
+    if (!info || !this.isRead(this.howNow(info.animation))) return null;
+    const { keys } = store.get().doc;
+    return keys.every(({ pose, time }) => info.times[pose] === time) ? this.read!.motion : null;
   }
 
   /** Compares with other files' animation instead of the keys' from now on; false if it is not used. */
@@ -136,16 +148,26 @@ export class Animation {
     const { engine, workspace } = this.parts;
     const { input, info, options } = workspace;
     const span = info?.animations[animation];
+    const how = this.howNow(animation);
     if (!info || !span) return null;
-    const own = { ...options, offset: info.offset };
-    const how = JSON.stringify([animation, own.up, own.unit, own.objects, own.offset]);
-    if (this.read?.input === input && this.read.how === how) return this.read.motion;
+    if (this.isRead(how)) return this.read!.motion;
     this.read?.motion.dispose();
     this.read = null;
     const { vertices } = info.report;
+    const own = { ...options, offset: info.offset };
     const motion = await readReference(engine, input, animation, span, vertices, own, { signal });
     this.read = { input, how, motion };
     return motion;
+  }
+
+  private isRead(how: string): boolean {
+    return this.read?.input === this.parts.workspace.input && this.read.how === how;
+  }
+
+  /** The open files' import options for this animation, as text. */
+  private howNow(animation: number): string {
+    const { info, options } = this.parts.workspace;
+    return JSON.stringify([animation, options.up, options.unit, options.objects, info?.offset]);
   }
 
   private async readTruth(files: InputFile[], { keys }: PosePool, signal: AbortSignal): Promise<ReferenceMotion> {

@@ -6,8 +6,10 @@ export function createOffers() {
   const notReopened = createOffer('not-reopened');
   const imported = createOffer('import-offer');
   const pose = createOffer('pose-offer');
-  const all = [newVersion, notReopened, imported, pose];
+  const option = createOffer('option-offer');
+  const all = [newVersion, notReopened, imported, pose, option];
   return {
+    option,
     newVersion,
     notReopened,
     imported,

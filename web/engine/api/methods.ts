@@ -1,6 +1,6 @@
 /** Interpolated quantity and options of each method. */
 import { MOTION } from './option-table.ts';
-import type { Boundary, Method } from './types.ts';
+import type { Boundary, Method, MotionOptions } from './types.ts';
 
 export interface MethodFacts {
   /**
@@ -10,8 +10,8 @@ export interface MethodFacts {
    */
   space: 'lri' | 'vertices' | 'rotation-strain' | 'rimd' | 'shells';
   /**
-   * A polygon is straight between keys and has no end derivatives, tension or bias. A fitted motion takes seconds to
-   * create and cannot be updated. It has natural ends, without tension and bias.
+   * A polygon is straight between keys and has no end derivatives, tension or bias. A fitted motion (`isFitted`) has
+   * natural ends, without tension and bias.
    */
   curve: 'spline' | 'polygon' | 'fitted';
   /** Supports holding and pins. */
@@ -35,6 +35,11 @@ export const METHOD: Readonly<Record<Method, MethodFacts>> = {
 export function hasEnds(method: Method, boundary: Boundary): boolean {
   const { curve } = METHOD[method];
   return curve === 'spline' || boundary === 'natural' || (curve === 'polygon' && boundary === 'periodic');
+}
+
+/** Whether a motion has shapes fitted while it is made: such motions take seconds and cannot be updated. */
+export function isFitted({ method, keepLengths }: Pick<MotionOptions, 'method' | 'keepLengths'>): boolean {
+  return METHOD[method].curve === 'fitted' || (method === OWN_METHOD && keepLengths > 0);
 }
 
 export const METHODS: readonly Method[] = MOTION.method.choices;

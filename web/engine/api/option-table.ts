@@ -240,8 +240,28 @@ export const MOTION = {
     help:
       'rotate each face on its own path between keys, unless it disagrees with its patch. absolute is closer to sampled ' +
       'animations; root does not depend on the orientation of a key, because rotations are relative to the largest patch',
+    page: 'ownPaths',
+    undo: 'own paths',
   },
-  /** Largest number of faces of the mesh that the methods lengths and shell fit. */
+  /**
+   * Number of shapes between two neighbouring keys that are fitted to splined edge lengths and angles, for the method
+   * 'lri'. They depend on the key times, so this is an option of the motion.
+   */
+  keepLengths: {
+    kind: 'number',
+    whole: true,
+    least: 0,
+    most: 3,
+    default: 0,
+    flag: 'keep-lengths',
+    value: 'N',
+    help:
+      'method lri: number of shapes between two keys, 0 to 3, that are fitted to edge lengths and angles, for cloth and ' +
+      'paper. Requires natural ends, and no holding, pins, full turns or own paths. Default: 0',
+    page: 'keepLengths',
+    undo: 'kept lengths',
+  },
+  /** Largest number of faces of the mesh whose lengths are fitted. */
   spaceFaces: {
     kind: 'number',
     whole: true,
@@ -250,7 +270,7 @@ export const MOTION = {
     default: 1000,
     flag: 'space-faces',
     value: 'N',
-    help: 'number of faces of the coarse mesh that the methods lengths and shell fit; default: 1,000',
+    help: 'number of faces of the coarse mesh that the methods lengths and shell, and --keep-lengths, fit; default: 1,000',
   },
   /** Number of intervals between the times of the fitted shapes. */
   spaceSamples: {

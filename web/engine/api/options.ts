@@ -3,6 +3,7 @@
  * option's name, before anything is sent to a worker.
  */
 import { invalidOption, type EngineError } from './errors.ts';
+import { METHOD } from './methods.ts';
 import {
   ENCODING,
   EXPORT,
@@ -270,8 +271,10 @@ export function checkUpdate(
 }
 
 /** The refusal of another motion of the same sequence. */
-export function notUpdated(method: string): EngineError {
-  return invalidOption(`The method '${method}' cannot be updated: make a new sequence with createSequence.`);
+export function notUpdated({ method, keepLengths }: MotionOptions): EngineError {
+  const what =
+    METHOD[method].curve === 'fitted' ? `The method '${method}'` : `A motion with keepLengths ${keepLengths}`;
+  return invalidOption(`${what} cannot be updated: make a new sequence with createSequence.`);
 }
 
 export function motionOf(options: SequenceOptions): MotionOptions {

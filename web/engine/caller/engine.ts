@@ -5,7 +5,7 @@ import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeyArrays } from './keyframes.ts';
 import { withoutLeftovers } from '../api/paths.ts';
-import { METHOD } from '../api/methods.ts';
+import { isFitted } from '../api/methods.ts';
 import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
   checkCall,
@@ -98,7 +98,7 @@ export class EngineClient implements Engine {
     const report = call?.onProgress ?? (() => undefined);
     return this.encoded(keys, encodingOf(checked), call, partOf(report, 0, ENCODING_SHARE), async (shape) => {
       const spec = shape.spec(motionOf(checked), shape.parts.keys.info.times);
-      if (METHOD[checked.method].curve === 'fitted')
+      if (isFitted(checked))
         return shape.fitted(spec, { ...call, onProgress: partOf(report, ENCODING_SHARE, 1) }, true);
       const state = await shape.make(spec, { onProgress: partOf(report, ENCODING_SHARE, 1) });
       return new SequenceClient(shape, spec, state);

@@ -1,4 +1,6 @@
 /** The times at which a fitted motion has a key or a fitted shape. */
+import type { MotionOptions } from '../api/types.ts';
+import { METHOD } from '../api/methods.ts';
 
 export interface FitTime {
   time: number;
@@ -7,12 +9,16 @@ export interface FitTime {
 }
 
 /**
- * The times of all keys, and evenly spaced times between them. `samples` intervals in total, at least one between two
- * keys.
+ * The times of all keys, and evenly spaced times between them. With a fitted method, `spaceSamples` intervals in total,
+ * at least one between two keys. Otherwise, `keepLengths` times between two keys.
  */
-export function fitTimes(keyTimes: readonly number[], samples: number): FitTime[] {
+export function fitTimes(
+  keyTimes: readonly number[],
+  { method, keepLengths, spaceSamples }: Pick<MotionOptions, 'method' | 'keepLengths' | 'spaceSamples'>,
+): FitTime[] {
   const lengths = keyTimes.slice(1).map((time, i) => time - keyTimes[i]!);
-  const counts = shareOut(lengths, samples);
+  const counts =
+    METHOD[method].curve === 'fitted' ? shareOut(lengths, spaceSamples) : lengths.map(() => keepLengths + 1);
   const times: FitTime[] = [{ time: keyTimes[0]!, key: 0 }];
   for (const [i, count] of counts.entries()) {
     const start = keyTimes[i]!;

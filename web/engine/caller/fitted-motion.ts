@@ -1,9 +1,11 @@
 /**
- * Motions of the methods `lengths` and `shell`. Creating one fits shapes between the keys. The motion is then a motion
- * in LRI space through the keys and the fitted shapes, which are the keys of a second shape. Loaded on first use.
+ * Motions of the methods `lengths` and `shell`, and of the option `keepLengths`. Creating one fits shapes between the
+ * keys. The motion is then a motion in LRI space through the keys and the fitted shapes, which are the keys of a second
+ * shape. Loaded on first use.
  */
 import type { CallOptions, Motion, Sequence } from '../api/api.ts';
 import { invalidOption, untilAborted } from '../api/errors.ts';
+import { METHOD } from '../api/methods.ts';
 import { notUpdated } from '../api/options.ts';
 import { partOf } from '../api/progress.ts';
 import {
@@ -15,6 +17,7 @@ import {
   type KeySpacing,
   type SequenceOptions,
   type SequenceStats,
+  type ShapePlane,
   type Warning,
 } from '../api/types.ts';
 import type { KeyData, MotionSpec, RequestOf } from '../wire/protocol.ts';
@@ -72,22 +75,28 @@ export async function fitMotion(
 }
 
 /**
- * Rejects options that these methods do not support. `encoding`: the shape's encoding options, or null if other motions
+ * Rejects options that these motions do not support. `encoding`: the shape's encoding options, or null if other motions
  * use the shape as well.
  */
 function checkSpec({ options }: MotionSpec, encoding: EncodingOptions | null): void {
   const { method, hold, pins, boundary, tension, bias, turns, ownPaths } = options;
+  const isMethod = METHOD[method].curve === 'fitted';
   const wanted: [boolean, string][] = [
     [hold === 'on', 'keeping resting parts in place'],
     [pins.length > 0, 'pins'],
     [boundary !== 'natural', "ends other than 'natural'"],
     [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'end tangents'],
-    [[...tension, ...bias].some((value) => value !== 0), 'tension or bias'],
+    [isMethod && [...tension, ...bias].some((value) => value !== 0), 'tension or bias'],
     [turns.some((one) => one.turns !== 0), 'full turns'],
     [ownPaths !== 'off', 'own paths of faces'],
   ];
   const [, what] = wanted.find(([isWanted]) => isWanted) ?? [];
-  if (what) throw invalidOption(`The method '${method}' does not support ${what}. Use the method 'lri'.`);
+  if (!what) return;
+  throw invalidOption(
+    isMethod
+      ? `The method '${method}' does not support ${what}. Use the method 'lri'.`
+      : `The option keepLengths does not support ${what}. Set keepLengths to 0.`,
+  );
 }
 
 class Fit {
@@ -100,7 +109,7 @@ class Fit {
     private readonly worker: ShellsWorker,
     private readonly call: Call,
   ) {
-    this.times = fitTimes(spec.keyTimes, spec.options.spaceSamples);
+    this.times = fitTimes(spec.keyTimes, spec.options);
     this.report = call.onProgress;
   }
 
@@ -110,9 +119,10 @@ class Fit {
     try {
       const base = await (led ?? this.shape).motion(this.startOptions(), this.part(led ? 0.2 : 0, STARTED));
       const ghost = led && (await led.ghost());
-      const { shapes, failed } = ghost ? await this.fitLed(base, ghost) : await this.fitWhole(base);
+      const fitted = ghost ? await this.fitLed(base, ghost) : await this.fitWhole(base);
+      const open = base.warnings.filter(({ code }) => code.startsWith('ambiguous-'));
       base.dispose();
-      return await this.motionThrough(shapes, failed);
+      return await this.motionThrough(fitted, open);
     } finally {
       led?.dispose();
     }
@@ -125,9 +135,10 @@ class Fit {
     return encode(keys, { ...withoutTangents(encoding), ...leading }, this.part(0, 0.2));
   }
 
-  /** Options of the motion in LRI space that provides the starts of the fits. */
+  /** Options of the motion in LRI space that provides the starts of the fits and the weights of the splined lengths. */
   private startOptions(): object {
-    return { method: 'lri', keyTimes: [...this.spec.keyTimes] };
+    const { tension, bias } = this.spec.options;
+    return { method: 'lri', keyTimes: [...this.spec.keyTimes], tension, bias };
   }
 
   private async fitWhole(base: Motion): Promise<Fitted> {
@@ -163,7 +174,7 @@ class Fit {
   }
 
   private async fit({ faces, keys, samples }: Coarse): Promise<Fitted> {
-    const method = this.spec.options.method as RequestOf<'fitShells'>['method'];
+    const method = this.spec.options.method === 'shell' ? 'shell' : 'lengths';
     return this.worker.call('fitShells', { method, faces, keys, samples }, this.part(STARTED, FITTED));
   }
 
@@ -196,12 +207,17 @@ class Fit {
     return positions;
   }
 
-  private async motionThrough(shapes: Float32Array[], failed: number[]): Promise<FittedMotion> {
+  /** `open`: warnings of the keys themselves, whose halves may turn too little for one. */
+  private async motionThrough({ shapes, failed }: Fitted, open: readonly Warning[]): Promise<FittedMotion> {
     const { keys, encoding, encode } = this.shape.parts;
     const at = (key: number): number => this.times.findIndex((one) => one.key === key);
     const through: KeyData = {
       ...keys,
-      info: { ...keys.info, times: this.times.map(({ time }) => time), names: this.times.map(({ time }) => `${time}`) },
+      info: {
+        ...keys.info,
+        times: this.times.map(({ time }) => time),
+        names: this.times.map(({ time, key }) => keys.info.names[key] ?? `${time}`),
+      },
       positions: shapes.map((shape, i) => keys.positions[this.times[i]!.key] ?? shape),
     };
     const options = { ...withoutTangents(encoding), reference: at(encoding.reference) };
@@ -209,11 +225,14 @@ class Fit {
     try {
       const { inPlace } = this.spec.options;
       const spec = inner.spec(
-        { ...this.spec.options, method: 'lri', tension: [], bias: [], inPlace },
+        { ...this.spec.options, method: 'lri', keepLengths: 0, tension: [], bias: [], inPlace },
         through.info.times,
       );
       const state = await inner.make(spec, this.part(0.8, 1));
-      const warnings = [...state.warnings.map((one) => this.ofKeys(one)), ...failed.map(notFitted)];
+      const warnings = [
+        ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings.map(this.ofKeys)]),
+        ...failed.map(notFitted),
+      ];
       return new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings });
     } catch (error) {
       inner.dispose();
@@ -221,12 +240,16 @@ class Fit {
     }
   }
 
-  /** Converts a warning's index of a fitted key to the index of the user's next key. */
-  private ofKeys(warning: Warning): Warning {
+  /** Converts a warning's index of a fitted key, also in its text, to the index of the user's next key. */
+  private readonly ofKeys = (warning: Warning): Warning => {
     if (warning.key < 0) return warning;
-    const next = this.times.slice(warning.key).find(({ key }) => key >= 0);
-    return { ...warning, key: next?.key ?? -1 };
-  }
+    const next = (own: number): number => this.times.slice(own).find(({ key }) => key >= 0)?.key ?? -1;
+    const message = warning.message.replace(/\b(key) (\d+)( and key (\d+))?/gi, (_, word, own, and, end) => {
+      const key = next(Number(end ?? own) - 1);
+      return and ? `${word} ${key} and key ${key + 1}` : `${word} ${key + 1}`;
+    });
+    return { ...warning, message, key: next(warning.key) };
+  };
 
   private part(from: number, to: number): Call {
     return { ...this.call, onProgress: partOf(this.report, from, to) };
@@ -237,6 +260,12 @@ interface Fitted {
   shapes: Float32Array[];
   /** Intervals whose fits did not converge, by the index of their last key. */
   failed: number[];
+}
+
+/** Without those of further shapes in the same interval of keys. */
+function onePerPlace(warnings: readonly Warning[]): Warning[] {
+  const first = ({ code, key }: Warning): number => warnings.findIndex((one) => one.code === code && one.key === key);
+  return warnings.filter((one, i) => first(one) === i);
 }
 
 function notFitted(key: number): Warning {
@@ -303,12 +332,20 @@ export class FittedMotion extends MotionClient implements Sequence {
     return energies.map((energy) => (Number.isFinite(scale) ? scale * energy : energy));
   }
 
+  /** The plane of the fitted shapes, in which the user's keys have no weights. */
+  override async shapePlane(times: number[]): Promise<ShapePlane> {
+    const plane = await super.shapePlane(times);
+    const all = this.spec.keyTimes.map((time, i) => ({ time, point: plane.keys.slice(2 * i, 2 * i + 2) }));
+    const keys = all.filter(({ time }) => this.keyTimes.includes(time)).flatMap(({ point }) => point);
+    return { ...plane, keys, weights: [] };
+  }
+
   protected override get keysShape(): ShapeClient {
     return this.outer;
   }
 
   async update(): Promise<void> {
-    throw notUpdated(this.own.options.method);
+    throw notUpdated(this.own.options);
   }
 
   async stats(): Promise<SequenceStats> {
@@ -351,5 +388,7 @@ function meanSquare(values: readonly number[]): number {
 }
 
 function noBlend() {
-  return invalidOption('Mixtures of keys exist only in LRI space. To evaluate one, choose the method lri or geodesic.');
+  return invalidOption(
+    'Mixtures of keys exist only in LRI space. To evaluate one, choose the method lri without keepLengths, or geodesic.',
+  );
 }

@@ -1,6 +1,6 @@
 /** A shape with one changeable motion. */
 import type { MotionChange, Sequence } from '../api/api.ts';
-import { METHOD } from '../api/methods.ts';
+import { isFitted } from '../api/methods.ts';
 import { checkUpdate, notUpdated } from '../api/options.ts';
 import type { Ghost, SequenceStats } from '../api/types.ts';
 import type { MotionSpec } from '../wire/protocol.ts';
@@ -15,7 +15,7 @@ export class SequenceClient extends MotionClient implements Sequence {
     this.checkAlive();
     const work = this.shape.scheduler.run(urgency.shown, async () => {
       const { motion, keyTimes } = checkUpdate(this.spec.options, change);
-      if (METHOD[motion.method].curve === 'fitted') throw notUpdated(motion.method);
+      if (isFitted(motion)) throw notUpdated(motion);
       const next = this.shape.spec(motion, keyTimes ?? this.spec.keyTimes);
       this.state = await this.shape.make(next);
       this.shape.drop(this.spec);

@@ -1,7 +1,7 @@
 /** A shape on the caller's side: its worker, its request queue, and the data to encode it again. */
 import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
 import { cancelled, disposed, untilAborted } from '../api/errors.ts';
-import { METHOD } from '../api/methods.ts';
+import { METHOD, isFitted } from '../api/methods.ts';
 import { checkCall, checkUpdate } from '../api/options.ts';
 import { MOTION_DEFAULTS } from '../api/types.ts';
 import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../api/types.ts';
@@ -60,7 +60,7 @@ export class ShapeClient implements Shape {
     checkCall(call);
     const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
     const spec = this.spec(motion, keyTimes ?? this.parts.keys.info.times);
-    if (METHOD[motion.method].curve === 'fitted') return this.fitted(spec, call);
+    if (isFitted(motion)) return this.fitted(spec, call);
     const made = this.scheduler.run(urgency.shown, () => this.make(spec, call), call?.signal);
     return new MotionClient(this, spec, await untilAborted(call?.signal, made));
   }

@@ -1,0 +1,181 @@
+/** Motions of the method `lri` through shapes that keep lengths: what they keep, what they refuse, how they count. */
+import { describe, expect, it } from 'vitest';
+import type { Keys, Motion } from '../../web/engine/api/api.ts';
+import { missedLengths } from '../../web/app/analysis/missed-lengths.ts';
+import { folderOf, runCli } from './support/cli.ts';
+import { dataFile, hasData } from './support/data.ts';
+import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
+import { poseFiles } from './support/glb.ts';
+import { bar, bent, largestDistance, moved, rolledSheet } from './support/shapes.ts';
+
+const engine = testEngine();
+
+async function sheet(n: number): Promise<Keys> {
+  const { faces, poses } = rolledSheet(n, 3.5);
+  return engine.createKeys({ faces, poses: poses.map((positions, i) => ({ name: `${i}`, time: i, positions })) });
+}
+
+/** Lengths of the sides of all faces. */
+function lengthsOf(faces: Uint32Array, positions: Float32Array): number[] {
+  return [...faces].map((a, i) => {
+    const b = faces[i % 3 === 2 ? i - 2 : i + 1]!;
+    return Math.hypot(...[0, 1, 2].map((axis) => positions[3 * a + axis]! - positions[3 * b + axis]!));
+  });
+}
+
+/** Largest deviation of the area, and deviation of the lengths (rms), from those between two keys. In percent. */
+async function deviations(motion: Motion, keys: Keys): Promise<{ area: number; lengths: number }> {
+  const [from, to] = [0, 1].map((key) => lengthsOf(keys.info.faces, keys.positions(key))) as [number[], number[]];
+  const times = Array.from({ length: 49 }, (_, i) => i / 48);
+  const { area } = await motion.measures(times);
+  let sum = 0;
+  for (const t of times) {
+    const found = lengthsOf(keys.info.faces, (await frameAt(motion, t)).positions);
+    for (const [i, length] of found.entries()) sum += (length / ((1 - t) * from[i]! + t * to[i]!) - 1) ** 2;
+  }
+  const wanted = (t: number): number => (1 - t) * area[0]! + t * area.at(-1)!;
+  return {
+    area: 100 * Math.max(...area.map((one, i) => Math.abs(one / wanted(times[i]!) - 1))),
+    lengths: 100 * Math.sqrt(sum / times.length / from.length),
+  };
+}
+
+const missed = (motion: Motion, keys: Keys): Promise<number | null> =>
+  missedLengths({
+    motion,
+    faces: keys.info.faces,
+    keys: keys.info.times.length,
+    key: (index) => keys.positions(index),
+    signal: new AbortController().signal,
+  });
+
+describe('kept lengths', () => {
+  it('keep the lengths and the area of a sheet, pass through the keys, and are pure', async () => {
+    const keys = await sheet(14);
+    const plain = await engine.createSequence(keys);
+    const before = await deviations(plain, keys);
+    expect(before.lengths).toBeGreaterThan(1);
+    for (const keepLengths of [1, 3]) {
+      const sequence = await engine.createSequence(keys, { keepLengths });
+      for (const key of [0, 1])
+        expect(largestDistance((await frameAt(sequence, key)).positions, keys.positions(key))).toBeLessThan(1e-5);
+      const { area, lengths } = await deviations(sequence, keys);
+      expect(lengths).toBeLessThan(before.lengths / 3);
+      expect(area).toBeLessThan(before.area / 3);
+      const first = (await frameAt(sequence, 0.37)).positions.slice();
+      await frameAt(sequence, 1.4);
+      expect((await frameAt(sequence, 0.37)).positions).toEqual(first);
+      expect(sequence.keyTimes).toEqual([0, 1]);
+      expect(sequence.options).toMatchObject({ method: 'lri', keepLengths });
+      expect((await sequence.shapePlane([0, 0.5])).keys).toHaveLength(4);
+    }
+  });
+
+  it('follow tension and bias, which act on the splined lengths', async () => {
+    const keys = await sheet(6);
+    const tension = [1, 1];
+    const [eased, even] = [
+      await engine.createSequence(keys, { keepLengths: 3, tension }),
+      await engine.createSequence(keys, { keepLengths: 3 }),
+    ];
+    // The cubic that rests at both keys is at 5/32 after a quarter of the time.
+    const at = (await frameAt(eased, 0.25)).positions.slice();
+    expect(largestDistance(at, (await frameAt(even, 5 / 32)).positions)).toBeLessThan(
+      0.1 * largestDistance(at, (await frameAt(even, 0.25)).positions),
+    );
+  });
+
+  it('refuse what they cannot do, and updates to and from them', async () => {
+    const keys = await sheet(4);
+    for (const [options, what] of [
+      [{ hold: 'on' }, 'hold resting parts'],
+      [{ pins: [{ vertex: 0, radius: 0.1 }] }, 'hold pins'],
+      [{ boundary: 'periodic' }, "have ends other than 'natural'"],
+      [{ boundary: 'hermite' }, "have ends other than 'natural'"],
+      [{ turns: [{ key: 1, turns: 1 }] }, 'take whole turns'],
+      [{ ownPaths: 'root' }, 'take own paths of faces'],
+    ] as const) {
+      const { message } = await failureOf(engine.createSequence(keys, { ...options, keepLengths: 1 } as object));
+      expect(message).toBe(`A motion with keepLengths cannot ${what}: set keepLengths to 0 for that.`);
+    }
+    expect((await failureOf(engine.createSequence(keys, { keepLengths: 4 }))).code).toBe('invalid-option');
+    const kept = await engine.createSequence(keys, { keepLengths: 1 });
+    const plain = await engine.createSequence(keys);
+    for (const update of [kept.update({ keepLengths: 0 }), plain.update({ keepLengths: 2 })])
+      expect((await failureOf(update)).message).toMatch(/^A motion with keepLengths [12] cannot be updated/);
+    expect((await failureOf(kept.evaluateBlend([0.5, 0.5]))).code).toBe('invalid-option');
+  });
+
+  it('are ignored by other methods', async () => {
+    const keys = await sheet(4);
+    const [with3, without] = [
+      await engine.createSequence(keys, { method: 'linear', keepLengths: 3 }),
+      await engine.createSequence(keys, { method: 'linear' }),
+    ];
+    expect((await frameAt(with3, 0.3)).positions).toEqual((await frameAt(without, 0.3)).positions);
+  });
+
+  it("count the user's keys in warnings, and repeat those of the keys themselves", async () => {
+    const mesh = bar(2, 6, 3);
+    const turned = moved(mesh, (x, y, z) => [
+      -x * Math.cos(0.3) - y * Math.sin(0.3),
+      x * Math.sin(0.3) - y * Math.cos(0.3),
+      z,
+    ]);
+    const mirrored = moved(mesh, (x, y, z) => [-x, y, z]);
+    const keys = await engine.createKeys({
+      faces: mesh.indices,
+      poses: [mesh.positions, turned, mirrored].map((positions, i) => ({ name: '', time: i, positions })),
+    });
+    const { warnings } = await engine.createSequence(keys, { keepLengths: 1 });
+    const texts = (code: string): [number, string][] =>
+      warnings.filter((one) => one.code === code).map(({ key, message }) => [key, message.slice(0, 25)]);
+    expect(texts('mirrored-key')).toEqual([[2, 'Key 3 is a mirror image o']]);
+    expect(texts('ambiguous-turn')[0]).toEqual([1, 'Between key 1 and key 2 t']);
+  });
+
+  it("write a project of the user's own keys, and are an option of the command line", async () => {
+    const keys = await sheet(4);
+    const sequence = await engine.createSequence(keys, { keepLengths: 2 });
+    const back = await engine.importKeyframes(await sequence.export());
+    expect(back.info.times).toEqual([0, 1]);
+    expect(back.info.project).toMatchObject({ method: 'lri', keepLengths: 2 });
+    const mesh = bar();
+    const files = poseFiles(mesh, [mesh.positions, bent(mesh, 60)]);
+    const run = async (...words: string[]): Promise<number | null> =>
+      (await runCli(await folderOf(files), 'complete', ...words, ...files.map(({ name }) => name))).code;
+    expect(await run('--keep-lengths', '1', '--output', 'motion.glb')).toBe(0);
+    expect(await run('--keep-lengths', '1', '--hold', 'on', '--output', 'motion.glb')).toBe(2);
+  });
+
+  it('are missed by sheets only', async () => {
+    const keys = await sheet(8);
+    expect(await missed(await engine.createSequence(keys), keys)).toBeGreaterThan(0.02);
+    const bend = (await bendKeys(engine)).keys;
+    expect(await missed(await engine.createSequence(bend), bend)).toBeNull();
+  });
+
+  const plate = ['turns/plate/plate121_rolledA.ply', 'turns/plate/plate121_rolledB.ply'];
+  it.skipIf(!hasData)('keep those of a plate rolled up two ways', async () => {
+    const keys = await engine.importKeyframes(plate.map(dataFile), { keyTimes: [0, 1] });
+    const plain = await engine.createSequence(keys);
+    const before = await deviations(plain, keys);
+    expect(before.lengths).toBeGreaterThan(5);
+    expect(before.area).toBeGreaterThan(3);
+    expect(await missed(plain, keys)).toBeGreaterThan(0.02);
+    for (const [keepLengths, most] of [
+      [1, 1.3],
+      [3, 1.2],
+    ] as const) {
+      const { area, lengths } = await deviations(await engine.createSequence(keys, { keepLengths }), keys);
+      expect(lengths).toBeLessThan(most);
+      expect(area).toBeLessThan(0.1);
+    }
+  });
+
+  const cactus = ['cactus/cactus-1.glb', 'cactus/cactus-2.glb', 'cactus/cactus-3.glb'];
+  it.skipIf(!hasData)('are not missed by a cactus', async () => {
+    const keys = await engine.importKeyframes(cactus.map(dataFile));
+    expect(await missed(await engine.createSequence(keys), keys)).toBeNull();
+  });
+});

@@ -1,0 +1,55 @@
+/** Options of the shape spline in the page: what rules them out, and what the motions get. */
+import { expect, it } from 'vitest';
+import { motionFor, sequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { setEncoding, setMotion, setTurns } from '../../web/model/edits.ts';
+import { departs, splineOptions, whyNoLengths, whyNoPaths } from '../../web/model/spline-options.ts';
+import { DEFAULT_VIEW } from '../../web/model/state.ts';
+import type { Doc } from '../../web/model/state.ts';
+import { docOfKeys, keyRef } from './documents.ts';
+
+const plain = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
+const kept = setMotion(plain, { keepLengths: 2 });
+const paths = setMotion(plain, { ownPaths: 'absolute' });
+
+const main = (doc: Doc) => {
+  const plan = sequencePlan(doc);
+  const { keepLengths, ownPaths } = motionFor(plan, plan.variants[0]!);
+  return { keepLengths, ownPaths };
+};
+
+it('lengths are kept with free ends, where nothing is held or turned', () => {
+  expect(main(kept)).toEqual({ keepLengths: 2, ownPaths: 'off' });
+  for (const [doc, why] of [
+    [setMotion(kept, { boundary: 'periodic' }), /ends/],
+    [setMotion(kept, { hold: 'on' }), /held/],
+    [setMotion(kept, { pins: [{ vertex: 0, radius: 0.1 }] }), /held/],
+    [setTurns(kept, 1, { turns: 1 }), /turns/],
+    [setMotion(kept, { ownPaths: 'root' }), /own paths/],
+  ] as const) {
+    expect(whyNoLengths(doc)).toMatch(why);
+    expect(main(doc).keepLengths).toBe(0);
+    // The choice stays in the document.
+    expect(doc.motion.keepLengths).toBe(2);
+  }
+});
+
+it('own paths are for the shape spline without turns', () => {
+  expect(main(paths).ownPaths).toBe('absolute');
+  expect(whyNoPaths(setTurns(paths, 1, { turns: 1 }))).toMatch(/turns/);
+  expect(main(setTurns(paths, 1, { turns: 1 })).ownPaths).toBe('off');
+  const led = setEncoding(paths, { ghostFaces: 500, transfer: 'paper' });
+  expect(whyNoPaths(led)).toMatch(/transfer/);
+  expect(main(led).ownPaths).toBe('off');
+  expect(splineOptions(setMotion(paths, { method: 'rimd' }))).toEqual({ keepLengths: 0, ownPaths: 'off' });
+});
+
+it('a motion with one of them is compared with the published one', () => {
+  expect(departs(plain)).toBe(false);
+  for (const doc of [kept, paths]) {
+    expect(departs(doc)).toBe(true);
+    const plan = sequencePlan(doc, { ...DEFAULT_VIEW, compare: ['lri', 'geodesic'] });
+    expect(plan.variants.map(({ plain: published }) => published)).toEqual([undefined, true, undefined]);
+    for (const variant of plan.variants.slice(1))
+      expect(motionFor(plan, variant)).toMatchObject({ keepLengths: 0, ownPaths: 'off' });
+  }
+});

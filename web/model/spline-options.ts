@@ -1,0 +1,49 @@
+/** Options of the shape spline that other choices rule out, and whether it still is the published motion. */
+import { OWN_METHOD } from '../engine/api/methods.ts';
+import { listsOf } from './shaping.ts';
+import { DEFAULT_MOTION, holds } from './state.ts';
+import type { Encoding, KeyRef, Motion } from './state.ts';
+
+/** The parts of a document that decide. */
+export interface Edited {
+  keys: readonly Pick<KeyRef, 'shaping'>[];
+  motion: Motion;
+  encoding: Encoding;
+}
+
+/** Why no shapes between the keys can keep lengths; null if they can. */
+export function whyNoLengths({ keys, motion }: Edited): string | null {
+  if (motion.boundary !== 'natural') return 'Requires free ends.';
+  if (holds({ ...motion, method: OWN_METHOD })) return 'Not with parts held in place.';
+  return addsTurns(keys) ? NO_TURNS : motion.ownPaths !== 'off' ? 'Not with own paths.' : null;
+}
+
+/** Why faces cannot have paths of their own; null if they can. */
+export function whyNoPaths({ keys, encoding }: Edited): string | null {
+  if (addsTurns(keys)) return NO_TURNS;
+  const { ghostFaces, transfer } = encoding;
+  return ghostFaces > 0 && transfer === 'paper' ? 'Not with the paper’s transfer from a ghost mesh.' : null;
+}
+
+/** The options in effect. Choices that rule them out keep them, so they return. */
+export function splineOptions(edited: Edited): Pick<Motion, 'keepLengths' | 'ownPaths'> {
+  const { method, keepLengths, ownPaths } = edited.motion;
+  const off = DEFAULT_MOTION;
+  if (method !== OWN_METHOD) return { keepLengths: off.keepLengths, ownPaths: off.ownPaths };
+  return {
+    keepLengths: whyNoLengths(edited) ? off.keepLengths : keepLengths,
+    ownPaths: whyNoPaths(edited) ? off.ownPaths : ownPaths,
+  };
+}
+
+/** Whether options change the motion from the published method. */
+export function departs(edited: Edited): boolean {
+  const { keepLengths, ownPaths } = splineOptions(edited);
+  return holds(edited.motion) || keepLengths > 0 || ownPaths !== 'off';
+}
+
+const NO_TURNS = 'Not with extra turns.';
+
+function addsTurns(keys: Edited['keys']): boolean {
+  return listsOf(keys.map(({ shaping }) => shaping)).turns.length > 0;
+}

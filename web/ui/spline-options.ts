@@ -1,0 +1,58 @@
+/** Further options of the shape spline: shapes that keep lengths, and own paths of faces. */
+import { OWN_METHOD } from '../engine/api/methods.ts';
+import { MOTION } from '../engine/api/option-table.ts';
+import { splineOptions, whyNoLengths, whyNoPaths } from '../model/spline-options.ts';
+import type { Edited } from '../model/spline-options.ts';
+import type { Motion } from '../model/state.ts';
+import { segments } from './controls.ts';
+import type { Component } from './dom.ts';
+import { h, setHidden, setText } from './dom.ts';
+
+const LENGTHS = [...Array(MOTION.keepLengths.most + 1).keys()].map(String);
+
+const PATHS: Record<Motion['ownPaths'], { label: string; hint: string }> = {
+  off: { label: 'Off', hint: 'As published: faces rotate with their patches' },
+  absolute: { label: 'Absolute', hint: 'For keys of an animation' },
+  root: { label: 'Relative', hint: 'To the largest patch: for sculpted poses. A key’s orientation has no effect' },
+};
+
+export function createSplineOptions(onMotion: (change: Partial<Motion>) => void): Component<Edited> {
+  const lengths = segments<string>(
+    'Keep lengths',
+    'keep-lengths',
+    LENGTHS.map((value) => ({ value, label: value === '0' ? 'Off' : value })),
+    (value) => onMotion({ keepLengths: Number(value) }),
+  );
+  const paths = segments<Motion['ownPaths']>(
+    'Own paths of faces',
+    'own-paths',
+    MOTION.ownPaths.choices.map((value) => ({ value, ...PATHS[value] })),
+    (value) => onMotion({ ownPaths: value }),
+  );
+  const summary = h('summary', { 'data-testid': 'spline-options' });
+  const element = h(
+    'details',
+    { class: 'details' },
+    summary,
+    lengths.element,
+    h('p', { class: 'hint' }, 'Shapes between two keys whose edges keep their lengths: for cloth and paper.'),
+    paths.element,
+    h('p', { class: 'hint' }, 'Each face rotates by itself from key to key: closer to sampled animations.'),
+  );
+  return {
+    element,
+    update(props) {
+      const { keepLengths, ownPaths } = splineOptions(props);
+      setHidden(element, props.motion.method !== OWN_METHOD);
+      const used = keepLengths > 0 ? ': lengths kept' : ownPaths !== 'off' ? ': own paths' : '';
+      setText(summary, `Options of the shape spline${used}`);
+      lengths.update(String(keepLengths), allRefused(LENGTHS.slice(1), whyNoLengths(props)));
+      paths.update(ownPaths, allRefused(['absolute', 'root'], whyNoPaths(props)));
+    },
+  };
+}
+
+function allRefused<T extends string>(choices: readonly T[], reason: string | null): Partial<Record<T, string>> {
+  const entries = choices.map((choice) => [choice, reason]);
+  return reason === null ? {} : (Object.fromEntries(entries) as Partial<Record<T, string>>);
+}
