@@ -202,7 +202,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
   const [head, ...rows] = readFileSync(await table.path(), 'utf8')
     .trim()
     .split('\n');
-  expect(head).toContain('"Faces, empty without a ghost mesh"');
+  expect(head).toContain('Faces (empty: no ghost mesh)');
   expect(rows.at(-1)).toMatch(/^,[\d.]+,[\d.]+$/);
   // Measurements belong to one motion; a different motion removes them.
   await app.by('stretch-log').check();

@@ -95,7 +95,7 @@ test('curves are switched on one by one, and the natural one bends least', async
   }
   await play.by('layer-linear').check();
   await expect(play.by('bending-linear')).toHaveText('∞');
-  await expect(play.by('slope-notice')).toContainText('corner: Straight lines');
+  await expect(play.by('slope-notice')).toContainText('jumps at the keys: Straight lines');
   await expect(play.by('bend-notice')).toContainText('Catmull-Rom');
 
   await play.by('layer-samples').check();
