@@ -254,9 +254,7 @@ export const MOTION = {
     default: 0,
     flag: 'keep-lengths',
     value: 'N',
-    help:
-      'number of shapes between two keys, 0 to 3, that lri fits to edge lengths and angles, for cloth and paper; ' +
-      'requires natural ends without holding, pins, turns and own paths; default: 0',
+    help: 'lri: shapes between two keys, 0 to 3, fitted to edge lengths and angles, for cloth; default: 0',
     page: 'keepLengths',
     undo: 'kept lengths',
   },
