@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { createProposals } from '../../web/app/analysis/proposals.ts';
 import type { ProposalParts } from '../../web/app/analysis/proposals.ts';
 // The fake clock does not wait for a file.
-import '../../web/app/analysis/missed-lengths.ts';
+import '../../web/app/analysis/proposal.ts';
 import { setMotion } from '../../web/model/edits.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -14,16 +14,20 @@ afterEach(() => void vi.useRealTimers());
 /** Two triangles; `size` scales them. */
 const folded = (size: number): Float32Array => Float32Array.of(0, 0, 0, size, 0, 0, 0, size, 0, size, size, 0);
 
-function setUp(half = 0.9, found = true) {
+/** `own`: size of the motion with own paths, beside an animation of size 1; null without an animation. */
+function setUp(half = 0.9, found = true, own: number | null = null) {
   let doc: Doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
   let playing = false;
   let evaluated = 0;
+  const made = {
+    warnings: found ? [] : [{ code: 'lengths-not-fitted' }],
+    evaluateMany: async () => [{ positions: folded(own!), release: () => undefined }],
+    dispose: () => undefined,
+  };
   const motion = {
     keyTimes: [0, 1],
     options: {},
-    shape: {
-      motion: async () => ({ warnings: found ? [] : [{ code: 'lengths-not-fitted' }], dispose: () => undefined }),
-    },
+    shape: { motion: async () => made },
     shapePlane: async () => ({ weights: [0.5, 0.5] }),
     evaluateMany: async (times: number[]) => {
       evaluated += 1;
@@ -32,6 +36,7 @@ function setUp(half = 0.9, found = true) {
   };
   let pool = { keys: { positions: () => folded(1) } };
   const shown: (string | null)[] = [];
+  let message = '';
   let decline = (): void => undefined;
   const proposals = createProposals({
     session: {
@@ -44,18 +49,21 @@ function setUp(half = 0.9, found = true) {
       },
       sequence: () => motion,
     } as unknown as ProposalParts['session'],
-    animation: () => null,
+    animation: () => (own === null ? null : { times: [0, 0.5, 1], at: () => folded(1) }),
     ms: () => 1,
     isQuiet: () => false,
     onProposal(proposal) {
       shown.push(proposal?.action ?? null);
-      if (proposal) decline = proposal.onDecline;
+      if (!proposal) return;
+      decline = proposal.onDecline;
+      message = proposal.message;
     },
   });
   return {
     proposals,
     shown,
     decline: () => decline(),
+    message: () => message,
     evaluated: () => evaluated,
     rest: async () => {
       // The condition pauses between keys.
@@ -123,4 +131,21 @@ it('stops when the motion changes, and asks once per shape', async () => {
   proposals.follow();
   await rest();
   expect(shown.at(-1)).toBe('Keep lengths');
+});
+
+it('proposes own paths where they are closer to the animation, with both errors', async () => {
+  const closer = setUp(0.9, true, 0.95);
+  closer.proposals.follow();
+  await closer.rest();
+  expect(closer.shown.at(-1)).toBe('Use own paths');
+  const [, off, own] = /animation ([\d.]+) % → ([\d.]+) %/.exec(closer.message())!;
+  expect(Number(own) / Number(off)).toBeCloseTo(0.5, 2);
+  closer.edit({ ownPaths: 'root' });
+  closer.proposals.follow();
+  await closer.rest();
+  expect(closer.shown.at(-1)).toBeNull();
+  const hardly = setUp(0.9, false, 0.901);
+  hardly.proposals.follow();
+  await hardly.rest();
+  expect(hardly.shown.at(-1)).toBeNull();
 });

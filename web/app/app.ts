@@ -8,8 +8,7 @@ import type { Context, Ways } from './actions/context.ts';
 import { ACTIONS } from './actions/table.ts';
 import { createAnalysisCache } from './analysis/analysis-cache.ts';
 import { createMotionSpeed } from './analysis/motion-speed.ts';
-import { createProposals } from './analysis/proposals.ts';
-import type { Proposals } from './analysis/proposals.ts';
+import type { ProposalParts, Proposals } from './analysis/proposals.ts';
 import { createDisplay } from './drawing/display.ts';
 import { applyLook, followState, sessionEvents } from './follow-state.ts';
 import { factsOf } from './guide/facts.ts';
@@ -106,18 +105,25 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   redraw();
 }
 
-function proposalsOf(
-  session: Session,
-  app: () => Context,
-  onProposal: Parameters<typeof createProposals>[0]['onProposal'],
-): Proposals {
-  return createProposals({
-    session,
-    animation: () => app().animation.now?.atHand ?? null,
-    ms: () => app().viewState.get().ms ?? 1,
-    isQuiet: () => app().guide.now?.isOpen === true || session.store.get().view.present !== null,
-    onProposal,
+function proposalsOf(session: Session, app: () => Context, onProposal: ProposalParts['onProposal']): Proposals {
+  const loaded = lazy(async () => {
+    const { createProposals } = await import('./analysis/proposals.ts');
+    return createProposals({
+      session,
+      animation: () => app().animation.now?.atHand ?? null,
+      ms: () => app().viewState.get().ms ?? 1,
+      isQuiet: () => app().guide.now?.isOpen === true || session.store.get().view.present !== null,
+      onProposal,
+    });
   });
+  // Offline without the file, the page proposes nothing.
+  return {
+    follow: () =>
+      void loaded.get().then(
+        ({ follow }) => follow(),
+        () => undefined,
+      ),
+  };
 }
 
 async function loadGuide(

@@ -11,18 +11,20 @@ export interface Edited {
   encoding: Encoding;
 }
 
+/** What rules out an option. */
+export type RuledOut = 'ends' | 'held' | 'turns' | 'paths' | 'transfer';
+
 /** Why no shapes between the keys can keep lengths; null if they can. */
-export function whyNoLengths({ keys, motion }: Edited): string | null {
-  if (motion.boundary !== 'natural') return 'Requires free ends.';
-  if (holds({ ...motion, method: OWN_METHOD })) return 'Not with parts held in place.';
-  return addsTurns(keys) ? NO_TURNS : motion.ownPaths !== 'off' ? 'Not with own paths.' : null;
+export function whyNoLengths({ keys, motion }: Edited): RuledOut | null {
+  if (motion.boundary !== 'natural') return 'ends';
+  if (holds({ ...motion, method: OWN_METHOD })) return 'held';
+  return addsTurns(keys) ? 'turns' : motion.ownPaths !== 'off' ? 'paths' : null;
 }
 
 /** Why faces cannot have paths of their own; null if they can. */
-export function whyNoPaths({ keys, encoding }: Edited): string | null {
-  if (addsTurns(keys)) return NO_TURNS;
-  const { ghostFaces, transfer } = encoding;
-  return ghostFaces > 0 && transfer === 'paper' ? 'Not with the paper’s transfer from a ghost mesh.' : null;
+export function whyNoPaths({ keys, encoding }: Edited): RuledOut | null {
+  if (addsTurns(keys)) return 'turns';
+  return encoding.ghostFaces > 0 && encoding.transfer === 'paper' ? 'transfer' : null;
 }
 
 /** The options in effect. Choices that rule them out keep them, so they return. */
@@ -41,8 +43,6 @@ export function departs(edited: Edited): boolean {
   const { keepLengths, ownPaths } = splineOptions(edited);
   return holds(edited.motion) || keepLengths > 0 || ownPaths !== 'off';
 }
-
-const NO_TURNS = 'Not with extra turns.';
 
 function addsTurns(keys: Edited['keys']): boolean {
   return listsOf(keys.map(({ shaping }) => shaping)).turns.length > 0;

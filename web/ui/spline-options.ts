@@ -2,7 +2,7 @@
 import { OWN_METHOD } from '../engine/api/methods.ts';
 import { MOTION } from '../engine/api/option-table.ts';
 import { splineOptions, whyNoLengths, whyNoPaths } from '../model/spline-options.ts';
-import type { Edited } from '../model/spline-options.ts';
+import type { Edited, RuledOut } from '../model/spline-options.ts';
 import type { Motion } from '../model/state.ts';
 import { segments } from './controls.ts';
 import type { Component } from './dom.ts';
@@ -14,6 +14,14 @@ const PATHS: Record<Motion['ownPaths'], { label: string; hint: string }> = {
   off: { label: 'Off', hint: 'As published: faces rotate with their patches' },
   absolute: { label: 'Absolute', hint: 'For keys of an animation' },
   root: { label: 'Relative', hint: 'To the largest patch: for sculpted poses. A key’s orientation has no effect' },
+};
+
+const REASONS: Record<RuledOut, string> = {
+  ends: 'Requires free ends.',
+  held: 'Not with parts held in place.',
+  turns: 'Not with extra turns.',
+  paths: 'Not with own paths.',
+  transfer: 'Not with the paper’s transfer from a ghost mesh.',
 };
 
 export function createSplineOptions(onMotion: (change: Partial<Motion>) => void): Component<Edited> {
@@ -34,10 +42,14 @@ export function createSplineOptions(onMotion: (change: Partial<Motion>) => void)
     'details',
     { class: 'details' },
     summary,
-    lengths.element,
-    h('p', { class: 'hint' }, 'Shapes between two keys whose edges keep their lengths: for cloth and paper.'),
-    paths.element,
-    h('p', { class: 'hint' }, 'Each face rotates by itself from key to key: closer to sampled animations.'),
+    h(
+      'div',
+      { class: 'group' },
+      lengths.element,
+      h('p', { class: 'hint' }, 'Shapes between two keys whose edges keep their lengths: for cloth and paper.'),
+      paths.element,
+      h('p', { class: 'hint' }, 'Each face rotates by itself from key to key: closer to sampled animations.'),
+    ),
   );
   return {
     element,
@@ -52,7 +64,7 @@ export function createSplineOptions(onMotion: (change: Partial<Motion>) => void)
   };
 }
 
-function allRefused<T extends string>(choices: readonly T[], reason: string | null): Partial<Record<T, string>> {
-  const entries = choices.map((choice) => [choice, reason]);
-  return reason === null ? {} : (Object.fromEntries(entries) as Partial<Record<T, string>>);
+function allRefused<T extends string>(choices: readonly T[], why: RuledOut | null): Partial<Record<T, string>> {
+  const entries = why ? choices.map((choice) => [choice, REASONS[why]]) : [];
+  return Object.fromEntries(entries) as Partial<Record<T, string>>;
 }

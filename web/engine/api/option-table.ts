@@ -255,9 +255,7 @@ export const MOTION = {
     default: 0,
     flag: 'keep-lengths',
     value: 'N',
-    help:
-      'method lri: number of shapes between two keys, 0 to 3, that are fitted to edge lengths and angles, for cloth and ' +
-      'paper. Requires natural ends, and no holding, pins, full turns or own paths. Default: 0',
+    help: 'method lri: number of shapes, 0 to 3, to fit to edge lengths and angles between two keys, for cloth; default: 0',
     page: 'keepLengths',
     undo: 'kept lengths',
   },
