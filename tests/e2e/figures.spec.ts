@@ -134,6 +134,7 @@ test('bending is measured by edge lengths and angles on request, again after an 
   const drawn = (): Promise<string | null> => plot.locator('path.curve').first().getAttribute('d');
   const before = await drawn();
   await app.by('boundary-periodic').press(' ');
+  await plot.scrollIntoViewIfNeeded();
   await expect.poll(drawn, { timeout: 60_000 }).not.toBe(before);
   await expect(unit).toContainText('of edge lengths and angles');
   await app.by('bending-shell').press(' ');

@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { expect, it } from 'vitest';
 import { FIGURES } from '../../web/app/guide/figures.ts';
 import type { Facts } from '../../web/app/guide/guide-page.ts';
+import type { Method } from '../../web/engine/api/types.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 import { testEngine } from './support/engines.ts';
 
@@ -33,4 +34,24 @@ it('Fig. 3 passes near the pose that its tangents point to, much nearer than wit
   expect(near).toBeLessThan(3);
   // In coordinates, tangents of speed v leave 1 - v / 4 of the distance from the geodesic's middle to that pose.
   expect((await percentWith({})) / near).toBeGreaterThan(3);
+});
+
+it('Fig. 9: by edge lengths and angles, the geodesic peaks at every inner key, and both splines stay below', async () => {
+  const { state } = FIGURES.find(({ link }) => link === 'figure=9')!;
+  const { view, motion } = readPermalink(state)!;
+  const bytes = await readFile(new URL('../../public/samples/dachshund.glb', import.meta.url));
+  const keyTimes = Array.from({ length: 8 }, (_, key) => key / 8);
+  const shape = await engine.encode(await engine.importKeyframes([{ name: 'dachshund.glb', bytes }], { keyTimes }));
+  const times = Array.from({ length: 57 }, (_, i) => i / 64);
+  const inner = keyTimes.slice(1, -1).map((t) => times.indexOf(t));
+  const energiesOf = async (method: Method): Promise<number[]> => {
+    const made = await shape.motion({ ...motion, method, pins: [] });
+    return made.shellBending(times);
+  };
+  expect(view.compare).toEqual(['geodesic', 'shell']);
+  const [lri, geodesic, shell] = [await energiesOf('lri'), await energiesOf('geodesic'), await energiesOf('shell')];
+  const highest = Math.max(...lri, ...shell);
+  for (const key of inner) expect(geodesic[key]!).toBeGreaterThan(1.5 * highest);
+  const mean = (values: number[]): number => values.reduce((sum, value) => sum + value / values.length, 0);
+  expect(mean(shell)).toBeLessThan(mean(lri));
 });

@@ -5,32 +5,9 @@ import { folderOf, runCli } from './support/cli.ts';
 import { dataFile, hasData } from './support/data.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
-import { bar, bent, diagonal, largestDistance, rolledSheet, type Mesh } from './support/shapes.ts';
+import { bar, bent, diagonal, foam, largestDistance, rolledSheet, type Mesh } from './support/shapes.ts';
 
 const engine = testEngine();
-
-/** The walls of n x n x n cubes in a unit cube. Inside, all vertices are junctions, which simplification keeps. */
-function foam(n: number): Mesh {
-  const at = (place: number[]): number => place[0]! + (n + 1) * (place[1]! + (n + 1) * place[2]!);
-  const positions: number[] = [];
-  const faces: number[] = [];
-  for (let z = 0; z <= n; ++z)
-    for (let y = 0; y <= n; ++y)
-      for (let x = 0; x <= n; ++x) {
-        positions.push(x / n, y / n, z / n);
-        const corner = (...steps: number[]): number[] => [x, y, z].map((one, axis) => one + steps[axis]!);
-        for (const [u, v] of [
-          [corner(1, 0, 0), corner(0, 1, 0)],
-          [corner(0, 1, 0), corner(0, 0, 1)],
-          [corner(0, 0, 1), corner(1, 0, 0)],
-        ] as const) {
-          const opposite = u.map((one, axis) => one + v[axis]! - [x, y, z][axis]!);
-          if (Math.max(...opposite) > n) continue;
-          faces.push(at([x, y, z]), at(u), at(opposite), at([x, y, z]), at(opposite), at(v));
-        }
-      }
-  return { indices: Uint32Array.from(faces), positions: Float32Array.from(positions) };
-}
 
 /** The same triangles, each with its own vertices and smaller. */
 function apart({ indices, positions }: Mesh): Mesh {

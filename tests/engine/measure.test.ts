@@ -61,6 +61,21 @@ describe('shapespline measure', () => {
       expect(Number(/largest distance ([\d.]+) %/.exec(said)![1])).toBeCloseTo(most, 2);
     }
 
+    const alike = await runCli(
+      folder,
+      'measure',
+      file,
+      '--sample',
+      '0,0.5,1,1.5,2',
+      '--at',
+      '0.3,1',
+      '--shell-bending',
+    );
+    const shell = column(read(alike.stdout), 'lri shell bending energy').map(Number);
+    (await sequence.shellBending([0.3, 1])).forEach((energy, i) => expect(shell[i]! / energy).toBeCloseTo(1, 5));
+    expect(alike.stdout).toContain('# shell bending energy: ');
+    expect(table.columns).not.toContain('lri shell bending energy');
+
     const written = await runCli(folder, 'measure', file, '--frames', '3', '--output', 'table.csv');
     expect([written.code, written.stdout]).toEqual([0, 'table.csv: 3 rows\n']);
     expect(read(await readFile(path.join(folder, 'table.csv'), 'utf8')).rows).toHaveLength(3);

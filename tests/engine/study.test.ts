@@ -8,7 +8,7 @@ import { folderOf, runCli } from './support/cli.ts';
 import { testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
 import { rigFile } from './support/rig.ts';
-import { bar, bent } from './support/shapes.ts';
+import { bar, bent, foam } from './support/shapes.ts';
 
 const engine = testEngine();
 
@@ -144,14 +144,13 @@ describe('study spaces', () => {
       const said = new RegExp(`^# ${row['method']}: KG error ([\\d.]+) %`, 'm').exec(stdout)![1]!;
       expect(Number(row['KG error']) / Number(said)).toBeCloseTo(1, 2);
     }
-    const flat = ['v 0 0 0', 'v 1 0 0', 'v 2 0 0', 'v 0 1 0', 'f 1 2 3', 'f 1 2 4'].join('\n');
-    const text = (content: string): Uint8Array => new TextEncoder().encode(content);
-    const other = await folderOf([
-      { name: 'a.obj', bytes: text(flat.replace('0 1 0', '0 0 0')) },
-      { name: 'b.obj', bytes: text(flat) },
-    ]);
-    const refused = await runCli(other, 'study', 'spaces', 'a.obj', 'b.obj');
-    console.log(refused);
+    const walls = foam(9);
+    const files = poseFiles(walls, [walls.positions, bent(walls, 40, 1)]);
+    const names = files.map(({ name }) => name);
+    const other = await study(await folderOf(files), 'spaces', ...names, '--methods', 'lengths,linear');
+    expect(other.rows[0]!['reason']).toMatch(/The shape cannot be simplified/);
+    expect(other.rows[0]).toMatchObject({ volume: '', 'edge lengths': '', 'frame time': '' });
+    expect(Number(other.rows[1]!['edge lengths'])).toBeGreaterThan(0);
   });
 });
 

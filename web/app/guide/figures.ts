@@ -26,11 +26,11 @@ const LIST: readonly Figure[] = [
   {
     number: '1',
     name: 'Geodesics and a spline',
-    state: 'sample=cactus&compare=geodesic&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
+    state: 'sample=cactus&compare=geodesic,shell&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
     text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys.',
-    task: 'Watch the middle key: the geodesic turns sharply at this key, the spline does not.',
+    task: 'Watch the middle key: the geodesic turns sharply at this key, the splines do not.',
     sentence:
-      'This page shows the paper’s spline and the geodesic, on a different cactus. To add the spline in shell space, check “Shell spline” under “Compare with”.',
+      'This page shows the paper’s spline, the geodesic and the spline in shell space, on a different cactus. As in the paper, the two splines hardly differ.',
   },
   {
     number: '2a',
