@@ -35,7 +35,7 @@ test('as few morph targets as the tolerance needs are exported, and the dialog s
   const targetsIn = (text: string): number => Number(/(\d+) morph targets/.exec(text)![1]);
   const { download, bytes, stated: said } = await exported(app, () => app.by('export-bounce').check());
   expect(said).toMatch(
-    /^8 s forwards and backwards, \d+ morph targets, error between them at most 0\.0\d+ % of the model's size, about /,
+    /^8 s forwards and backwards, \d+ morph targets, playback error at most 0\.0\d+ % of the model's size, about /,
   );
   expect(download.suggestedFilename()).toBe('cactus.glb');
   const json = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());

@@ -13,7 +13,7 @@ const engine = testEngine();
 async function differenceToThree(file: InputFile, animation: number, times: number[]): Promise<number> {
   const keys = await engine.importKeyframes([file], { animation, sample: times });
   const poser = await threePoser(file.bytes, animation);
-  // Unnamed objects are matched by number.
+  // Unnamed animations are called "animation 0" here and "animation_0" in three.js.
   expect(keys.info.animations.map(({ name }) => name.replace(' ', '_'))).toEqual(
     poser.names.map((name) => name.replace(' ', '_')),
   );

@@ -88,15 +88,15 @@ describe('kept lengths', () => {
   it('refuse what they cannot do, and updates to and from them', async () => {
     const keys = await sheet(4);
     for (const [options, what] of [
-      [{ hold: 'on' }, 'hold resting parts'],
-      [{ pins: [{ vertex: 0, radius: 0.1 }] }, 'hold pins'],
-      [{ boundary: 'periodic' }, "have ends other than 'natural'"],
-      [{ boundary: 'hermite' }, "have ends other than 'natural'"],
-      [{ turns: [{ key: 1, turns: 1 }] }, 'take whole turns'],
-      [{ ownPaths: 'root' }, 'take own paths of faces'],
+      [{ hold: 'on' }, 'keeping resting parts in place'],
+      [{ pins: [{ vertex: 0, radius: 0.1 }] }, 'pins'],
+      [{ boundary: 'periodic' }, "ends other than 'natural'"],
+      [{ boundary: 'hermite' }, "ends other than 'natural'"],
+      [{ turns: [{ key: 1, turns: 1 }] }, 'full turns'],
+      [{ ownPaths: 'root' }, 'own paths of faces'],
     ] as const) {
       const { message } = await failureOf(engine.createSequence(keys, { ...options, keepLengths: 1 } as object));
-      expect(message).toBe(`A motion with keepLengths cannot ${what}: set keepLengths to 0 for that.`);
+      expect(message).toBe(`The option keepLengths does not support ${what}. Set keepLengths to 0.`);
     }
     expect((await failureOf(engine.createSequence(keys, { keepLengths: 4 }))).code).toBe('invalid-option');
     const kept = await engine.createSequence(keys, { keepLengths: 1 });

@@ -64,7 +64,7 @@ Error onePoseOnly(const MeshFile& mesh, const GivenFiles& files, const ImportOpt
   const std::string where = placeName(*mesh.file, 0, 1);
   const auto pose = PoseReader{files, options}.read(mesh, where);
   if (!pose) return pose.error();
-  return {ErrorCode::TooFewKeys, where + " has only one pose. Add a file for every other key."};
+  return {ErrorCode::TooFewKeys, where + " has only one pose. Add one file for each further key."};
 }
 
 Result<Import> readCaches(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,

@@ -153,13 +153,13 @@ export const HELP = `shapespline: smooth motion of a shape through key poses
                                          coordinates in the shape plane
   study ghost FILE... [--output T.csv]   table of error and frame time by size of the ghost mesh
   study spaces FILE... [--output T.csv]  table of volume, area, lengths, bending and cost by method
-  study tables FILE... [--output T.csv]  tables of costs in the paper: our measurements beside the published
+  study tables FILE... [--output T.csv]  the paper's tables of costs, measured and as published
 
 FILE is a .glb, .gltf, .obj, .ply or .off file. Several FILEs are the keys, in the order given. A single
-FILE must contain morph targets or an animation. A .pc2 or .mdd file with its .obj is an animation. So are
-numbered .obj or .ply files: up to 32 frames all become keys; of more frames, --sample selects 8 by
-default. A folder stands for the models in it, in the order of their names. Buffers, materials and
-textures of a .gltf or .obj file are read from its folder.
+FILE must contain morph targets or an animation. A .pc2 or .mdd file with its .obj is an animation. So
+are numbered .obj or .ply files: up to 32 all become keys; from more, --sample takes 8 by default. A
+folder stands for the models in it, in the order of their names. Buffers, materials and textures of a
+.gltf or .obj file are read from its folder.
 
 If OUT ends in .glb, it is one file with an animation. An .obj or .ply is one shape (give one --at time). A
 .pc2 or .mdd is a point cache with its OBJ next to it. A folder (ending in /) gets 0000.obj, 0001.obj, ...,
@@ -168,12 +168,12 @@ one per time. Materials and textures of an OBJ are written next to it.
 Keys are counted from 1, animations from 0; reports count everything from 0. Times are in seconds.
 
 ${line('  --methods M,M,...', 'measure, study spaces: methods to compare; default: lri for measure, all methods for study spaces')}
-${line('  --sizes N,N,...', 'study ghost: faces of the ghost meshes; default: 500,1000,2000,3000,5000,10000')}
+${line('  --sizes N,N,...', 'study ghost: numbers of faces of the ghost meshes; default: 500,1000,2000,3000,5000,10000')}
 ${line('  --against FILE', "measure, study spaces: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
-${line('  --against-up y|z', 'measure: up axis of that animation; default: as its file states, otherwise --up')}
-${line('  --against-unit METRES', 'measure: metres per unit of that animation; default: as its file states, otherwise --unit')}
-${line('  --shell-bending', 'measure: adds the bending energy of edge lengths and angles, which is the same measure for every method; computes three more shapes per time')}
-${line('  --report R.json', 'write options, timings, counts, warnings, volume and area to this file')}
+${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}
+${line('  --against-unit METRES', 'measure, study spaces: metres per unit of that animation; default: as its file states, otherwise --unit')}
+${line('  --shell-bending', 'measure: add the bending energy of edge lengths and angles, which is the same measure for every method; this computes three more shapes per time')}
+${line('  --report R.json', 'complete: write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}
 
 ${helpOn(motionFlags)}

@@ -140,7 +140,7 @@ const TABLE_COLUMNS = {
   ghost: 'spline in LRI space, on the ghost mesh, s',
   transfer: 'deformation transfer, s',
   full: 'without a ghost mesh, s',
-  note: 'what differs, or why a time is missing',
+  note: 'how this row differs from the paper, or why a time is missing',
 };
 
 function rowsOf({ table1, table2 }: Tables): Cell[][] {

@@ -38,7 +38,9 @@ async function filesIn({ name, file }: PickedFile): Promise<PickedFile[]> {
 async function unpack(zip: string, entry: Entry, most: number): Promise<File> {
   const parts: BlobPart[] = [];
   let bytes = 0;
-  const tooLarge = new Error(`${zip} has more than ${MOST_BYTES / 1e9} GB. Unpack it and drop the poses.`);
+  const tooLarge = new Error(
+    `${zip} has more than ${MOST_BYTES / 1e9} GB when unpacked. Unpack it and drop the poses.`,
+  );
   const target = new WritableStream<Uint8Array<ArrayBuffer>>({
     write(part) {
       bytes += part.length;

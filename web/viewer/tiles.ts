@@ -10,7 +10,7 @@ export function sides(share: number, width: number, height: number): Rect[] {
   ];
 }
 
-/** Equal parts, arranged so that each is as close as possible to a square, or to the given aspect ratio. */
+/** Divides the area into equal tiles. Their aspect ratio is close to `aspect` (1: square), and few tiles stay empty. */
 export function tiles(count: number, width: number, height: number, aspect = 1): Rect[] {
   let columns = 1;
   let best = Infinity;

@@ -202,7 +202,7 @@ struct KeyReader {
         list.append(count > 1 ? ", " : " ").append(std::to_string(i)).append(" ").append(inQuotes(animations[i].name));
     if (count > 0) return " Choose an animation that moves:" + list + (count > 20 ? ", and more." : ".");
     if (animations.size() > 1) return " Omit the animation and the samples. Each animation then becomes a key.";
-    return " Add a file for every other key.";
+    return " Add one file for each further key.";
   }
 
   Result<std::vector<double>> timesOf(const GltfAnimation& animation) {
@@ -245,7 +245,7 @@ struct KeyReader {
   }
 
   static std::string onePose() {
-    return " has only one pose. Add a file for every other key, or give one file with morph targets or an animation.";
+    return " has only one pose. Add one file for each further key, or give one file with morph targets or an animation.";
   }
 
   Status planKeys() {

@@ -149,7 +149,7 @@ function secondsText(seconds: number): string {
 
 function planText(request: ExportRequest, playing: Playing, { times, targets, error, bytes }: EnginePlan): string {
   const { frames, seconds } = exportNumbers(request, playing, null);
-  const off = error === null ? '' : `, error between them at most ${errorText(error)}`;
+  const off = error === null ? '' : `, playback error at most ${errorText(error)}`;
   const size = `about ${bytesText(bytes)}`;
   if (request.animation !== 'glb') return `${grouped(times.length)} frames, ${size}`;
   const bounces = goesBack(request);

@@ -52,7 +52,7 @@ export function crashed(reason: string): EngineError {
   return engineError(
     'crashed',
     `The computation stopped unexpectedly (${reason}). It restarts with the next step. ` +
-      'If it stops again, use fewer or smaller keys.',
+      'If it stops again, use fewer keys or a mesh with fewer faces.',
   );
 }
 

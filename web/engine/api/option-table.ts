@@ -158,7 +158,7 @@ export const MOTION = {
     choices: ['lri', 'geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'],
     default: 'lri',
     flag: 'method',
-    help: "the paper's method (lri), or a method for comparison",
+    help: "lri (default) is the paper's method; the others are for comparison",
     page: 'method',
     undo: 'method',
   },
@@ -168,7 +168,7 @@ export const MOTION = {
     formerly: { contact: 'on', anchored: 'on' },
     default: 'off',
     flag: 'hold',
-    help: 'on keeps the vertices in place that do not move between two keys; off (default) makes no correction, as in the paper',
+    help: 'on keeps vertices in place that hardly move between two keys; off (default) makes no correction, as in the paper',
     page: 'hold',
     undo: 'hold',
   },
@@ -191,7 +191,7 @@ export const MOTION = {
     choices: ['natural', 'hermite', 'periodic'],
     default: 'natural',
     flag: 'boundary',
-    help: 'natural (default) has no bending at the ends, hermite has given speeds at the ends, periodic is a loop',
+    help: 'natural (default) has no bending at the ends, hermite has --start-speed and --end-speed there, periodic is a loop',
     page: 'boundary',
     undo: 'ends',
   },
@@ -238,8 +238,8 @@ export const MOTION = {
     default: 'off',
     flag: 'own-paths',
     help:
-      'rotate each face on its own path between keys, unless it disagrees with its patch. absolute is closer to sampled ' +
-      'animations; root does not depend on the orientation of a key, because rotations are relative to the largest patch',
+      'rotate each face on its own path between keys, fading to the path of its patch where the two differ much. absolute ' +
+      'is closer to sampled animations; root takes rotations relative to the largest patch, so rotating a key has no effect',
     page: 'ownPaths',
     undo: 'own paths',
   },
@@ -255,7 +255,7 @@ export const MOTION = {
     default: 0,
     flag: 'keep-lengths',
     value: 'N',
-    help: 'method lri: number of shapes, 0 to 3, to fit to edge lengths and angles between two keys, for cloth; default: 0',
+    help: 'method lri: fit this number of shapes (0 to 3) between neighbouring keys so that edges keep their lengths; default: 0',
     page: 'keepLengths',
     undo: 'kept lengths',
   },
@@ -268,7 +268,7 @@ export const MOTION = {
     default: 1000,
     flag: 'space-faces',
     value: 'N',
-    help: 'number of faces of the coarse mesh that the methods lengths and shell, and --keep-lengths, fit; default: 1,000',
+    help: 'methods lengths and shell, and --keep-lengths: largest number of faces of the fitted mesh; default: 1,000',
   },
   /** Number of intervals between the times of the fitted shapes. */
   spaceSamples: {
@@ -279,7 +279,7 @@ export const MOTION = {
     default: 24,
     flag: 'space-samples',
     value: 'K',
-    help: 'the methods lengths and shell fit shapes at K + 1 times; default: 24',
+    help: 'methods lengths and shell: fit shapes at K + 1 times; default: 24',
   },
   /** Removes the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
@@ -347,7 +347,7 @@ export const ENCODING = {
     default: 0,
     flag: 'reference',
     value: 'KEY',
-    help: 'key from which deformations are measured',
+    help: 'key from which deformations are measured; default: 1',
     page: 'referencePose',
     undo: 'reference pose',
   },
@@ -369,7 +369,7 @@ export const ENCODING = {
     choices: ['linear', 'log'],
     default: 'linear',
     flag: 'stretch',
-    help: 'interpolation of the stretch; with log, faces cannot turn inside out',
+    help: 'interpolation of the stretch: linear (default, as in the paper), or log, with which faces cannot turn inside out',
     page: 'stretch',
     undo: 'stretch',
   },
@@ -396,7 +396,7 @@ export const ENCODING = {
     choices: ['exact', 'paper'],
     default: 'exact',
     flag: 'transfer',
-    help: 'with a ghost mesh, pass exactly through every key (default), or transfer as in the paper',
+    help: 'with a ghost mesh: exact (default) passes through every key, paper transfers as in the paper',
     page: 'transfer',
     undo: 'transfer',
   },
@@ -405,7 +405,7 @@ export const ENCODING = {
     choices: ['vertices', 'optimal'],
     default: 'vertices',
     flag: 'placement',
-    help: "placement of the ghost mesh's vertices; default: on vertices of the shape",
+    help: "vertices (default) puts the ghost mesh's vertices on vertices of the shape, optimal where the error is smallest",
     page: 'placement',
     undo: 'placement',
   },
@@ -467,8 +467,8 @@ export const IMPORT = {
     flag: 'sample',
     value: 'T,T,...|N',
     help:
-      `take the keys at these times in seconds, or at N evenly spaced times (default: ${SAMPLED_KEYS}); also for a PC2 or ` +
-      'MDD file with its OBJ, and for numbered .obj or .ply files (24 per second; up to 32 frames are all keys)',
+      `take the keys at these times in seconds, or at N evenly spaced times (default: ${SAMPLED_KEYS}). PC2 and MDD files ` +
+      'and numbered .obj or .ply files work too; numbered files count as 24 frames per second',
   },
   /** Every frame of the animation becomes a key. */
   everyFrame: { kind: 'flag', flag: 'every-frame', help: 'use every frame of the animation as a key' },
@@ -478,7 +478,7 @@ export const IMPORT = {
     choices: ['y', 'z'],
     default: 'y',
     flag: 'up',
-    help: 'up axis of .obj, .ply and .off files',
+    help: 'up axis of .obj, .ply and .off files; default: y',
   },
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
   unit: {
@@ -488,7 +488,7 @@ export const IMPORT = {
     default: 1,
     flag: 'unit',
     value: 'METRES',
-    help: 'metres per unit of .obj, .ply and .off files',
+    help: 'metres per unit of .obj, .ply and .off files; default: 1',
   },
   /** Names of objects in the files; default: all of them. */
   objects: {
@@ -552,7 +552,7 @@ export const EXPORT = {
     default: null,
     flag: 'frames',
     value: 'K',
-    help: `number of evenly spaced times; default: ${USUAL_FRAMES}, or for GLB as few as --tolerance allows`,
+    help: `number of evenly spaced times; default: ${USUAL_FRAMES}; for a GLB, as few as --tolerance allows`,
   },
   /**
    * Whole frames of the motion's time, or of the exported time if a duration is given. A GLB omits frames within the
@@ -587,14 +587,14 @@ export const EXPORT = {
     choices: ['frames', 'principal'],
     default: 'frames',
     flag: 'targets',
-    help: 'in a GLB, frames stores one morph target per exported time; principal stores one per key and a few corrections, which the animation blends',
+    help: 'morph targets of a GLB: with frames (default), one per exported time; with principal, one per key and a few corrections, which the animation blends',
   },
   compression: {
     kind: 'choice',
     choices: ['none', 'quantized', 'meshopt'],
     default: 'none',
     flag: 'compression',
-    help: 'in a GLB, quantized stores 16 bits per coordinate (KHR_mesh_quantization); meshopt also compresses the data (EXT_meshopt_compression)',
+    help: 'coordinates of a GLB: with quantized, 16 bits each (KHR_mesh_quantization); with meshopt, also compressed (EXT_meshopt_compression)',
   },
   /** First and last time; default: first and last key. */
   range: {

@@ -102,8 +102,8 @@ async function principalOf(
   if (2 * 4 * size * times.length > MOST_HELD)
     throw new EngineError(
       'too-large',
-      `For a shape of this size, principal targets need ${times.length} frames in memory. They do not fit. ` +
-        'Use frames as targets, or a larger tolerance.',
+      `For a shape of this size, in-betweens (principal targets) need ${times.length} frames in memory. They do not fit. ` +
+        'Use one morph target per frame, or a larger tolerance.',
     );
   const frame = async (t: number) => {
     if (signal?.aborted) throw cancelled();

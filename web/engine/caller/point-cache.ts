@@ -46,7 +46,7 @@ export class PointCache {
     if (broken >= 0)
       throw new EngineError(
         'not-finite',
-        `A frame has a vertex that is not finite (${Math.floor(broken / 3)}). Choose a range closer to the keys.`,
+        `Vertex ${Math.floor(broken / 3)} of a frame is not finite. Choose a range closer to the keys.`,
         { vertex: Math.floor(broken / 3) },
       );
     for (const value of positions) {
