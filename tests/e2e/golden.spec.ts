@@ -56,6 +56,8 @@ test.describe('looks as it did', () => {
       await app.settled();
       // The motion's speed is requested when no frames are waiting.
       await expect(app.by('speed-curve')).toBeVisible();
+      // The options are loaded after the first shape.
+      if ('options' in selectors) await expect(app.by('spline-options')).toBeVisible();
       if ('keys' in selectors) await expect(app.page.locator('.key-list img[src]')).toHaveCount(3);
       // The frame time differs every time.
       const style = await app.page.addStyleTag({

@@ -193,12 +193,13 @@ export class App {
   /** The canvas on the screen, without its overlays. */
   async picture(): Promise<Buffer> {
     await this.settled();
-    await this.page.addStyleTag({
+    const style = await this.page.addStyleTag({
       content: '.viewport > :not(.picture), .toast { visibility: hidden !important; transition: none !important }',
     });
     const clip = (await this.by('viewport').boundingBox())!;
     const shot = await this.page.screenshot({ clip });
-    await this.page.evaluate(() => document.head.lastElementChild!.remove());
+    // The page can add elements of its own meanwhile.
+    await style.evaluate((element) => (element as Element).remove());
     return shot;
   }
 
