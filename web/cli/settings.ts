@@ -169,9 +169,9 @@ Keys are counted from 1, animations from 0; reports count everything from 0. Tim
 ${line('  --methods M,M,...', 'measure, study spaces: methods to compare; default: lri, and in study spaces all')}
 ${line('  --sizes N,N,...', 'study ghost: faces of the ghost meshes; default: 500,1000,2000,3000,5000,10000')}
 ${line('  --against FILE', "measure, study spaces: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Files without times are spread from the first key to the last")}
-${line('  --against-up y|z', 'measure: up axis of that animation; default: as its file states, otherwise --up')}
-${line('  --against-unit METRES', 'measure: metres per unit of that animation; default: as its file states, otherwise --unit')}
-${line('  --shell-bending', 'measure: also the bending energy of edge lengths and angles, the same measure for every method; takes three more shapes per time')}
+${line('  --against-up y|z', '--against: up axis of that animation; default: as its file states, otherwise --up')}
+${line('  --against-unit METRES', '--against: metres per unit of that animation; default: as its file states, otherwise --unit')}
+${line('  --shell-bending', 'measure: also the bending energy of edge lengths and angles, the same measure for every method; takes up to three more shapes per time')}
 ${line('  --report R.json', 'write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}
 
