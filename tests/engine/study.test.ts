@@ -55,7 +55,7 @@ describe('study ghost', () => {
       ],
       ['40000', ''],
     ]);
-    expect(rows[3]!['reason']).toBe('the shape has only 20568 faces');
+    expect(rows[3]!['note']).toBe('the shape has only 20568 faces');
     expect(rows[3]!['KG error']).toBe('');
 
     const keys = await importCactus();
@@ -135,7 +135,7 @@ describe('study spaces', () => {
     }
   });
 
-  it('gives the errors that measure gives, and a row with a reason for a method that is refused', async () => {
+  it('gives the errors that measure gives, and a row with a note for a method that is refused', async () => {
     const folder = await folderOf([await rigFile('rig.glb')]);
     const words = ['rig.glb', '--sample', '0,0.5,1,1.5,2', '--methods', 'lri,lengths', '--against', 'rig.glb'];
     const { rows } = await study(folder, 'spaces', ...words, '--space-samples', '4');
@@ -148,7 +148,7 @@ describe('study spaces', () => {
     const files = poseFiles(walls, [walls.positions, bent(walls, 40, 1)]);
     const names = files.map(({ name }) => name);
     const other = await study(await folderOf(files), 'spaces', ...names, '--methods', 'lengths,linear');
-    expect(other.rows[0]!['reason']).toMatch(/The shape cannot be simplified/);
+    expect(other.rows[0]!['note']).toMatch(/The shape cannot be simplified/);
     expect(other.rows[0]).toMatchObject({ volume: '', 'edge lengths': '', 'frame time': '' });
     expect(Number(other.rows[1]!['edge lengths'])).toBeGreaterThan(0);
   });
@@ -166,6 +166,7 @@ describe('study tables', () => {
     const [, one, , , some] = rows.map((row) => Number(row['full']));
     expect(some! / (20 * one!)).toBeCloseTo(1, 2);
     for (const row of rows.slice(4)) expect(Number(row['[2] ghost'])).toBeGreaterThan(0.1);
+    for (const row of rows) expect([Number(row['ghost']) > 0, row['transfer'] !== '']).toEqual([true, true]);
     expect(rows[5]!['note']).toContain('101 times');
   });
 

@@ -58,7 +58,7 @@ const GHOST_COLUMNS = {
   'KG error': 'Karni-Gotsman error against the motion without a ghost mesh, %',
   'frame time': 'median time of a frame, ms',
   'build time': 'from the keys until the first frame can be computed, ms',
-  reason: 'why there are no numbers',
+  note: 'why there are no numbers',
 };
 
 function ghostSizes(args: Arguments): number[] {
@@ -85,7 +85,7 @@ export function studyMethods(args: Arguments): Promise<Measured> {
       columns: SPACE_COLUMNS,
       rows: rows.map((row): Cell[] => [
         ...[row.method, row.volume, row.area, row.lengths, row.bending, row.peak, row.kg, row.ms, row.buildMs],
-        row.reason ?? '',
+        row.note,
       ]),
       warnings,
     };
@@ -102,7 +102,7 @@ const SPACE_COLUMNS = {
   'KG error': 'Karni-Gotsman error against the animation of --against, at its frames, %',
   'frame time': 'median time of a frame, ms',
   'build time': 'from the keys until the first frame can be computed, ms',
-  reason: 'why the method cannot move this shape',
+  note: 'why the method cannot move this shape, or between which keys no fit was found',
 };
 
 async function truthOf(
@@ -131,14 +131,14 @@ const TABLE_COLUMNS = {
   table: '1: seconds for one shape; 2: seconds for all shapes of a motion',
   source: 'paper: as published, on an Intel i7-3770; here: measured on this computer',
   model: 'of the paper, where a file name contains its name',
-  faces: 'of the shape; empty where the paper does not state them',
+  faces: 'of the shape; empty where the paper does not state their number',
   shapes: 'number of shapes of the motion, K of the paper',
   share: 'of the vertices that are left on the ghost mesh, gamma of the paper; table 1: about 2000 faces are left',
   '[2] ghost': 'spline in shell space, on the ghost mesh, s; here: fitting the shapes',
   '[2] transfer': 'deformation transfer, s; here: all else, from the keys to the last shape',
   '[2] full': 'without a ghost mesh, s',
   ghost: 'spline in LRI space, on the ghost mesh, s',
-  transfer: 'deformation transfer, s',
+  transfer: 'deformation transfer, s; here: the rest of a frame with the ghost mesh',
   full: 'without a ghost mesh, s',
   note: 'how this row differs from the paper, or why a time is missing',
 };

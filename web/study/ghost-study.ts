@@ -22,6 +22,8 @@ export interface GhostRow {
   kg: number;
   /** Median time of a frame in the worker. */
   ms: number;
+  /** Median time of the ghost mesh's shape, from the splines to its vertices. */
+  ghostMs: number;
   /** Milliseconds from the keys until the first frame can be computed. */
   buildMs: number;
   stats: SequenceStats;
@@ -85,8 +87,9 @@ export async function studyGhosts(
       const ghost = await build(index + 1, { ghostFaces: size, transfer });
       try {
         const { kg, ms } = await compare(ghost, full.sequence, times, signal);
+        const ghostMs = await ghostTime(ghost.sequence, times);
         const stats = await ghost.sequence.stats();
-        rows.push({ wanted: size, faces: stats.ghostFaces, transfer, kg, ms, buildMs: ghost.buildMs, stats });
+        rows.push({ wanted: size, faces: stats.ghostFaces, transfer, kg, ms, ghostMs, buildMs: ghost.buildMs, stats });
       } finally {
         ghost.sequence.dispose();
       }
@@ -142,6 +145,15 @@ async function compare(
     evaluated((index + 1) / times.length);
   }
   return { kg: error.percent, ms: median(ms) };
+}
+
+async function ghostTime(sequence: Sequence, times: readonly number[]): Promise<number> {
+  const ms: number[] = [];
+  for (const t of times) {
+    await sequence.ghostPositions(t);
+    ms.push((await sequence.stats()).ghostMs);
+  }
+  return median(ms);
 }
 
 function median(values: readonly number[]): number {

@@ -104,7 +104,8 @@ export async function measureTables(engine: Engine, keys: Keys, model: string | 
 
 function splitOf(row: GhostRow | undefined): Omit<Costs, 'full'> {
   if (!row) return { ghost: NaN, transfer: NaN };
-  return { ghost: row.stats.ghostMs / 1000, transfer: (row.ms - row.stats.ghostMs) / 1000 };
+  // A frame computes the ghost mesh's shape and then follows it.
+  return { ghost: row.ghostMs / 1000, transfer: Math.max(row.ms - row.ghostMs, 0) / 1000 };
 }
 
 const scaled = ({ ghost, transfer, full }: Costs, by: number): Costs => costs([by * ghost, by * transfer, by * full]);

@@ -29,8 +29,11 @@ export interface SpaceRow {
   ms: number;
   /** Milliseconds from the keys until the first frame can be computed. */
   buildMs: number;
-  /** Why the method cannot move this shape; null if it can. Then all numbers are NaN. */
-  reason: string | null;
+  /**
+   * Why the method cannot move this shape, and then all numbers are NaN; or between which keys it shows the shapes of
+   * LRI space, because no fit was found; empty for neither.
+   */
+  note: string;
 }
 
 export interface SpaceStudyOptions extends CallOptions {
@@ -57,16 +60,22 @@ export async function studySpaces(
       const sequence = await engine.createSequence(keys, { ...options, method }, call);
       const buildMs = performance.now() - start;
       const numbers = await measured(sequence, spline, truth, signal).finally(() => sequence.dispose());
-      rows.push({ method, buildMs, reason: null, ...numbers });
+      rows.push({ method, buildMs, note: notFitted(sequence), ...numbers });
     } catch (error) {
       if (!(error instanceof EngineError) || isCancelled(error)) throw error;
-      rows.push({ ...NOTHING, method, reason: error.message });
+      rows.push({ ...NOTHING, method, note: error.message });
     }
   }
   return rows;
 }
 
 const NOTHING = { volume: NaN, area: NaN, lengths: NaN, bending: NaN, peak: NaN, kg: NaN, ms: NaN, buildMs: NaN };
+
+/** A warning names the key that ends the interval. */
+function notFitted({ warnings }: Sequence): string {
+  const ends = warnings.filter(({ code }) => code === 'lengths-not-fitted').map(({ key }) => key);
+  return ends.length === 0 ? '' : `LRI shapes between keys ${ends.map((key) => `${key} and ${key + 1}`).join(', ')}`;
+}
 
 /** The natural spline of the keys' own measures, at the times of the study. */
 interface Spline {
@@ -104,7 +113,7 @@ async function splineOf(engine: Engine, keys: Keys): Promise<Spline> {
   };
 }
 
-type Numbers = Omit<SpaceRow, 'method' | 'buildMs' | 'reason'>;
+type Numbers = Omit<SpaceRow, 'method' | 'buildMs' | 'note'>;
 
 async function measured(
   sequence: Sequence,
