@@ -116,6 +116,8 @@ test('bending is measured by edge lengths and angles on request, again after an 
   const plot = app.by('plot-bending');
   const unit = plot.locator('.unit');
   await plot.scrollIntoViewIfNeeded();
+  // Until then, the choice of the closed shape is hidden.
+  await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
   await expect(plot.locator('path.curve')).toHaveCount(2);
   await expect(unit).not.toContainText('edge lengths');
   await app.by('bending-shell').press(' ');

@@ -132,7 +132,7 @@ test('a video takes as long as was watched, whatever the machine takes, and the 
   await expect(app.by('export-rate')).toHaveValue('30');
   await app.by('export-close').click();
 
-  // A duration other than on the page is reported and can be reset.
+  // A duration that differs from the page's is reported and can be reset.
   await stated(app, () => type(app, 'export-duration', '3'));
   await expect(app.by('export-speed')).toHaveText('0.333× the timeline');
   await app.by('export-duration-reset').click();

@@ -378,7 +378,7 @@ describe('the largest animation', () => {
       const failure = await failureOf(refused);
       expect(failure.code).toBe('too-large');
       expect(failure.message).toBe(
-        'An animation of 4,001 frames could not be opened again: its 4,000 morph targets need more than 16,000,000 weights. ' +
+        'With 4,001 frames, the file would be too large to open here again: its 4,000 morph targets need more than 16,000,000 weights. ' +
           'Export fewer frames, or an OBJ sequence.',
       );
     }

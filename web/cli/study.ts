@@ -130,7 +130,7 @@ export function studyTables(args: Arguments): Promise<Measured> {
 const TABLE_COLUMNS = {
   table: '1: seconds for one shape; 2: seconds for all shapes of a motion',
   source: 'paper: as published, on an Intel i7-3770; here: measured on this computer',
-  model: 'of the paper, where a file name contains its name',
+  model: "the paper's model if a file name contains its name, otherwise shape",
   faces: 'of the shape; empty where the paper does not state their number',
   shapes: 'number of shapes of the motion, K of the paper',
   share: 'of the vertices that are left on the ghost mesh, gamma of the paper; table 1: about 2000 faces are left',
@@ -138,7 +138,7 @@ const TABLE_COLUMNS = {
   '[2] transfer': 'deformation transfer, s; here: all else, from the keys to the last shape',
   '[2] full': 'without a ghost mesh, s',
   ghost: 'spline in LRI space, on the ghost mesh, s',
-  transfer: 'deformation transfer, s; here: the rest of a frame with the ghost mesh',
+  transfer: 'deformation transfer, s; here: total time with the ghost mesh, minus the column ghost',
   full: 'without a ghost mesh, s',
   note: 'how this row differs from the paper, or why a time is missing',
 };

@@ -34,7 +34,7 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
       const { tension, bias } = state.keys[selected]!;
       if (tension === 0 && bias === 0)
         return `Without tension and bias, the slope at key ${selected + 1} is that of the natural spline.`;
-      return `Tension ${number(tension)} and bias ${number(bias)} change the slope at key ${selected + 1} only, so only the two adjacent pieces move. The second derivative now jumps at this key.`;
+      return `Tension ${number(tension)} and bias ${number(bias)} change the slope at key ${selected + 1} only, so only the pieces next to it move. The second derivative now jumps where these pieces begin and end.`;
     }
     case 'plane':
       return 'Each coordinate follows its own curve, computed in the same way. A shape has thousands of coordinates.';

@@ -1,4 +1,4 @@
-// Small fixed-size types for the whole core.
+// Vectors, matrices, triangles and positions for the whole core.
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ struct PatchInput {
   const std::vector<double>& area;  ///< in the reference pose
   const Positions& centroid;        ///< in the reference pose
   const FaceRotations& rotations;   ///< compared poses first; none of them needs to be the reference
-  int comparedPoses;                ///< number of compared poses
+  int comparedPoses;                ///< the partition compares the first poses of `rotations`, this many
 };
 
 /// Two patches with a common edge or, at a pinched vertex, a common vertex.

@@ -58,7 +58,7 @@ Status Cholesky::analyse(const SymmetricMatrix& matrix, std::span<const Vec3> co
                          const FractionReport& onProgress, std::span<const int> order) {
   if (Status status = checkSymmetric(matrix); !status) return status;
   if (!coordinates.empty() && coordinates.size() != static_cast<std::size_t>(matrix.size))
-    return Error{ErrorCode::Internal, "The elimination order needs the coordinates of every unknown."};
+    return Error{ErrorCode::Internal, "Give one position per unknown, or none."};
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (coordinates[i].allFinite()) continue;
     Error error{ErrorCode::NotFinite, "The coordinates of unknown " + std::to_string(i) + " are not finite."};

@@ -24,7 +24,7 @@ struct AnimationSource {
   /// If empty, frame k is shown alone at seconds[k]. Otherwise one row per time, with a weight for each frame except
   /// the base; the row length determines the number of frames.
   std::vector<float> weights{};
-  /// k in [0, shapes()). Normals: 3n unit vectors, or empty for a file without normals.
+  /// k in [0, shapes()). Normals: n unit vectors as 3n numbers, or empty for a file without normals.
   std::function<Status(int frame, std::vector<float>& positions, std::vector<float>& normals)> frame;
   /// JSON object for extras.shapespline of the file, or empty. Import reads the keys from its member
   /// "keys": {"times": [...], "names": [...], "frames": [...]}, with frames counted as above, and returns the whole

@@ -26,7 +26,7 @@ struct MeshOffset {
 };
 
 /// Writes texture coordinates, the input's polygons, objects, and materials that have a library entry or only a name in
-/// the input. Normals: 3n unit vectors, or empty. Error: NotFinite.
+/// the input. normals: n unit vectors as 3n numbers, or empty. Error: NotFinite.
 Result<std::vector<std::uint8_t>> writeObj(std::span<const float> positions, const std::vector<Triangle>& faces,
                                            const Scene& scene, std::span<const float> normals = {},
                                            const MaterialLibrary& library = {}, const MeshOffset& offset = {});

@@ -16,8 +16,8 @@ export interface VertexAmounts {
 }
 
 /**
- * Stored numbers per face in the reference: t1, t2, n in space; p, q, s of the inverse [p q; 0 s] of its edges in (t1,
- * t2).
+ * Numbers stored per face of the reference pose: the frame t1, t2, n; and p, q, s of [p q; 0 s], the inverse of the
+ * matrix of two edges in (t1, t2).
  */
 const NUMBERS = 12;
 /** Faces whose area over the square of their longest edge is below this have no frame. */

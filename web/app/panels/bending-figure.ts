@@ -119,7 +119,7 @@ function bendingData(
  */
 export function bendingUnit(methods: readonly Method[], floor: number | null): string {
   const spaces = new Set(methods.map((method) => METHOD[method].space));
-  return withAxis([BENDING, ...(spaces.size > 1 ? ['each in its own coordinates'] : [])], floor);
+  return withAxis([BENDING, ...(spaces.size > 1 ? ['each motion in its own coordinates'] : [])], floor);
 }
 
 function withAxis(words: readonly string[], floor: number | null): string {

@@ -50,7 +50,7 @@ function sizesChart(rows: readonly SizeRow[]): SizesChart {
 
 function timeChart(rows: readonly SizeRow[], ms: number): SizesChart {
   const level = { label: 'No ghost mesh', value: ms };
-  return { title: 'Time', unit: 'median of a frame of the open shape, ms', level, ...sizeLines(rows, 'ms') };
+  return { title: 'Time', unit: 'median frame time of the open shape, ms', level, ...sizeLines(rows, 'ms') };
 }
 
 function shapesChart(shapes: readonly ShapeErrors[]): SizesChart {

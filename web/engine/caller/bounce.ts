@@ -16,7 +16,7 @@ export function thereAndBack({ seconds, weights }: Weighted, targets: number): W
   if (rows * targets > MOST_WEIGHTS)
     throw new EngineError(
       'too-large',
-      `An animation of ${targets.toLocaleString('en')} morph targets, forwards and backwards, could not be opened again. ` +
+      `With ${targets.toLocaleString('en')} morph targets forwards and backwards, the file would be too large to open here again. ` +
         'Export it forwards only, or raise the tolerance to get fewer morph targets.',
     );
   const both = new Float32Array(rows * targets);

@@ -137,8 +137,8 @@ export function onTimeLine(times: number[], keyTimes: readonly number[], duratio
 export function checkWeights(frames: number, targets: number): void {
   if (frames * targets <= MOST_WEIGHTS) return;
   throw tooLarge(
-    `An animation of ${grouped(frames)} frames could not be opened again: its ${grouped(targets)} morph targets need more than ` +
-      `${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
+    `With ${grouped(frames)} frames, the file would be too large to open here again: its ${grouped(targets)} morph targets need ` +
+      `more than ${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
   );
 }
 
