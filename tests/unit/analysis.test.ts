@@ -80,7 +80,7 @@ describe('the analysis', () => {
     expect(asked).toHaveLength(2);
   });
 
-  it('is told at once to an observer that comes later', async () => {
+  it('is passed at once to an observer that comes later', async () => {
     const { cache, heard } = setUp('lri');
     const observe = (): void =>
       cache.observe({

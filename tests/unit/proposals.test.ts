@@ -92,7 +92,7 @@ it('proposes to keep lengths once the motion rests', async () => {
   expect(shown.at(-1)).toBe('Keep lengths');
 });
 
-it('proposes nothing where lengths are kept, by the motion or by the option, or cannot be', async () => {
+it('proposes nothing if lengths are kept, by the motion or by the option, or cannot be', async () => {
   const good = setUp(0.99);
   good.proposals.follow();
   await good.rest();

@@ -62,7 +62,8 @@ Status checkSymmetric(const SymmetricMatrix& matrix) {
   if (matrix.size < 0 || matrix.columnStart.size() != static_cast<std::size_t>(matrix.size) + 1 ||
       matrix.columnStart.front() != 0 || static_cast<std::size_t>(matrix.columnStart.back()) != entries ||
       matrix.value.size() != entries) {
-    return Error{ErrorCode::Internal, "The lengths of the matrix's arrays do not match its size, or its first column does not start at 0."};
+    return Error{ErrorCode::Internal,
+                 "The lengths of the matrix's arrays do not match its size, or its first column does not start at 0."};
   }
   for (int column = 0; column < matrix.size; ++column) {
     const int begin = matrix.columnStart[column];

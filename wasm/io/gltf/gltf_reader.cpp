@@ -245,7 +245,8 @@ struct KeyReader {
   }
 
   static std::string onePose() {
-    return " has only one pose. Add one file for each further key, or give one file with morph targets or an animation.";
+    return " has only one pose. Add one file for each further key, or give one file with morph targets or an "
+           "animation.";
   }
 
   Status planKeys() {

@@ -176,7 +176,8 @@ struct PlyReader {
       if (slots.back() >= 0) has[slots.back()] = true;
     }
     if (!has[X] || !has[Y] || !has[Z])
-      return Error{ErrorCode::MalformedFile, where + ": its vertices need the properties x, y and z. Export the file again."};
+      return Error{ErrorCode::MalformedFile,
+                   where + ": its vertices need the properties x, y and z. Export the file again."};
     if (element.count > static_cast<std::int64_t>(mostElements))
       return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) +
                                             " vertices, more than is supported. Simplify the mesh first."};

@@ -7,7 +7,16 @@ import { departs, whyNoLengths, whyNoPaths } from '../../model/spline-options.ts
 import type { Motion } from '../../model/state.ts';
 import { missedLengths } from './missed-lengths.ts';
 import { ownPathsGain } from './own-paths-gain.ts';
-import type { ProposalParts } from './proposals.ts';
+import type { TimedShapes } from '../../study/reference-motion.ts';
+import type { Session } from '../session/session.ts';
+
+export interface ProposalInput {
+  session: Session;
+  /** The animation of the keys, if it has been read. */
+  animation(): TimedShapes | null;
+  /** Milliseconds per frame. */
+  ms(): number;
+}
 
 export interface Proposal {
   message: string;
@@ -21,7 +30,7 @@ const LEAST_GAIN = 0.02;
 const KEPT_BETWEEN = 1;
 
 export async function proposalFor(
-  { session: { store, workspace, sequence }, animation, ms }: ProposalParts,
+  { session: { store, workspace, sequence }, animation, ms }: ProposalInput,
   signal: AbortSignal,
 ): Promise<Proposal | null> {
   const { doc } = store.get();

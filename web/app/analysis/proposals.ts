@@ -2,16 +2,9 @@
  * Proposes options of the shape spline that suit the open keys. Looks for them when the motion has rested for a while,
  * and stops when it changes.
  */
-import type { TimedShapes } from '../../study/reference-motion.ts';
-import type { Session } from '../session/session.ts';
-import type { Proposal } from './proposal.ts';
+import type { Proposal, ProposalInput } from './proposal.ts';
 
-export interface ProposalParts {
-  session: Session;
-  /** The animation of the keys, if it has been read. */
-  animation(): TimedShapes | null;
-  /** Milliseconds per frame. */
-  ms(): number;
+export interface ProposalParts extends ProposalInput {
   /** Nothing is proposed now, because the page shows something else. */
   isQuiet(): boolean;
   /** null withdraws the proposal. */
