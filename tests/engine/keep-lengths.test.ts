@@ -155,6 +155,17 @@ describe('kept lengths', () => {
     expect(await missed(await engine.createSequence(bend), bend)).toBeNull();
   });
 
+  it('are missed by as much if a tangent pose is given', async () => {
+    const { faces, poses } = rolledSheet(8, 3.5);
+    const keys = await engine.createKeys({
+      faces,
+      poses: [...poses, poses[0]!].map((positions, i) => ({ name: `${i}`, time: i, positions })),
+    });
+    const plain = await missed(await engine.createSequence(keys), keys);
+    const tangent = await engine.createSequence(keys, { startTangent: poses[1]! });
+    expect(await missed(tangent, keys)).toBeCloseTo(plain!, 4);
+  });
+
   const plate = ['turns/plate/plate121_rolledA.ply', 'turns/plate/plate121_rolledB.ply'];
   it.skipIf(!hasData)('keep those of a plate rolled up two ways', async () => {
     const keys = await engine.importKeyframes(plate.map(dataFile), { keyTimes: [0, 1] });

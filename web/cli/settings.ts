@@ -169,7 +169,7 @@ Keys are counted from 1, animations from 0; reports count everything from 0. Tim
 
 ${line('  --methods M,M,...', 'measure, study spaces: methods to compare; default: lri for measure, all methods for study spaces')}
 ${line('  --sizes N,N,...', 'study ghost: numbers of faces of the ghost meshes; default: 500,1000,2000,3000,5000,10000')}
-${line('  --against FILE', "measure, study spaces: compare each method with this animation of the same mesh, at the animation's own frames unless --at, --frames, --fps or --range is given; repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
+${line('  --against FILE', "measure, study spaces: compare each method with this animation of the same mesh, at the animation's own frames (with measure, unless --at, --frames, --fps or --range is given); repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
 ${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure, study spaces: metres per unit of that animation; default: as its file states, otherwise --unit')}
 ${line('  --shell-bending', 'measure: add the bending energy of edge lengths and angles, which is the same measure for every method; this computes up to three more shapes per time')}

@@ -37,12 +37,14 @@ export async function missedLengths(input: SheetInput): Promise<number | null> {
   }
   const times = middles(motion.keyTimes);
   const { weights } = await motion.shapePlane(times);
+  // Weights of the keys, then of the tangent poses.
+  const row = weights.length / times.length;
   let worst = 0;
   for (const [i, t] of times.entries()) {
     const [frame] = await motion.evaluateMany([t], { signal });
     const found = lengthsOf(some, frame!.positions);
     frame!.release();
-    const splined = blend(lengths, weights.slice(i * keys, (i + 1) * keys));
+    const splined = blend(lengths, weights.slice(i * row, i * row + keys));
     worst = Math.max(worst, rms(found, splined, areas));
   }
   return worst > MISSED && !(await folds(input)) ? worst : null;
