@@ -156,7 +156,7 @@ async function endToEnd(words) {
 /**
  * Suites in execution order. A suite without `files` is skipped. `requirements`, `steps` and `compile(words)` prepare
  * it; `run(words, compiled)` runs it. Words come from the command line. Plain `npm test` runs a suite with its own
- * `words`, and skips suites with `onlyInAll`.
+ * `words`, and skips suites with `onlyInAll`. `npm test -- all` runs a suite with its `wordsInAll`, or completely.
  */
 export const suites = {
   lint: { run: lint, files: ['web', '.ts'], requirements: forFormatting, steps: [] },
@@ -169,6 +169,8 @@ export const suites = {
     steps: [],
     compile: compileNative('shapespline_tests'),
     words: [NOT_DENSE],
+    // The suite `wasm` runs the dense cases. Sanitizers take three times as long for them, in the same code.
+    wordsInAll: [NOT_DENSE],
   },
   engine: {
     run: vitest('engine'),
