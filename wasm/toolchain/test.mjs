@@ -53,7 +53,8 @@ export function chosen([which, ...words]) {
     return Object.entries(suites)
       .filter(([, suite]) => !suite.onlyInAll)
       .map(([name, suite]) => [name, suite.words ?? []]);
-  if (which === 'all' && words.length === 0) return Object.entries(suites).map(([name, { wordsInAll = [] }]) => [name, wordsInAll]);
+  if (which === 'all' && words.length === 0)
+    return Object.entries(suites).map(([name, { wordsInAll = [] }]) => [name, wordsInAll]);
   if (Object.hasOwn(suites, which)) return [[which, words]];
   throw new Explained(`usage: npm test [-- all | SUITE [WORDS]]; the suites are ${Object.keys(suites).join(', ')}`);
 }
