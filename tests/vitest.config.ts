@@ -19,7 +19,8 @@ export default defineConfig({
     pool: 'forks',
     poolOptions: { forks: { maxForks: 2, minForks: 1 } },
     projects: [
-      project('unit', 10_000),
+      // A few unit tests read the whole repository, which takes long beside other processes.
+      project('unit', 30_000),
       project('engine', 120_000),
       project('tools', 300_000),
       project('package', 240_000, { globalSetup: 'tests/package/support/setup.ts' }),
