@@ -93,7 +93,7 @@ export function studyMethods(args: Arguments): Promise<Measured> {
 }
 
 const SPACE_COLUMNS = {
-  method: 'as of --methods; every other number is of 48 times between the first and the last key',
+  method: 'the method; the numbers up to largest bending are measured at 48 times between the first and the last key',
   volume: "largest difference from the natural spline of the keys' volumes, %; empty for open surfaces",
   area: "largest difference from the natural spline of the keys' areas, %",
   'edge lengths': 'root mean square over edges and times of the differences from the splines of their lengths, %',
@@ -133,9 +133,9 @@ const TABLE_COLUMNS = {
   model: "the paper's model if a file name contains its name, otherwise shape",
   faces: 'of the shape; empty where the paper does not state their number',
   shapes: 'number of shapes of the motion, K of the paper',
-  share: 'of the vertices that are left on the ghost mesh, gamma of the paper; table 1: about 2000 faces are left',
+  share: 'vertices of the ghost mesh relative to those of the shape, gamma of the paper; table 1: about 2000 faces',
   '[2] ghost': 'spline in shell space, on the ghost mesh, s; here: fitting the shapes',
-  '[2] transfer': 'deformation transfer, s; here: all else, from the keys to the last shape',
+  '[2] transfer': 'deformation transfer, s; here: everything else, from the keys to the last shape',
   '[2] full': 'without a ghost mesh, s',
   ghost: 'spline in LRI space, on the ghost mesh, s',
   transfer: 'deformation transfer, s; here: total time with the ghost mesh, minus the column ghost',
