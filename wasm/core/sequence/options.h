@@ -16,7 +16,7 @@ namespace shapespline {
 
 /// Interpolation of the keys: the method first, followed by the baselines.
 enum class Method {
-  Lri,             ///< cubic splines in LRI space (the method)
+  Lri,             ///< cubic splines in LRI space (the paper's method)
   Geodesic,        ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
   Linear,          ///< piecewise linear vertex positions, like morph targets
   CubicVertex,     ///< cubic splines of the vertex positions
@@ -49,7 +49,7 @@ struct MotionOptions {
   bool inPlace = false;               ///< remove the translation accumulated along the sequence
 };
 
-/// Options that change the encoding, and require a new sequence.
+/// Options that change the encoding and require a new shape.
 struct EncodingOptions : LriOptions {
   int reference = 0;  ///< 0-based key, the reference of deformation gradients
   /// hermite: shapes that replace key 2 in the difference at key 1, and key J - 1 in the difference at key J
