@@ -18,7 +18,7 @@ import { bar } from './support/shapes.ts';
 const MB = 1e6;
 /** Memory of Node, its workers and the module, including garbage. */
 const AT_REST = 450 * MB;
-/** An OBJ as bytes in the program, its worker and the module, and as numbers. */
+/** Memory for an OBJ over its size: its bytes in the program, its worker and the module, and its numbers. */
 const TIMES_ITS_SIZE = 5;
 
 const fuzzed = fileURLToPath(new URL('../fuzz/found', import.meta.url));

@@ -27,7 +27,7 @@ enum class Method {
 /// Whether every vertex moves separately: the vertex baselines.
 constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
-/// Whether faces rotate separately, without patches for holding or added turns: the rival spaces.
+/// Whether faces rotate separately. These methods have no patches, so no holding and no added turns.
 constexpr bool turnsFaces(Method method) { return method == Method::RotationStrain || method == Method::Rimd; }
 
 /// Options that only refit the spline. Changing them never encodes again, and factors only for `hold` and `pins`.
