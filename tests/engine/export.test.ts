@@ -272,8 +272,8 @@ describe('an animated GLB', () => {
       await expectValid(bytes);
       const { float, short } = await targetNormals(bytes);
       expect(short).toBeGreaterThan(float); // the bar's normals rotate by up to 80 degrees
-      // Of 24 bytes per vertex remain a position with 16 bits per coordinate and, if it fits, a normal, each padded to
-      // 8 bytes.
+      // Of 24 bytes per vertex, 8 remain for the position (16 bits per coordinate, padded), and 8 for the normal if it
+      // fits.
       const quantized = (8 + (8 * short + 12 * float) / (short + float)) / 24;
       // Smooth surfaces move so evenly that they need fewer bits than the stored 16 and 12 per coordinate.
       const most = compression === 'quantized' ? quantized + 0.02 : (3 * (16 + 12)) / 8 / 24;

@@ -1,4 +1,4 @@
-/** Methods that fit shapes while a motion is made: what they keep, what they refuse, how they end. */
+/** Methods that fit shapes while a motion is made: kept measures, unsupported options, cancellation. */
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import { folderOf, runCli } from './support/cli.ts';
@@ -9,7 +9,7 @@ import { bar, bent, diagonal, foam, largestDistance, rolledSheet, type Mesh } fr
 
 const engine = testEngine();
 
-/** The same triangles, each with its own vertices and smaller. */
+/** The same triangles, reduced in size, each with its own vertices. */
 function apart({ indices, positions }: Mesh): Mesh {
   const moved = new Float32Array(3 * indices.length);
   indices.forEach((vertex, corner) => {

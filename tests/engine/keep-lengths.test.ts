@@ -1,4 +1,4 @@
-/** Motions of the method `lri` through shapes that keep lengths: what they keep, what they refuse, how they count. */
+/** Motions of the method `lri` through shapes that keep lengths: measures, unsupported options, keys in warnings. */
 import { describe, expect, it } from 'vitest';
 import type { Keys, Motion } from '../../web/engine/api/api.ts';
 import { missedLengths } from '../../web/app/analysis/missed-lengths.ts';

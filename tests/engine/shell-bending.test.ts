@@ -15,7 +15,7 @@ async function importCactus(): Promise<Keys> {
   return engine.importKeyframes([{ name: 'cactus.glb', bytes }], { keyTimes: [0, 0.5, 1] });
 }
 
-/** Even times from 0 to 1, the middle among them. */
+/** Evenly spaced times from 0 to 1, including 0.5. */
 const times = Array.from({ length: 49 }, (_, i) => i / 48);
 const mean = (values: readonly number[]): number => values.reduce((sum, one) => sum + one / values.length, 0);
 

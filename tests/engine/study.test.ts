@@ -106,7 +106,7 @@ describe('study spaces', () => {
     const lengths = (p: Float32Array): number[] =>
       [...edges.values()].map(([a, b]) => Math.hypot(...[0, 1, 2].map((k) => p[3 * a + k]! - p[3 * b + k]!)));
     const [y0, y1, y2] = [0, 1, 2].map((key) => lengths(keys.positions(key))) as [number[], number[], number[]];
-    /** The natural cubic spline of three even values, from its second derivative in the middle. */
+    /** The natural cubic spline of three evenly spaced values, by its second derivative in the middle. */
     const splined = (edge: number, t: number): number => {
       const h = 0.5;
       const middle = (1.5 * (y0[edge]! - 2 * y1[edge]! + y2[edge]!)) / h ** 2;

@@ -121,7 +121,7 @@ describe('permalinks', () => {
     ['ghostFaces', '1e9'],
     ['period', '1e-9'],
     ['period', '1e308'],
-    ['period', '1'], // the period is not longer than the keys alone
+    ['period', '1'], // not longer than the range of the keys
     ['startSpeed', '1e308'],
     ['endSpeed', '-1e6'],
     ['tension', '1e308,0,0'],

@@ -22,7 +22,7 @@ const names = (files: readonly PickedFile[]): string => files.map(({ name }) => 
 const own: Source = { kind: 'files', names: ['mine.obj'] };
 const sample: Source = { kind: 'sample', id: 'box' };
 
-/** `fit`: the files match the open mesh. A single file is not a motion. */
+/** `fit`: whether the files match the open mesh. A single file does not open as a motion. */
 function takeFilesOf(source: Source, fit: boolean): TakeFiles {
   const files = {
     run: async (given: PickedFile[], work: (files: PickedFile[]) => Promise<boolean>) => work(await given),

@@ -1,4 +1,4 @@
-/** Pointers survive the library that decodes compressed meshes. */
+/** KHR_animation_pointer is preserved by the library that decodes compressed meshes. */
 import * as core from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { expect, it } from 'vitest';
