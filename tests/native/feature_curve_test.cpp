@@ -22,7 +22,7 @@ double largest(const std::vector<double>& values) { return *std::max_element(val
 
 }  // namespace
 
-TEST_CASE("shape plane: a blend of vertices meets the keys and leaves their plane between them") {
+TEST_CASE("shape plane: a vertex blend passes through the keys and leaves their plane between them") {
   for (const int ghostFaces : {0, 60}) {
     CAPTURE(ghostFaces);
     EncodingOptions encoding = doublePrecision();

@@ -301,7 +301,7 @@ TEST_CASE("holding factors once when it is switched on, for any other changes") 
   CHECK_FALSE(fitted(other, times, &third).pinned()->sharesSystem(third.pinned()));
 }
 
-TEST_CASE("parts of one body move as one where they are held") {
+TEST_CASE("held parts of one body move together") {
   // A wheel turns next to the resting half. None of its vertices rest, and it must move with the resting half.
   const Vec3 hub(0.85, 0, 3);
   const Shape body = bar();
