@@ -91,7 +91,7 @@ test('single-letter shortcuts can be switched off', async ({ app }) => {
 test.describe('at 360 px', () => {
   test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, ownProfile: true });
 
-  test('everything is there and fits', async ({ app }) => {
+  test('everything is visible and fits', async ({ app }) => {
     await app.open();
     const { page } = app;
     const overflow = (): Promise<number> =>
@@ -124,7 +124,7 @@ test.describe('at 360 px', () => {
   });
 });
 
-test('at 360 px a message covers no half of a line', async ({ app }) => {
+test('at 360 px a message covers no text partly', async ({ app }) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await app.open();
   await app
@@ -141,7 +141,7 @@ test('at 360 px a message covers no half of a line', async ({ app }) => {
 test.describe('while it is loaded', () => {
   test.use({ fresh: true });
 
-  test('asks no other host for anything, under a policy that forbids inline scripts', async ({ app }) => {
+  test('requests nothing from other hosts, under a policy that forbids inline scripts', async ({ app }) => {
     await app.open();
     const { page } = app;
     const { origin } = new URL(page.url());
@@ -164,7 +164,7 @@ test.describe('while it is loaded', () => {
   });
 });
 
-test('contrast themes keep the timeline, the choices and what is chosen', async ({ app }) => {
+test('contrast themes keep the timeline, the choices and the selection visible', async ({ app }) => {
   await app.page.emulateMedia({ forcedColors: 'active' });
   await app.open();
   const background = (selector: string): Promise<string> =>

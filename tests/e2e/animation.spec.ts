@@ -77,7 +77,7 @@ test('an animation is chosen, five keys taken, played, exported, and opened agai
   await app.expectNoProblems();
 });
 
-test('sample times are spread, typed, added by a click on the timeline, moved and removed', async ({ app }) => {
+test('sample times are spaced evenly, typed, added by a click on the timeline, moved and removed', async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles(upload('rig.glb', (await rigFile()).bytes));
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
@@ -120,7 +120,7 @@ test('sample times are spread, typed, added by a click on the timeline, moved an
   await app.expectNoProblems();
 });
 
-test('marks and numbers of many keys stay apart', { tag: '@all' }, async ({ app }) => {
+test('marks and numbers of many keys do not overlap', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));
   await app.by('sample-count').fill('64');
@@ -142,7 +142,7 @@ test('marks and numbers of many keys stay apart', { tag: '@all' }, async ({ app 
   expect(Math.min(...gaps)).toBeGreaterThan(0);
 });
 
-test('another animation and number of keys are taken at once, and undone', { tag: '@all' }, async ({ app }) => {
+test('another animation and number of keys take effect at once and can be undone', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));
   await app.by('opening-close').click();
@@ -169,7 +169,7 @@ test('another animation and number of keys are taken at once, and undone', { tag
   await app.expectNoProblems();
 });
 
-test('as few keys as an error allows are found, and the animation stands beside the motion', { tag: '@all' }, async ({
+test('the fewest keys for an error are found, and the animation is shown next to the motion', { tag: '@all' }, async ({
   app,
 }) => {
   const file = realFile('skin/CesiumMan.glb');
@@ -220,7 +220,7 @@ test('as few keys as an error allows are found, and the animation stands beside 
   await app.expectNoProblems();
 });
 
-test('one sheet asks how to take the animation, and goes back into its panel', async ({ app }) => {
+test('one sheet asks for the options of the animation, and then becomes a panel again', async ({ app }) => {
   await app.open();
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));
   const sheet = app.by('opening');
@@ -286,7 +286,7 @@ test('on a phone the sheet leaves room for the shape, upright and sideways', asy
   await app.expectNoProblems();
 });
 
-test('a motion that ends as it began offers to go on as a loop', { tag: '@all' }, async ({ app }) => {
+test('the page offers to loop a motion that ends as it began', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
@@ -306,7 +306,7 @@ test('a motion that ends as it began offers to go on as a loop', { tag: '@all' }
   await app.expectNoProblems();
 });
 
-test('the offer to loop an animation stands in its sheet, and can be put off on the smallest phone', {
+test('the offer to loop an animation is in its sheet, and can be dismissed on the smallest phone', {
   tag: '@all',
 }, async ({ app }) => {
   const closed = realFile('skin/Soldier.glb');

@@ -2,7 +2,7 @@
 import { colours, decode, matching, saturation } from './png.ts';
 import { expect, test } from './support.ts';
 
-test('shows the first sample with its counts and a picture that is not flat', { tag: '@server' }, async ({ app }) => {
+test('shows the first sample with its counts and a shaded image', { tag: '@server' }, async ({ app }) => {
   await app.open();
   const { source, doc } = await app.state();
   expect(source).toEqual({ kind: 'sample', id: 'cactus' });
@@ -20,7 +20,7 @@ test('shows the first sample with its counts and a picture that is not flat', { 
   await app.expectNoProblems();
 });
 
-test('where motion is welcome the sample is moving by itself until the slider is taken, and own files as soon as they are open', async ({
+test('without reduced motion, the sample plays until the slider is used, and opened files play at once', async ({
   app,
 }) => {
   await app.page.emulateMedia({ reducedMotion: 'no-preference' });
@@ -42,7 +42,7 @@ test('where motion is welcome the sample is moving by itself until the slider is
   await app.expectNoProblems();
 });
 
-test('stands still where the visitor wants no motion, and plays when asked to', async ({ app }) => {
+test('with reduced motion, nothing plays until the user starts it', async ({ app }) => {
   await app.open();
   expect((await app.state()).play.playing).toBe(false);
   await app.by('play').click();

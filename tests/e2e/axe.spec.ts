@@ -82,7 +82,7 @@ test('charts of faces and patches with their values', { tag: '@all' }, async ({ 
   await expectAccessible(app, { parts: ['[data-testid="faces"]'] });
 });
 
-test('ghost sizes that were compared', { tag: '@all' }, async ({ app }) => {
+test('the comparison of ghost sizes', { tag: '@all' }, async ({ app }) => {
   test.slow();
   await app.open({ hash: '#sample=twisted-bar' });
   await app.by('ghost').check();
@@ -94,7 +94,7 @@ test('ghost sizes that were compared', { tag: '@all' }, async ({ app }) => {
   await expectAccessibleInBoth(app, ['[data-testid="panel-ghost"]', '.colour-bar']);
 });
 
-test('the guide, with the playground beside it, and on a projector', { tag: '@all' }, async ({ app }) => {
+test('the guide with the playground, and on a projector', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#tour=6' });
   await expect(app.page.frameLocator('.framed').getByTestId('curve-notice')).not.toBeEmpty();
   await app.settled();

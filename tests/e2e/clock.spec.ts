@@ -23,7 +23,7 @@ async function centreOf(app: App, selector: string): Promise<number> {
   return box.x + box.width / 2;
 }
 
-test('two handles are dragged to what plays', async ({ app }) => {
+test('two handles are dragged to set the playing range', async ({ app }) => {
   await app.open();
   const { page } = app;
   const drag = async (handle: string, from: number, to: number): Promise<void> => {
@@ -48,7 +48,7 @@ test('two handles are dragged to what plays', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('the handles are worked by the keyboard, and one key plays everything again', async ({ app }) => {
+test('the handles work with the keyboard, and one key resets the range', async ({ app }) => {
   await app.open();
   const { page } = app;
   const between = async (): Promise<number[] | null> => (await app.state()).play.between;
@@ -118,9 +118,7 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await app.expectNoProblems();
 });
 
-test('zoomed in, the timeline follows the playhead, and a dragged key moves by what the pointer covers', async ({
-  app,
-}) => {
+test('when zoomed in, the timeline follows the playhead, and a dragged key follows the pointer', async ({ app }) => {
   await app.open();
   const { page } = app;
   await app.setTime(0.5);
@@ -162,7 +160,7 @@ test('two fingers zoom', async ({ app }) => {
   expect((low + high) / 2).toBeCloseTo(0.5, 1);
 });
 
-test('whole frames: the field, the steps and the slider keep to them', async ({ app }) => {
+test('the time field, the steps and the slider snap to whole frames', async ({ app }) => {
   await app.open();
   const { page } = app;
   await app.setTime(0.3);
@@ -188,7 +186,7 @@ test('whole frames: the field, the steps and the slider keep to them', async ({ 
   expect(difference(await app.positions(), between)).toBeGreaterThan(0);
 });
 
-test('what plays is what an export holds', { tag: '@all' }, async ({ app }) => {
+test('an export has the playing range', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&between=0.25,0.75&fps=8' });
   await app.by('export').click();
   await expect(app.by('export-from')).toHaveValue('0.25');

@@ -100,7 +100,7 @@ async function opensAnotherSample(app: App): Promise<void> {
 }
 
 test(
-  'leaves open tabs as they are, is offered, and takes over where it is asked for',
+  'does not change open tabs, is offered, and replaces the old build on request',
   { tag: '@all' },
   async ({ app, context }, info) => {
     test.skip(info.project.name === 'dev', 'the development server has no service worker');
@@ -141,7 +141,7 @@ test(
   },
 );
 
-test('nothing is kept under a file name but that file', { tag: '@all' }, async ({ app }, info) => {
+test('the cache stores only the right file under each name', { tag: '@all' }, async ({ app }, info) => {
   test.skip(info.project.name === 'dev', 'the development server has no service worker');
   const host = new Host();
   try {
@@ -187,7 +187,7 @@ test('nothing is kept under a file name but that file', { tag: '@all' }, async (
 });
 
 /** Only a browser has a service worker with its cache and cached scripts. */
-test('what is damaged in the cache is fetched again, with a word', { tag: '@all' }, async ({ app }, info) => {
+test('damaged files in the cache are fetched again, with a message', { tag: '@all' }, async ({ app }, info) => {
   test.skip(info.project.name === 'dev', 'the development server has no service worker');
   const host = new Host();
   try {

@@ -79,7 +79,7 @@ async function stored(app: App, index: number): Promise<{ count: number; picture
   return { count, picture: Buffer.from(url.split(',')[1]!, 'base64') };
 }
 
-test('the moving image of the README is what the page draws', { tag: '@all' }, async ({ app }, info) => {
+test('the animated image of the README matches the page', { tag: '@all' }, async ({ app }, info) => {
   test.setTimeout(120_000);
   await openAlone(app);
   if (info.config.updateSnapshots === 'all') {

@@ -32,7 +32,7 @@ const volumes = async (app: App): Promise<number[]> => {
   return texts.map(parseFloat);
 };
 
-test('each side shows its own motion, as much of it as the divider leaves', async ({ app }) => {
+test('each side shows its own motion up to the divider', async ({ app }) => {
   await app.open({ hash: SPLIT });
   const both = await pictureOf(app);
   await app.by('divider').press('Home');
@@ -51,7 +51,7 @@ test('each side shows its own motion, as much of it as the divider leaves', asyn
   await app.expectNoProblems();
 });
 
-test('a shape that its side does not show is out of view, unless the divider was drawn over it', {
+test('a shape outside its side counts as out of view, unless the divider was moved over it', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ hash: SPLIT });
@@ -75,7 +75,7 @@ test('a shape that its side does not show is out of view, unless the divider was
   await app.expectNoProblems();
 });
 
-test('is dragged by pointer and touch, and told to who cannot see it', async ({ app }) => {
+test('is dragged with mouse and touch, and announced to screen readers', async ({ app }) => {
   await app.open({ hash: SPLIT });
   const divider = app.by('divider');
   await expect(divider).toHaveAttribute('role', 'slider');
@@ -116,7 +116,7 @@ test('is dragged by pointer and touch, and told to who cannot see it', async ({ 
   await app.expectNoProblems();
 });
 
-test('says the volumes of a large shape, too', { tag: '@all' }, async ({ app }) => {
+test('shows the volumes of a large shape as well', { tag: '@all' }, async ({ app }) => {
   test.slow();
   await app.open();
   await app.openGenerated(70_000);
@@ -130,7 +130,7 @@ test('says the volumes of a large shape, too', { tag: '@all' }, async ({ app }) 
   }
 });
 
-test('says the volumes of both as the time goes', async ({ app }) => {
+test('shows both volumes while the time changes', async ({ app }) => {
   await app.open({ hash: SPLIT });
   const [lri, linear] = (await volumes(app)) as [number, number];
   expect(lri).toBe(100);
@@ -141,7 +141,7 @@ test('says the volumes of both as the time goes', async ({ app }) => {
   await expect.poll(() => volumes(app)).toEqual([100, 100]);
 });
 
-test('S puts it between any motion and a blend, and takes away what came with it', async ({ app }) => {
+test('S shows the divider between any motion and a blend, and removes both again', async ({ app }) => {
   await app.open({ sample: 'cactus' });
   await app.page.keyboard.press('s');
   await app.settled();
@@ -161,7 +161,7 @@ test('S puts it between any motion and a blend, and takes away what came with it
   await app.expectNoProblems();
 });
 
-test('no words lie over others at 820 px and 360 px', async ({ app }) => {
+test('no texts overlap at 820 px and 360 px', async ({ app }) => {
   await app.page.setViewportSize({ width: 820, height: 1180 });
   await app.open({ hash: SPLIT });
   for (const [width, height] of [
@@ -190,7 +190,7 @@ test('no words lie over others at 820 px and 360 px', async ({ app }) => {
 test.describe('a first visit', () => {
   test.use({ fresh: true });
 
-  test('opens with a blend collapsing beside this method, and only the first', async ({ app }) => {
+  test('opens with a collapsing blend next to this method, on the first visit only', async ({ app }) => {
     await app.page.emulateMedia({ reducedMotion: 'no-preference' });
     await app.open({ first: true });
     const { view, play } = await app.state();
@@ -206,7 +206,9 @@ test.describe('a first visit', () => {
     await app.expectNoProblems();
   });
 
-  test('stands still with reduced motion where the blend has collapsed', { tag: '@all' }, async ({ app }) => {
+  test('with reduced motion, stands still at the time when the blend has collapsed', { tag: '@all' }, async ({
+    app,
+  }) => {
     await app.open({ first: true });
     expect((await app.state()).play.playing).toBe(false);
     const [method, blend] = await volumes(app);

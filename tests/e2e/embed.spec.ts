@@ -40,7 +40,9 @@ test('a seek resolves when the shape is drawn', async ({ page }, info) => {
   expect(problems).toEqual([]);
 });
 
-test('what is far below is neither fetched nor computed; keys move the time', async ({ page }, info) => {
+test('elements far below the view are neither fetched nor computed; the keyboard changes the time', async ({
+  page,
+}, info) => {
   test.skip(info.project.name === 'dev', 'the examples are built');
   await open(page);
   const far = await page.evaluate(() => {
@@ -74,9 +76,7 @@ test('a missing file is reported in a sentence', async ({ page }, info) => {
   expect(detail.message).toMatch(/^Could not fetch .*gone\.glb \(404 Not Found\)\. Check the URL\./);
 });
 
-test('methods beside each other, time that follows the page, keys that the reader gives, and every table', async ({
-  page,
-}, info) => {
+test('compared methods, time that follows scrolling, files of the user, and every table', async ({ page }, info) => {
   test.skip(info.project.name === 'dev', 'the examples are built');
   const problems = await open(page);
   const shape = (id: string): Promise<{ time: number; vertices: number | undefined }> =>
@@ -105,10 +105,7 @@ test('methods beside each other, time that follows the page, keys that the reade
   expect(problems).toEqual([]);
 });
 
-test('what is open in the app is shown by the zip that it gives, and opens again when that is dropped', async ({
-  app,
-  browser,
-}, info) => {
+test('the zip from the app shows its open shape, and opens it again in the app', async ({ app, browser }, info) => {
   test.skip(info.project.name === 'dev', 'the package is built');
   const { page } = app;
   await app.open();

@@ -6,7 +6,7 @@ import { unzip } from '../unzip.ts';
 const namesIn = async (zip: Buffer): Promise<string[]> =>
   (await unzip(new Blob([new Uint8Array(zip)]))).map(({ name }) => name);
 
-test('an animation comes as OBJ, PC2 and MDD in a zip, or as keys and in-betweens for Blender', async ({ app }) => {
+test('an animation is saved as OBJ, PC2 and MDD in a zip, or as keys and in-betweens for Blender', async ({ app }) => {
   await app.open();
   const zipped = async (choose: () => Promise<void>): Promise<string[]> => {
     const { download, bytes } = await exported(app, choose);
@@ -30,7 +30,7 @@ test('an animation comes as OBJ, PC2 and MDD in a zip, or as keys and in-between
   expect(keys).toEqual(['cactus.csv', 'cactus.glb', 'cactus.py']);
 });
 
-test('as few morph targets as the tolerance needs are exported, and the dialog says how many', async ({ app }) => {
+test('the fewest morph targets for the tolerance are exported, and the dialog shows their number', async ({ app }) => {
   await app.open();
   const targetsIn = (text: string): number => Number(/(\d+) morph targets/.exec(text)![1]);
   const { download, bytes, stated: said } = await exported(app, () => app.by('export-bounce').check());
@@ -59,7 +59,7 @@ test('the current pose is saved as PLY, and as OBJ with its materials', async ({
   expect(await namesIn(obj.bytes)).toEqual(expect.arrayContaining(['cactus.obj', 'cactus.mtl']));
 });
 
-test('numbers are saved as CSV with version, options and units: at the frames that are exported, and of every face', async ({
+test('measurements at the exported frames and of every face are saved as CSV with version, options and units', async ({
   app,
 }) => {
   await app.open();
@@ -97,7 +97,7 @@ test('numbers are saved as CSV with version, options and units: at the frames th
   expect(new Set(ofFaces.map((row) => row.split(',')[1])).size).toBe((await app.stats()).patches);
 });
 
-test('poses without times get a second each, which the timeline says, and play in it', async ({ app }) => {
+test('poses without times are one second apart, as the timeline shows, and play at that speed', async ({ app }) => {
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
   await app.open();
@@ -116,7 +116,7 @@ test('poses without times get a second each, which the timeline says, and play i
   await expect(app.by('export-speed')).toHaveText('as played here');
 });
 
-test('a link brings the whole view back', async ({ app, page }) => {
+test('a link restores the whole view', async ({ app, page }) => {
   await app.open();
   await app.by('boundary-hermite').check();
   await app.by('method').selectOption('cubic-vertex');

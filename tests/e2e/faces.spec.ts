@@ -36,7 +36,7 @@ function correlation(a: number[], b: number[]): number {
   return dot(x, y) / Math.sqrt(dot(x, x) * dot(y, y));
 }
 
-test('pixels follow the numbers: where vertices are further off, the colour is further up the map', async ({ app }) => {
+test('colours follow the numbers: larger distances have higher colours', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear&colour=distance' });
   await app.setTime(0.3);
   await expect(app.by('colour-bar')).toContainText('% of the model’s size');
@@ -70,7 +70,7 @@ test('pixels follow the numbers: where vertices are further off, the colour is f
   await app.expectNoProblems();
 });
 
-test('a few slivers do not set the scale of stretch, and the bar says that there is more', {
+test('a few slivers do not set the scale of stretch, and the bar shows that some values exceed it', {
   tag: '@all',
 }, async ({ app }) => {
   const files = [2, 5, 8].map((pose) => realFile(`turns/cat/cat${pose}.off`));
@@ -130,7 +130,7 @@ test('a face that is clicked shows its coordinates over time, with dots at the k
   await app.expectNoProblems();
 });
 
-test('the shape goes on moving when another face is marked, and when none is', { tag: '@all' }, async ({ app }) => {
+test('the shape keeps playing when another face is selected, and when none is', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&floor=0' });
   await app.by('faces').scrollIntoViewIfNeeded();
   for (const numbers of [['3', '30'], ['']]) {
@@ -147,7 +147,7 @@ test('the shape goes on moving when another face is marked, and when none is', {
   await app.expectNoProblems();
 });
 
-test('a patch that is clicked shows how it turns against each neighbour', async ({ app }) => {
+test('a clicked patch shows its rotation relative to each neighbour', async ({ app }) => {
   await app.open({ hash: '#sample=twisted-bar' });
   await app.by('faces').scrollIntoViewIfNeeded();
   await app.by('part-patch').check({ force: true });
@@ -177,7 +177,7 @@ test('a patch that is clicked shows how it turns against each neighbour', async 
   await app.expectNoProblems();
 });
 
-test('a patch that the next shape does not have is let go without a word; one that is typed wrongly is said', {
+test('a patch that the next shape does not have is dropped without a message; an invalid number is reported', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus' });
@@ -195,7 +195,7 @@ test('a patch that the next shape does not have is let go without a word; one th
   await expect(app.by('error')).toContainText('There is no patch 5000');
 });
 
-test('amounts colour the surface from Display, too, and the panel follows', async ({ app }) => {
+test('amounts can also be chosen in Display, and the panel follows', async ({ app }) => {
   await app.open({ hash: '#sample=twisted-bar&t=1' });
   await app.by('look-toggle').click();
   await app.by('colouring-rotation').check({ force: true });
@@ -216,7 +216,7 @@ test('amounts colour the surface from Display, too, and the panel follows', asyn
   await expect(app.by('colour-bar')).toBeHidden();
 });
 
-test('at 360 px no words of the colour bar lie over names of views or buttons', { tag: '@all' }, async ({ app }) => {
+test('at 360 px the text of the colour bar overlaps no names of views or buttons', { tag: '@all' }, async ({ app }) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await app.open({ hash: '#figure=7' });
   await expect(app.by('colour-bar-now')).toContainText('at most');
@@ -246,7 +246,9 @@ test('at 360 px no words of the colour bar lie over names of views or buttons', 
     }
 });
 
-test('at 360 px no words of the colour bar lie over the first of three shapes', { tag: '@all' }, async ({ app }) => {
+test('at 360 px the text of the colour bar does not overlap the first of three shapes', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await app.open({ hash: '#sample=hand&compare=linear,cubic-vertex&colour=stretch&t=0.3' });
   await expect(app.by('colour-bar-now')).toContainText('at most');
@@ -270,7 +272,7 @@ test('at 360 px no words of the colour bar lie over the first of three shapes', 
     .toBe(0);
 });
 
-test('coordinates are reached and read with the keyboard alone', async ({ app }) => {
+test('coordinates can be reached and read with the keyboard alone', async ({ app }) => {
   await app.open({ hash: '#sample=cactus' });
   await app.by('face-number').focus();
   await app.page.keyboard.type('3');
@@ -289,7 +291,7 @@ test('coordinates are reached and read with the keyboard alone', async ({ app })
 });
 
 test(
-  'an animation of the same mesh is dropped on the distances, which are from it then',
+  'distances are relative to an animation of the same mesh after it is dropped on them',
   { tag: '@all' },
   async ({ app }, testInfo) => {
     const mesh = barMesh();

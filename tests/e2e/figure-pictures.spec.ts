@@ -74,7 +74,7 @@ async function pictureOf(app: App, { link, panel, part, beside }: GuidePage): Pr
 }
 
 for (const page of FIGURES)
-  test(`is seen as its kept picture: ${page.title}`, { tag: '@all' }, async ({ app }, info) => {
+  test(`matches its stored image: ${page.title}`, { tag: '@all' }, async ({ app }, info) => {
     test.slow();
     const { link } = page;
     const now = await pictureOf(app, page);

@@ -144,7 +144,7 @@ test('bending is measured by edge lengths and angles on request, again after an 
   await app.expectNoProblems();
 });
 
-test('no plot of the shape before is seen beside the one that has taken its place', async ({ app }) => {
+test('no plot of the previous shape is shown with the next shape', async ({ app }) => {
   await app.open({ hash: '#sample=cactus' });
   await app.by('plot-bending').scrollIntoViewIfNeeded();
   await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(1);
@@ -175,7 +175,7 @@ test('no plot of the shape before is seen beside the one that has taken its plac
   await app.expectNoProblems();
 });
 
-test('an image that is saved names its curves, on the background of the theme', { tag: '@all' }, async ({ app }) => {
+test('a saved image has a legend and the background of the theme', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=geodesic,linear' });
   await app.by('plot-bending').scrollIntoViewIfNeeded();
   await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(3);
@@ -203,7 +203,7 @@ test('an image that is saved names its curves, on the background of the theme', 
   }
 });
 
-test('a figure fills the screen by key, in type that is read from afar, and gives the focus back', {
+test('a figure fills the screen on a key press, in large type, and then restores the focus', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear&colour=distance&t=0.2' });
@@ -237,7 +237,7 @@ test('a figure fills the screen by key, in type that is read from afar, and give
 });
 
 // Only the built page joins samples, engine and chart.
-test('Fig. 8 compares four shapes: the error of each falls with the size of its ghost', { tag: '@all' }, async ({
+test('Fig. 8 compares four shapes: the error of each falls as its ghost mesh grows', { tag: '@all' }, async ({
   app,
 }) => {
   test.slow();

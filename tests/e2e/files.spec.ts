@@ -6,7 +6,9 @@ import { bytesOf, difference, expect, realFile, test } from './support.ts';
 
 const cactus = ['cactus/cactus-3.glb', 'cactus/cactus-1.glb', 'cactus/cactus-2.glb'].map(realFile);
 
-test('three files become three keys in natural order of name, and are scrubbed past both ends', async ({ app }) => {
+test('three files become three keys in natural order of their names, and can be scrubbed past both ends', async ({
+  app,
+}) => {
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
   await app.by('file-input').setInputFiles(cactus as string[]);
@@ -23,7 +25,7 @@ test('three files become three keys in natural order of name, and are scrubbed p
   await app.expectNoProblems();
 });
 
-test('a page saved as a model is refused in a sentence and leaves the shape', async ({ app }) => {
+test('an HTML page named like a model is refused with a message and leaves the shape', async ({ app }) => {
   await app.open();
   await app.setTime(0.3);
   const before = { state: await app.state(), positions: await app.positions() };
@@ -42,7 +44,7 @@ test('a page saved as a model is refused in a sentence and leaves the shape', as
   await app.expectNoProblems();
 });
 
-test('files are dropped anywhere on the page, which answers while they hover', async ({ app }) => {
+test('files can be dropped anywhere on the page, which reacts while they are dragged over it', async ({ app }) => {
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
   const files = cactus.map((file, index) => ({ name: `pose-${index}.glb`, text: bytesOf(file!).toString('base64') }));
@@ -63,9 +65,7 @@ test('files are dropped anywhere on the page, which answers while they hover', a
   await expect(app.by('status-vertices')).toHaveText('5,261 vertices');
 });
 
-test('a folder is dropped: the poses in it and in its folders are opened, with the textures that they name', async ({
-  app,
-}, testInfo) => {
+test('poses in a dropped folder and its subfolders are opened with their textures', async ({ app }, testInfo) => {
   const folder = testInfo.outputPath('many poses');
   mkdirSync(path.join(folder, 'materials', 'images'), { recursive: true });
   const pose = (bend: number): string =>
@@ -89,7 +89,7 @@ test('a folder is dropped: the poses in it and in its folders are opened, with t
   await app.expectNoProblems();
 });
 
-test('ten files dropped twice are opened once, and nothing is left behind', { tag: '@all' }, async ({ app }) => {
+test('ten files opened twice become ten keys once, and no progress remains', { tag: '@all' }, async ({ app }) => {
   test.skip(cactus.includes(null), 'the real inputs are not there');
   await app.open();
   const poses = Array.from({ length: 10 }, (_, index) => ({
@@ -109,9 +109,7 @@ test('ten files dropped twice are opened once, and nothing is left behind', { ta
   await app.expectNoProblems();
 });
 
-test('a key with polygons is added however it would be cut by itself, and the files lie as they are said to', async ({
-  app,
-}) => {
+test('an added key with polygons is split like the open mesh, and has the chosen up axis and unit', async ({ app }) => {
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;
   const given = (name: string, x: number) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(pose(x)) });
   await app.open();
@@ -136,7 +134,7 @@ test('a key with polygons is added however it would be cut by itself, and the fi
   await app.expectNoProblems();
 });
 
-test('a shape is stood up between two edits, and undo goes back over the three in their order', {
+test('the up axis is changed between two edits, and undo reverts all three in order', {
   tag: '@all',
 }, async ({ app }) => {
   const pose = (x: number): string => `v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`;

@@ -86,7 +86,7 @@ async function off(app: App, file: Buffer, index: number, picture: Buffer): Prom
   return changedShare(shrink(kept, COMPARED), shrink(picture, FINER * COMPARED), LEVELS);
 }
 
-test('the pictures of the gallery are what the page draws', { tag: '@all' }, async ({ app }, info) => {
+test('the images of the gallery match the page', { tag: '@all' }, async ({ app }, info) => {
   const anew = info.config.updateSnapshots === 'all';
   test.setTimeout(anew ? 300_000 : 90_000);
   await app.open();

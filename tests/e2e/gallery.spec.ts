@@ -11,7 +11,7 @@ const LARGE = 'serpent';
 const idsOf = (app: App): Promise<string[]> =>
   app.page.locator('.sample-card').evaluateAll((cards) => cards.map((card) => card.getAttribute('data-id')!));
 
-test('every sample opens without a complaint, and moves', { tag: '@all' }, async ({ app }) => {
+test('every sample opens without a warning, and moves', { tag: '@all' }, async ({ app }) => {
   test.slow();
   await app.open();
   const ids = await idsOf(app);
@@ -37,7 +37,7 @@ test('every sample opens without a complaint, and moves', { tag: '@all' }, async
   await app.expectNoProblems();
 });
 
-test('one of more than 300,000 faces is made on the spot, and nothing is fetched for it but its formula', {
+test('a sample of more than 300,000 faces is generated in the browser instead of fetched', {
   tag: '@all',
 }, async ({ app }) => {
   test.slow();
@@ -54,7 +54,7 @@ test('one of more than 300,000 faces is made on the spot, and nothing is fetched
   await app.expectNoProblems();
 });
 
-test('is reached by keyboard, says what is open, and closes', async ({ app }) => {
+test('can be reached with the keyboard, marks the open sample, and closes', async ({ app }) => {
   await app.open();
   const [gallery, button] = [app.by('gallery'), app.by('sample')];
   await expect(button).toHaveText('Cactus');
@@ -77,7 +77,7 @@ test('is reached by keyboard, says what is open, and closes', async ({ app }) =>
   await app.expectNoProblems();
 });
 
-test('where motion is welcome the cards move, and nothing is opened for it', { tag: '@all' }, async ({ app }) => {
+test('without reduced motion the cards move, without opening a sample', { tag: '@all' }, async ({ app }) => {
   await app.page.emulateMedia({ reducedMotion: 'no-preference' });
   await app.open();
   await app.by('play').click();
@@ -93,10 +93,10 @@ test('where motion is welcome the cards move, and nothing is opened for it', { t
   await app.expectNoProblems();
 });
 
-test.describe('with what is fetched counted', () => {
+test.describe('with counted requests', () => {
   test.use({ fresh: true });
 
-  test('pictures are fetched when the cards are seen, which stand still where less motion is asked for', {
+  test('images are fetched when the cards are visible, and do not move with reduced motion', {
     tag: '@all',
   }, async ({ app }) => {
     await app.open();

@@ -55,7 +55,7 @@ test('a ghost mesh drives the shape when it is switched on, through the same key
   await app.expectNoProblems();
 });
 
-test('size, transfer and placement change the ghost, and are in the link; blends of positions have none', async ({
+test('size, transfer and placement change the ghost and are in the link; vertex blends have no ghost', async ({
   app,
 }) => {
   await app.open({ hash: '#sample=cactus&ghostFaces=300' });
@@ -79,7 +79,7 @@ test('size, transfer and placement change the ghost, and are in the link; blends
   await app.expectNoProblems();
 });
 
-test('its wireframe lies over the shape, and it stands beside the shape with lines to its vertices', {
+test('its wireframe is drawn over the shape, or it is next to the shape with lines to corresponding vertices', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open();
@@ -109,7 +109,9 @@ test('its wireframe lies over the shape, and it stands beside the shape with lin
   await app.expectNoProblems();
 });
 
-test('the difference to no ghost is shown as colours, with its range', { tag: '@all' }, async ({ app }) => {
+test('the difference from the motion without a ghost is shown in colours, with its range', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   await app.by('ghost').check();
   await app.by('ghost-faces').fill('300');
@@ -144,9 +146,9 @@ test('the difference to no ghost is shown as colours, with its range', { tag: '@
   await app.expectNoProblems();
 });
 
-test('three sizes of the ghost stand beside the full solve, each coloured by what it differs', { tag: '@all' }, async ({
-  app,
-}) => {
+test('three sizes of the ghost are shown next to the full solve, each coloured by its difference', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&ghostFaces=300&transfer=paper&ghostSizes=1&t=0.25' });
   const tiles = ['300', '600', '1,200'];
   for (const [index, faces] of tiles.entries())
@@ -172,7 +174,7 @@ test('three sizes of the ghost stand beside the full solve, each coloured by wha
   await app.expectNoProblems();
 });
 
-test('sizes are compared when asked for, with a sentence that holds the numbers; the slider stays free', {
+test('sizes are compared on request, with a sentence that states the numbers; the slider still works', {
   tag: '@all',
 }, async ({ app }) => {
   test.slow();
@@ -211,7 +213,7 @@ test('sizes are compared when asked for, with a sentence that holds the numbers;
   await app.expectNoProblems();
 });
 
-test('a comparison can be cancelled, and so can a ghost that is being made', { tag: '@all' }, async ({ app }) => {
+test('a comparison and the making of a ghost can be cancelled', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.openGenerated(80_000); // a sample's ghost may be ready before the page has drawn its progress
   const before = await app.positionsAt(0.2);

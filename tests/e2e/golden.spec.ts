@@ -46,7 +46,7 @@ const STATES: {
   { name: 'phone', size: [360, 740], scheme: 'light', parts: PHONE, reach: (app) => app.setTime(0.5) },
 ];
 
-test.describe('looks as it did', () => {
+test.describe('looks as before', () => {
   for (const { name, size, scheme, parts: selectors, reach } of STATES) {
     test(name, async ({ app }, info) => {
       await app.page.setViewportSize({ width: size[0], height: size[1] });
@@ -71,7 +71,7 @@ test.describe('looks as it did', () => {
   }
 });
 
-test('a panel that is missing is noticed, and no other part is', async ({ app }) => {
+test('a missing panel is detected, and no other part is reported', async ({ app }) => {
   await app.page.setViewportSize({ width: 1280, height: 800 });
   await app.page.emulateMedia({ colorScheme: 'light' });
   await app.open();

@@ -43,7 +43,7 @@ async function slide(app: App): Promise<number> {
   return most / diagonal(standing);
 }
 
-test('a foot that rests stays where it stands', async ({ app }, testInfo) => {
+test('a resting foot stays in place', async ({ app }, testInfo) => {
   const files = [0, 0.5, -0.35, 0.3].map((bend, index) => {
     const path = testInfo.outputPath(`pose-${index}.obj`);
     writeFileSync(path, pose(bend));
@@ -81,7 +81,7 @@ test('a foot that rests stays where it stands', async ({ app }, testInfo) => {
   expect(difference(await app.positionsAt(1.5), held)).toBeLessThan(1e-6);
 });
 
-test('a link holds, and other methods and two keys have nothing to hold', async ({ app }) => {
+test('a link turns holding on; other methods and two keys do not offer it', async ({ app }) => {
   await app.open({ hash: '#sample=gymnast&hold=contact&t=0.3' });
   await expect(app.by('hold')).toBeChecked();
   const held = await app.positionsAt(0.3);
@@ -106,7 +106,7 @@ test('a link holds, and other methods and two keys have nothing to hold', async 
   await expect(app.by('hold')).toBeHidden();
 });
 
-test('the paws of the sample that strolls stay where they stand, beside the same with nothing held', {
+test('the paws of the walking sample stay in place, unlike in the motion without holding', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ sample: 'stroll' });

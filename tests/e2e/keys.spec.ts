@@ -1,7 +1,7 @@
 /** The key strip: thumbnails, order, names, times, adding and removing, undo and redo; methods side by side. */
 import { diagonal, difference, expect, test } from './support.ts';
 
-test('a key is moved in the order, and undo and redo step through it', async ({ app }) => {
+test('a key is moved to another place, with undo and redo', async ({ app }) => {
   await app.open();
   const start = (await app.state()).doc;
   const first = await app.positionsAt(0);
@@ -28,7 +28,7 @@ test('a card is dragged to another place', async ({ app }) => {
   await expect.poll(async () => (await app.state()).doc.keys[0]!.pose).toBe(keys[2]!.pose);
 });
 
-test('a key is renamed, retimed and removed; two always stay', async ({ app }) => {
+test('a key gets another name and time and is removed; two always remain', async ({ app }) => {
   await app.open();
   await app.by('key-1-edit').click();
   await app.by('key-name').fill('upright');
@@ -69,7 +69,7 @@ test('a key is renamed, retimed and removed; two always stay', async ({ app }) =
   expect((await app.state()).doc.keys.length).toBe(count);
 });
 
-test('the editor goes to its key and stays with it when another time gives it another place', async ({ app }) => {
+test('the editor shows its key, also after a new time moves the key to another place', async ({ app }) => {
   await app.open();
   const [, second, third] = (await app.state()).doc.keys;
   await app.by('key-1-edit').click();
@@ -94,7 +94,7 @@ test('the editor goes to its key and stays with it when another time gives it an
   expect(words.x + words.width).toBeLessThanOrEqual(editor.x);
 });
 
-test('the editor of a key has the keyboard wherever the focus is, and gives way to other work', async ({ app }) => {
+test('the editor of a key receives keys wherever the focus is, and closes for other work', async ({ app }) => {
   await app.open();
   await app.by('key-1-edit').click();
   await expect(app.by('key-editor')).toBeVisible();
@@ -114,7 +114,7 @@ test('the editor of a key has the keyboard wherever the focus is, and gives way 
   await expect(app.by('key-editor')).toBeHidden();
 });
 
-test('one slider tightens the motion at every key, and is undone as one', async ({ app }) => {
+test('one slider sets the tension of all keys, as one undo step', async ({ app }) => {
   await app.open();
   const { keys } = (await app.state()).doc;
   const t = (keys[0]!.time + 3 * keys[1]!.time) / 4;
@@ -131,7 +131,7 @@ test('one slider tightens the motion at every key, and is undone as one', async 
   expect((await app.state()).doc.keys.map(({ shaping }) => shaping.tension)).toEqual(keys.map(() => 0));
 });
 
-test('keys are spaced by how different they are, and overshoot is taken away', async ({ app }) => {
+test('keys are spaced by their distances, and overshoot is removed', async ({ app }) => {
   await app.open();
   const before = (await app.state()).doc.keys.map(({ time }) => time);
   await app.by('space-difference').click();
@@ -173,7 +173,7 @@ test('the motion runs backwards through the same keys', { tag: '@all' }, async (
     );
 });
 
-test('the shape on the screen becomes a key that the motion passes through', async ({ app }) => {
+test('the shown shape becomes a key of the motion', async ({ app }) => {
   await app.open();
   const count = (await app.state()).doc.keys.length;
   const extrapolated = await app.positionsAt(1.3);
@@ -187,7 +187,7 @@ test('the shape on the screen becomes a key that the motion passes through', asy
   await app.expectNoProblems();
 });
 
-test('methods stand side by side with one camera and one clock', async ({ app }) => {
+test('methods are shown side by side with the same camera and time', async ({ app }) => {
   await app.open();
   await app.setTime(0.25);
   await app.by('compare-linear').check();
@@ -231,9 +231,7 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+$/);
 });
 
-test('a plot says what all curves are at the moment under the mouse, or at the cursor for the keyboard', async ({
-  app,
-}) => {
+test('a plot shows the values of all curves at the mouse, or at the cursor moved by the keyboard', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&compare=linear' });
   const plot = app.by('plot-volume').locator('svg.plot');
   await plot.scrollIntoViewIfNeeded();

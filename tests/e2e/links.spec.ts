@@ -1,7 +1,7 @@
 /** Links are untrusted: with any link, the sample opens and drawings use valid numbers only. */
 import { expect, test } from './support.ts';
 
-test('a number out of bounds in a link is left out, with a word about it', { tag: '@all' }, async ({ app }) => {
+test('a number out of range in a link is ignored, with a message', { tag: '@all' }, async ({ app }) => {
   await app.open({ hash: '#sample=cactus&patches=1e300&camera=1e300,0,0,0,0,0' });
   await expect(app.by('toast')).toContainText('ignored: patches, camera.');
   expect((await app.positions()).every(Number.isFinite)).toBe(true);
@@ -9,15 +9,13 @@ test('a number out of bounds in a link is left out, with a word about it', { tag
   await app.expectNoProblems();
 });
 
-test('a link to a sample that there is not says so, and shows another', async ({ app }) => {
+test('a link to an unknown sample gives a message and shows another sample', async ({ app }) => {
   await app.open({ hash: '#sample=nosuch' });
   await expect(app.by('toast')).toContainText('There is no sample named “nosuch”.');
   expect((await app.state()).source.kind).toBe('sample');
 });
 
-test('a camera inside the shape of its moment is left out of a link, also where other keys are elsewhere', async ({
-  app,
-}) => {
+test('a camera of a link is ignored if it is inside the shape at its time', async ({ app }) => {
   await app.open({ sample: 'cactus' });
   const bent = await app.positionsAt(0);
   // The centre of the vertices farthest to the side: inside the bent trunk, far from the upright one.
@@ -32,7 +30,7 @@ test('a camera inside the shape of its moment is left out of a link, also where 
   for (const axis of [0, 1, 2]) expect((await app.state()).view.camera!.position[axis]).toBeCloseTo(middle[axis]!, 3);
 });
 
-test('a link that names nothing gives a message, and a camera that looks away leads back', async ({ app }) => {
+test('an invalid link gives a message, and a camera that misses the shape can be reset', async ({ app }) => {
   await app.open({ hash: '#t=0.5' });
   await expect(app.by('toast')).toContainText('The link does not name a sample or tour page');
   await app.page.goto('about:blank');

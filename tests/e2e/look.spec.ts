@@ -71,7 +71,9 @@ async function openObjs(app: App, contents: readonly string[]): Promise<void> {
 
 const PLATE = ['v -1 0 -1', 'v 1 0 -1', 'v 1 0 1', 'v -1 0 1', 'f 1 3 2', 'f 1 4 3'].join('\n');
 
-test('a file without materials is clay at every phase, and coloured by phase on demand', async ({ app }) => {
+test('a file without materials has the clay colour in every phase, or the colour of the phase if chosen', async ({
+  app,
+}) => {
   await app.open();
   await openObjs(app, [PLATE, PLATE.replace('v 1 0 1', 'v 1 0.2 1')]);
   await app.page.keyboard.press('7');
@@ -111,7 +113,7 @@ function cube(height: number): string {
   return [...corners.map((corner) => `v ${corner}`), ...faces.map((face) => `f ${face}`)].join('\n');
 }
 
-test('what stands on the floor casts a shadow, and what is lifted from it a fainter one', async ({ app }) => {
+test('a shape on the floor casts a shadow, and a shape above it a fainter one', async ({ app }) => {
   await app.page.emulateMedia({ colorScheme: 'light' });
   await app.open();
   await openObjs(app, [cube(0), cube(3)]);
@@ -128,7 +130,7 @@ test('what stands on the floor casts a shadow, and what is lifted from it a fain
   expect(high).toBeLessThan(0.5 * low);
 });
 
-test('at 320 px the name of the sample and the speed are not cut, and enlarged four times the shape is seen', async ({
+test('at 320 px the name of the sample and the speed are not cut off, and at 400 % zoom the shape is visible', async ({
   app,
   page,
 }) => {

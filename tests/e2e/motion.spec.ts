@@ -8,7 +8,7 @@ import type { App } from './support.ts';
 /** Distance relative to the diagonal. */
 const apart = (a: number[], b: number[]): number => difference(a, b) / diagonal(a);
 
-test('the boundary changes the motion between the keys and the picture, not the keys', async ({ app }) => {
+test('the boundary changes the motion between the keys and its image, but not the keys', async ({ app }) => {
   await app.open();
   const key = await app.positionsAt(0.5);
   const natural = await app.positionsAt(0.2);
@@ -35,7 +35,7 @@ test('the boundary changes the motion between the keys and the picture, not the 
   await app.expectNoProblems();
 });
 
-test('a method whose shapes are fitted runs beside others, and offers only what it can do', async ({ app }) => {
+test('a fitted method runs next to others, and offers only supported options', async ({ app }) => {
   await app.open({ hash: '#sample=twisted-bar&boundary=hermite' });
   const key = await app.positionsAt(0);
   const modules = async (): Promise<string[]> =>
@@ -93,7 +93,7 @@ async function openTwo(app: App, file: MakeFile): Promise<void> {
 }
 
 test(
-  'a shape from a file is taken as end tangent: chosen, dropped, undone, and kept in the project',
+  'a shape from a file becomes the end tangent pose: chosen, dropped, undone, and stored in the project',
   { tag: '@all' },
   async ({ app }, testInfo) => {
     const file = filesIn(testInfo);
@@ -136,7 +136,7 @@ test(
 );
 
 test(
-  'a tangent that lies close is offered greater speeds everywhere, and any speed can be typed',
+  'for a close tangent pose, larger speeds are offered everywhere, and any speed can be typed',
   {
     tag: '@all',
   },
@@ -167,7 +167,9 @@ test(
   },
 );
 
-test('each method moves otherwise between the keys, refits only, and has Hermite where it bends', async ({ app }) => {
+test('each method gives a different motion, needs no new encoding, and offers Hermite ends if it is smooth', async ({
+  app,
+}) => {
   await app.open();
   await app.by('boundary-hermite').check();
   await app.settled();
@@ -192,7 +194,7 @@ test('each method moves otherwise between the keys, refits only, and has Hermite
   expect([after.encodeMs, after.factorMs]).toEqual([counters.encodeMs, counters.factorMs]);
 });
 
-test('stretch, reference and patches change the encoding, and the old shape stays until the new one is there', async ({
+test('stretch, reference and patches change the encoding, and the old shape stays until the new one is ready', async ({
   app,
 }) => {
   await app.open();
@@ -220,7 +222,7 @@ test('stretch, reference and patches change the encoding, and the old shape stay
   await app.expectNoProblems();
 });
 
-test('tension and bias of a key change the motion about it and not the key', async ({ app }) => {
+test('tension and bias of a key change the motion near it, but not the key', async ({ app }) => {
   await app.open();
   const [near, key] = [await app.positionsAt(0.45), await app.positionsAt(0.5)];
   for (const [name, value] of [

@@ -6,9 +6,7 @@ const { packages } = JSON.parse(readFileSync(new URL('../../package-lock.json', 
   packages: Record<string, { version: string }>;
 };
 
-test('the help has the paper cited with one press, and links the notices of everything that is bundled', async ({
-  app,
-}) => {
+test('the help copies the citation of the paper, and links the notices of all bundled packages', async ({ app }) => {
   await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await app.open();
   await app.by('help').click();

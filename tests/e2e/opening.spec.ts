@@ -73,7 +73,7 @@ const whenShown = async (app: App): Promise<void> => {
   await app.page.waitForFunction(() => window.__shapespline!.positions().length > 3 * 40_000);
 };
 
-test('the first key of a large file is seen while its motion is made, which takes its place', async ({ app }) => {
+test('the first key of a large file is shown until its motion is ready', async ({ app }) => {
   const letGo = await held(app);
   await app.open({ hash: '#sample=cactus&t=0.2' });
   await app.page.evaluate(countImports);
@@ -97,7 +97,7 @@ test('the first key of a large file is seen while its motion is made, which take
   await app.expectNoProblems();
 });
 
-test('what is open is dimmed and rests until then, and comes back on Cancel', async ({ app }) => {
+test('the open shape is dimmed and paused until then, and returns on Cancel', async ({ app }) => {
   const letGo = await held(app);
   await app.open({ hash: '#sample=cactus&play=1' });
   const [before, vertices] = [await camera(app), (await app.positions()).length];

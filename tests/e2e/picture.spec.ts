@@ -58,7 +58,7 @@ function grown(mask: Uint8Array, width: number, radius: number): Uint8Array {
 /** A link to the shape alone, entirely in the phase colour. */
 const COLOURED = '#sample=cactus&colour=phase&floor=0';
 
-test('the drawn silhouette is that of the engine’s vertices', async ({ app }) => {
+test('the drawn silhouette matches the engine’s vertices', async ({ app }) => {
   await app.open({ hash: COLOURED });
   const { verticesOnShape, shapeNearVertices, shapePixels } = await overlap(app, 1.2);
   expect(shapePixels).toBeGreaterThan(2000);
@@ -69,7 +69,7 @@ test('the drawn silhouette is that of the engine’s vertices', async ({ app }) 
   expect(Math.min(wrong.verticesOnShape, wrong.shapeNearVertices)).toBeLessThan(0.9);
 });
 
-test('the look changes the picture and not the shape', async ({ app }) => {
+test('the look changes the image, but not the shape', async ({ app }) => {
   await app.open();
   await app.setTime(0.3);
   const positions = await app.positions();
@@ -90,7 +90,7 @@ test('the look changes the picture and not the shape', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('onion skins lie behind the shape, as many as are asked for, before and after in other colours', async ({
+test('onion skins are behind the shape, in the chosen number, with different colours before and after', async ({
   app,
 }) => {
   await app.open({ hash: `${COLOURED}&t=0.5` });
@@ -126,7 +126,7 @@ test('onion skins lie behind the shape, as many as are asked for, before and aft
   await expect.poll(async () => (await app.state()).view.onionSpacing).toBeNull();
 });
 
-test('the film strip shows the motion in a row, and goes away again', { tag: '@all' }, async ({ app }) => {
+test('the film strip shows the motion in a row, and can be switched off', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.page.keyboard.press('g');
   const before = await app.picture();
@@ -139,7 +139,7 @@ test('the film strip shows the motion in a row, and goes away again', { tag: '@a
   expect((await app.state()).view.film).toBe(false);
 });
 
-test('a film strip has names under its shapes, as many shapes as are asked for, and is in links', {
+test('a film strip has times under its shapes, the chosen number of shapes, and is part of links', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ sample: 'cactus' });
@@ -174,9 +174,7 @@ test('a film strip has names under its shapes, as many shapes as are asked for, 
   expect((await app.state()).view.filmShapes).toBeNull();
 });
 
-test('the view is after a film strip what it was before, also where onion skins follow', { tag: '@all' }, async ({
-  app,
-}) => {
+test('the view is restored after a film strip, also if onion skins follow', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.by('view-right').click();
   await app.settled();
@@ -233,7 +231,7 @@ test('standard views, fit, orbit, pan and zoom move one camera', async ({ app })
   expect((await app.state()).time).toBe(0);
 });
 
-test('dark and light look different, and the choice is kept', async ({ app }) => {
+test('dark and light themes differ, and the choice is stored', async ({ app }) => {
   await app.open();
   const background = (): Promise<string> =>
     app.page.evaluate(() => getComputedStyle(document.querySelector('.deck')!).backgroundColor);
@@ -251,10 +249,10 @@ test('dark and light look different, and the choice is kept', async ({ app }) =>
   expect(await background()).toBe(dark);
 });
 
-test.describe('with a context that is lost', () => {
+test.describe('with a lost graphics context', () => {
   test.use({ fresh: true });
 
-  test('a lost graphics context comes back with the same picture', async ({ app }) => {
+  test('a restored graphics context shows the same image', async ({ app }) => {
     await app.open();
     await app.setTime(0.3);
     const before = await app.picture();
@@ -296,10 +294,10 @@ function meanColour(file: Buffer): number[] {
   return [0, 1, 2].map((channel) => strong.reduce((sum, colour) => sum + colour[channel]!, 0) / strong.length);
 }
 
-test.describe('with what is drawn into counted', () => {
+test.describe('with counted canvas regions', () => {
   test.use({ fresh: true });
 
-  test('thumbnails show the keys as the picture does, and are drawn beside the canvas', async ({ app }) => {
+  test('thumbnails show the keys like the main view, and are drawn outside the canvas', async ({ app }) => {
     // The widths of all canvas regions that are cleared for drawing.
     await app.page.addInitScript(() => {
       const widths = new Set<number>();
@@ -330,7 +328,7 @@ test.describe('with what is drawn into counted', () => {
   });
 });
 
-test('no sample stands under the first sentence, and names of views move with them', { tag: '@all' }, async ({
+test('no sample is under the introduction, and names of views move with the samples', { tag: '@all' }, async ({
   app,
 }) => {
   await app.page.setViewportSize({ width: 1024, height: 768 });
@@ -351,7 +349,7 @@ test('no sample stands under the first sentence, and names of views move with th
   expect((await app.by('tile-1').boundingBox())!.x).toBeLessThan(10);
 });
 
-test('a shape that was fitted stays whole when a telephone is turned, one that was moved stays where it is', async ({
+test('when a phone is rotated, a fitted shape stays completely visible, and a moved camera stays where it is', async ({
   app,
 }) => {
   await app.page.setViewportSize({ width: 844, height: 390 });

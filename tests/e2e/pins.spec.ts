@@ -117,7 +117,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   expect(difference(plain, await app.positionsAt(t))).toBeLessThan(1e-3 * size);
 });
 
-test('a pin says where it stays, what it does otherwise, and comes into sight when it is placed', {
+test('a pin shows its key or path, and scrolls into view when it is placed', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ sample: 'dachshund' });

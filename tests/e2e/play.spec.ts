@@ -84,7 +84,7 @@ test('a dragged key carries the curve, its numbers and the system along', async 
   expect(play.problems).toEqual([]);
 });
 
-test('curves are switched on one by one, and the natural one bends least', async ({ page }) => {
+test('curves are switched on one by one, and the natural spline has the least bending', async ({ page }) => {
   const play = await new Playground(page).open();
   const bending = async (layer: string): Promise<number> => Number(await play.by(`bending-${layer}`).textContent());
   const natural = await bending('natural');
@@ -125,7 +125,7 @@ test('curves are switched on one by one, and the natural one bends least', async
   expect(play.problems).toEqual([]);
 });
 
-test('the handles at the ends change the speeds, by hand and by key', async ({ page }) => {
+test('the handles at the ends change the speeds, with mouse and keyboard', async ({ page }) => {
   const play = await new Playground(page).open('#show=hermite');
   const handle = page.getByRole('slider', { name: 'Speed at the first key' }).first();
   const before = await play.line('hermite');
@@ -143,7 +143,7 @@ test('the handles at the ends change the speeds, by hand and by key', async ({ p
   await expect(play.by('start-speed')).toHaveValue('0.5');
 });
 
-test('works with the keyboard, by typing, and in two dimensions', async ({ page }) => {
+test('works with the keyboard, with typed numbers, and in two dimensions', async ({ page }) => {
   const play = await new Playground(page).open();
   await play.by('key-1').focus();
   const [value, time] = [await play.value(1), await play.time(1)];
@@ -176,7 +176,7 @@ test('works with the keyboard, by typing, and in two dimensions', async ({ page 
   expect(play.problems).toEqual([]);
 });
 
-test('the address holds everything, and bad ones do no harm', async ({ page, context }) => {
+test('the URL contains the whole state, and invalid URLs do no harm', async ({ page, context }) => {
   const play = await new Playground(page).open();
   await play.by('layer-periodic').check();
   await play.by('ends-periodic').check();
@@ -201,7 +201,7 @@ test('the address holds everything, and bad ones do no harm', async ({ page, con
   expect(other.problems).toEqual([]);
 });
 
-test('saves pictures that stand alone and numbers that are the curve', async ({ page }) => {
+test('saves self-contained images, and the numbers of the curve', async ({ page }) => {
   const play = await new Playground(page).open('#show=linear natural');
   const saved = async (testId: string): Promise<{ name: string; bytes: Buffer }> => {
     const [file] = await Promise.all([page.waitForEvent('download'), play.by(testId).click()]);
@@ -244,7 +244,7 @@ test('saves pictures that stand alone and numbers that are the curve', async ({ 
   expect(play.problems).toEqual([]);
 });
 
-test('nothing moves by itself where motion is reduced, until it is asked for', async ({ page }) => {
+test('with reduced motion, nothing moves until the user starts it', async ({ page }) => {
   const play = await new Playground(page).open();
   const line = await play.line('natural');
   await frames(page, 40);
@@ -286,7 +286,7 @@ test('axe finds nothing, in the light theme on a phone and in the dark one on a 
   expect(await over(), 'wider than a screen').toBeLessThanOrEqual(0);
 });
 
-test('contrast themes keep the curves and what is chosen', async ({ page }) => {
+test('contrast themes keep the curves and the selection visible', async ({ page }) => {
   await page.emulateMedia({ forcedColors: 'active' });
   const play = await new Playground(page).open('#show=linear natural');
   const stroke = (layer: string): Promise<string> =>
@@ -299,7 +299,7 @@ test('contrast themes keep the curves and what is chosen', async ({ page }) => {
   await expect(play.by('system-row-1')).toHaveCSS('outline-style', 'solid');
 });
 
-test('takes an angle of the shape that is open in another tab, and gives times and ends back', { tag: '@all' }, async ({
+test('shows an angle of the shape that is open in another tab, and sends times and ends back', { tag: '@all' }, async ({
   page,
   context,
 }) => {

@@ -34,7 +34,7 @@ const lines = (word: string, numbers: ArrayLike<number>, offset = 0): string =>
   ).join('');
 const obj = (pose: Float32Array): string => `o Body\n${lines('v', pose)}${lines('f', mesh.indices, 1)}`;
 
-test('poses that are all one are said to be, and another mesh says what to do', async ({ app }) => {
+test('equal poses are reported, and for a different mesh the message says what to do', async ({ app }) => {
   await app.open();
   await opened(app, [upload('a.glb', meshGlb(mesh)), upload('b.glb', meshGlb(mesh))]);
   await expect(app.by('import-offer')).toContainText(/Keys 1 and 2 are the same pose.*Apply the modifiers/);
@@ -45,7 +45,7 @@ test('poses that are all one are said to be, and another mesh says what to do', 
   await expect(app.by('error-message')).toContainText(/c.glb \(key 2\) has .* vertices, but key 1 has .* In Blender/);
 });
 
-test('files that hold one animation at rest offer its keys', { tag: '@all' }, async ({ app }) => {
+test('for files with an animation each, the page offers keys from it', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const { bytes } = await rigFile();
   await opened(app, [upload('a.glb', bytes), upload('b.glb', bytes)]);
@@ -58,7 +58,7 @@ test('files that hold one animation at rest offer its keys', { tag: '@all' }, as
   expect((await names(app))[0]).toBe('');
 });
 
-test('objects are left out and taken again by their ticks', async ({ app }) => {
+test('objects are excluded and included again with their checkboxes', async ({ app }) => {
   await app.open();
   const floor = `o Floor\nv -9 -9 0\nv 9 -9 0\nv 9 9 0\nf ${vertices + 1} ${vertices + 2} ${vertices + 3}\n`;
   await opened(app, [upload('a.obj', obj(frames[0]!) + floor), upload('b.obj', obj(frames[20]!) + floor)]);
@@ -72,7 +72,7 @@ test('objects are left out and taken again by their ticks', async ({ app }) => {
   await count(3);
 });
 
-test('many numbered files are the frames of an animation', { tag: '@all' }, async ({ app }) => {
+test('many numbered files are read as the frames of an animation', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await opened(
     app,
@@ -91,7 +91,7 @@ test('many numbered files are the frames of an animation', { tag: '@all' }, asyn
   await app.settled();
 });
 
-test('a shape that lies on its back is stood up', async ({ app }) => {
+test('a shape that lies on its back is rotated upright', async ({ app }) => {
   await app.open();
   const ply = (height: number): string =>
     'ply\nformat ascii 1.0\ncomment Created in Blender version 4.5.4 LTS\nelement vertex 5\nproperty float x\n' +

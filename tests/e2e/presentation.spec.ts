@@ -6,7 +6,7 @@ const presented = async (app: App): Promise<string | null> => (await app.state()
 const sizeOf = (app: App, testId: string): Promise<number> =>
   app.by(testId).evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
 
-test('X leaves the shape alone on the screen, in large type, and Escape brings the page back', async ({ app }) => {
+test('X shows only the shape, in large type, and Escape restores the page', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
   const small = await sizeOf(app, 'phase');
   await app.page.keyboard.press('x');
@@ -61,7 +61,7 @@ test('A shows one plot after the other, large, beside the shape', async ({ app }
   expect(await presented(app)).toBeNull();
 });
 
-test('a link opens the page in it, and its QR code says the link', async ({ app }) => {
+test('a link opens the lecture mode, and its QR code contains the link', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.25&present=volume' });
   await expect(app.by('timeline')).toBeHidden();
   await expect(app.by('plot-volume').locator('.curve').first()).toBeVisible();
@@ -84,7 +84,7 @@ test('a link opens the page in it, and its QR code says the link', async ({ app 
   expect(await presented(app)).toBe('volume');
 });
 
-test('is reached by mouse, and listed in the help', async ({ app }) => {
+test('can be started with the mouse, and is listed in the help', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
   await app.by('help').click();
   await expect(app.by('help-dialog')).toContainText('Presentation mode: only the shape, with large type');

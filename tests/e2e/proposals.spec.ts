@@ -6,7 +6,7 @@ import { poseFiles } from '../engine/support/glb.ts';
 import { rolledSheet } from '../engine/support/shapes.ts';
 import { expect, test } from './support.ts';
 
-test('a sheet is offered to keep its lengths, which the panel then shows and takes back', async ({ app }) => {
+test('for a sheet, the page offers to keep its lengths; the panel shows the option and resets it', async ({ app }) => {
   const { faces, poses } = rolledSheet(8, 3.5);
   const files = poseFiles({ positions: poses[0]!, indices: faces }, poses);
   await app.open();

@@ -30,7 +30,7 @@ async function expectNoFolds(app: App): Promise<void> {
 }
 
 test.describe('real motions', { tag: '@all' }, () => {
-  test('a wolf that runs plays at once, and nothing is said against it', async ({ app }) => {
+  test('a running wolf plays at once, without warnings', async ({ app }) => {
     await opened(
       app,
       [1, 4, 8, 12].map((number) => `obj/wolf/wolf-${number}.obj`),
@@ -41,14 +41,14 @@ test.describe('real motions', { tag: '@all' }, () => {
     await app.expectNoProblems();
   });
 
-  test('a horse of morph targets plays at once, and nothing is said of folds', async ({ app }) => {
+  test('a horse of morph targets plays at once, without a warning about folds', async ({ app }) => {
     await opened(app, ['morph/Horse.glb']);
     await expectPlaying(app);
     await expectNoFolds(app);
     await app.expectNoProblems();
   });
 
-  test('three poses of a lion with large rotations: each warning names its keys and its place', async ({ app }) => {
+  test('three poses of a lion with large rotations: each warning names its keys and its location', async ({ app }) => {
     await opened(
       app,
       [1, 4, 7].map((number) => `turns/lion/${number}.obj`),

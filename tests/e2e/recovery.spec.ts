@@ -12,7 +12,7 @@ async function killWorkers(app: App): Promise<void> {
   for (const worker of workers) await worker.evaluate(() => self.close()).catch(() => undefined);
 }
 
-test('a worker that the browser ends is started again with all that there was', async ({ app }) => {
+test('a worker that the browser ended is started again with the same content', async ({ app }) => {
   await app.open();
   await app.by('boundary-hermite').check();
   await app.settled();
@@ -34,7 +34,7 @@ test('a worker that the browser ends is started again with all that there was', 
   await expect(app.by('error')).toBeHidden();
 });
 
-test('a worker that ends while the motion plays comes back by itself', { tag: '@all' }, async ({ app }) => {
+test('a worker that ends during playback is restarted automatically', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const before = await app.positionsAt(0.3);
   await app.by('play').click();
@@ -46,7 +46,7 @@ test('a worker that ends while the motion plays comes back by itself', { tag: '@
   await expect(app.by('error')).toBeHidden();
 });
 
-test('a worker that ends is noticed on a page without https, too, where there are no locks', { tag: '@all' }, async ({
+test('the end of a worker is also detected on a page without https, which has no locks', { tag: '@all' }, async ({
   app,
   baseURL,
 }) => {
@@ -135,7 +135,7 @@ async function openBig(app: App, kind: 'model' | 'junk', size: number): Promise<
 
 const heart = (app: App): Promise<Big> => app.page.evaluate(() => (window as unknown as { heart: Big }).heart);
 
-test('a file of 200 MB is opened while the page answers', { tag: '@all' }, async ({ app }) => {
+test('the page responds while a file of 200 MB is opened', { tag: '@all' }, async ({ app }) => {
   test.setTimeout(240_000);
   await app.open();
   await openBig(app, 'model', 200_000_000);
@@ -157,7 +157,7 @@ test('a file of 200 MB is opened while the page answers', { tag: '@all' }, async
   await app.expectNoProblems();
 });
 
-test('a file of 200 MB that is none is refused while the page answers', { tag: '@all' }, async ({ app }) => {
+test('the page responds while an invalid file of 200 MB is refused', { tag: '@all' }, async ({ app }) => {
   test.setTimeout(240_000);
   await app.open();
   const before = await app.positions();

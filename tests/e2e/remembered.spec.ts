@@ -123,7 +123,7 @@ async function choose(app: App, name: string): Promise<void> {
   await app.settled();
 }
 
-test('own files are remembered with all that was done to them', async ({ app }) => {
+test('files of the user are stored with all edits', async ({ app }) => {
   await app.open();
   await expect(app.by('remember')).toBeHidden();
   await drop(app, BAR);
@@ -147,7 +147,7 @@ test('own files are remembered with all that was done to them', async ({ app }) 
   await app.expectNoProblems();
 });
 
-test('nothing is kept once the user says no, and leaving asks where it would lose edits', async ({ app }) => {
+test('nothing is stored if the user declines, and the browser asks before edits are lost', async ({ app }) => {
   await app.open();
   await drop(app, BAR);
   await isRemembered(app);
@@ -172,7 +172,7 @@ test('nothing is kept once the user says no, and leaving asks where it would los
   await app.expectNoProblems();
 });
 
-test('changes that never pause are kept, and so is the last one before the page is left', { tag: '@all' }, async ({
+test('continuous changes are stored, and so is the last change before the page closes', { tag: '@all' }, async ({
   app,
 }) => {
   await app.open();
@@ -186,7 +186,7 @@ test('changes that never pause are kept, and so is the last one before the page 
   expect((await app.state()).doc.motion.boundary).toBe('hermite');
 });
 
-test('what was open before comes back by undo, from the list, and with the next visit', async ({ app }) => {
+test('earlier content returns by undo, from the list, and on the next visit', async ({ app }) => {
   await app.open();
   await drop(app, BAR);
   await app.by('boundary-hermite').check();
@@ -222,7 +222,7 @@ test('what was open before comes back by undo, from the list, and with the next 
 });
 
 test.describe('two tabs', () => {
-  test('keep a project each, and never the files of one with the state of the other', { tag: '@all' }, async ({
+  test('store a project each, and never mix the files of one with the state of the other', { tag: '@all' }, async ({
     app,
     context,
   }) => {
@@ -242,7 +242,7 @@ test.describe('two tabs', () => {
     }
   });
 
-  test('that change the same files keep both versions', { tag: '@all' }, async ({ app, context }) => {
+  test('that change the same files store both versions', { tag: '@all' }, async ({ app, context }) => {
     await app.open();
     await drop(app, BAR);
     await isRemembered(app);
@@ -274,7 +274,7 @@ test.describe('two tabs', () => {
   });
 });
 
-test('what an earlier visit left and does not read is set aside with a word', { tag: '@all' }, async ({ app }) => {
+test('unreadable records of an earlier visit are set aside with a message', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const project = { format: 3, id: 'x', opening: false, poses: [], state: {} };
   await leave(app.page, { 'project x': project, 'files x': [] });
@@ -289,7 +289,7 @@ test('what an earlier visit left and does not read is set aside with a word', { 
   await expect(app.by('toast')).toHaveText('');
 });
 
-test('what does not open is not tried with every visit', { tag: '@all' }, async ({ app }) => {
+test('files that do not open are not tried on every visit', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await drop(app, BAR);
   await isRemembered(app);
@@ -323,7 +323,7 @@ const EARLIER = {
   'without a list': (project: object) => ({ project: { format: 2, id: 'x', opening: false, ...project } }),
 };
 
-test('what earlier versions of the page remembered opens', { tag: '@all' }, async ({ app }) => {
+test('records of earlier versions of the page open', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await drop(app, BAR);
   await app.setTime(0.25);
@@ -341,9 +341,7 @@ test('what earlier versions of the page remembered opens', { tag: '@all' }, asyn
   }
 });
 
-test('files that ended the last visit while they were opened are opened on demand only', { tag: '@all' }, async ({
-  app,
-}) => {
+test('files during whose opening the last visit ended are opened on request only', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await drop(app, BAR);
   await isRemembered(app);
@@ -388,29 +386,25 @@ test('files whose opening was interrupted by a reload are opened by the next vis
 test.describe('with a service worker', () => {
   test.use({ ownProfile: true });
 
-  test(
-    'a full disk gives a message, and what was remembered before is kept',
-    { tag: '@all' },
-    async ({ app, context }, info) => {
-      test.skip(info.project.name === 'dev', 'the room is measured once the files of the page are kept');
-      await app.open();
-      await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-      // Storage for the first files only. The browser checks its limit before the first write, then rarely.
-      const session = await context.newCDPSession(app.page);
-      const { origin } = new URL(app.page.url());
-      const { usage } = await session.send('Storage.getUsageAndQuota', { origin });
-      await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: usage + 600_000 });
-      const [first, next] = [padded(BAR, 50_000, info), padded(OTHER, 800_000, info)];
-      await drop(app, first);
-      await isRemembered(app);
-      const before = await kept(app.page);
-      await drop(app, next);
-      await expect(app.by('error-message')).toContainText('no room');
-      await isRemembered(app, false);
-      expect(Object.keys(await kept(app.page))).toEqual(Object.keys(before));
-      await app.by('remember').click();
-      await expect(app.by('error-message')).toContainText('no room');
-      expect((await kept(app.page))['twisted-bar.glb']?.files?.map(({ name }) => name)).toEqual(['twisted-bar.glb']);
-    },
-  );
+  test('a full disk gives a message, and earlier records are kept', { tag: '@all' }, async ({ app, context }, info) => {
+    test.skip(info.project.name === 'dev', 'the room is measured once the files of the page are kept');
+    await app.open();
+    await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    // Storage for the first files only. The browser checks its limit before the first write, then rarely.
+    const session = await context.newCDPSession(app.page);
+    const { origin } = new URL(app.page.url());
+    const { usage } = await session.send('Storage.getUsageAndQuota', { origin });
+    await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: usage + 600_000 });
+    const [first, next] = [padded(BAR, 50_000, info), padded(OTHER, 800_000, info)];
+    await drop(app, first);
+    await isRemembered(app);
+    const before = await kept(app.page);
+    await drop(app, next);
+    await expect(app.by('error-message')).toContainText('no room');
+    await isRemembered(app, false);
+    expect(Object.keys(await kept(app.page))).toEqual(Object.keys(before));
+    await app.by('remember').click();
+    await expect(app.by('error-message')).toContainText('no room');
+    expect((await kept(app.page))['twisted-bar.glb']?.files?.map(({ name }) => name)).toEqual(['twisted-bar.glb']);
+  });
 });

@@ -70,7 +70,7 @@ async function complete(app: App): Promise<void> {
   await app.nextFrame();
 }
 
-test('after everything was changed it is as on a fresh visit', async ({ app }) => {
+test('after many changes, the reset page equals a first visit', async ({ app }) => {
   test.slow();
   await app.open();
   await complete(app);

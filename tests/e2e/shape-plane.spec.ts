@@ -28,7 +28,7 @@ async function drag(app: App, dx: number, dy: number): Promise<void> {
   await app.settled();
 }
 
-test('the point is dragged off the curve: another shape with its weights, and Escape brings the motion back', async ({
+test('the point is dragged off the curve: another shape with its weights, and Escape restores the motion', async ({
   app,
 }) => {
   await openPlane(app);
@@ -49,7 +49,7 @@ test('the point is dragged off the curve: another shape with its weights, and Es
   await app.expectNoProblems();
 });
 
-test('dropped on a key it is that key, and moving the time gives the motion back', async ({ app }) => {
+test('dropped on a key, the point gives that key; changing the time restores the motion', async ({ app }) => {
   await openPlane(app);
   const [key, shape] = [await app.positionsAt(1), await app.positionsAt(0.25)];
   const [from, to] = [await pointAt(app), (await app.by('plot-plane').locator('circle.key').last().boundingBox())!];
@@ -74,7 +74,7 @@ test('arrow keys move the point without moving the time', async ({ app }) => {
   expect(await app.positions()).toEqual(motion);
 });
 
-test('a path that is drawn plays', { tag: '@all' }, async ({ app }) => {
+test('a drawn path plays', { tag: '@all' }, async ({ app }) => {
   await openPlane(app);
   const motion = await app.positions();
   await app.by('plane-draw').click();
@@ -101,7 +101,7 @@ test('a path that is drawn plays', { tag: '@all' }, async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('blends of vertices are drawn with how far they leave the plane, samples that bend least with how far they are off', async ({
+test('vertex blends are drawn with their distance from the plane, and the sampled minimum with its distance from the spline', async ({
   app,
 }) => {
   await openPlane(app, '#sample=cactus&compare=linear');

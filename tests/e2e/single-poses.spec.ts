@@ -59,7 +59,7 @@ test('poses are picked one by one: the first waits, the second opens the motion,
   await app.expectNoProblems();
 });
 
-test('a pose that is dropped between two keys becomes a key between them', async ({ app }, info) => {
+test('a pose dropped between two keys becomes a key between them', async ({ app }, info) => {
   await app.open();
   await openTwo(app);
   const file = info.outputPath('between.obj');
@@ -85,7 +85,7 @@ test('a pose that is dropped between two keys becomes a key between them', async
 });
 
 test(
-  'a pose that is dropped at the corner of a phone, where no keys are shown, is the last key',
+  'a pose dropped in a corner of a phone, where no keys are shown, becomes the last key',
   { tag: '@all' },
   async ({ app }, info) => {
     await app.page.setViewportSize({ width: 360, height: 740 });
@@ -99,7 +99,7 @@ test(
   },
 );
 
-test('a pose of another mesh waits for the next, and own work comes back by Undo in the message', async ({ app }) => {
+test('a pose of another mesh waits for the next; Undo in the message restores the earlier work', async ({ app }) => {
   await app.open();
   await openTwo(app);
   await pick(app, 'other.obj', TRIANGLE(0));
@@ -121,7 +121,7 @@ test('a pose of another mesh waits for the next, and own work comes back by Undo
   await app.expectNoProblems();
 });
 
-test('Undo in a message goes when something else opens', async ({ app }) => {
+test('Undo in a message disappears when something else opens', async ({ app }) => {
   await app.open();
   await openTwo(app);
   await expect(app.by('toast-undo')).toBeVisible();
@@ -130,7 +130,7 @@ test('Undo in a message goes when something else opens', async ({ app }) => {
   await expect(app.by('toast-undo')).toHaveCount(0);
 });
 
-test('a pose that is dropped on the timeline becomes a key at that time', async ({ app }, info) => {
+test('a pose dropped on the timeline becomes a key at that time', async ({ app }, info) => {
   await app.open();
   await openTwo(app);
   const file = info.outputPath('there.obj');
@@ -146,7 +146,7 @@ test('a pose that is dropped on the timeline becomes a key at that time', async 
   await app.expectNoProblems();
 });
 
-test('two poses of the open mesh that come together become keys, and undo takes both back', async ({ app }, info) => {
+test('two poses of the open mesh opened together become keys, and undo removes both', async ({ app }, info) => {
   await app.open();
   await openTwo(app);
   const files = [0.9, -0.3].map((x, index) => {
@@ -171,7 +171,7 @@ test('two poses of the open mesh that come together become keys, and undo takes 
 });
 
 // Only this test combines the picked files, the question and the result.
-test('of two numbered sequences one is asked for, in the order of its signed numbers, or all are keys', {
+test('for two numbered sequences, the page asks which to open, or uses all files as keys', {
   tag: '@all',
 }, async ({ app }) => {
   const run = [0, 1].map((i) => given(`run_000${i}.obj`, QUAD(0.1 * i)));

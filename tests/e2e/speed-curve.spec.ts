@@ -14,7 +14,7 @@ async function placeOf(app: App, t: number): Promise<{ x: number; y: number }> {
   return { x: x + ((t + 0.4) / 1.8) * width, y: y + height / 2 };
 }
 
-test('the curve in the track is the speed in shape space, of the method that is chosen', async ({ app }) => {
+test('the curve in the track shows the speed of the chosen method in shape space', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
   await expect(app.by('speed-curve')).toBeVisible();
   expect((await heights(app)).length).toBeGreaterThan(100);
@@ -25,7 +25,9 @@ test('the curve in the track is the speed in shape space, of the method that is 
   await app.expectNoProblems();
 });
 
-test('the mouse over the timeline shows the shape there, and the shape on the screen stays', async ({ app }) => {
+test('the mouse over the timeline shows a preview of the shape there, and the main view does not change', async ({
+  app,
+}) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
   const [peek, picture] = [app.by('time-peek'), app.by('time-peek').locator('img')];
   await expect(peek).toBeHidden();
@@ -58,7 +60,7 @@ test('the mouse over the timeline shows the shape there, and the shape on the sc
   await app.expectNoProblems();
 });
 
-test('a finger on the timeline shows no picture over it', async ({ app }) => {
+test('touching the timeline shows no preview', async ({ app }) => {
   await app.open({ hash: '#sample=cactus&t=0.2' });
   const { x, y } = await placeOf(app, 0.6);
   await app.by('timeline').dispatchEvent('pointermove', { pointerType: 'touch', clientX: x, clientY: y });

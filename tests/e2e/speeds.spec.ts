@@ -26,7 +26,7 @@ const ENDS = [
   { end: 'end', inward: -1, panel: 1 },
 ] as const;
 
-test('handles stand at the first and last key with Hermite alone', async ({ app }) => {
+test('handles are shown at the first and last key for Hermite ends only', async ({ app }) => {
   await app.open();
   await expect(app.by('speed-lane')).toBeHidden();
   const places = () =>
@@ -56,7 +56,7 @@ test('handles stand at the first and last key with Hermite alone', async ({ app 
   await expect(app.by('speed-lane')).toBeHidden();
 });
 
-test('a handle is dragged: the motion there changes at once, and is undone as a whole', async ({ app }) => {
+test('dragging a handle changes the motion there at once, as one undo step', async ({ app }) => {
   await openHermite(app);
   const before = await app.positionsAt(0.9);
   const key = await app.positionsAt(1);
@@ -85,7 +85,7 @@ test('a handle is dragged: the motion there changes at once, and is undone as a 
   expect(await app.positionsAt(0.9)).toEqual(before);
 });
 
-test('the handles are worked by the keyboard, and go back by a double click', async ({ app }) => {
+test('the handles work with the keyboard, and a double click resets them', async ({ app }) => {
   await openHermite(app);
   for (const { end, inward, panel } of ENDS) {
     const handle = app.by(`${end}-speed-handle`);
@@ -107,7 +107,7 @@ test('the handles are worked by the keyboard, and go back by a double click', as
   }
 });
 
-test('the handles can be dragged at 360 px, and stay apart at their longest', async ({ app }) => {
+test('the handles can be dragged at 360 px, and do not overlap at full length', async ({ app }) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await openHermite(app, '&startSpeed=4&endSpeed=4');
   const [start, end] = [

@@ -8,7 +8,7 @@ import type { App } from './support.ts';
 // The test changes browser functions before the page is loaded.
 test.use({ fresh: true });
 
-test('nothing is drawn before the first sample is at work, and the start is marked', async ({ app }) => {
+test('nothing is drawn before the import of the first sample, and the start is marked', async ({ app }) => {
   await app.page.addInitScript(() => {
     const { linkProgram } = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.linkProgram = function (program) {
@@ -32,9 +32,7 @@ test('nothing is drawn before the first sample is at work, and the start is mark
   expect(marks.every((times) => times.length > 0)).toBe(true);
 });
 
-test('the first picture waits for its own shape alone: not for the floor, a second motion or the panels', async ({
-  app,
-}) => {
+test('the first image waits for its shape only: not for the floor, a second motion or the panels', async ({ app }) => {
   await app.page.addInitScript(() => {
     const { linkProgram } = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.linkProgram = function (program) {
@@ -82,7 +80,7 @@ test('the first picture waits for its own shape alone: not for the floor, a seco
 const wasmOf = ({ requests }: App, module: string): string[] =>
   requests.filter((url) => new RegExp(`/${module}(-[^/]*)?\\.wasm$`).test(url));
 
-test('the module for files is fetched with the first file, and again after it could not be', async ({ app }) => {
+test('the module for files is fetched for the first file, and again after a failure', async ({ app }) => {
   const mesh = bar();
   const poses = [0, 60].map((degrees) => bent(mesh, degrees));
   const upload = poseFiles(mesh, poses).map(({ name, bytes }) => ({
@@ -105,7 +103,7 @@ test('the module for files is fetched with the first file, and again after it co
   expect(wasmOf(app, 'shapespline_files')).toHaveLength(2);
 });
 
-test('the module for files is fetched with the first export', async ({ app }) => {
+test('the module for files is fetched for the first export', async ({ app }) => {
   await app.open({ first: true });
   expect(wasmOf(app, 'shapespline_files')).toEqual([]);
   expect(await stated(app, async () => undefined)).toContain('morph targets');

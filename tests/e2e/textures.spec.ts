@@ -90,7 +90,7 @@ function squares(bend: number): string {
 const PLACES = [-0.9, -0.5, -0.03, 0.03, 0.5, 0.9].flatMap((x) => [x, 0.1, 0]);
 const SIDES: Channel[] = ['red', 'red', 'red', 'blue', 'blue', 'blue'];
 
-test('an OBJ whose texture has seams shows it right on both sides', async ({ app }) => {
+test('an OBJ with texture seams is drawn correctly on both sides', async ({ app }) => {
   await app.open();
   const files = [
     given('pose-1.obj', squares(0)),
@@ -135,7 +135,7 @@ async function sampledSquare(sampler: { wrap: 10497 | 33071 | 33648; image: Buff
   return Buffer.from(await new WebIO().writeBinary(document));
 }
 
-test('a texture repeats, stops or is mirrored as its sampler says', { tag: '@all' }, async ({ app }) => {
+test('a texture is repeated, clamped or mirrored according to its sampler', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const places = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [x, 0, 0]); // these points have u = 0.25, 0.75, 1.25, 1.75
   const ways: [10497 | 33071 | 33648, Channel[]][] = [
@@ -151,7 +151,7 @@ test('a texture repeats, stops or is mirrored as its sampler says', { tag: '@all
   await app.expectNoProblems();
 });
 
-test('colours of the vertices are shown where the file has some', async ({ app }) => {
+test('vertex colours of a file are shown', async ({ app }) => {
   await app.open();
   const ply = (z: number): string =>
     `ply\nformat ascii 1.0\nelement vertex 6\n${['x', 'y', 'z'].map((c) => `property float ${c}\n`).join('')}` +
@@ -165,7 +165,7 @@ test('colours of the vertices are shown where the file has some', async ({ app }
   await app.expectNoProblems();
 });
 
-test('a small file with an image of 900 million pixels is drawn without it and says so', { tag: '@all' }, async ({
+test('a small file with an image of 900 million pixels is drawn without it, with a message', { tag: '@all' }, async ({
   app,
 }) => {
   await app.open();

@@ -83,7 +83,7 @@ async function show(app: App, patience = 0): Promise<Shown> {
   };
 }
 
-test('an isolated page that was opened once works without a network, with two threads once it had them', {
+test('an isolated page works offline after the first visit, with two threads if it had them online', {
   tag: '@all',
 }, async ({ browser }) => {
   test.setTimeout(240_000);
@@ -118,10 +118,10 @@ test('an isolated page that was opened once works without a network, with two th
   await app.page.close();
 });
 
-test.describe('with files that are changed or stopped on their way', () => {
+test.describe('with changed or blocked files', () => {
   test.use({ serviceWorkers: 'block' }); // a service worker's requests cannot be intercepted
 
-  test('on an isolated page two threads work on a large shape where that is faster, and make the frames of a page without', {
+  test('on an isolated page, two threads compute a large shape if that is faster, with the same frames as one thread', {
     tag: '@all',
   }, async ({ app, browser }) => {
     test.setTimeout(240_000);

@@ -13,7 +13,7 @@ async function xOf(app: App, t: number): Promise<number> {
   return left + ((t + 0.4) / 1.8) * width;
 }
 
-test('is dragged past both ends, where it says so in colour and words', async ({ app }) => {
+test('is dragged past both ends, which colour and text show', async ({ app }) => {
   await app.open();
   const { y } = await track(app);
   const seen = new Map<string, number[]>();
@@ -60,7 +60,7 @@ test('snaps to a key within reach, and not with Alt held', async ({ app }) => {
   expect(time).toBeCloseTo(key.time, 1);
 });
 
-test('is worked by the keyboard', async ({ app }) => {
+test('works with the keyboard', async ({ app }) => {
   await app.open();
   const slider = app.by('timeline');
   await app.setTime(0.3);
@@ -87,7 +87,7 @@ test('is worked by the keyboard', async ({ app }) => {
   await app.page.keyboard.press('Space');
 });
 
-test('takes a typed time and puts nonsense back', async ({ app }) => {
+test('accepts a typed time and restores the old time for invalid text', async ({ app }) => {
   await app.open();
   const field = app.by('time');
   await field.fill('0.42');
@@ -102,7 +102,7 @@ test('takes a typed time and puts nonsense back', async ({ app }) => {
   await expect(field).toHaveValue('3.000');
 });
 
-test('lets a key be dragged to another time without encoding again', async ({ app }) => {
+test('a key is dragged to another time without a new encoding', async ({ app }) => {
   await app.open();
   const before = await app.stats();
   const halfway = await app.positionsAt(0.25);
@@ -123,7 +123,7 @@ test('lets a key be dragged to another time without encoding again', async ({ ap
   expect(await app.positionsAt(0.25)).toEqual(halfway);
 });
 
-test('a press on the timeline shows no focus ring, the next key does', async ({ app }) => {
+test('a click on the timeline shows no focus ring, the next key press does', async ({ app }) => {
   await app.open();
   const slider = app.by('timeline');
   const box = (await slider.locator('.track').boundingBox())!;

@@ -30,9 +30,7 @@ async function expectPage(app: App, step: GuidePage): Promise<void> {
 
 const expectStep = (app: App, index: number): Promise<void> => expectPage(app, TOUR[index]!);
 
-test('a figure of the paper is reached by its link, with how its shape is encoded', { tag: '@all' }, async ({
-  app,
-}) => {
+test('a link opens a figure of the paper with its encoding', { tag: '@all' }, async ({ app }) => {
   const figure = FIGURES.find(({ link }) => link === 'figure=7')!;
   await app.open({ hash: `#${figure.link}` });
   await expectPage(app, figure);
@@ -41,7 +39,7 @@ test('a figure of the paper is reached by its link, with how its shape is encode
   await app.expectNoProblems();
 });
 
-test('a step is reached by its link, and its numbers are those of the engine', async ({ app }) => {
+test('a link opens a step, and its numbers match the engine', async ({ app }) => {
   await app.open({ hash: '#tour=3' });
   await expectStep(app, 2);
   const { patches } = await app.stats();
@@ -55,7 +53,7 @@ test('a step is reached by its link, and its numbers are those of the engine', a
   await expect(app.by('guide-live')).toHaveText(`Volume now: ${blended} % blended, ${ours} % in shape space.`);
 });
 
-test('of the eighth step, a face would be inside out far out; with logarithmic stretch it would not', {
+test('in the eighth step, a face far beyond the keys is inverted, but not with logarithmic stretch', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open({ hash: '#tour=8' });
@@ -65,7 +63,7 @@ test('of the eighth step, a face would be inside out far out; with logarithmic s
   await app.expectNoProblems();
 });
 
-test('what was open before comes back with its edits, and undo knows nothing of the tour', async ({ app }) => {
+test('earlier content returns with its edits, and undo does not include the tour', async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
@@ -87,7 +85,7 @@ test('what was open before comes back with its edits, and undo knows nothing of 
   await expect(app.by('undo')).toHaveAttribute('title', /open a\.obj/);
 });
 
-test('left while its page is still being opened, it gives back what was open, and the keyboard', async ({ app }) => {
+test('closed while its page is being opened, it restores the content and the focus', async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
@@ -126,9 +124,9 @@ test('left while its page is still being opened, it gives back what was open, an
 test.describe('while it is loaded', () => {
   test.use({ fresh: true });
 
-  test('turned to before anything is there, it opens, and gives back what was on its way', { tag: '@all' }, async ({
-    app,
-  }) => {
+  test('requested before anything is open, it opens, and then restores the content that was being loaded', {
+    tag: '@all',
+  }, async ({ app }) => {
     const heldBack = async (what: RegExp) => {
       let arrive = (): void => undefined;
       const held = new Promise<void>((done) => (arrive = done));
@@ -180,9 +178,7 @@ test.describe('while it is loaded', () => {
   });
 });
 
-test('the way back in the browser leads out of the tour, too, and the one onward into it', { tag: '@all' }, async ({
-  app,
-}) => {
+test('the Back button of the browser leaves the tour, and Forward returns to it', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
   await expect.poll(async () => (await app.state()).source.kind).toBe('files');
@@ -202,7 +198,7 @@ test('the way back in the browser leads out of the tour, too, and the one onward
   await app.expectNoProblems();
 });
 
-test('what a step speaks of under the options is in sight, although plots above it come later', {
+test('the panel that a step mentions is visible, although plots above it are loaded later', {
   tag: '@all',
 }, async ({ app }) => {
   for (const [link, part] of [
@@ -225,7 +221,7 @@ test('what a step speaks of under the options is in sight, although plots above 
   expect(await app.page.locator('.side').evaluate((side) => side.scrollTop)).toBeLessThan(200);
 });
 
-test('the playground is a part of its step: an angle of the shape, dragged beside it', async ({ app }) => {
+test('a step contains the playground, in which an angle of the shape can be dragged', async ({ app }) => {
   await app.open({ hash: '#tour=6' });
   await expectStep(app, 5);
   const play = app.page.frameLocator('.framed');
@@ -252,7 +248,7 @@ test('the playground is a part of its step: an angle of the shape, dragged besid
   await app.expectNoProblems();
 });
 
-test('on a projector a step is large, with nothing to press, and a clicker turns the pages', { tag: '@all' }, async ({
+test('on a projector a step is large and has no buttons, and a clicker turns the pages', { tag: '@all' }, async ({
   app,
 }) => {
   await app.page.setViewportSize({ width: 1024, height: 768 });
@@ -333,7 +329,7 @@ async function expectBesideShape(app: App): Promise<void> {
   expect(next.y + next.height).toBeLessThanOrEqual(guide.y + guide.height);
 }
 
-test('at 360 px a student goes from the first step to the last, by hand and by key', async ({ app }) => {
+test('at 360 px, buttons and keys lead from the first step to the last', async ({ app }) => {
   test.slow();
   const [width, height] = [360, 740];
   await app.page.setViewportSize({ width, height });
@@ -369,7 +365,7 @@ test('at 360 px a student goes from the first step to the last, by hand and by k
   await app.expectNoProblems();
 });
 
-test('at 1024 px the guide covers nothing of the shape, and closed it leaves the first sample', async ({ app }) => {
+test('at 1024 px the guide does not cover the shape; after closing it, the first sample is open', async ({ app }) => {
   await app.page.setViewportSize({ width: 1024, height: 768 });
   await app.open({ hash: '#tour=2' });
   await expectStep(app, 1);
@@ -380,7 +376,7 @@ test('at 1024 px the guide covers nothing of the shape, and closed it leaves the
   expect((await app.state()).view.compare).toEqual([]);
 });
 
-test('own files, edited, are there again when the page was reloaded in the middle of the tour', {
+test('edited files of the user return when the page is reloaded during the tour', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open();
@@ -402,7 +398,7 @@ test('own files, edited, are there again when the page was reloaded in the middl
   await app.expectNoProblems();
 });
 
-test('files that are opened during the tour end it, and stay', async ({ app }) => {
+test('opening files during the tour ends it, and they stay open', async ({ app }) => {
   await app.open({ hash: '#tour=1' });
   await expectStep(app, 0);
   await app.by('file-input').setInputFiles([given('a.obj', 0.5), given('b.obj', 0.2)]);
@@ -413,7 +409,7 @@ test('files that are opened during the tour end it, and stay', async ({ app }) =
   await expect.poll(() => fragment(app)).not.toContain('tour');
 });
 
-test('a link to no step opens the page as usual', async ({ app }) => {
+test('a link to an unknown step opens the page as usual', async ({ app }) => {
   await app.open({ hash: '#tour=11' });
   await expect(app.by('guide')).toHaveCount(0);
   expect((await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });

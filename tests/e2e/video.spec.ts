@@ -116,7 +116,9 @@ async function size(app: App, width: number, height: number): Promise<void> {
   await type(app, 'export-height', String(height));
 }
 
-test('a video takes as long as was watched, whatever the machine takes, and the dialog says so', async ({ app }) => {
+test('a video has the duration of playback, however long its encoding takes, and the dialog shows it', async ({
+  app,
+}) => {
   await app.open();
   const text = await stated(app, async () => {
     await app.by('export-animation-video').check();
@@ -179,7 +181,7 @@ test('the playing shape is saved as MP4: every frame is its shape, at its time',
   }
 });
 
-test('choices that are made before the page draws again are all kept', async ({ app }) => {
+test('several choices made before the next frame all take effect', async ({ app }) => {
   await app.open();
   const text = await stated(app, async () => {
     await chooseVideo(app, 'webm', { 'export-duration': '0.4', 'export-rate': '10' });
@@ -256,10 +258,10 @@ async function decodedGif(page: Page, bytes: Buffer): Promise<{ frames: Buffer[]
   return { frames: frames.map((frame) => Buffer.from(frame, 'base64')), milliseconds };
 }
 
-test.describe('with code that is loaded when it is needed', () => {
+test.describe('with code that is loaded on demand', () => {
   test.use({ fresh: true });
 
-  test('a GIF has its frames, their times and the colours of the view', { tag: '@all' }, async ({ app }) => {
+  test('a GIF has the right frames, durations and colours', { tag: '@all' }, async ({ app }) => {
     await app.open();
     const code = (): string[] => app.requests.filter((url) => /(gif-encoder|video-encoder|video)-[^/]*\.js$/.test(url));
     expect(code()).toEqual([]);
@@ -301,9 +303,7 @@ test.describe('with code that is loaded when it is needed', () => {
   });
 });
 
-test('a turntable takes the seconds that the dialog says, once around, and leaves the view as it was', async ({
-  app,
-}) => {
+test('a turntable rotates once in the duration shown by the dialog, and restores the view', async ({ app }) => {
   await app.open();
   const camera = await app.page.evaluate(() => window.__shapespline!.state.view.camera);
   const text = await stated(app, async () => {
@@ -341,7 +341,7 @@ test('a turntable takes the seconds that the dialog says, once around, and leave
 test.describe('without WebCodecs', () => {
   test.use({ fresh: true });
 
-  test('where a browser has no WebCodecs its recorder makes the video, with times and length set right', {
+  test('without WebCodecs, the browser’s recorder makes the video, with corrected times and length', {
     tag: '@all',
   }, async ({ app, page }) => {
     await page.addInitScript(() => Reflect.deleteProperty(window, 'VideoEncoder'));
@@ -363,7 +363,7 @@ test.describe('without WebCodecs', () => {
   });
 });
 
-test('a long video is stopped and leaves everything as it was', { tag: '@all' }, async ({ app }) => {
+test('cancelling a long video restores the page', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await stated(app, () => chooseVideo(app, 'mp4', { 'export-duration': '300' }));
   await app.by('export-go').click();
@@ -384,7 +384,7 @@ function leftEnd(picture: Picture, y: number): number {
   return -1;
 }
 
-test('a picture has the size that was chosen, and each of its pixels is drawn', async ({ app }) => {
+test('an image has the chosen size, without enlarged pixels', async ({ app }) => {
   await app.open();
   const { bytes, stated: text } = await exported(app, async () => {
     await app.by('export-kind-picture').check();
@@ -410,7 +410,7 @@ test('a picture has the size that was chosen, and each of its pixels is drawn', 
   expect(odd).toBeLessThan(0.7 * ends.length);
 });
 
-test('a picture is cropped to the shape, or has the floor and the ground of the page', { tag: '@all' }, async ({
+test('an image is cropped to the shape, or has the floor and the background of the page', { tag: '@all' }, async ({
   app,
 }) => {
   await app.open();
@@ -449,7 +449,7 @@ test('a picture is cropped to the shape, or has the floor and the ground of the 
   expect(new Set(row).size).toBeGreaterThan(5);
 });
 
-test('a picture of a film strip has the strip of every method, the keys in it, and their names', {
+test('an image of a film strip has the strip of every method, with keys and names', {
   tag: '@all',
 }, async ({ app }) => {
   await app.open();
@@ -493,7 +493,7 @@ test('a picture of a film strip has the strip of every method, the keys in it, a
   expect(names(810, 1080)).toBeGreaterThan(100);
 });
 
-test('a comparison carries the names of its methods', { tag: '@all' }, async ({ app }) => {
+test('an image of a comparison has the names of the methods', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.setTime(0.25);
   const single = await exported(app, async () => {

@@ -67,7 +67,7 @@ async function expectWithin(inner: Locator, outer: Locator): Promise<void> {
   expect(a.x + a.width).toBeLessThanOrEqual(b.x + b.width + 0.5);
 }
 
-test.describe('with changed answers of the workers', () => {
+test.describe('with changed replies of the workers', () => {
   // The test changes the workers while the page is loaded.
   test.use({ fresh: true });
 
@@ -88,9 +88,7 @@ test.describe('with changed answers of the workers', () => {
     await app.expectNoProblems();
   });
 
-  test('a warning shows its place in colour and goes to its moment, until something else is wanted', async ({
-    app,
-  }) => {
+  test('a warning marks its location and shows its time, until the user does something else', async ({ app }) => {
     await withChangedResults(app.page, { warnings: WARNINGS });
     await app.open();
     const { keys } = (await app.state()).doc;
@@ -126,7 +124,7 @@ test.describe('with changed answers of the workers', () => {
     await app.expectNoProblems();
   });
 
-  test('faces that have turned inside out are spoken of where they can be seen, once, and shown', async ({ app }) => {
+  test('inverted faces are reported once, when visible, and shown', async ({ app }) => {
     await withChangedResults(app.page, { indefiniteFaces: 200, indefiniteFace: 40 });
     await app.open();
     await app.setTime(0.25);
@@ -141,7 +139,7 @@ test.describe('with changed answers of the workers', () => {
     await app.expectNoProblems();
   });
 
-  test('and not for one in ten thousand', { tag: '@all' }, async ({ app }) => {
+  test('are not reported for one in ten thousand', { tag: '@all' }, async ({ app }) => {
     await withChangedResults(app.page, { indefiniteFaces: 1, indefiniteFace: 40 });
     await app.open();
     await app.setTime(0.25);
@@ -172,7 +170,7 @@ function bars(turn: number): Buffer {
   return Buffer.from(lines.join('\n'));
 }
 
-test('whole turns are given to the shape or to one of its parts, which is marked, and undone', async ({ app }) => {
+test('full turns are added to the shape or to a part, which is marked, and can be undone', async ({ app }) => {
   const turns = async () => (await app.state()).doc.keys.map(({ shaping }) => shaping.turns);
   await app.open();
   await app.by('key-0-edit').click();

@@ -20,7 +20,7 @@ function failure(work: () => unknown): EngineError {
 }
 
 describe('the bindings', () => {
-  it('are those that the engine declares, and no others', async () => {
+  it('are exactly those that the engine declares', async () => {
     const source = await readFile(new URL('../../web/engine/worker/wasm-module.ts', import.meta.url), 'utf8');
     const declaredIn = (name: string): string[] => {
       const [, body = ''] = new RegExp(`interface ${name} [^{]*\\{([^}]*)\\}`).exec(source) ?? [];
@@ -36,7 +36,7 @@ describe('the bindings', () => {
     expect(exportedBy(files).sort()).toEqual([...common, ...declaredIn('FilesModule')].sort());
   });
 
-  it('hand arrays over as they were: keys in, faces and positions out', async () => {
+  it('pass arrays unchanged: keys in, faces and positions out', async () => {
     const { files } = await localFiles();
     const mesh = bar();
     const poses = [0, 90].map((degrees) => bent(mesh, degrees));
@@ -48,7 +48,7 @@ describe('the bindings', () => {
     expect(files.objects).toBe(0);
   });
 
-  it('pass every motion option on', async () => {
+  it('pass every motion option', async () => {
     const { core } = await localCore();
     const bend = createBend(core);
     const at = (options: Partial<typeof MOTION_DEFAULTS>, t: number): Float32Array => {
@@ -83,7 +83,7 @@ describe('the bindings', () => {
     expect(core.objects).toBe(0);
   });
 
-  it('pass every encoding option on', async () => {
+  it('pass every encoding option', async () => {
     const { core } = await localCore();
     const far = (options: Partial<typeof ENCODING_DEFAULTS>, boundary: 'natural' | 'hermite' = 'natural'): string => {
       const spec = { ...motion, options: { ...MOTION_DEFAULTS, boundary } };
@@ -109,7 +109,7 @@ describe('the bindings', () => {
     expect(new Set(all).size).toBe(all.length);
   });
 
-  it('answer a failure with code, sentence and place', async () => {
+  it('report a failure with code, message and location', async () => {
     const { core } = await localCore();
     const data = bendData();
     data.positions[1]![7] = NaN;
@@ -119,7 +119,7 @@ describe('the bindings', () => {
     expect(core.objects).toBe(0);
   });
 
-  it('refuse more added turns than the table of options allows', async () => {
+  it('refuse more added turns than the option table allows', async () => {
     const { core } = await localCore();
     const turned = (turns: number): ReturnType<typeof createBend> =>
       createBend(core, bendData(), {
@@ -130,7 +130,7 @@ describe('the bindings', () => {
     expect(failure(() => turned(MOST_TURNS + 1)).code).toBe('invalid-option');
   });
 
-  it('turn a stale handle and an unknown choice into an internal error, not a trap', async () => {
+  it('report an internal error for a stale handle and an unknown choice, without a trap', async () => {
     const { core } = await localCore();
     const stale = createBend(core);
     stale.release();

@@ -24,7 +24,7 @@ const blended = async (weights: number[]): Promise<Float32Array> => {
 };
 
 describe('a blend of keys', () => {
-  it('is a key where that has all the weight, and the motion at the weights of its curve', async () => {
+  it('is a key if it has all the weight, and a shape of the motion with the weights of its curve', async () => {
     for (const key of [0, 1, 2]) {
       const weights = [0, 0, 0];
       weights[key] = 1;
@@ -39,7 +39,7 @@ describe('a blend of keys', () => {
     }
   });
 
-  it('is another shape off the curve, whatever was shown before', async () => {
+  it('is a different shape off the curve, independent of earlier shapes', async () => {
     const weights = [0.8, -0.6, 0.8];
     const shape = await blended(weights);
     for (const t of [0, 0.25, 0.5, 0.75, 1]) {
@@ -48,7 +48,7 @@ describe('a blend of keys', () => {
     expect(await blended(weights)).toEqual(shape);
   });
 
-  it('that a newer request overtakes is null', async () => {
+  it('is null if a newer request replaces it', async () => {
     const asked = [0, 0.1, 0.2, 0.3].map((w) => bend.sequence.evaluateBlend([1 - w, w, 0]));
     const frames = await Promise.all(asked);
     expect(frames.map((frame) => frame !== null)).toEqual([true, false, false, true]);
@@ -69,7 +69,7 @@ describe('a blend of keys', () => {
 });
 
 describe('the discretised minimisation', () => {
-  it('falls onto the spline, the closer the more samples it has', async () => {
+  it('approaches the spline with more samples', async () => {
     const off = async (samples: number): Promise<number> => {
       const { times, plane, energy, curveEnergy } = await bend.sequence.discretePath(samples);
       expect(times).toHaveLength(samples);
@@ -81,7 +81,7 @@ describe('the discretised minimisation', () => {
     expect(fine).toBeLessThan(coarse / 14); // the order is two, so the ideal ratio is 16
   });
 
-  it('refuses counts that cannot work', async () => {
+  it('refuses invalid numbers of samples', async () => {
     for (const samples of [2, 1001, 1.5]) {
       expect((await failureOf(bend.sequence.discretePath(samples))).code).toBe('invalid-option');
     }
@@ -101,7 +101,7 @@ describe('one face', () => {
 });
 
 describe('one patch', () => {
-  it('turns against each neighbour as that against it, and is at rest in the reference pose', async () => {
+  it('rotates relative to each neighbour inversely to that neighbour, and not in the reference pose', async () => {
     const times = [0, 0.4, 1];
     const patch = (await bend.sequence.patches())[7]!;
     const { neighbours, numbers, natural } = await bend.sequence.patchCurve(patch, times);

@@ -97,7 +97,7 @@ describe.skipIf(!hasData)('charts of real keys with large turns', () => {
     },
   );
 
-  it('cat: no patch is said to stretch by what a few slivers in it do', async () => {
+  it('cat: a few slivers do not determine the stretch of a patch', async () => {
     const { sequence, from, to } = await opened(cats);
     const patchOf = await sequence.patches();
     const times = between(from, to, 12);

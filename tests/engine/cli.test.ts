@@ -44,7 +44,7 @@ function gltfPair(name: string, positions: Float32Array, uri = `${name}.bin`): {
 }
 
 describe('inspect', () => {
-  it('prints what the files hold', async () => {
+  it('prints the content of the files', async () => {
     const { code, stdout, stderr } = await runCli(folder, 'inspect', ...names);
     expect([code, stderr]).toEqual([0, '']);
     expect(JSON.parse(stdout)).toMatchObject({
@@ -61,7 +61,7 @@ describe('inspect', () => {
     });
   });
 
-  it('reads what a .gltf names from its own folder', async () => {
+  it('reads the files that a .gltf names from its own folder', async () => {
     const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!)]);
     const { code, stdout } = await runCli(where, 'inspect', 'a.gltf', 'b.gltf');
     expect(code).toBe(0);
@@ -103,15 +103,15 @@ describe('inspect', () => {
   });
 });
 
-describe('what is no regular file', () => {
-  it.each(['/dev/zero', 'pipe'])('is refused before it is read: %s', async (name) => {
+describe('special files', () => {
+  it.each(['/dev/zero', 'pipe'])('are refused before they are read: %s', async (name) => {
     const where = await folderOf(files);
     execFileSync('mkfifo', [path.join(where, 'pipe')]);
     const { code, stderr } = await runCli(where, 'inspect', names[0]!, name);
     expect([code, stderr]).toEqual([1, `shapespline: ${name}: it is a device, a pipe or a socket, not a file.\n`]);
   });
 
-  it('is not read where a .gltf names it, either', async () => {
+  it('are not read if a .gltf names them, either', async () => {
     const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!, 'pipe')]);
     execFileSync('mkfifo', [path.join(where, 'pipe')]);
     const { code, stderr } = await runCli(where, 'inspect', 'a.gltf', 'b.gltf');
@@ -120,7 +120,7 @@ describe('what is no regular file', () => {
 });
 
 describe('the terminal', () => {
-  it('gets no orders out of names', async () => {
+  it('gets no control sequences from names', async () => {
     const { code, stderr } = await runCli(folder, 'inspect', 'a\u001b]0;title\u0007\u009b2J.glb');
     expect([code, stderr]).toEqual([1, 'shapespline: a\\u001b]0;title\\u0007\\u009b2J.glb: there is no such file.\n']);
     const glb = meshGlb(mesh, poses[0]!);
@@ -130,7 +130,7 @@ describe('the terminal', () => {
     expect((JSON.parse(stdout) as { files: string[] }).files[0]).toBe('a\u009b2J.glb');
   });
 
-  it.skipIf(!existsSync('/dev/full'))('that takes no more is one line', () => {
+  it.skipIf(!existsSync('/dev/full'))('that is full gives one line', () => {
     const full = openSync('/dev/full', 'w');
     try {
       const { status, stderr } = spawnSync(process.execPath, [program, 'inspect', ...names], {
@@ -149,7 +149,7 @@ describe('the terminal', () => {
 });
 
 describe('complete', () => {
-  it('writes an animation that holds the keys and plays the asked range', async () => {
+  it('writes an animation with the keys and the requested range', async () => {
     const { code, stdout, stderr } = await runCli(
       folder,
       'complete',
@@ -213,7 +213,7 @@ describe('complete', () => {
     expect(volume[times.indexOf(0)]).toBeCloseTo(10, 4);
   });
 
-  it("writes a folder of OBJ files in the input's own order, one for each asked time", async () => {
+  it("writes a folder of OBJ files with the input's vertex order, one for each requested time", async () => {
     const { code } = await runCli(folder, 'complete', ...names, '--output', 'frames/', '--at', '-0.3,1,2.3');
     expect(code).toBe(0);
     expect(await listed(path.join(folder, 'frames'))).toEqual(['0000.obj', '0001.obj', '0002.obj']);
@@ -230,7 +230,7 @@ describe('complete', () => {
     expect(largestDistance((await objOf('one.obj')).positions, poses[2]!)).toBeLessThan(1e-5 * diagonal(poses[2]!));
   });
 
-  it('writes a point cache with the OBJ that it moves beside it', async () => {
+  it('writes a point cache with its OBJ', async () => {
     const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'walk.pc2', '--fps', '4');
     expect([code, stderr]).toEqual([0, '']);
     const inspected = await runCli(folder, 'inspect', 'walk.obj', 'walk.pc2');
@@ -242,7 +242,7 @@ describe('complete', () => {
     expect(cache.readInt32LE(16)).toBe(positions.length / 3);
   });
 
-  it('writes as few targets as the tolerance needs, and what belongs to in-betweens beside them', async () => {
+  it('writes the fewest targets for the tolerance, and the extra files of in-betweens', async () => {
     const report = async (...words: string[]) => {
       const { code } = await runCli(
         folder,
@@ -277,13 +277,13 @@ describe('complete', () => {
     expect(await listed(folder)).toEqual(expect.arrayContaining(['rig.csv', 'rig.glb', 'rig.py']));
   });
 
-  it('makes 60 frames over the keys unless told otherwise', async () => {
+  it('makes 60 frames over the keys by default', async () => {
     expect((await runCli(folder, 'complete', ...names, '--output', 'all/')).code).toBe(0);
     expect(await listed(path.join(folder, 'all'))).toHaveLength(60);
     expect((await objOf('all/0059.obj')).positions).toEqual((await objOf('one.obj')).positions);
   });
 
-  it('says the size of a large export first, and only of one', async () => {
+  it('states the size of a large export before writing, and only of a large one', async () => {
     const fine = bar(8, 120);
     const where = await folderOf(
       poseFiles(
@@ -367,7 +367,7 @@ describe('complete with a ghost mesh', () => {
     return json('g.json');
   };
 
-  it('reports its size, what it misses and what its stages took', async () => {
+  it('reports its size, its error and the times of its stages', async () => {
     const exact = await report('--ghost-faces', '80');
     expect(exact).toMatchObject({
       options: { sequence: { ghostFaces: 80, transfer: 'exact', placement: 'vertices' } },
@@ -392,7 +392,7 @@ describe('complete with a ghost mesh', () => {
     expect((paper.ghost as Record<string, number>).kg).not.toBe(kg);
   });
 
-  it('is off unless asked for, and can be taken off a project that has one', async () => {
+  it('is off by default, and can be removed from a project', async () => {
     expect((await report()).ghost).toBeNull();
     await report('--ghost-faces=80');
     const opened = async (...words: string[]): Promise<unknown> => {
@@ -406,8 +406,8 @@ describe('complete with a ghost mesh', () => {
   });
 });
 
-describe('files that do not hold the same objects', () => {
-  it('are poses of what all of them have, and it says so', async () => {
+describe('files with different objects', () => {
+  it('are poses of their common objects, with a warning', async () => {
     const thing = (x: number): string => `o Thing\nv 0 0 0\nv 1 0 0\nv ${x} 1 0\nf 1 2 3\n`;
     const floor = 'o Floor\nv 9 0 0\nv 9 0 9\nv 0 0 9\nf 4 5 6\n';
     const place = await folderOf([
@@ -456,7 +456,7 @@ describe('wrong use', () => {
 });
 
 describe('many numbered files', () => {
-  it('are an animation of which 8 frames are keys: it says how many files there are, and how others are chosen', async () => {
+  it('are an animation with 8 frames as keys; the warning states the number of files and how to choose other frames', async () => {
     const pose = (frame: number): string => `v 0 0 0\nv 1 0 0\nv 0 ${1 + frame / 20} 0\nf 1 2 3\n`;
     const series = Array.from({ length: 40 }, (_, frame) => ({
       name: `walk_${100 + frame}.obj`,
@@ -528,7 +528,7 @@ describe('bad input', () => {
     expect(await listed(folder)).toEqual(before);
   });
 
-  it('is also a place that cannot be written to', async () => {
+  it('includes an output that cannot be written', async () => {
     const before = await listed(folder);
     const { code, stderr } = await runCli(folder, 'complete', ...names, '--output', 'pose-1.glb/x.glb', '--frames=2');
     expect([code, stderr]).toEqual([1, expect.stringMatching(/^shapespline: [^\n]+\n$/)]);
@@ -536,7 +536,7 @@ describe('bad input', () => {
   });
 });
 
-describe('a folder as people have it', () => {
+describe('a typical folder', () => {
   const pose = (name: string, height: number) => ({
     name,
     bytes: new TextEncoder().encode(`v 0 0 0\nv 1 0 0\nv 0 1 ${height}\nf 1 2 3\n`),
@@ -545,7 +545,7 @@ describe('a folder as people have it', () => {
     (JSON.parse(stdout) as { keys: { name: string }[] }).keys.map(({ name }) => name);
   const junk = (name: string) => ({ name, bytes: Uint8Array.of(0, 5, 22, 7) });
 
-  it('has frames below zero, and what systems leave behind', async () => {
+  it('has frames below zero and files of the operating system', async () => {
     const left = ['._sim.-1.obj', '.DS_Store', 'Thumbs.db', 'desktop.ini'].map(junk);
     const frames = [1, 0, -1, -2].map((number) => pose(`sim.${number}.obj`, number));
     const place = await folderOf([...frames, ...left]);
@@ -558,7 +558,7 @@ describe('a folder as people have it', () => {
     }
   });
 
-  it('with two numbered sequences is refused, and both are named with what to do', async () => {
+  it('with two numbered sequences is refused; the message names both and says what to do', async () => {
     const sequence = (name: string, count: number) =>
       Array.from({ length: count }, (_, i) => pose(`${name}_000${i + 1}.obj`, i));
     const place = await folderOf([...sequence('walk', 3), ...sequence('run', 2)]);

@@ -43,7 +43,7 @@ describe('compressed meshes', () => {
     expect(cornersOf(keys.positions(0), keys.info.faces)).toEqual(cornersOf(poses[0]!, mesh.indices));
   });
 
-  it('find their buffers as other files do, and miss only the buffers', async () => {
+  it('find their buffers like other files, and report missing buffers only', async () => {
     const [{ bytes }, second] = (await meshopt(plain)) as [InputFile, InputFile];
     const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
     const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as {
@@ -75,7 +75,7 @@ describe('compressed meshes', () => {
     });
   });
 
-  it('that are cut off are refused as other files are', async () => {
+  it('that are truncated are refused like other files', async () => {
     for (const files of [await meshopt(plain), await draco(plain)]) {
       const cut = { name: 'cut.glb', bytes: files[1]!.bytes.slice(0, -100) };
       expect(await failureOf(engine.importKeyframes([files[0]!, cut]))).toMatchObject({

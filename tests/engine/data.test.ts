@@ -129,7 +129,7 @@ describe.skipIf(!hasData)('malformed files', () => {
 
   it.skipIf(!hasData)('are there', () => expect(names.length).toBeGreaterThan(50));
 
-  it.each(names)('import or are refused with a code and a sentence: %s', async (name) => {
+  it.each(names)('import or are refused with a code and a message: %s', async (name) => {
     const started = performance.now();
     const beside = dataFiles(name.slice(0, name.lastIndexOf('/'))).filter((other) =>
       /\.(bin|png|jpg|jpeg)$/.test(other),

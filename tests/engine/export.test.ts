@@ -106,7 +106,7 @@ describe('an animated GLB', () => {
     sequence.dispose();
   });
 
-  it('opens again as the same project, also where the range leaves keys out', async () => {
+  it('opens again as the same project, also if the range excludes keys', async () => {
     const { sequence } = await bendSequence(engine, {
       boundary: 'hermite',
       startSpeed: 0,
@@ -137,7 +137,7 @@ describe('an animated GLB', () => {
     sequence.dispose();
   });
 
-  it('opens again as the same motion where parts are as near to each other at several places', async () => {
+  it('opens again as the same motion if parts are equally close at several locations', async () => {
     const keys = await engine.importKeyframes([await rigFile()], { animation: 'nod', sample: [0, 0.4, 1.1, 2.2, 3] });
     for (const precision of ['single', 'exact'] as const) {
       const sequence = await engine.createSequence(keys, { precision });
@@ -180,7 +180,7 @@ describe('an animated GLB', () => {
     );
   });
 
-  it('opens as its animation where that is asked for', async () => {
+  it('opens as an animation on request', async () => {
     const bytes = await exported(bend.sequence, { frames: 5 });
     const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes }], { sample: 3 });
     expect([info.times, info.project]).toEqual([[0, 0.5, 1], null]);
@@ -195,7 +195,7 @@ describe('an animated GLB', () => {
     expect(info.warnings.map(({ code }) => code)).toContain('project-options-ignored');
   });
 
-  it('is as large as was said', async () => {
+  it('has the stated size', async () => {
     for (const frames of [3, 60]) {
       const { bytes } = await bend.sequence.planExport({ frames });
       const written = (await exported(bend.sequence, { frames })).length;
@@ -203,7 +203,7 @@ describe('an animated GLB', () => {
     }
   });
 
-  it('has as few targets as its tolerance allows, says what it is off, and is exact at the keys', async () => {
+  it('has the fewest targets for its tolerance, states its error, and is exact at the keys', async () => {
     const targets: number[] = [];
     for (const tolerance of [1, 0.1, 0.02]) {
       const plan = await bend.sequence.planExport({ tolerance });
@@ -231,7 +231,7 @@ describe('an animated GLB', () => {
     expect(targets[1]).toBeLessThan(30);
   });
 
-  it('takes whole frames where there are some, the fewest that do', async () => {
+  it('uses the fewest whole frames if a frame rate is given', async () => {
     const { times } = await bend.sequence.planExport({ fps: 240 });
     for (const t of times) expect(Math.abs(t * 240 - Math.round(t * 240))).toBeLessThan(1e-6);
     expect(times.length).toBeLessThan(40);
@@ -248,7 +248,7 @@ describe('an animated GLB', () => {
     );
   });
 
-  it('what has no material looks as on the page wherever it is shown', async () => {
+  it('a shape without a material looks everywhere as on the page', async () => {
     const [, clay] = /const CLAY = '#([0-9a-f]{6})'/.exec(readFileSync('web/viewer/shape.ts', 'utf8'))!;
     const linear = [0, 2, 4].map((at) => {
       const share = Number.parseInt(clay!.slice(at, at + 2), 16) / 255;
@@ -272,8 +272,8 @@ describe('an animated GLB', () => {
       await expectValid(bytes);
       const { float, short } = await targetNormals(bytes);
       expect(short).toBeGreaterThan(float); // the bar's normals rotate by up to 80 degrees
-      // Of 24 bytes per vertex remain a position with 16 bits per coordinate and, if it fits, a normal, each padded to
-      // 8 bytes.
+      // Of 24 bytes per vertex, 8 remain for the position (16 bits per coordinate, padded), and 8 for the normal if it
+      // fits.
       const quantized = (8 + (8 * short + 12 * float) / (short + float)) / 24;
       // Smooth surfaces move so evenly that they need fewer bits than the stored 16 and 12 per coordinate.
       const most = compression === 'quantized' ? quantized + 0.02 : (3 * (16 + 12)) / 8 / 24;
@@ -315,7 +315,7 @@ describe('an animated GLB', () => {
       expect(largestDistance(again.positions(key), pose)).toBeLessThan(1e-6 * whole);
   });
 
-  it('of keys and in-betweens has its weights at the times that were asked for', async () => {
+  it('of keys and in-betweens has its weights at the requested times', async () => {
     const options = { targets: 'principal', frames: 24 } as const;
     const plan = await bend.sequence.planExport(options);
     expect(plan.times).toEqual((await bend.sequence.planExport({ frames: 24 })).times);
@@ -337,7 +337,7 @@ describe('an animated GLB', () => {
     expect(rough.error).toBeGreaterThan(10 * plan.error!);
   });
 
-  it('in place has no motion of the whole', async () => {
+  it('in place has no overall translation', async () => {
     const centre = (positions: Float64Array): number =>
       positions.reduce((sum, value, i) => (i % 3 === 1 ? sum + value : sum), 0);
     const keys = bend.keys.arrange([0, 0], [0, 1]);
@@ -359,7 +359,7 @@ describe('an animated GLB', () => {
 });
 
 describe('the largest animation', () => {
-  it('opens again, and a larger one is refused before any work', async () => {
+  it('opens again, and a larger one is refused at once', async () => {
     const box = bar(1, 1);
     const sequence = await engine.createSequence(
       await engine.importKeyframes(poseFiles(box, [box.positions, bent(box, 30)])),
@@ -415,7 +415,7 @@ describe('single shapes and series of files', () => {
     expect(Math.abs(plan.bytes - written)).toBeLessThan(0.35 * written);
   });
 
-  it('come one by one, and end when the caller stops', async () => {
+  it('are made one by one, until the caller stops', async () => {
     const fractions: number[] = [];
     const options = { format: 'obj', frames: 50 } as const;
     const taken: string[] = [];

@@ -44,7 +44,7 @@ const UTM: Place = [432_100, 5, 5_412_345];
 const PLACES: Place[] = [[300, 0, 150], [1000, 0, 500], [5000, 0, 2500], [85_227, 10, 446_522], UTM];
 
 describe('a shape far from the origin', () => {
-  it.each(PLACES)('at %d, %d, %d has the motion that it has at the origin', async (...place) => {
+  it.each(PLACES)('at %d, %d, %d has the same motion as at the origin', async (...place) => {
     const [far, near] = [
       await engine.importKeyframes(filesAt(place)),
       await engine.importKeyframes(filesAt([0, 0, 0])),
@@ -96,7 +96,7 @@ describe('a shape far from the origin', () => {
     sequence.dispose();
   });
 
-  it('takes further poses, in whatever file they stand', async () => {
+  it('accepts further poses from any file', async () => {
     const keys = await engine.importKeyframes(filesAt(UTM));
     const further = poseAt([UTM[0] + 40, UTM[1], UTM[2] - 9], 33);
     const pose = await readPose(engine, [{ name: 'further.obj', bytes: obj(further) }], keys);
@@ -116,7 +116,7 @@ describe('a shape far from the origin', () => {
     sequence.dispose();
   });
 
-  it('that a GLB stores there in single precision is a warning with the number', async () => {
+  it('that a GLB stores in single precision gives a warning with the error', async () => {
     const stored = angles.map((degrees, i) => ({
       name: `${i}.glb`,
       bytes: meshGlb(mesh, Float32Array.from(poseAt(UTM, degrees))),
@@ -136,7 +136,7 @@ describe('on the command line', () => {
       .filter((line) => line.startsWith('v '))
       .flatMap((line) => line.slice(2).split(' ').map(Number));
 
-  it('survey coordinates come back in OBJ, PLY and GLB, and a point cache names the offset', async () => {
+  it('survey coordinates are kept in OBJ, PLY and GLB, and a point cache states the offset', async () => {
     const folder = await folderOf(filesAt(UTM));
     const run = async (...words: string[]) => {
       const outcome = await runCli(folder, ...words);
@@ -182,7 +182,7 @@ describe('on the command line', () => {
     expect(Number(/KG error (\S+) %/.exec(stdout)![1])).toBeLessThan(1e-3);
   });
 
-  it('coordinates that single precision cannot hold are refused, and nothing is written', async () => {
+  it('coordinates beyond single precision are refused, and nothing is written', async () => {
     const huge = (factor: number): InputFile[] =>
       angles.map((degrees, i) => ({
         name: `${i}.obj`,

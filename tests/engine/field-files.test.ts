@@ -16,7 +16,7 @@ const corpus = path.resolve(import.meta.dirname, '../fuzz/corpus/gltf');
 const field = (name: string): InputFile => ({ name, bytes: readFileSync(path.join(corpus, `field-${name}`)) });
 
 describe('objects in another order', () => {
-  it('keep their places, which inspect lists with the rule', async () => {
+  it('keep their positions, and inspect lists the matches with the rule', async () => {
     const [first, second] = [field('eyes-a.glb'), field('eyes-b.glb')];
     const keys = await engine.importKeyframes([first, second]);
     // EyeR comes first in the second file; three.js keeps each file's order.
@@ -76,7 +76,7 @@ describe('objects in another order', () => {
 });
 
 describe('animations', () => {
-  it('of one pose are passed over for the first that moves, as three.js shows it', async () => {
+  it('of one pose are skipped for the first that moves, as three.js shows it', async () => {
     const file = field('tpose-first.glb');
     const keys = await engine.importKeyframes([file], { sample: 3 });
     expect(keys.info.animation).toBe(1);
@@ -94,7 +94,7 @@ describe('animations', () => {
     ]);
   });
 
-  it('that are all of one pose are the keys', async () => {
+  it('are the keys if each has one pose', async () => {
     const file = field('pose-library.glb');
     const keys = await engine.importKeyframes([file]);
     expect(keys.info.names).toEqual(['TPose', 'reach', 'crouch']);
@@ -118,7 +118,7 @@ describe('messages', () => {
     expect(stderr).toBe('shapespline: umlaut.glb has no object "Körper"; it has "Größe 体".\n');
   });
 
-  it('of the decoders hold no JavaScript errors', async () => {
+  it('of the decoders contain no JavaScript errors', async () => {
     const mesh = bar();
     const [file] = await draco(poseFiles(mesh, [mesh.positions]));
     const { json, bin } = glbParts(file!.bytes);

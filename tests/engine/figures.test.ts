@@ -9,7 +9,7 @@ import { testEngine } from './support/engines.ts';
 
 const engine = testEngine();
 
-it('Fig. 3 passes near the pose that its tangents point to, much nearer than with free ends', async () => {
+it('Fig. 3 passes near the pose of its tangents, much closer than with natural ends', async () => {
   const { state, ask } = FIGURES.find(({ link }) => link === 'figure=3')!;
   const { keys, motion, encoding } = readPermalink(state)!;
   const bytes = await readFile(new URL('../../public/samples/cactus.glb', import.meta.url));

@@ -1,4 +1,4 @@
-/** Methods that fit shapes while a motion is made: what they keep, what they refuse, how they end. */
+/** Methods that fit shapes while a motion is made: kept measures, unsupported options, cancellation. */
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import { folderOf, runCli } from './support/cli.ts';
@@ -9,7 +9,7 @@ import { bar, bent, diagonal, foam, largestDistance, rolledSheet, type Mesh } fr
 
 const engine = testEngine();
 
-/** The same triangles, each with its own vertices and smaller. */
+/** The same triangles, reduced in size, each with its own vertices. */
 function apart({ indices, positions }: Mesh): Mesh {
   const moved = new Float32Array(3 * indices.length);
   indices.forEach((vertex, corner) => {
@@ -70,7 +70,7 @@ describe('lengths', () => {
     sequence.dispose();
   });
 
-  it('bends about as much as LRI space does, in the same unit, where both move alike', async () => {
+  it('has about the bending of LRI space, in the same unit, for similar motions', async () => {
     const { keys } = await bendKeys(engine);
     const [plain, fitted] = [
       await engine.createSequence(keys),
@@ -82,7 +82,7 @@ describe('lengths', () => {
     expect(theirs! / ours!).toBeLessThan(2);
   });
 
-  it('is a motion of a shape beside others, and ends with it', async () => {
+  it('is one of several motions of a shape, and ends with it', async () => {
     const { keys } = await importSheet(5);
     const shape = await engine.encode(keys);
     const plain = await shape.motion();
@@ -95,7 +95,7 @@ describe('lengths', () => {
     expect((await failureOf(fitted.evaluate(0))).code).toBe('disposed');
   });
 
-  it('refuses what it cannot do, an update, and mixtures of keys', async () => {
+  it('refuses unsupported options, updates, and blends of keys', async () => {
     const { keys, poses } = await importSheet(4);
     for (const [options, what] of [
       [{ hold: 'on' }, 'keeping resting parts in place'],
@@ -136,7 +136,7 @@ describe('lengths', () => {
     expect((await frameAt(sequence, 0.5)).positions.every(Number.isFinite)).toBe(true);
   });
 
-  it('can be cancelled, and reports how far it is', async () => {
+  it('can be cancelled, and reports progress', async () => {
     const { keys } = await importSheet(12);
     const abort = new AbortController();
     const fractions: number[] = [];
@@ -181,7 +181,7 @@ describe('lengths', () => {
   });
 
   const saddle = ['turns/saddle/monkey_saddle_1.ply', 'turns/saddle/monkey_saddle_2.ply'];
-  it.skipIf(!hasData)('moves as LRI space does where no fit is found, and says so once', async () => {
+  it.skipIf(!hasData)('shows the motion of LRI space where no fit is found, with one warning', async () => {
     const keys = await engine.importKeyframes(saddle.map(dataFile), { keyTimes: [0, 1] });
     const sequence = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 4 });
     const found = sequence.warnings.filter(({ code }) => code === 'lengths-not-fitted');

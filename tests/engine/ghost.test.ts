@@ -15,7 +15,7 @@ const pick = (positions: Float32Array, vertices: Int32Array): number[] =>
   [...vertices].flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)]);
 
 describe('a ghost mesh', () => {
-  it('is described by arrays that agree with each other and with the keys', async () => {
+  it('is described by arrays that are consistent with each other and with the keys', async () => {
     const { sequence, mesh, poses } = await bendSequence(engine, { ghostFaces: 80 });
     const ghost = (await sequence.ghost())!;
     const { ghostFaces, ghostVertices } = await sequence.stats();
@@ -36,7 +36,7 @@ describe('a ghost mesh', () => {
     sequence.dispose();
   });
 
-  it('may stand beside the vertices', async () => {
+  it('can have vertices off the vertices of the shape', async () => {
     const { sequence, poses } = await bendSequence(engine, { ghostFaces: 80, placement: 'optimal' });
     const distance = largestDistance(
       await sequence.ghostPositions(1),
@@ -57,7 +57,7 @@ describe('a ghost mesh', () => {
     }
   });
 
-  it('takes part in every refit, and in none of the blends of vertices', async () => {
+  it('is used by every refit, but not by vertex blends', async () => {
     const { sequence, keys } = await bendSequence(engine, { ghostFaces: 80 });
     const full = await engine.createSequence(keys);
     const at = async (one: Sequence): Promise<Float32Array> => (await frameAt(one, 0.7)).positions;
@@ -74,7 +74,7 @@ describe('a ghost mesh', () => {
     for (const one of [sequence, full]) one.dispose();
   });
 
-  it('reports its making in rising fractions', async () => {
+  it('reports increasing fractions while it is made', async () => {
     const { keys } = await bendKeys(engine, bar(6, 60));
     const seen: Progress[] = [];
     (
@@ -92,7 +92,7 @@ describe('a ghost mesh', () => {
     expect(seen.at(-1)!.fraction).toBe(1);
   });
 
-  it('can be cancelled within a second while it is made, and leaves the motion before as it was', async () => {
+  it('can be cancelled within a second while it is made, and leaves the earlier motion unchanged', async () => {
     const { keys } = await bendKeys(engine, bar(30, 300));
     const served = await engine.createSequence(keys);
     const { positions } = await frameAt(served, 0.3);
@@ -118,7 +118,7 @@ describe('a ghost mesh', () => {
 });
 
 describe('the KG error', () => {
-  it('is what its definition says', () => {
+  it('matches its definition', () => {
     const error = new KgError();
     error.add(Float32Array.of(0, 0, 0, 2, 0, 0), Float32Array.of(0, 0.5, 0, 2, 0, 0));
     expect(error.percent).toBeCloseTo((100 * 0.5) / Math.SQRT2, 10);
@@ -134,7 +134,7 @@ describe('the KG error', () => {
 });
 
 describe('a study of ghosts', () => {
-  it("holds every size below the shape's in both ways of transfer", async () => {
+  it('has every size below that of the shape, with both transfers', async () => {
     const { keys } = await bendKeys(engine);
     const fractions: number[] = [];
     const study = await studyGhosts(
@@ -213,7 +213,7 @@ describe('2,000 ghost faces', () => {
     },
   );
 
-  it.skipIf(!hasData)('keep close to it on the cactus', async () => {
+  it.skipIf(!hasData)('keep the cactus close to its motion without a ghost', async () => {
     await check(await engine.importKeyframes([1, 2, 3].map((i) => dataFile(`cactus/cactus-${i}.glb`))), {});
   });
 });

@@ -17,7 +17,7 @@ function takeAll({ module }: LocalCore): () => void {
 }
 
 describe('the heap', () => {
-  it('stays flat over hundreds of sequences that are made, used and released', async () => {
+  it('does not grow over hundreds of sequences that are made, used and released', async () => {
     const { core } = await localCore();
     const data = bendData();
     const cycle = (): void => {
@@ -33,7 +33,7 @@ describe('the heap', () => {
     expect(core.objects).toBe(0);
   });
 
-  it('stays flat over imports, good and bad, and exports', async () => {
+  it('does not grow over valid and invalid imports, and exports', async () => {
     const { files } = await localFiles();
     const mesh = bar();
     const good = poseFiles(mesh, [mesh.positions, bent(mesh, 30)]);
@@ -89,7 +89,7 @@ describe('the heap', () => {
     expect(positions.every(Number.isFinite)).toBe(true);
   });
 
-  it('that is full gives an error with a code, and works again when there is room', async () => {
+  it('gives an error with a code if it is full, and works again when there is space', async () => {
     const local = await localCore();
     const data = bendData(bar(8, 80));
     const bend = createBend(local.core, data);
@@ -108,7 +108,7 @@ describe('the heap', () => {
     expect(local.core.evaluate(again.motion, 0.3, null).positions).toEqual(wanted);
   });
 
-  it('beyond 2 GB is addressed rightly', async () => {
+  it('is addressed correctly beyond 2 GB', async () => {
     const [{ core, module }, { files, module: ofFiles }] = [await localCore(), await localFiles()];
     const blocks = [module, ofFiles].flatMap((one) => [1, 2, 3].map(() => one._malloc(800 * MIB)));
     expect(blocks.every((address) => address !== 0)).toBe(true);

@@ -14,7 +14,7 @@ const files = poseFiles(
   [0, 50, 20, 70].map((degrees) => bent(mesh, degrees)),
 );
 
-it('is chosen and taken back by an update, which encodes nothing, and leaves the keys where they are', async () => {
+it('is switched on and off by an update, without encoding, and does not change the keys', async () => {
   const keys = await engine.importKeyframes(files);
   const sequence = await engine.createSequence(keys);
   const before = await sequence.stats();
@@ -38,7 +38,7 @@ it('is chosen and taken back by an update, which encodes nothing, and leaves the
   sequence.dispose();
 });
 
-it('is in the table of the command line: how far what rests slides', async () => {
+it('is in the table of the command line, with the sliding of resting vertices', async () => {
   const folder = await folderOf(files);
   const keys = await engine.importKeyframes(files);
   const largest: number[] = [];
@@ -62,7 +62,7 @@ it('is in the table of the command line: how far what rests slides', async () =>
   expect(largest[1]).toBeLessThan(0.6 * largest[0]!);
 });
 
-it.skipIf(!hasData)('brings a captured walk nearer to the truth, from the command line', async () => {
+it.skipIf(!hasData)('reduces the error against a captured walk, on the command line', async () => {
   const man = dataFile('skin/CesiumMan.glb');
   const folder = await folderOf([{ ...man, name: 'man.glb' }]);
   const errors: number[] = [];

@@ -18,7 +18,7 @@ import { bar } from './support/shapes.ts';
 const MB = 1e6;
 /** Memory of Node, its workers and the module, including garbage. */
 const AT_REST = 450 * MB;
-/** An OBJ as bytes in the program, its worker and the module, and as numbers. */
+/** Memory for an OBJ over its size: its bytes in the program, its worker and the module, and its numbers. */
 const TIMES_ITS_SIZE = 5;
 
 const fuzzed = fileURLToPath(new URL('../fuzz/found', import.meta.url));
@@ -80,10 +80,10 @@ describe('memory is bounded by the file:', () => {
     await refused('OBJ', 'large.obj', text, /has only one pose/);
   });
 
-  it('lists in lists', () =>
+  it('nested lists', () =>
     refused('{"a": and 40 million [', 'nested.gltf', `{"a":${'['.repeat(40e6)}`, /nested more than 100 levels deep/));
 
-  it('objects of nothing', () =>
+  it('empty objects', () =>
     refused(
       '13 million nodes, 3 bytes each',
       'empty.gltf',
@@ -91,7 +91,7 @@ describe('memory is bounded by the file:', () => {
       /limit of 250,000 objects/,
     ));
 
-  it('nodes in a chain', () =>
+  it('a chain of nodes', () =>
     refused(
       'a million nodes in a chain',
       'chain.gltf',
@@ -99,7 +99,7 @@ describe('memory is bounded by the file:', () => {
       /limit of 250,000 objects/,
     ));
 
-  it('as many nodes in a chain as may be', () => {
+  it('the longest allowed chain of nodes', () => {
     const nodes = Array.from({ length: 240_000 }, (_, i) => `{"children":[${i + 1}]}`).join();
     return refused(
       '240,000 nodes in a chain',
@@ -132,7 +132,7 @@ describe('memory is bounded by the file:', () => {
     await refused('Draco that declares 268 million faces', 'draco.gltf', gltf(json, changed), /cannot be decoded/);
   });
 
-  it('an accessor that goes on behind its view', async () => {
+  it('an accessor that extends beyond its view', async () => {
     const [file] = await meshopt(poseFiles(mesh, [mesh.positions]));
     const { json, bin } = glbParts(file!.bytes);
     const { accessors } = json as unknown as { accessors: { count: number }[] };
@@ -162,7 +162,7 @@ describe('memory is bounded by the file:', () => {
   });
 });
 
-it('what the fuzz targets of the decoders ever found keeps its promises', async () => {
+it('all findings of the fuzz targets of the decoders are handled', async () => {
   const found = ['meshopt', 'draco'].map((target) => path.join(fuzzed, target)).filter((place) => existsSync(place));
   const files = found.flatMap((place) => readdirSync(place).map((name) => path.join(place, name)));
   for (const file of files) await oneInput(new Uint8Array(readFileSync(file)));
@@ -170,7 +170,7 @@ it('what the fuzz targets of the decoders ever found keeps its promises', async 
   expect(await oneInput(sound!.bytes)).toBe(true);
 });
 
-it('the files are sound without what was changed in them', async () => {
+it('the files are valid without their changes', async () => {
   expect(meshGlb(mesh).length).toBeGreaterThan(1000);
   for (const compress of [meshopt, draco]) {
     const [file] = await compress(poseFiles(mesh, [mesh.positions]));

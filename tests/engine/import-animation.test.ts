@@ -23,7 +23,7 @@ async function differenceToThree(file: InputFile, animation: number, times: numb
   return Math.max(...differences) / diagonal(keys.positions(0));
 }
 
-describe('keys of an animation are what three.js shows', () => {
+describe('keys of an animation match three.js', () => {
   it('with skin, morph weights and node transforms at once, in LINEAR, STEP and CUBICSPLINE', async () => {
     const file = await rigFile();
     // Before, at and between the keys of the samplers, which start and end at different times.
@@ -33,7 +33,7 @@ describe('keys of an animation are what three.js shows', () => {
     expect(await differenceToThree(file, 1, [0, 0.4, 2.2, 3])).toBeLessThan(1e-5);
   });
 
-  it('and move: no two of the keys are the same', async () => {
+  it('and no two keys are equal', async () => {
     const keys = await engine.importKeyframes([await rigFile()], { animation: 'everything', sample: 6 });
     expect(keys.info.times).toEqual([0, 0.4, 0.8, 1.2, 1.6, 2]);
     for (let key = 1; key < 6; key += 1) {

@@ -74,7 +74,7 @@ const bad: [string, InputFile, string, RegExp][] = [
 ];
 
 describe('importing', () => {
-  it('reads one pose a file, in the order given', async () => {
+  it('reads one pose per file, in the given order', async () => {
     const keys = await engine.importKeyframes([good[1]!, first]);
     expect(keys.info.names).toEqual(['pose-2', 'pose-1']);
     expect(keys.info.times).toEqual([0, 1]);
@@ -103,14 +103,14 @@ describe('importing', () => {
     keys.positions(2).forEach((value, i) => expect(value).toBeCloseTo(curved[i]!, 5));
   });
 
-  it('gives what says nothing of time a second from one pose to the next', async () => {
+  it('places poses without times one second apart', async () => {
     const poses = await engine.importKeyframes([first, good[1]!, { ...first, name: 'pose-3.glb' }]);
     expect(poses.info.times).toEqual([0, 1, 2]);
     const targets = named('morph.glb', meshGlb(mesh, straight, [bent(mesh, 30), curved]));
     expect((await engine.importKeyframes([targets])).info.times).toEqual([0, 1, 2]);
   });
 
-  it('reports named stages, never falling, and can be cancelled at any of them', async () => {
+  it('reports named stages with non-decreasing progress, and can be cancelled in each', async () => {
     const fine = bar(4, 40);
     const morph = named(
       'morph.glb',
@@ -136,7 +136,7 @@ describe('importing', () => {
     expect((await engine.importKeyframes([morph])).info.names).toHaveLength(5);
   });
 
-  it('keeps nothing of the bytes it was given, and takes none away', async () => {
+  it('neither keeps nor transfers the given bytes', async () => {
     const files = good.map(({ name, bytes }) => ({ name, bytes: bytes.slice() }));
     const keys = await engine.importKeyframes(files);
     for (const { bytes } of files) {
@@ -148,7 +148,7 @@ describe('importing', () => {
     sequence.dispose();
   });
 
-  it('reports seams, parts and flaws', async () => {
+  it('reports seams, components and defects', async () => {
     const twice: Mesh = {
       positions: Float32Array.from([...straight, ...straight.map((v, i) => (i % 3 === 0 ? v + 3 : v)), 9, 9, 9]),
       indices: Uint32Array.from([...mesh.indices, ...[...mesh.indices].slice(3).map((v) => v + straight.length / 3)]),
@@ -159,7 +159,7 @@ describe('importing', () => {
     expect(info.report).toMatchObject({ components: 2, boundaryEdges: 3, unreferencedVertices: 1 });
   });
 
-  it.each(bad)('refuses %s, alone and as the second of two', async (_, file, code, says) => {
+  it.each(bad)('refuses %s, alone and as the second of two files', async (_, file, code, says) => {
     const { sequence } = await bendSequence(engine);
     const before = (await frameAt(sequence, 0.4)).positions;
     const second = await failureOf(engine.importKeyframes([first, file]));
@@ -189,7 +189,7 @@ describe('importing', () => {
     keys.dispose();
   });
 
-  it('names vertex and face of what is wrong', async () => {
+  it('names the vertex and the face of an error', async () => {
     const at = async (file: InputFile) => (await failureOf(engine.importKeyframes([first, file]))).place;
     expect(await at(named('nan.glb', meshGlb(mesh, withNaN())))).toMatchObject({ key: 1, vertex: 17 });
     expect(await at(named('faces.glb', meshGlb({ ...mesh, indices: otherFaces(mesh, 5) }, curved)))).toMatchObject({
@@ -198,7 +198,7 @@ describe('importing', () => {
     });
   });
 
-  it('imports the mended twin after a refusal', async () => {
+  it('imports the repaired file after refusing the broken one', async () => {
     await failureOf(engine.importKeyframes([first, named('nan.glb', meshGlb(mesh, withNaN()))]));
     expect((await engine.importKeyframes([first, named('mended.glb', meshGlb(mesh, curved))])).info.names).toEqual([
       'pose-1',
@@ -206,7 +206,7 @@ describe('importing', () => {
     ]);
   });
 
-  it('refuses one key, wrong times, and calls that are not right', async () => {
+  it('refuses a single key, invalid times, and invalid calls', async () => {
     const refused = async (...args: Parameters<typeof engine.importKeyframes>) =>
       (await failureOf(engine.importKeyframes(...args))).code;
     expect(await refused([first])).toBe('too-few-keys');

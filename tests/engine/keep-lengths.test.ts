@@ -1,4 +1,4 @@
-/** Motions of the method `lri` through shapes that keep lengths: what they keep, what they refuse, how they count. */
+/** Motions of the method `lri` through shapes that keep lengths: measures, unsupported options, keys in warnings. */
 import { describe, expect, it } from 'vitest';
 import type { Keys, Motion } from '../../web/engine/api/api.ts';
 import { missedLengths } from '../../web/app/analysis/missed-lengths.ts';
@@ -85,7 +85,7 @@ describe('kept lengths', () => {
     );
   });
 
-  it('refuse what they cannot do, and updates to and from them', async () => {
+  it('refuse unsupported options, and updates that switch them on or off', async () => {
     const keys = await sheet(4);
     for (const [options, what] of [
       [{ hold: 'on' }, 'keeping resting parts in place'],
@@ -115,7 +115,7 @@ describe('kept lengths', () => {
     expect((await frameAt(with3, 0.3)).positions).toEqual((await frameAt(without, 0.3)).positions);
   });
 
-  it("count the user's keys in warnings, and repeat those of the keys themselves", async () => {
+  it("count the user's keys in warnings, and repeat the warnings about the user's keys", async () => {
     const mesh = bar(2, 6, 3);
     const turned = moved(mesh, (x, y, z) => [
       -x * Math.cos(0.3) - y * Math.sin(0.3),
@@ -148,14 +148,14 @@ describe('kept lengths', () => {
     expect(await run('--keep-lengths', '1', '--hold', 'on', '--output', 'motion.glb')).toBe(2);
   });
 
-  it('are missed by sheets only', async () => {
+  it('are proposed for sheets only', async () => {
     const keys = await sheet(8);
     expect(await missed(await engine.createSequence(keys), keys)).toBeGreaterThan(0.02);
     const bend = (await bendKeys(engine)).keys;
     expect(await missed(await engine.createSequence(bend), bend)).toBeNull();
   });
 
-  it('are missed by as much if a tangent pose is given', async () => {
+  it('have the same error if a tangent pose is given', async () => {
     const { faces, poses } = rolledSheet(8, 3.5);
     const keys = await engine.createKeys({
       faces,
@@ -167,7 +167,7 @@ describe('kept lengths', () => {
   });
 
   const plate = ['turns/plate/plate121_rolledA.ply', 'turns/plate/plate121_rolledB.ply'];
-  it.skipIf(!hasData)('keep those of a plate rolled up two ways', async () => {
+  it.skipIf(!hasData)('are kept for a plate rolled up in two directions', async () => {
     const keys = await engine.importKeyframes(plate.map(dataFile), { keyTimes: [0, 1] });
     const plain = await engine.createSequence(keys);
     const before = await deviations(plain, keys);
@@ -185,7 +185,7 @@ describe('kept lengths', () => {
   });
 
   const cactus = ['cactus/cactus-1.glb', 'cactus/cactus-2.glb', 'cactus/cactus-3.glb'];
-  it.skipIf(!hasData)('are not missed by a cactus', async () => {
+  it.skipIf(!hasData)('are not proposed for a cactus', async () => {
     const keys = await engine.importKeyframes(cactus.map(dataFile));
     expect(await missed(await engine.createSequence(keys), keys)).toBeNull();
   });

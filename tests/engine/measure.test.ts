@@ -30,7 +30,7 @@ const column = ({ columns, rows }: Table, name: string): string[] => {
 };
 
 describe('shapespline measure', () => {
-  it('writes what the engine measures, and the errors against the animation', { timeout: 60_000 }, async () => {
+  it('writes the measurements of the engine, and the errors against the animation', { timeout: 60_000 }, async () => {
     const folder = await folderOf([await rigFile(file)]);
     const { code, stdout, stderr } = await runCli(
       folder,
@@ -81,7 +81,7 @@ describe('shapespline measure', () => {
     expect(read(await readFile(path.join(folder, 'table.csv'), 'utf8')).rows).toHaveLength(3);
   });
 
-  describe('against what complete wrote from the same keys', () => {
+  describe('against the output of complete for the same keys', () => {
     /** A bar along z, with a rotation that increases from pose to pose. */
     const pose = (turn: number): Uint8Array => {
       const lines: string[] = [];
@@ -130,7 +130,7 @@ describe('shapespline measure', () => {
       expect(rows, 'at its own frames').toHaveLength(13);
     });
 
-    it('a cache without times is spread over the keys, and what makes no sense is said first', {
+    it('a cache without times is spread over the keys, and doubtful comparisons give a warning first', {
       timeout: 200_000,
     }, async () => {
       const folder = await folderOf(KEYS.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
@@ -158,7 +158,7 @@ describe('shapespline measure', () => {
       expect((await runCli(folder, 'measure', ...KEYS, '--against-up', 'z')).code).toBe(2);
     });
 
-    it('no name becomes a formula of a spreadsheet', { timeout: 60_000 }, async () => {
+    it('no name becomes a spreadsheet formula', { timeout: 60_000 }, async () => {
       const names = ['=1+1.obj', 'a,=2.obj', 'b;@c "x".obj'];
       const folder = await folderOf(names.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
       const { stdout, code } = await runCli(folder, 'measure', ...names, '--frames', '2');
@@ -169,7 +169,7 @@ describe('shapespline measure', () => {
     });
   });
 
-  it('refuses what it cannot use in a sentence', { timeout: 60_000 }, async () => {
+  it('refuses unusable input with a message', { timeout: 60_000 }, async () => {
     const pose = (height: number): Uint8Array => text(`v 0 0 0\nv 1 0 0\nv 0 ${height} 0\nf 1 2 3\n`);
     const folder = await folderOf([
       await rigFile(file),

@@ -21,14 +21,14 @@ function importedIn(...folders: string[]): string[] {
   return [...new Set(names.map((name) => name.split('/', name.startsWith('@') ? 2 : 1).join('/')))];
 }
 
-it('the notices of the command line name the packages that it needs, and the libraries in the module', () => {
+it('the notices of the command line name its packages and the libraries in the module', () => {
   const made = text('build/node/notices.txt');
   const packages = importedIn('web/engine', 'web/cli', 'web/study');
   expect(packages).toEqual(expect.arrayContaining(['draco3dgltf', 'meshoptimizer', '@gltf-transform/core']));
   for (const name of packages) expect(made).toMatch(new RegExp(`^${name} \\d`, 'm'));
 });
 
-it('notices hold the whole texts of the licences, and where sources are', () => {
+it('notices contain the full licence texts and the locations of sources', () => {
   const made = notices(importedIn('web'));
   for (const name of ['three', 'draco3dgltf', 'meshoptimizer', 'idb-keyval', 'client-zip', 'mediabunny'])
     expect(made).toMatch(new RegExp(`^${name} \\d`, 'm'));

@@ -1,4 +1,4 @@
-/** What own paths do to the error against a real animation, alone, with holding and with a pin. */
+/** Effect of own paths on the error against a real animation, alone, with holding and with a pin. */
 import { expect, it } from 'vitest';
 import { ownPathsGain } from '../../web/app/analysis/own-paths-gain.ts';
 import { readReference } from '../../web/study/reference-motion.ts';

@@ -24,7 +24,7 @@ function tip(): number {
 
 const shapeAt = async (sequence: Sequence, t: number): Promise<Float32Array> => (await frameAt(sequence, t)).positions;
 
-it('are chosen and taken back by an update, which encodes nothing', async () => {
+it('are set and removed by an update, without encoding', async () => {
   const sequence = await engine.createSequence(await engine.importKeyframes(files));
   const before = await sequence.stats();
   const at = (t: number): Promise<Float32Array> => shapeAt(sequence, t);
@@ -61,7 +61,7 @@ it('are chosen and taken back by an update, which encodes nothing', async () => 
   sequence.dispose();
 });
 
-it('are in the project that an exported file holds, with the keys as they were given', async () => {
+it('are in the project of an exported file, with the original keys', async () => {
   const own: Pin = { vertex: tip(), radius: 0.1 };
   const other: Pin = { vertex: 0, radius: 0.1 };
   const pins: Pin[] = [
@@ -95,7 +95,7 @@ it('are in the project that an exported file holds, with the keys as they were g
   sequence.dispose();
 });
 
-it('that move keys are not in a file whose keys are its principal targets', async () => {
+it('that move keys are not in a file with principal targets', async () => {
   const own: Pin = { vertex: tip(), radius: 0.1 };
   const pins: Pin[] = [own, { ...own, stay: 1 }, { ...own, path: [{ time: 0.5, move: [0, 0.1, 0] }] }];
   const sequence = await engine.createSequence(await engine.importKeyframes(files), { pins });
@@ -105,7 +105,7 @@ it('that move keys are not in a file whose keys are its principal targets', asyn
   sequence.dispose();
 });
 
-it.skipIf(!hasData)('hold a foot from the command line', async () => {
+it.skipIf(!hasData)('hold a foot, on the command line', async () => {
   const folder = await folderOf([{ ...dataFile('skin/CesiumMan.glb'), name: 'man.glb' }]);
   const table = async (...words: string[]): Promise<string> => {
     const { code, stdout, stderr } = await runCli(

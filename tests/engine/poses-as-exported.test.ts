@@ -50,14 +50,14 @@ const degrees = Array.from({ length: 13 }, (_, frame) => 10 * frame);
 const poses = degrees.map((angle) => bent(mesh, angle).slice());
 const vertices = mesh.positions.length / 3;
 
-describe('poses that are split otherwise', () => {
+describe('poses with differently split vertices', () => {
   const flat = split(mesh, poses[6]);
   const files: InputFile[] = [
     { name: 'a.glb', bytes: meshGlb(mesh) },
     { name: 'b.glb', bytes: meshGlb(flat.mesh, flat.pose) },
   ];
 
-  it('come in the vertices of the first', async () => {
+  it('use the vertices of the first pose', async () => {
     const keys = await engine.importKeyframes(files);
     expect(keys.info.report.vertices).toBe(vertices);
     expect(keys.positions(1)).toEqual(poses[6]);
@@ -67,14 +67,14 @@ describe('poses that are split otherwise', () => {
     sequence.dispose();
   });
 
-  it('can be added to keys that are open', async () => {
+  it('can be added to open keys', async () => {
     const keys = await engine.importKeyframes([files[0]!, { name: 'c.glb', bytes: meshGlb(mesh, poses[3]) }]);
     expect(await readPose(engine, [files[1]!], keys)).toEqual(poses[6]);
   });
 });
 
 describe('on the command line', () => {
-  it('poses that are all one are warned of, with the way out', async () => {
+  it('equal poses give a warning with advice', async () => {
     const bytes = meshGlb(mesh);
     const folder = await folderOf([
       { name: 'a.glb', bytes },
@@ -89,7 +89,7 @@ describe('on the command line', () => {
     expect(done.stderr).toMatch(/same pose/);
   });
 
-  it('objects are listed, and one of them is taken', async () => {
+  it('objects are listed, and one of them is selected', async () => {
     const files = [0, 6].map((frame) => ({
       name: `pose-${frame}.obj`,
       bytes: text(obj(mesh, poses[frame]) + floor(vertices)),

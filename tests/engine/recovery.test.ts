@@ -22,7 +22,7 @@ describe('a worker', () => {
     expect(sequence.options).toMatchObject({ boundary: 'hermite', startSpeed: 0.5 });
   });
 
-  it('that traps rejects everything that was asked of it', async () => {
+  it('that traps rejects all its requests', async () => {
     const { sequence } = await bendSequence(testEngine({ workerUrl: faultyWorker }));
     const series = failureOf(sequence.evaluateMany([0, 1003, 1]));
     expect((await series).code).toBe('crashed');
@@ -44,7 +44,7 @@ describe('a worker', () => {
 });
 
 describe('cancelling', () => {
-  it('rejects within a second while a large sequence is built, and the old one serves on', async () => {
+  it('rejects within a second while a large sequence is built, and the old one still works', async () => {
     const engine = testEngine();
     const { sequence } = await bendSequence(engine);
     const before = (await frameAt(sequence, 0.4)).positions;
@@ -68,7 +68,7 @@ describe('cancelling', () => {
     expect(ended - asked).toBeLessThan(1000);
   });
 
-  it('of an import or an export leaves everything as it was', async () => {
+  it('of an import or an export changes nothing', async () => {
     const engine = testEngine();
     const { sequence, mesh, poses } = await bendSequence(engine);
     const controller = new AbortController();

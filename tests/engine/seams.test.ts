@@ -53,7 +53,7 @@ async function coordinatesOf(bytes: Uint8Array): Promise<number[]> {
 }
 
 describe('an OBJ whose texture has seams', () => {
-  it('keeps its vertices and faces, and says which are drawn twice', async () => {
+  it('keeps its vertices and faces, and lists the vertices that are drawn twice', async () => {
     const { info } = await engine.importKeyframes([...files, ...paint]);
     expect(info.report).toMatchObject({ vertices, weldedVertices: vertices, faces: mesh.indices.length / 3 });
     expect(info.warnings).toEqual([]);

@@ -16,7 +16,7 @@ const positionsAt = async (sequence: Sequence, t: number): Promise<Float32Array>
   (await frameAt(sequence, t)).positions;
 
 describe('a sequence', () => {
-  it('passes through its keys whatever its ends, to 1e-5 of the diagonal in float32', async () => {
+  it('passes through its keys for all boundaries, to 1e-5 of the diagonal in float32', async () => {
     for (const boundary of ['hermite', 'periodic', 'natural'] as const) {
       await bend.sequence.update({ boundary });
       for (const [key, t] of [0, 0.5, 1].entries()) {
@@ -42,7 +42,7 @@ describe('a sequence', () => {
     expect(outward).toBeGreaterThan(0.8 * (normals.length / 3));
   });
 
-  it('is pure: the same t gives the same bits, whatever was asked before, in every worker', async () => {
+  it('is pure: the same t gives the same bits, independent of earlier requests, in every worker', async () => {
     const first = await positionsAt(bend.sequence, 0.37);
     await positionsAt(bend.sequence, -2);
     await bend.sequence.update({ boundary: 'periodic', keyTimes: [0, 0.2, 3] });
@@ -66,7 +66,7 @@ describe('a sequence', () => {
     await bend.sequence.update({ method: 'lri' });
   });
 
-  it('turns every face by itself in rotation-strain coordinates, and refuses what these cannot do', async () => {
+  it('rotates every face separately in rotation-strain coordinates, and refuses unsupported options', async () => {
     const sequence = await engine.createSequence(bend.keys, { method: 'rotation-strain', precision: 'exact' });
     for (const [key, t] of sequence.keyTimes.entries())
       expect(largestDistance(await positionsAt(sequence, t), bend.poses[key]!)).toBeLessThan(1e-6);
@@ -88,7 +88,7 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('leaves patches for own paths of faces, which pass through the keys', async () => {
+  it('has own paths of faces, which pass through the keys', async () => {
     const { mesh, poses } = bend;
     const twisted = moved(mesh, (x, y, z) => {
       const [c, s] = [Math.cos(z / 4), Math.sin(z / 4)];
@@ -112,7 +112,7 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('measures an open surface as the page does, wherever it stands', async () => {
+  it('measures an open surface like the page, at any position', async () => {
     const { positions, indices } = bar();
     const open = { positions: positions.map((value) => value + 7), indices: indices.slice(6) };
     const { keys } = await bendKeys(engine, open);
@@ -124,7 +124,7 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('encodes and factors once, whatever is scrubbed, toggled and moved', async () => {
+  it('encodes and factors once, also when the time, options and key times change', async () => {
     const sequence = await engine.createSequence(bend.keys);
     const before = await sequence.stats();
     for (const t of [-0.4, 0, 0.3, 1, 1.4]) (await frameAt(sequence, t)).release();
@@ -142,7 +142,7 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('lets the slope at a key lean by its bias: 0 changes no bit, and every key stays where it is', async () => {
+  it('changes the slope at a key by its bias: 0 changes no bit, and no key changes', async () => {
     const sequence = await engine.createSequence(bend.keys);
     const [plain, before] = [await positionsAt(sequence, 0.7), await positionsAt(sequence, 0.4)];
     await sequence.update({ bias: [0, 0, 0] });
@@ -158,7 +158,7 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('moves its keys in time', async () => {
+  it('changes the times of its keys', async () => {
     const sequence = await engine.createSequence(bend.keys, { boundary: 'hermite' });
     await sequence.update({ keyTimes: [-1, 3, 4] });
     expect([sequence.keyTimes, sequence.range]).toEqual([
@@ -246,7 +246,7 @@ describe('a sequence', () => {
     expect(Math.min(...patches)).toBe(0);
   });
 
-  it('names the component of each face, and turns one of them more often on the way to a key', async () => {
+  it('returns the component of each face, and adds turns to one component before a key', async () => {
     const [body, wheel] = [bar(2, 12), bar(2, 2, 1)];
     const shift = body.positions.length / 3;
     const turned = (degrees: number): number[] => {
@@ -284,7 +284,7 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('resolves overtaken requests to null and the last one to its frame', async () => {
+  it('resolves replaced requests to null and the last one to its frame', async () => {
     const times = Array.from({ length: 20 }, (_, i) => i / 10);
     const frames = await Promise.all(times.map((t) => bend.sequence.evaluate(t)));
     const shown = frames.filter((frame) => frame !== null);
@@ -293,7 +293,7 @@ describe('a sequence', () => {
     expect(frames.at(-1)?.positions).toEqual(await positionsAt(bend.sequence, 1.9));
   });
 
-  it('gives every frame of a series, and stays free for others meanwhile', async () => {
+  it('gives every frame of a series, and handles other requests meanwhile', async () => {
     const order: string[] = [];
     const many = bend.sequence.evaluateMany([0, 0.25, 0.5, 0.75, 1]).then((frames) => {
       order.push('series');
@@ -318,7 +318,7 @@ describe('a sequence', () => {
     expect(stages.size).toBeGreaterThan(1);
   });
 
-  it('is one of many that are made and disposed of', async () => {
+  it('can be made and disposed of many times', async () => {
     for (let i = 0; i < 20; ++i) {
       const sequence = await engine.createSequence(bend.keys);
       await frameAt(sequence, i / 20);
@@ -330,7 +330,7 @@ describe('a sequence', () => {
 });
 
 describe('arranged keys', () => {
-  it('make sequences of their own without another import', async () => {
+  it('give further sequences without another import', async () => {
     const { keys, poses } = await bendKeys(engine);
     const arranged = keys.arrange([2, 0], [0, 1]).withPose('last', 2, poses[1]!);
     keys.dispose();

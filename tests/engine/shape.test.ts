@@ -12,7 +12,7 @@ async function encoded(): Promise<{ engine: ReturnType<typeof testEngine>; shape
 }
 
 describe('a shape', () => {
-  it('has as many motions as are wanted, with one encoding; each is what a sequence of its own gives', async () => {
+  it('has any number of motions with one encoding; each equals that of a separate sequence', async () => {
     const engine = testEngine();
     const { keys } = await bendKeys(engine);
     const shape = await engine.encode(keys);
@@ -45,7 +45,7 @@ describe('a shape', () => {
     expect([after.encodeMs, after.factorMs]).toEqual([before.encodeMs, before.factorMs]);
   });
 
-  it('makes LRI space with the first motion that needs it, or for a question about it', async () => {
+  it('makes LRI space for the first motion or request that needs it', async () => {
     const made = async (shape: Shape): Promise<number[]> => {
       const { encodings, factorisations, patches } = await shape.stats();
       return [encodings, factorisations, Math.sign(patches)];
@@ -67,7 +67,7 @@ describe('a shape', () => {
     expect((await sequence.stats()).encodings).toBe(1);
   });
 
-  it('is there again after the making of LRI space was cancelled', async () => {
+  it('still works after the making of LRI space was cancelled', async () => {
     const { shape } = await encoded();
     const blend = await shape.motion({ method: 'linear' });
     const before = (await frameAt(blend, 0.3)).positions;
@@ -80,7 +80,7 @@ describe('a shape', () => {
     expect((await shape.stats()).encodings).toBe(1);
   });
 
-  it('answers for its motions in turn, and each keeps its own newest request', async () => {
+  it('handles its motions in turn, and keeps the newest request of each', async () => {
     const { shape } = await encoded();
     const [one, two] = await Promise.all([shape.motion(), shape.motion({ method: 'linear' })]);
     const frames = await Promise.all([one.evaluate(0.1), two.evaluate(0.2), one.evaluate(0.3), two.evaluate(0.4)]);
@@ -88,7 +88,7 @@ describe('a shape', () => {
     expect(frames.map((frame) => frame?.t ?? null)).toEqual([0.1, null, 0.3, 0.4]);
   });
 
-  it('keeps more motions than its worker does', async () => {
+  it('can have more motions than its worker keeps', async () => {
     const { shape } = await encoded();
     const motions = await Promise.all(
       Array.from({ length: 20 }, (_, i) => shape.motion({ boundary: 'hermite', startSpeed: i })),
@@ -99,7 +99,7 @@ describe('a shape', () => {
     expect((await frameAt(motions[1]!, 0.2)).positions).not.toEqual(first);
   });
 
-  it('loses a motion that is disposed of, and all with itself', async () => {
+  it('ends a motion that is disposed of, and ends all its motions when disposed of', async () => {
     const { shape } = await encoded();
     const [one, two] = [await shape.motion(), await shape.motion()];
     one.dispose();
@@ -111,7 +111,7 @@ describe('a shape', () => {
     expect((await failureOf(shape.motion())).code).toBe('disposed');
   });
 
-  it('refuses options that are not of its encoding, or not of a motion; a refused motion leaves the others', async () => {
+  it('refuses options of another kind, and a refused motion does not affect the others', async () => {
     const engine = testEngine();
     const { keys } = await bendKeys(engine);
     expect((await failureOf(engine.encode(keys, { boundary: 'natural' } as object))).code).toBe('invalid-option');

@@ -15,7 +15,7 @@ async function importCactus(): Promise<Keys> {
   return engine.importKeyframes([{ name: 'cactus.glb', bytes }], { keyTimes: [0, 0.5, 1] });
 }
 
-/** Even times from 0 to 1, the middle among them. */
+/** Evenly spaced times from 0 to 1, including 0.5. */
 const times = Array.from({ length: 49 }, (_, i) => i / 48);
 const mean = (values: readonly number[]): number => values.reduce((sum, one) => sum + one / values.length, 0);
 
@@ -38,7 +38,7 @@ describe('bending by edge lengths and angles', () => {
     shape.dispose();
   });
 
-  it('is the same for every method that moves alike, and on a coarse mesh', async () => {
+  it('is the same for every method with the same motion, and on a coarse mesh', async () => {
     const energiesOf = async (mesh: Mesh, options?: Partial<SequenceOptions>): Promise<number[]> => {
       const poses = [0, 90, 0].map((degrees) => bent(mesh, degrees));
       const keys = await engine.createKeys({
@@ -72,7 +72,7 @@ describe('bending by edge lengths and angles', () => {
     expect(await resting.shellBending([0.5])).toEqual([0]);
   });
 
-  it('can be cancelled while its mesh is made and while shapes are evaluated, and reports how far it is', async () => {
+  it('can be cancelled while its mesh is made and while shapes are evaluated, and reports progress', async () => {
     const sequence = await engine.createSequence(await importCactus());
     for (const stage of ['encoding', 'evaluating']) {
       const abort = new AbortController();
@@ -93,7 +93,7 @@ describe('bending by edge lengths and angles', () => {
     expect((await failureOf(sequence.shellBending([0.3]))).code).toBe('disposed');
   });
 
-  it('refuses times and call options that are none', async () => {
+  it('refuses invalid times and call options', async () => {
     const { keys } = await bendKeys(engine);
     const sequence = await engine.createSequence(keys);
     expect((await failureOf(sequence.shellBending([NaN]))).code).toBe('invalid-option');

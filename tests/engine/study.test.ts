@@ -89,7 +89,7 @@ describe('study ghost', () => {
 });
 
 describe('study spaces', () => {
-  it('gives how far edge lengths are off the splines of the keys, and volumes', async () => {
+  it('gives the differences of edge lengths and volumes from the splines of the keys', async () => {
     const folder = await folderOf([await sample('cactus.glb')]);
     const { rows } = await study(folder, 'spaces', 'cactus.glb', ...KEY_TIMES, '--methods', 'lri,linear');
     expect(rows.map((row) => row['method'])).toEqual(['lri', 'linear']);
@@ -106,7 +106,7 @@ describe('study spaces', () => {
     const lengths = (p: Float32Array): number[] =>
       [...edges.values()].map(([a, b]) => Math.hypot(...[0, 1, 2].map((k) => p[3 * a + k]! - p[3 * b + k]!)));
     const [y0, y1, y2] = [0, 1, 2].map((key) => lengths(keys.positions(key))) as [number[], number[], number[]];
-    /** The natural cubic spline of three even values, from its second derivative in the middle. */
+    /** The natural cubic spline of three evenly spaced values, by its second derivative in the middle. */
     const splined = (edge: number, t: number): number => {
       const h = 0.5;
       const middle = (1.5 * (y0[edge]! - 2 * y1[edge]! + y2[edge]!)) / h ** 2;
@@ -135,7 +135,7 @@ describe('study spaces', () => {
     }
   });
 
-  it('gives the errors that measure gives, and a row with a note for a method that is refused', async () => {
+  it('gives the same errors as measure, and a row with a note for a refused method', async () => {
     const folder = await folderOf([await rigFile('rig.glb')]);
     const words = ['rig.glb', '--sample', '0,0.5,1,1.5,2', '--methods', 'lri,lengths', '--against', 'rig.glb'];
     const { rows } = await study(folder, 'spaces', ...words, '--space-samples', '4');
@@ -155,7 +155,7 @@ describe('study spaces', () => {
 });
 
 describe('study tables', () => {
-  it("gives the paper's costs beside those measured, of a cactus", async () => {
+  it("gives the paper's costs next to measured costs for a cactus", async () => {
     const folder = await folderOf([await sample('cactus.glb')]);
     const { rows } = await study(folder, 'tables', 'cactus.glb', ...KEY_TIMES);
     expect(rows.map((row) => [row['table'], row['source'], row['shapes'], row['full'] !== ''].join())).toEqual([
@@ -170,7 +170,7 @@ describe('study tables', () => {
     expect(rows[5]!['note']).toContain('101 times');
   });
 
-  it('names no figures of the paper for another shape, and says why a ghost mesh is missing', async () => {
+  it('gives no numbers of the paper for other shapes, and states why a ghost mesh is missing', async () => {
     const mesh = bar();
     const files = poseFiles(mesh, [mesh.positions, bent(mesh, 60)]);
     const folder = await folderOf(files);

@@ -40,7 +40,7 @@ async function withSecondThread(): Promise<LocalCore & { secondThread: Worker }>
 }
 
 describe('two threads', () => {
-  it('give the frames of one thread, bit for bit', async () => {
+  it('give the same frames as one thread, bit for bit', async () => {
     const data = bendData(bar(8, 80));
     const { core: alone } = await started(createWasm, 'shapespline');
     const { core: together, module } = await withSecondThread();
@@ -56,7 +56,7 @@ describe('two threads', () => {
     expect(module._shapespline_helped()).toBeGreaterThanOrEqual(20);
   });
 
-  it('need no second one: without it, or once it has ended, frames are made all the same', async () => {
+  it('are not required: frames are also made without the second thread, or after it has ended', async () => {
     const data = bendData();
     const { core, module, secondThread } = await withSecondThread();
     const { shape, motion } = createBend(core, data);
@@ -71,7 +71,7 @@ describe('two threads', () => {
 });
 
 describe('a large sequence', () => {
-  it('has the same frames while both are tried, with and without the threaded module', async () => {
+  it('has the same frames with one and two threads, with and without the threaded module', async () => {
     const large = bar(40, 250); // 43,202 vertices
     const [one, two] = await Promise.all(
       [testEngine({ threadsUrl: null }), testEngine()].map(async (engine) => {
@@ -88,7 +88,7 @@ describe('a large sequence', () => {
     expect([1, 2]).toContain((await two!.stats()).threads);
   });
 
-  it('is eliminated in the order that another worker found', async () => {
+  it('uses the elimination order that another worker found', async () => {
     const { core } = await started(createWasm, 'shapespline');
     const request = bendData(bar(8, 80));
     const factorWith = (order: SharedOrder | null): number => {
@@ -111,7 +111,7 @@ describe('a large sequence', () => {
     expect(factorBy(Int32Array.from(other))).toBeGreaterThan(own);
   });
 
-  it('is made all the same where the worker that finds its order ends in the middle of that', async () => {
+  it('is also made if the worker that finds its order ends early', async () => {
     const large = bar(40, 250);
     const began = performance.now();
     const [one, two] = await Promise.all(
@@ -124,20 +124,23 @@ describe('a large sequence', () => {
     expect(bytes(await frameAt(two!, 0.3)).equals(bytes(await frameAt(one!, 0.3)))).toBe(true);
   });
 
-  it.runIf(existsSync(THREADS_OF_PROCESS))('can be cancelled while it waits for its order, and all ends', async () => {
-    const before = readdirSync(THREADS_OF_PROCESS).length;
-    const engine = testEngine({ workerUrl: faultyWorker });
-    const { keys } = await bendKeys(engine, bar(40, 250));
-    const controller = new AbortController();
-    // Encoding is complete, so only the order is missing from here on.
-    const onProgress = ({ stage }: Progress): void => {
-      if (stage === 'ordering') setTimeout(() => controller.abort(), 500);
-    };
-    const made = engine.createSequence(keys, { patches: 202 }, { signal: controller.signal, onProgress });
-    expect((await failureOf(made)).code).toBe('cancelled');
-    engine.dispose();
-    await expect.poll(() => readdirSync(THREADS_OF_PROCESS).length, { timeout: 10_000 }).toBeLessThanOrEqual(before);
-  });
+  it.runIf(existsSync(THREADS_OF_PROCESS))(
+    'can be cancelled while it waits for its order, and ends all threads',
+    async () => {
+      const before = readdirSync(THREADS_OF_PROCESS).length;
+      const engine = testEngine({ workerUrl: faultyWorker });
+      const { keys } = await bendKeys(engine, bar(40, 250));
+      const controller = new AbortController();
+      // Encoding is complete, so only the order is missing from here on.
+      const onProgress = ({ stage }: Progress): void => {
+        if (stage === 'ordering') setTimeout(() => controller.abort(), 500);
+      };
+      const made = engine.createSequence(keys, { patches: 202 }, { signal: controller.signal, onProgress });
+      expect((await failureOf(made)).code).toBe('cancelled');
+      engine.dispose();
+      await expect.poll(() => readdirSync(THREADS_OF_PROCESS).length, { timeout: 10_000 }).toBeLessThanOrEqual(before);
+    },
+  );
 
   it.runIf(existsSync(THREADS_OF_PROCESS))('ends with its second thread', async () => {
     const before = readdirSync(THREADS_OF_PROCESS).length;
@@ -150,7 +153,7 @@ describe('a large sequence', () => {
     await expect.poll(() => readdirSync(THREADS_OF_PROCESS).length, { timeout: 10_000 }).toBeLessThanOrEqual(before);
   });
 
-  it('whose second thread breaks down in the middle of a frame fails once, and is then made by one thread to the same bits', async () => {
+  it('whose second thread fails during a frame fails once, and then uses one thread with the same bits', async () => {
     const large = bar(40, 250);
     const [one, two] = await Promise.all(
       [testEngine({ threadsUrl: null }), testEngine({ workerUrl: faultyWorker })].map(async (engine) =>
@@ -171,7 +174,7 @@ describe('a large sequence', () => {
     expect((await two!.stats()).threads).toBe(1);
   });
 
-  it('is made by one thread where the threaded module cannot be had', async () => {
+  it('uses one thread if the threaded module is not available', async () => {
     const engine = testEngine({ threadsUrl: new URL('./no-such-module.wasm', import.meta.url) });
     const { keys } = await bendKeys(engine, bar(40, 250));
     const sequence = await engine.createSequence(keys);

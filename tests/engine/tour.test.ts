@@ -23,7 +23,7 @@ function apart(a: Float32Array, b: Float32Array, diagonal: number): number {
   return (100 * most) / diagonal;
 }
 
-it('a full turn that is added in the fourth step changes how the shape looks between the keys', async () => {
+it('the full turn added in the fourth step changes the shape between the keys', async () => {
   const { sample, keys } = readPermalink(TOUR[3]!.state)!;
   const file = new URL(`../../public/samples/${sample}.glb`, import.meta.url);
   const bytes = await make(sample, 1).then(

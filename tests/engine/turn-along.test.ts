@@ -23,7 +23,7 @@ function acrossEnd(positions: Float32Array, sign: 1 | -1): { from: number; to: n
   return { from, to: there.reduce((a, b) => (by(b) > by(a) ? b : a)), axes };
 }
 
-it('the patches of the twisted bar turn by as much as its ends do, in small steps from one to the next', async () => {
+it('the rotations between neighbouring patches of the twisted bar are small and add up to that of its ends', async () => {
   const bytes = await readFile(new URL('../../public/samples/twisted-bar.glb', import.meta.url));
   const keys = await engine.importKeyframes([{ name: 'twisted-bar.glb', bytes }]);
   const sequence = await engine.createSequence(keys);

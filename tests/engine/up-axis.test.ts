@@ -45,7 +45,7 @@ function asOff({ name, bytes }: InputFile, zUp: boolean): InputFile {
   return { name: name.replace('.obj', '.off'), bytes: new TextEncoder().encode(text) };
 }
 
-describe.skipIf(!hasData)('the guess at the up axis of real poses', () => {
+describe.skipIf(!hasData)('the detected up axis of real poses', () => {
   const cats = ['cat2', 'cat5', 'cat8'].map((name) => `turns/cat/${name}.off`);
 
   it.each([
@@ -55,7 +55,7 @@ describe.skipIf(!hasData)('the guess at the up axis of real poses', () => {
     expect(await isHinted(names.map(dataFile))).toBe(true);
   });
 
-  it.each(['obj/wolf', 'turns/lion'])('sees which way the poses of %s stand', async (folder) => {
+  it.each(['obj/wolf', 'turns/lion'])('is correct for the poses of %s', async (folder) => {
     const poses = dataFiles(folder)
       .filter((name) => name.endsWith('.obj'))
       .map(dataFile);
@@ -103,14 +103,14 @@ describe.skipIf(!hasData)('the guess at the up axis of real poses', () => {
     },
   );
 
-  it('sees it in OBJ files, too, where that is clear', async () => {
+  it('is also correct for OBJ files, if it is clear', async () => {
     const files = cats.map(dataFile);
     expect(await isHinted(files.map((file) => asObj(file, false)))).toBe(true);
     expect(await isHinted(files.map((file) => asObj(file, true)))).toBe(false);
   });
 
   // The galloping cat would stand more stably on its side.
-  it.each(['obj/wolf', 'turns/lion', 'obj/lowpoly-cat'])('turns over none of the OBJ files of %s', async (folder) => {
+  it.each(['obj/wolf', 'turns/lion', 'obj/lowpoly-cat'])('rotates no OBJ files of %s', async (folder) => {
     const poses = dataFiles(folder).filter((name) => name.endsWith('.obj'));
     expect(poses.length).toBeGreaterThan(5);
     expect(await isHinted(poses.map(dataFile))).toBe(false);
@@ -118,7 +118,7 @@ describe.skipIf(!hasData)('the guess at the up axis of real poses', () => {
       expect(await isHinted([poses[index]!, pose].map(dataFile))).toBe(false);
   });
 
-  it.each(['turns/saddle', 'turns/plate'])('says nothing of %s', async (folder) => {
+  it.each(['turns/saddle', 'turns/plate'])('gives no warning for %s', async (folder) => {
     const names = dataFiles(folder).filter((name) => name.endsWith('.ply'));
     expect(await isHinted(names.map(dataFile))).toBe(false);
   });

@@ -62,7 +62,7 @@ inline void checkRoundTrip(const Import& import) {
   source.faces = &k.faces;
   source.scene = &import.scene;
   for (int j = 0; j < k.keyCount(); ++j) source.seconds.push_back(j);
-  bool fits = true;  // in float32, and so that differences of two do too
+  bool fits = true;  // numbers and their differences fit in float32
   source.frame = [&](int j, std::vector<float>& positions, std::vector<float>& normals) {
     const auto put = [&](const Positions& from, std::vector<float>& to, double largest) {
       to.clear();
@@ -82,7 +82,7 @@ inline void checkRoundTrip(const Import& import) {
   const NamedBytes file{"again.glb", *written};
   const auto again = importKeyframes(std::span(&file, 1), {});
   if (!again) {
-    // In float32 a tiny shape may collapse.
+    // Rounding to float32 can collapse a tiny shape.
     promise(again.error().code == ErrorCode::NoArea, again.error().message.c_str());
     return;
   }
@@ -96,7 +96,7 @@ inline void checkError(const Error& error) {
   for (char c : error.message) promise(static_cast<unsigned char>(c) >= ' ', "an error is one line");
 }
 
-/// A mesh of four vertices, which motions without a mesh are given with.
+/// A mesh of four vertices for formats without a mesh, such as point caches.
 inline std::span<const std::uint8_t> squareObj() {
   static constexpr std::string_view text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};

@@ -64,7 +64,7 @@ double farthest(const std::vector<std::vector<double>>& a, const std::vector<std
 
 }  // namespace
 
-TEST_CASE("agreement: native shapes of keys in float are those that wasm is held to") {
+TEST_CASE("agreement: native shapes of keys in float match those required of wasm") {
   const Json shared = sharedShapes();
   const double diagonal = diagonalOf(keysOf<float>(shared));
   const auto shapes = shapesOf(keysOf<float>(shared), shared);

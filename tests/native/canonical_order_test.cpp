@@ -118,7 +118,7 @@ EncodingOptions withGhost(int faces) {
 
 }  // namespace
 
-TEST_CASE("every face and vertex is numbered once, neighbours near each other") {
+TEST_CASE("every face and vertex is numbered once, with close numbers for neighbours") {
   const Keyframes k = severalParts();
   const MeshOrder order = canonicalOrder(k.faces, posesOf(k));
   std::vector<int> vertices = order.vertex, faces = order.oldFaces(), all(k.faceCount());
@@ -142,7 +142,7 @@ TEST_CASE("every face and vertex is numbered once, neighbours near each other") 
   CHECK(farthest < 60);  // there are 674 vertices; a ring around the bar has 16
 }
 
-TEST_CASE("a mesh of any kind has one order, whatever the file's") {
+TEST_CASE("a mesh of any kind has one order, independent of the file's") {
   Keyframes parts = severalParts();
   for (std::uint32_t seed = 1; seed <= 5; ++seed) checkSameMesh(parts, seed);
 
@@ -177,7 +177,7 @@ TEST_CASE("parts that differ only in faces far from the first are distinguished"
     checkSameMesh(keyframes(joined(part, other), {turn(Vec3::UnitX(), 0), turn(Vec3(1, 2, 3), 1)}), seed);
 }
 
-TEST_CASE("a symmetric shape is ordered, too: by what its symmetry leaves") {
+TEST_CASE("a symmetric shape is also ordered, up to its symmetry") {
   // A rotation by 15 degrees about its axis maps a ball to itself, but the second key distinguishes its poles.
   const Shape ball = sphere({0, 0, 0}, 1, 16, 24);
   const Map stretched = [](const Vec3& p) -> Vec3 { return {p.x(), p.y(), p.z() * (p.z() > 0 ? 2 : 1)}; };

@@ -142,7 +142,7 @@ TEST_CASE("cholesky: random definite matrices agree with Eigen") {
     }
 }
 
-TEST_CASE("cholesky: a dense matrix is one supernode of panels, full ones and others") {
+TEST_CASE("cholesky: a dense matrix is one supernode of full and partial panels") {
   Random random(2);
   for (const int size : {2, 3, 4, 5, 8, 63, 64, 65, 150, 203}) {
     CAPTURE(size);
@@ -153,7 +153,7 @@ TEST_CASE("cholesky: a dense matrix is one supernode of panels, full ones and ot
   }
 }
 
-TEST_CASE("cholesky: dense blocks that share rows agree with Eigen, whatever the sizes") {
+TEST_CASE("cholesky: dense blocks with common rows agree with Eigen, for all sizes") {
   Random random(8);
   for (const int pivots : {1, 4, 6, 33})
     for (const int rows : {1, 4, 7, 50}) {
@@ -181,7 +181,7 @@ TEST_CASE("cholesky: mesh Laplacians with shuffled vertices agree with Eigen") {
   }
 }
 
-TEST_CASE("cholesky: a smooth solution survives single precision storage") {
+TEST_CASE("cholesky: a smooth solution stays accurate with single precision storage") {
   Random random(5);
   PlainMesh mesh = bumpySphere(40, random);
   shuffleVertices(mesh, random);
@@ -269,7 +269,7 @@ TEST_CASE("cholesky: the chunks of a factorisation do not change a bit") {
   }
 }
 
-TEST_CASE("cholesky: a floating component is regularised and reported, and differences are right") {
+TEST_CASE("cholesky: a floating component is regularised and reported, with correct differences") {
   Random random(9);
   PlainMesh mesh = bumpySphere(12, random);
   const int n = static_cast<int>(mesh.positions.size());

@@ -16,7 +16,7 @@ std::vector<Item> listed(std::span<Item> row) {
 
 }  // namespace
 
-TEST_CASE("items lie by row, those of a row in the order in which they came") {
+TEST_CASE("items are stored by row, and within a row in input order") {
   const std::vector<std::pair<int, char>> items = {{2, 'a'}, {0, 'b'}, {2, 'c'}, {4, 'd'}, {0, 'e'}, {2, 'f'}};
   auto rows = compressedRows<char>(6, [&](auto add) {
     for (const auto& [row, item] : items) add(row, item);
@@ -29,7 +29,7 @@ TEST_CASE("items lie by row, those of a row in the order in which they came") {
   for (int row : {1, 3, 5}) CHECK(rows.of(row).empty());
 }
 
-TEST_CASE("rows made in blocks are the same, and say how far they are") {
+TEST_CASE("rows made in blocks are equal, and report progress") {
   constexpr std::size_t count = 100'000;
   const auto rowOf = [](std::size_t i) { return static_cast<int>(i * i % 977); };
   double reached = 0;

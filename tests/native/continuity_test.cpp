@@ -180,7 +180,7 @@ TEST_CASE("reversed keys give the reversed motion") {
     }
 }
 
-TEST_CASE("half as many patches hardly change which way limbs go") {
+TEST_CASE("half as many patches hardly change the paths of limbs") {
   for (const unsigned seed : {115u, 130u, 143u}) {
     CAPTURE(seed);
     const Keyframes k = limb(seed, 3 + seed % 3, 140, 100);
@@ -195,7 +195,7 @@ TEST_CASE("half as many patches hardly change which way limbs go") {
   }
 }
 
-TEST_CASE("noise of a millionth of the diagonal moves nothing that can be seen") {
+TEST_CASE("noise of a millionth of the diagonal has no visible effect") {
   checkNoise("a bent and twisted box", poses(), 1, {1e-6});
   const Keyframes k = limb(104, 4, 45, 30);
   checkNoise("a limb", k, 1, {1e-6, 1e-4});
@@ -242,7 +242,7 @@ TEST_CASE("the winding of the triangles changes nothing") {
     }
 }
 
-TEST_CASE("what turns evenly says how the whole is turned") {
+TEST_CASE("evenly rotating parts determine the rotation of the whole") {
   // A body that turns evenly, and an arm of three times its area that swings about the same joint.
   const Shape body = box(1, 1, 4, 2, 2, 8);
   Shape arm = box(1.5, 1.5, 6, 3, 3, 12);
@@ -263,7 +263,7 @@ TEST_CASE("what turns evenly says how the whole is turned") {
   }
 }
 
-TEST_CASE("two senses that are about as good are warned of") {
+TEST_CASE("two turn directions that are about equally good give a warning") {
   const Shape shape = bar();
   for (const double degrees : {163.0, 174.0}) {
     // The mean turn is smaller: one end continues, the other stays behind.
@@ -276,7 +276,7 @@ TEST_CASE("two senses that are about as good are warned of") {
   CHECK(codesOf(limb(104, 4, 60, 40)).empty());
 }
 
-TEST_CASE("a warning says beyond which keys noise decides") {
+TEST_CASE("a warning states beyond which keys noise has an effect") {
   const std::vector<std::string> both = {"open-beyond-keys", "open-beyond-keys"};
   CHECK(codesOf(wrungBar({0, 140, 0, -140})) == both);
   CHECK(codesOf(wrungBar({0, 30, 0, -30})).empty());

@@ -65,7 +65,7 @@ int samplesFor(const CurveOptions& options, int intervals) {
 
 }  // namespace
 
-TEST_CASE("discrete spline: with keys on the samples it tends to the spline, by the second order") {
+TEST_CASE("discrete spline: with keys at samples, it converges to the spline with second order") {
   for (const CurveOptions& options : boundaries) {
     double before = 0;
     for (const int n : {40, 80, 160, 320}) {  // four intervals, or five in a closed curve
@@ -79,7 +79,7 @@ TEST_CASE("discrete spline: with keys on the samples it tends to the spline, by 
   }
 }
 
-TEST_CASE("discrete spline: with keys between the samples too") {
+TEST_CASE("discrete spline: also with keys between samples") {
   for (const CurveOptions& options : boundaries) {
     // The error depends on the positions of keys between samples, so the worst of a few sample counts is used.
     const auto worst = [&](int n) {
@@ -94,7 +94,7 @@ TEST_CASE("discrete spline: with keys between the samples too") {
   }
 }
 
-TEST_CASE("discrete spline: its energy is the least of all paths that hold the keys") {
+TEST_CASE("discrete spline: its energy is the least of all paths through the keys") {
   for (const CurveOptions& options : boundaries)
     for (const auto& times : {evenly, unevenly}) {
       const DiscreteSpline spline = fit(options, times, samplesFor(options, 120));
@@ -137,7 +137,7 @@ TEST_CASE("discrete spline: the energy is the integral of the second derivative'
   }
 }
 
-TEST_CASE("discrete spline: counts of samples that cannot work are refused") {
+TEST_CASE("discrete spline: invalid numbers of samples are refused") {
   const Curve curve = curveOf({}, unevenly);
   for (const int samples : {-1, 0, 3, 10, 1001})
     CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, samples).error().code ==
@@ -146,7 +146,7 @@ TEST_CASE("discrete spline: counts of samples that cannot work are refused") {
   CHECK(DiscreteSpline::fit(unevenly, BoundaryKind::Natural, curve, 11).ok());
 }
 
-TEST_CASE("discrete spline: two keys are joined by a straight line, whose energy is none") {
+TEST_CASE("discrete spline: two keys give a straight line with zero energy") {
   const DiscreteSpline spline = fit({}, {0, 2}, 9);
   CHECK(spline.energy(spline.weights(), MatrixXd::Identity(4, 4)) < 1e-20);
   CHECK(spline.weights()(2, 0) == doctest::Approx(0.75));
@@ -154,7 +154,7 @@ TEST_CASE("discrete spline: two keys are joined by a straight line, whose energy
   CHECK(closed.energy(closed.weights(), MatrixXd::Identity(4, 4)) < 1e-20);
 }
 
-TEST_CASE("discrete path: the feature vector of a sequence tends to the spline in its metric") {
+TEST_CASE("discrete path: the feature vector of a sequence converges to the spline in its metric") {
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
     MotionOptions motion;
     motion.boundary = boundary;

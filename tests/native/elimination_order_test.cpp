@@ -32,7 +32,7 @@ std::vector<float> shapeOf(const Keyframes& keys, const EncodingOptions& encodin
 
 }  // namespace
 
-TEST_CASE("elimination order: found elsewhere, it gives the same shapes bit for bit") {
+TEST_CASE("elimination order: an order found elsewhere gives the same shapes bit for bit") {
   EncodingOptions ghost, tangent;
   ghost.ghostFaces = 300;
   const Keyframes capsule = makeBenchKeyframes(3000, 3, 1);
@@ -51,7 +51,7 @@ TEST_CASE("elimination order: found elsewhere, it gives the same shapes bit for 
   }
 }
 
-TEST_CASE("elimination order: it is the one that is used") {
+TEST_CASE("elimination order: the provided order is used") {
   const Keyframes keys = keyframes(bar(), {twist(0), twist(1), twist(2)});
   const auto entriesOf = [&](OrderSource order) {
     return Sequence::create(keys, {}, {}, {}, order)->stats().factorBytes;
@@ -67,7 +67,7 @@ TEST_CASE("elimination order: it is the one that is used") {
   CHECK(entriesOf(handOver) > best);
 }
 
-TEST_CASE("elimination order: what is none of these unknowns is not used") {
+TEST_CASE("elimination order: invalid orders are not used") {
   const Keyframes keys = keyframes(bar(), {twist(0), twist(1), twist(2)});
   const std::vector<float> plain = shapeOf(keys, {}, nullptr);
   const std::vector<int> good = *eliminationOrder(keys, {});
@@ -78,7 +78,7 @@ TEST_CASE("elimination order: what is none of these unknowns is not used") {
   }
 }
 
-TEST_CASE("elimination order: refused as the sequence is") {
+TEST_CASE("elimination order: errors are those of the sequence") {
   EncodingOptions wrong;
   wrong.reference = 9;
   const auto order = eliminationOrder(keyframes(bar(), {twist(0), twist(1)}), wrong);

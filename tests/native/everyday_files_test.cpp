@@ -92,7 +92,7 @@ Bytes binaryStrips(const std::string& type, int width, bool bigEndian) {
 
 }  // namespace
 
-TEST_CASE("OBJ: a line continues after its backslash, with any spaces and line ends") {
+TEST_CASE("OBJ: a line continues after a backslash, with any spaces and line ends") {
   for (const std::string end : {"\\\n", "\\ \n", "\\\t\n", "\\\r\n", "\\ \t \r\n", "\\\r", "\\\r\r\n"}) {
     CAPTURE(end);
     CHECK(facesOf("a.obj", bytesOf(squareObj() + "f 1 2 " + end + "3" + end + " 4\n")) ==
@@ -157,7 +157,7 @@ TEST_CASE("PLY: strips of triangles, restarted at -1, every other triangle turne
   checkRefused("a.ply", bad, "cut off");
 }
 
-TEST_CASE("text in UTF-16 is refused with what to do, with a mark and without") {
+TEST_CASE("text in UTF-16 is refused with advice, with and without a byte order mark") {
   const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\n";
   for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.obj", squareObj() + faceLine},
                                    {"a.ply", ply},
@@ -171,7 +171,7 @@ TEST_CASE("text in UTF-16 is refused with what to do, with a mark and without") 
   CHECK(says(imported(files), "missing-materials", "UTF-16"));
 }
 
-TEST_CASE("decimal commas are refused with the line and what to do") {
+TEST_CASE("decimal commas are refused with the line and advice") {
   const std::string says = "a number has a decimal comma. Export the file with decimal points";
   checkRefused("a.obj", bytesOf("v 0,5 1,2 3\n"), "line 1: " + says);
   checkRefused("a.obj", bytesOf("v 0 0 0\nv 1 2 3,5e-2\n"), "line 2: " + says);
@@ -190,7 +190,7 @@ TEST_CASE("decimal commas are refused with the line and what to do") {
   CHECK(::says(imported(files), "missing-materials", "decimal comma"));
 }
 
-TEST_CASE("files of other programs are refused with what they are and what to do") {
+TEST_CASE("files of other programs are refused with their type and advice") {
   for (const auto& [name, text, says] : std::vector<std::array<std::string, 3>>{
            {"shot.abc", "Ogawa\xff", "Alembic file, which is not supported. Export its frames"},
            {"shot.ABC", "\x89HDF", "Alembic"},
@@ -216,7 +216,7 @@ TEST_CASE("files of other programs are refused with what they are and what to do
     checkRefused(name, bytesOf(text), says);
 }
 
-TEST_CASE("a file of another kind among poses is left out with a word, unless a key is missing then") {
+TEST_CASE("a file of another kind among poses is omitted with a warning, unless a key would be missing") {
   const Import import = imported(twoSquares().add("scene.blend", bytesOf("BLENDER-v405")).add("n.dat", bytesOf("x")));
   CHECK(import.keyframes.keyCount() == 2);
   CHECK(says(import, "left-out-file", "scene.blend is a Blender file"));
@@ -232,7 +232,7 @@ TEST_CASE("a file of another kind among poses is left out with a word, unless a 
   CHECK(says(imported(many), "left-out-file", "30 more such files"));
 }
 
-TEST_CASE("numbers in names may be negative; whether a hyphen is a sign, all names together say") {
+TEST_CASE("numbers in names can be negative; all names together determine whether a hyphen is a sign") {
   std::ifstream file(SHAPESPLINE_SOURCE_DIR "/tests/numbered-names.json");
   for (const auto& one : nlohmann::json::parse(file)) {
     std::vector<NamedBytes> files;
@@ -251,7 +251,7 @@ TEST_CASE("numbers in names may be negative; whether a hyphen is a sign, all nam
   }
 }
 
-TEST_CASE("frames of formats without times are at those that their files state") {
+TEST_CASE("frames of formats without times are at the times given by their files") {
   ImportOptions options;
   options.everyFrame = true;
   options.frameTimes = {0, 0.5, 2};
@@ -271,7 +271,7 @@ TEST_CASE("frames of formats without times are at those that their files state")
   CHECK(times()[1] == doctest::Approx(1.0 / 24));
 }
 
-TEST_CASE("names that are no UTF-8 are read as Latin-1") {
+TEST_CASE("names that are not UTF-8 are read as Latin-1") {
   const std::string named =
       "o K\xe4"
       "fer\n";
@@ -293,7 +293,7 @@ TEST_CASE("two numbered sequences that become keys of one motion are named in a 
   CHECK(!says(imported(twoSquares()), "several-sequences"));
 }
 
-TEST_CASE("faces that are all equal or share an edge are matched and ordered in as many steps as there are faces") {
+TEST_CASE("faces that are all equal or share an edge are matched and ordered in linear time") {
   constexpr int count = 20'000;
   std::string equal = squareObj(), book = squareObj() + "v 2 0 0\nv 3 1 1\n", later = squareObj(1);
   for (int i = 0; i < count; ++i) {

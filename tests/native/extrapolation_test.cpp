@@ -81,7 +81,7 @@ double boundOf(const Keyframes& k) {
 
 }  // namespace
 
-TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face is lost, however far") {
+TEST_CASE("beyond the keys, linear stretch stays above its lower limit at any time, without lost faces") {
   const Keyframes k = keyframes(bar(), {scale(1, 1, 1), scale(1, 1, 0.4)});
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     Sequence s = make(k, Stretch::Linear, 0, precision);
@@ -101,7 +101,7 @@ TEST_CASE("beyond the keys linear stretch keeps above its lower limit: no face i
   }
 }
 
-TEST_CASE("beyond the keys logarithmic stretch keeps between both limits") {
+TEST_CASE("beyond the keys, logarithmic stretch stays between both limits") {
   const Keyframes k = keyframes(bar(), {scale(1, 1, 1), scale(1, 1, 0.4)});
   Sequence s = make(k, Stretch::Log);
   const double change = std::log(0.4), room = std::log(1.5);
@@ -130,7 +130,7 @@ TEST_CASE("beyond the keys logarithmic stretch grows boundedly, with a ghost and
   CHECK(largest < 1);
 }
 
-TEST_CASE("the motion is C2 where it goes on beyond the keys") {
+TEST_CASE("the motion is C2 where it continues beyond the keys") {
   const Keyframes k = randomStretches(1);
   for (const Stretch stretch : {Stretch::Linear, Stretch::Log})
     for (const int ghostFaces : {0, 60}) {
@@ -167,7 +167,7 @@ TEST_CASE("within the keys nothing is limited, to the bit") {
     }
 }
 
-TEST_CASE("real animals stay of their size beyond the keys, with logarithmic stretch") {
+TEST_CASE("real animals keep their size beyond the keys, with logarithmic stretch") {
   for (const auto& paths : {wolfPoses, lionPoses}) {
     if (!hasData(paths)) return;
     const Keyframes k = realKeyframes(paths);

@@ -141,7 +141,7 @@ Bytes glbAt(const Vec3& local, const Vec3& offset, const std::vector<double>& an
 
 }  // namespace
 
-TEST_CASE("keys of survey coordinates are as exact as at the origin, whatever the format, axis and unit") {
+TEST_CASE("keys of survey coordinates are as exact as at the origin, for any format, axis and unit") {
   for (const Format& format : formats)
     for (bool zUp : {false, true})
       for (double unit : {1.0, 0.001, 0.3048}) {
@@ -187,7 +187,7 @@ TEST_CASE("the offset is a power of two times a whole number: subtracting and ad
     }
 }
 
-TEST_CASE("a further pose takes the offset of the open shape") {
+TEST_CASE("a further pose uses the offset of the open shape") {
   const Import open = imported(Files().add("a.obj", objOf(poseAt(utm, 0))).add("b.obj", objOf(poseAt(utm, 0.7))));
   const Positions far = poseAt(utm + Vec3(30, 0, 9), 0.3);
   ImportOptions options;
@@ -203,7 +203,7 @@ TEST_CASE("a further pose takes the offset of the open shape") {
   CHECK(imported(Files().add("c.obj", objOf(far)).add("d.obj", objOf(far)), options).offset == Vec3::Zero());
 }
 
-TEST_CASE("exported shapes stand where they were: OBJ, PLY and the node of a GLB") {
+TEST_CASE("exported shapes are at their original position: OBJ, PLY and the node of a GLB") {
   const Positions first = poseAt(utm, 0), second = poseAt(utm, 0.7);
   const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
   const std::vector<float> a = floats(import.keyframes.keys[0].positions),
@@ -236,7 +236,7 @@ TEST_CASE("numbers of an OBJ are as long as single precision needs") {
   CHECK(text({-0.0625, 1e15, 0}) == "v 0.0375 1000000000000000 -0.3");
 }
 
-TEST_CASE("the OBJ beside a point cache stays near the origin and names the offset, which puts both back") {
+TEST_CASE("the OBJ of a point cache is near the origin and states the offset for both") {
   const Positions first = poseAt(utm, 0), second = poseAt(utm, 0.7);
   const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
   const std::vector<float> a = floats(import.keyframes.keys[0].positions),
@@ -254,7 +254,7 @@ TEST_CASE("the OBJ beside a point cache stays near the origin and names the offs
   CHECK(largestDistance(asComputed(again, 1), second) < 3e-7);
 }
 
-TEST_CASE("a GLB whose node stands far away loses nothing; far positions in single precision are a warning") {
+TEST_CASE("a GLB with a distant node loses no precision; distant positions in single precision give a warning") {
   const Vec3 far(500'000, 0, 5'000'000);
   const Import exact = imported(Files().add("a.glb", glbAt(Vec3::Zero(), far, {0, 0.5, 0.9})));
   CHECK(exact.offset != Vec3::Zero());
@@ -269,7 +269,7 @@ TEST_CASE("a GLB whose node stands far away loses nothing; far positions in sing
   CHECK(!warns(imported(Files().add("a.glb", glbAt(Vec3(300, 0, 0), Vec3::Zero(), {0, 1}))), "rounded-positions"));
 }
 
-TEST_CASE("parts of a GLB stand far away by the nodes above them, and a skin by its joints") {
+TEST_CASE("parts of a GLB are distant by parent nodes, and a skin by its joints") {
   const Vec3 far(-500'000.25, 3, 5'000'000.5);
   const auto at = [](const Vec3& p) { return json{p.x(), p.y(), p.z()}; };
   for (bool skinned : {false, true}) {
@@ -317,7 +317,7 @@ TEST_CASE("frames of a numbered series share one offset") {
     CHECK(largestDistance(asComputed(import, key), poseAt(utm, 0.02 * frames[key])) < 4e-7);
 }
 
-TEST_CASE("the offset of a saved project comes back, unless its keys lie elsewhere now") {
+TEST_CASE("the offset of a saved project is restored, unless its keys have moved") {
   const auto project = [&](const Vec3& saved) {
     AnimationSource source;
     const Scene scene;
@@ -339,7 +339,7 @@ TEST_CASE("the offset of a saved project comes back, unless its keys lie elsewhe
   CHECK((project(Vec3::Zero()) - utm).norm() < 4);
 }
 
-TEST_CASE("keys that lie far from each other are a warning with the key") {
+TEST_CASE("distant keys give a warning with the key") {
   const Import import = imported(
       Files().add("a.obj", objOf(poseAt(Vec3::Zero(), 0))).add("b.obj", objOf(poseAt(Vec3(455'000.37, 0, 0), 0.7))));
   CHECK(import.offset == Vec3::Zero());
@@ -348,7 +348,7 @@ TEST_CASE("keys that lie far from each other are a warning with the key") {
   CHECK(import.warnings.back().key == 1);
 }
 
-TEST_CASE("coordinates that cannot be computed with are refused in one sentence") {
+TEST_CASE("coordinates that are too large are refused with one message") {
   for (double large : {1.5e18, 3e38, 1e39, 1e308}) {
     Positions first = poseAt(Vec3::Zero(), 0);
     first[3].x() = large;

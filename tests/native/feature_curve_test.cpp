@@ -22,7 +22,7 @@ double largest(const std::vector<double>& values) { return *std::max_element(val
 
 }  // namespace
 
-TEST_CASE("shape plane: a blend of vertices meets the keys and leaves their plane between them") {
+TEST_CASE("shape plane: a vertex blend passes through the keys and leaves their plane between them") {
   for (const int ghostFaces : {0, 60}) {
     CAPTURE(ghostFaces);
     EncodingOptions encoding = doublePrecision();
@@ -61,7 +61,7 @@ TEST_CASE("shape plane: the weights are those of the motion") {
   }
 }
 
-TEST_CASE("shape plane: the shapes that stand for end tangents are where the motion leaves and arrives") {
+TEST_CASE("shape plane: the shapes of end tangents are in the directions of the motion at its ends") {
   const auto bar = box(1, 1, 6, 2, 2, 12);
   MotionOptions motion;
   motion.boundary = BoundaryKind::Hermite;
@@ -96,7 +96,7 @@ TEST_CASE("shape plane: the shapes that stand for end tangents are where the mot
   CHECK(spanned.explained == doctest::Approx(1));
 }
 
-TEST_CASE("bending: what is linear between keys turns at them alone, in shape space as in that of vertices") {
+TEST_CASE("bending: piecewise linear motions bend at keys only, in shape space and in the space of vertices") {
   for (const Method method : {Method::Geodesic, Method::Linear}) {
     CAPTURE(static_cast<int>(method));
     Sequence s = moved(method);
@@ -148,7 +148,7 @@ TEST_CASE("a face over time passes through its coordinates at the keys") {
   CHECK(s.featureCurve()->face(static_cast<int>(s.faces().size()), keys).error().code == ErrorCode::InvalidOption);
 }
 
-TEST_CASE("a patch over time turns against each neighbour as the two turn at the keys") {
+TEST_CASE("a patch over time rotates relative to each neighbour as at the keys") {
   Sequence s = moved(Method::Lri);
   const std::vector<double> keys = s.motion().keyTimes();
   const auto turnOf = [](const CoordinateCurve& curve, std::size_t row, std::size_t neighbour) {
@@ -195,7 +195,7 @@ TEST_CASE("a patch over time turns against each neighbour as the two turn at the
   CHECK(s.featureCurve()->patch(count, keys).error().code == ErrorCode::InvalidOption);
 }
 
-TEST_CASE("the stretch of a patch is that of its area: slivers count as little as they cover") {
+TEST_CASE("the stretch of a patch is weighted by area, so slivers count little") {
   // Faces further along are thinner and more stretched.
   Shape shape = box(1, 1, 6, 2, 2, 12);
   for (Vec3& p : shape.positions) p.z() = std::sqrt(p.z());

@@ -27,7 +27,7 @@ TEST_CASE("forkJoin: without a helper all is done by the caller") {
 
 using namespace shapespline::test;
 
-TEST_CASE("forkJoin: every part is done once, by one or the other") {
+TEST_CASE("forkJoin: every part is done once, by the caller or the helper") {
   ForkJoin forkJoin;
   const HelperThread helper(forkJoin);
   std::array<std::vector<int>, 2> done;
@@ -46,7 +46,7 @@ TEST_CASE("forkJoin: every part is done once, by one or the other") {
   CHECK(forkJoin.helped() > 0);
 }
 
-TEST_CASE("forkJoin: a helper that breaks down is reported, and the caller continues alone") {
+TEST_CASE("forkJoin: a helper that fails is reported, and the caller continues alone") {
   ForkJoin forkJoin;
   const HelperThread helper(forkJoin);
   std::atomic<bool> began = false;
@@ -73,7 +73,7 @@ TEST_CASE(
                   std::runtime_error);
 }
 
-TEST_CASE("forkJoin: a helper that never comes back is given up, and what it does later changes nothing") {
+TEST_CASE("forkJoin: a helper that does not respond is abandoned, and has no later effect") {
   std::atomic<bool> began = false, late = false;
   const auto stuck = [&](int part) {  // must outlive the helper
     if (part == 1) began.store(true);

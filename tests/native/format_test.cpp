@@ -10,7 +10,7 @@
 
 using namespace shapespline;
 
-TEST_CASE("short numbers are written as printf's %.6g writes them") {
+TEST_CASE("short numbers are written like printf's %.6g") {
   std::vector<double> numbers = {0,         -0.0,    1,       10,     -3,     0.1,       1.5,      123456,
                                  999999,    1000000, 1234567, 1e-4,   9.9e-5, 0.0001234, 9.999996, 99999.9,
                                  1e100,     -2e-30,  1e308,   5e-324, 0.3,    1 / 3.,    2e9,      INFINITY,

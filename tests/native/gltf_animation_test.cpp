@@ -89,7 +89,7 @@ TEST_CASE("linear, step and cubic samplers") {
   CHECK(at("CUBICSPLINE", 3) == doctest::Approx(8));
 }
 
-TEST_CASE("rotations are interpolated on the sphere, the short way, also from normalised integers") {
+TEST_CASE("rotations are interpolated on the sphere, along the shorter arc, also from normalised integers") {
   GltfMaker maker = boxFile();
   const int times = maker.scalars({0, 1});
   const float h = std::sqrt(0.5f);
@@ -145,7 +145,7 @@ TEST_CASE("skin, node transform and morph weights move together") {
   }
 }
 
-TEST_CASE("weights that do not sum to one are scaled, unused joints may hold anything") {
+TEST_CASE("weights that do not sum to one are scaled, unused joints are ignored") {
   GltfMaker maker = skinnedFile();
   auto* weights = reinterpret_cast<float*>(maker.bin.data() + maker.doc["bufferViews"][3]["byteOffset"].get<int>());
   // The views have positions, joints and weights in an unknown order, so find the 32 floats.
@@ -164,7 +164,7 @@ TEST_CASE("weights that do not sum to one are scaled, unused joints may hold any
   CHECK(distance(result->keyframes.keys[0].positions, boxPose()) < floatError);
 }
 
-TEST_CASE("more than four joints a vertex") {
+TEST_CASE("more than four joints per vertex") {
   GltfMaker maker = skinnedFile();
   auto& attributes = maker.doc["meshes"][0]["primitives"][0]["attributes"];
   attributes["JOINTS_1"] = maker.accessor(std::vector<std::uint16_t>(32, 1), "VEC4", 4, glUInt16);
@@ -202,7 +202,7 @@ TEST_CASE("animations that move nothing of the mesh are not offered") {
   CHECK(Files().add("m.glb", maker.glb()).import(options).error().code == ErrorCode::UnknownAnimation);
 }
 
-TEST_CASE("several files without an animation are keys themselves: nothing is sampled, and that is said") {
+TEST_CASE("several files without an animation are keys; a warning states that nothing is sampled") {
   ImportOptions name, count, times;
   name.animation = 0;
   count.sampleAsked = true;
@@ -232,7 +232,7 @@ TEST_CASE("an import reports its stages") {
   }
 }
 
-TEST_CASE("sample times beyond the animation are held there, with a warning") {
+TEST_CASE("sample times beyond the animation are clamped, with a warning") {
   GltfMaker maker = boxFile();
   maker.animation("move", 0, "translation", maker.scalars({0, 1}), maker.vectors({{0, 0, 0}, {1, 0, 0}}));
   const Import import = sampled(maker, {0.5, 9});

@@ -50,7 +50,7 @@ void checkMended(const GltfMaker& mended) {
 
 }  // namespace
 
-TEST_CASE("the twin of every broken file below is a good one") { checkMended(boxFile(1)); }
+TEST_CASE("the unchanged version of every broken file below is valid") { checkMended(boxFile(1)); }
 
 TEST_CASE("broken GLB containers") {
   const Bytes good = boxFile().glb();
@@ -80,7 +80,7 @@ TEST_CASE("broken GLB containers") {
   CHECK(Files().add("a.glb", good).add("b.glb", trailing).import().ok());
 }
 
-TEST_CASE("files that are something else say what they are") {
+TEST_CASE("files of another type are named") {
   checkRefused(bytesOf("<!DOCTYPE html>\n<html>"), ErrorCode::NotRecognised, "web page");
   checkRefused(bytesOf("\n  <HTML lang=en>"), ErrorCode::NotRecognised, "web page");
   checkRefused(bytesOf("version https://git-lfs.github.com/spec/v1\noid"), ErrorCode::NotRecognised, "Git LFS");
@@ -184,7 +184,7 @@ TEST_CASE("accessors and buffers past their end") {
   checkRefused(maker, ErrorCode::MalformedFile, "buffer that does not exist");
 }
 
-TEST_CASE("declared gigabytes are refused at once") {
+TEST_CASE("declared sizes of gigabytes are refused at once") {
   GltfMaker maker = boxFile();
   maker.doc["accessors"][0].erase("bufferView");  // declared zeros without bytes
   maker.doc["accessors"][0]["count"] = 2000000000;
@@ -200,7 +200,7 @@ TEST_CASE("declared gigabytes are refused at once") {
 }
 
 // A file may use its parts many times. Their total is limited too, and checked before the work starts.
-TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
+TEST_CASE("small files that require gigabytes or hours are refused at once") {
   const auto checkTooLarge = [](const GltfMaker& file, const std::string& says, const ImportOptions& options = {}) {
     const Files files = Files().add("bomb.glb", file.glb());
     const std::clock_t start = std::clock();
@@ -282,7 +282,7 @@ TEST_CASE("small files that add up to gigabytes or hours are refused at once") {
   checkTooLarge(channels, "numbers");
 }
 
-TEST_CASE("what is named many times costs once") {
+TEST_CASE("data used many times costs once") {
   const std::clock_t start = std::clock();
   GltfMaker file = boxFile();
   const int inverse = file.add("accessors", {{"componentType", glFloat32}, {"count", 100'000}, {"type", "MAT4"}});
@@ -345,7 +345,7 @@ TEST_CASE("sparse accessors out of bounds") {
   checkRefused(sparse({{"values", {{"byteOffset", 20}}}}), ErrorCode::MalformedFile, "needs 32 bytes");
 }
 
-TEST_CASE("node graphs that are no trees") {
+TEST_CASE("node graphs that are not trees") {
   GltfMaker maker = boxFile();
   maker.doc["nodes"][0]["children"] = {0};
   checkRefused(maker, ErrorCode::MalformedFile, "its own child");
@@ -360,7 +360,7 @@ TEST_CASE("node graphs that are no trees") {
   checkRefused(maker, ErrorCode::MalformedFile, "child 77");
   maker.doc["nodes"][2].erase("children");
   checkMended(maker);
-  SUBCASE("a chain of a hundred thousand is one") {
+  SUBCASE("a chain of a hundred thousand nodes is a tree") {
     GltfMaker chain;
     const int mesh = chain.mesh({{"POSITION", chain.vectors(boxPose())}}, chain.indices(boxFaces()));
     const int length = 100000;
@@ -458,7 +458,7 @@ TEST_CASE("morph targets that do not fit") {
   CHECK(result.error().message.find("as many vertices") != std::string::npos);
 }
 
-TEST_CASE("URIs lead nowhere but to the given files") {
+TEST_CASE("URIs lead only to the given files") {
   GltfMaker maker = boxFile();
   const auto refused = [&](const std::string& uri, ErrorCode code, const std::string& says) {
     CAPTURE(uri);
@@ -543,7 +543,7 @@ TEST_CASE("key times that do not fit") {
   CHECK(code({0, std::numeric_limits<double>::quiet_NaN()}) == std::string("not-finite"));
 }
 
-TEST_CASE("every cut of a file is refused or imported, and never read past its end") {
+TEST_CASE("every truncated file is refused or imported, and never read past its end") {
   GltfMaker maker = morphFile({0, 1, 2});
   maker.animation("bend", 0, "weights", maker.scalars({0, 0.25f, 2}), maker.scalars({0, 0, 1, 0, 0, 1}));
   const Bytes good = maker.glb(), text = maker.gltf();

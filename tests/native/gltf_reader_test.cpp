@@ -52,7 +52,7 @@ TEST_CASE("a .gltf finds its buffer inside, beside it and in folders") {
                                       .add("two/m.gltf", b.gltfBeside("./data/../data/m%20x.bin"))
                                       .add("two/data/m x.bin", b.bin));
   CHECK(distance(folders.keyframes.keys[1].positions, boxPose(1)) < floatError);
-  SUBCASE("white space and escapes in a data URI count for nothing") {
+  SUBCASE("white space and escapes in a data URI are ignored") {
     json doc = a.withBuffer();
     std::string uri = dataUri(a.bin);
     uri.insert(60, "\r\n  ");
@@ -61,11 +61,11 @@ TEST_CASE("a .gltf finds its buffer inside, beside it and in folders") {
     const Import inside = imported(Files().add("a.gltf", bytesOf(doc.dump())).add("b.glb", b.glb()));
     CHECK(distance(inside.keyframes.keys[0].positions, boxPose(0)) < floatError);
   }
-  SUBCASE("also where the files came without their folders") {
+  SUBCASE("also if the files are given without their folders") {
     CHECK(imported(Files().add("a.gltf", a.gltfBeside("buffers/a.bin")).add("a.bin", a.bin).add("b.glb", b.glb()))
               .keyframes.keyCount() == 2);
   }
-  SUBCASE("and where it lies above, if the name says so") {
+  SUBCASE("and in a parent folder, if the name says so") {
     CHECK(imported(Files().add("m/a.gltf", a.gltfBeside("../a.bin")).add("a.bin", a.bin).add("b.glb", b.glb()))
               .keyframes.keyCount() == 2);
   }
@@ -117,14 +117,14 @@ TEST_CASE("morph targets with one weight animation: its key times are the keys")
   CHECK(import.animations[0].keys == 3);
   CHECK(import.keyframes.keys[1].time == 0.25);
   CHECK(distance(import.keyframes.keys[2].positions, boxPose(3)) < floatError);
-  SUBCASE("unless times are asked for") {
+  SUBCASE("unless times are requested") {
     ImportOptions options;
     options.sampleTimes = {0, 1.125};
     const Import sampled = imported(Files().add("m.glb", maker.glb()), options);
     REQUIRE(sampled.keyframes.keyCount() == 2);
     CHECK(distance(sampled.keyframes.keys[1].positions, boxPose(2)) < floatError);  // halfway between targets 1 and 2
   }
-  SUBCASE("or a number of them") {
+  SUBCASE("or a number of times") {
     ImportOptions options;
     options.sampleCount = 5;
     options.sampleAsked = true;
@@ -132,7 +132,7 @@ TEST_CASE("morph targets with one weight animation: its key times are the keys")
     REQUIRE(sampled.keyframes.keyCount() == 5);
     CHECK(sampled.keyframes.keys[4].time == 2);
   }
-  SUBCASE("key times of one's own replace them") {
+  SUBCASE("given key times replace them") {
     ImportOptions options;
     options.keyTimes = {0, 1, 5};
     CHECK(imported(Files().add("m.glb", maker.glb()), options).keyframes.keys[2].time == 5);
@@ -189,7 +189,7 @@ TEST_CASE("every primitive of every node, transforms applied, in depth-first ord
   CHECK(import.scene.groups.size() == 3);
 }
 
-TEST_CASE("a mirroring node turns its faces round") {
+TEST_CASE("a mirroring node reverses its faces") {
   GltfMaker maker = boxFile();
   maker.doc["nodes"][0]["scale"] = {-1, 1, 1};
   const Import import = imported(two(maker, maker));
@@ -226,7 +226,7 @@ TEST_CASE("strips and fans") {
   primitive["mode"] = 6;
   import = imported(two(maker, maker));
   CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
-  SUBCASE("a strip's stitches are no faces") {
+  SUBCASE("degenerate triangles that join strips are no faces") {
     primitive["mode"] = 5;
     primitive["indices"] = maker.accessor(std::vector<std::uint8_t>{0, 1, 2, 2, 3, 3, 4, 1}, "SCALAR", 1, glUInt8);
     import = imported(two(maker, maker));
@@ -234,7 +234,7 @@ TEST_CASE("strips and fans") {
   }
 }
 
-TEST_CASE("lines and points are left out with a warning") {
+TEST_CASE("lines and points are omitted with a warning") {
   GltfMaker maker = boxFile();
   json line = maker.doc["meshes"][0]["primitives"][0];
   line["mode"] = 1;
@@ -316,7 +316,7 @@ TEST_CASE("interleaved attributes, and normals of the first key") {
   CHECK((import.keyframes.normals[5] - Vec3(0, -1, 0)).norm() < floatError);  // z rotated about x
 }
 
-TEST_CASE("materials, coordinates, colours and images are kept as they are") {
+TEST_CASE("materials, coordinates, colours and images are unchanged") {
   GltfMaker maker = boxFile();
   const Bytes png = bytesOf("\x89PNG\r\n\x1a\n and so on");
   const int image = maker.add("images", {{"bufferView", maker.view(png)}, {"mimeType", "image/png"}});
@@ -402,7 +402,7 @@ TEST_CASE("unread extensions and extras do not matter") {
   CHECK(imported(two(maker, boxFile(1))).keyframes.keyCount() == 2);
 }
 
-TEST_CASE("files that only accompany meshes are no keys") {
+TEST_CASE("files that only accompany meshes are not keys") {
   const Import import = imported(Files()
                                      .add("a.glb", boxFile().glb())
                                      .add("README.md", bytesOf("hello"))

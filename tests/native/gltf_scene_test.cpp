@@ -65,7 +65,7 @@ int bytes(GltfMaker& maker, const std::vector<std::uint8_t>& values) {
 
 }  // namespace
 
-TEST_CASE("pointers to a node's translation, rotation and scale move it as its own channels do") {
+TEST_CASE("pointers to a node's translation, rotation and scale move it like its own channels") {
   for (const char* required : {"extensionsUsed", "extensionsRequired"}) {
     GltfMaker maker = boxFile();
     maker.doc[required] = {"KHR_animation_pointer"};
@@ -118,7 +118,7 @@ TEST_CASE("pointers that cannot be followed are named; those of materials are ig
   CHECK(says(messageOf(tried(weight)), "too few morph targets"));
 }
 
-TEST_CASE("hidden nodes and what hangs below them are not shown") {
+TEST_CASE("hidden nodes and their children are not shown") {
   GltfMaker maker = morphFile({0, 1});
   addBox(maker, 9, "ghost", false);
   const int child = addBox(maker, 20, "child");
@@ -132,13 +132,13 @@ TEST_CASE("hidden nodes and what hangs below them are not shown") {
   CHECK(pose->keyframes.vertexCount() == 8);
 }
 
-TEST_CASE("a file whose meshes are all hidden says so") {
+TEST_CASE("a file with hidden meshes only gives an error") {
   GltfMaker maker = morphFile({0, 1});
   maker.doc["nodes"][0]["extensions"] = {{"KHR_node_visibility", {{"visible", false}}}};
   CHECK(says(messageOf(tried(maker)), "only hidden meshes (KHR_node_visibility)"));
 }
 
-TEST_CASE("where visibility changes, the first key decides, with a warning") {
+TEST_CASE("if visibility changes, the first key decides, with a warning") {
   GltfMaker maker = boxFile();
   addBox(maker, 9, "lamp", false);
   const int times = maker.scalars({0, 1});
@@ -157,7 +157,7 @@ TEST_CASE("where visibility changes, the first key decides, with a warning") {
   CHECK(!warningOf(hidden, "visibility-changes"));
 }
 
-TEST_CASE("each instance of EXT_mesh_gpu_instancing is shown where it stands") {
+TEST_CASE("each instance of EXT_mesh_gpu_instancing is shown at its position") {
   GltfMaker maker = morphFile({0, 1});
   maker.doc["nodes"][0]["translation"] = {10, 0, 0};
   const float half = std::sqrt(0.5f);
@@ -179,7 +179,7 @@ TEST_CASE("each instance of EXT_mesh_gpu_instancing is shown where it stands") {
   CHECK(says(messageOf(tried(maker)), "as many elements"));
 }
 
-TEST_CASE("extensions that may change the shape and are not applied are named") {
+TEST_CASE("ignored extensions that may change the shape are named") {
   const auto with = [](const char* used, const char* onNode) {
     GltfMaker maker = morphFile({0, 1});
     if (*used) maker.doc["extensionsUsed"] = {used};
@@ -244,7 +244,7 @@ std::vector<std::string> names(const Import& import) {
 
 }  // namespace
 
-TEST_CASE("morph targets of several meshes are joined by name, and by index where there are no names") {
+TEST_CASE("morph targets of several meshes are joined by name, and by index without names") {
   GltfMaker maker;
   addMorphMesh(maker, 0, {{"bend", 1}, {"twist", 2}}, true);
   addMorphMesh(maker, 9, {{"twist", 4}, {"only", 8}}, true);
@@ -297,7 +297,7 @@ std::vector<double> places(const Import& import) {
 
 }  // namespace
 
-TEST_CASE("animations of one pose are passed over for the first that moves, and listed") {
+TEST_CASE("animations of one pose are skipped for the first that moves, and listed") {
   for (const std::vector<double>& still : {std::vector<double>{3}, {3, 3}, {3, 3, 3}}) {
     GltfMaker maker = boxFile();
     maker.add("animations", {{"name", "empty"}, {"samplers", json::array()}, {"channels", json::array()}});
@@ -322,7 +322,7 @@ TEST_CASE("animations of one pose are passed over for the first that moves, and 
   }
 }
 
-TEST_CASE("where no animation moves, each is a key of its name") {
+TEST_CASE("if no animation moves, each is a key with its name") {
   GltfMaker maker = boxFile();
   addMove(maker, "TPose", {0});
   addMove(maker, "reach", {1, 1});
@@ -391,7 +391,7 @@ TEST_CASE("a still action poses its file beside others that have none, or one th
   CHECK(of({{2, 2}, {0, 7}, {5, 5}}) == std::vector<double>{2, 0, 5});
 }
 
-TEST_CASE("what the first file shows is found in others that hide it") {
+TEST_CASE("objects of the first file are found in files that hide them") {
   const auto file = [](bool visible, double x) {
     GltfMaker maker = boxFile();
     maker.doc["nodes"][0]["translation"] = {x, 0, 0};
@@ -409,7 +409,7 @@ TEST_CASE("what the first file shows is found in others that hide it") {
   CHECK(one->keyframes.vertexCount() == 8);
 }
 
-TEST_CASE("two pose libraries follow each other; one that is in every file counts once") {
+TEST_CASE("two pose libraries follow each other; one contained in every file counts once") {
   const auto library = [](std::vector<double> xs) {
     GltfMaker maker = boxFile();
     for (double x : xs) addMove(maker, ("at " + std::to_string(int(x))).c_str(), {x});
@@ -437,7 +437,7 @@ TEST_CASE("poses that files show in other places are those of the files, whateve
   CHECK(places(*import) == std::vector<double>{0, 1});
 }
 
-TEST_CASE("what a few bytes repeat is counted before a vertex is read") {
+TEST_CASE("repeated use of a few bytes is counted before a vertex is read") {
   const auto grid = [](int side) {
     GltfMaker maker;
     Positions points;
@@ -498,7 +498,7 @@ TEST_CASE("what a few bytes repeat is counted before a vertex is read") {
   CHECK(Files().add("a.glb", fits.glb()).add("b.glb", fits.glb()).import().ok());
 }
 
-TEST_CASE("indices of lists are whole numbers that fit, too") {
+TEST_CASE("indices of lists must be whole numbers in range") {
   const auto with = [](auto change) {
     GltfMaker maker = morphFile({0, 1});
     maker.add("nodes", {{"name", "other"}});

@@ -107,7 +107,7 @@ TEST_CASE("an exported animation imports with its frames as keys") {
   for (int k = 0; k < 3; ++k) CHECK(distance(import->keyframes.keys[k].positions, boxPose(0.1 * k)) < 1e-6);
 }
 
-TEST_CASE("a saved project brings back its keys, not its frames") {
+TEST_CASE("a saved project restores its keys, not its frames") {
   const Scene scene;
   AnimationSource source = bending({0, 0.25, 0.5, 0.75, 1}, scene, 1);
   source.project =
@@ -125,7 +125,7 @@ TEST_CASE("a saved project brings back its keys, not its frames") {
   CHECK(distance(import->keyframes.keys[2].positions, boxPose(0.4)) < 1e-6);
   CHECK(json::parse(import->project)["options"]["boundary"] == "hermite");
   CHECK(import->warnings.empty());
-  SUBCASE("samples that are asked for win") {
+  SUBCASE("requested samples take precedence") {
     ImportOptions options;
     options.sampleTimes = {0, 1};
     import = files.import(options);
@@ -167,7 +167,7 @@ TEST_CASE("a broken project is ignored with a warning") {
   }
 }
 
-TEST_CASE("materials, coordinates, colours and images go round") {
+TEST_CASE("materials, coordinates, colours and images are restored") {
   Scene scene;
   for (int i = 0; i < 8; ++i) {
     scene.uvs.insert(scene.uvs.end(), {i / 8.0f, 1 - i / 8.0f});
@@ -283,7 +283,7 @@ TEST_CASE("the size is known beforehand to a few percent") {
   }
 }
 
-TEST_CASE("at most as many frames as open again") {
+TEST_CASE("the number of frames is limited to what opens again") {
   const Scene scene;
   std::vector<double> seconds(4000);
   for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = static_cast<double>(k);
@@ -306,7 +306,7 @@ TEST_CASE("at most as many frames as open again") {
   CHECK(refusal(bending(seconds, scene)).find("16,004,000 weights") != std::string::npos);
 }
 
-TEST_CASE("exports that cannot be are refused") {
+TEST_CASE("invalid exports are refused") {
   const Scene scene;
   const auto code = [&](const AnimationSource& source) {
     const auto written = writeAnimatedGlb(source);
@@ -404,7 +404,7 @@ TEST_CASE("a texture's seams are split open in the file, and closed when it open
     CHECK(split->keyframes.vertexCount() == static_cast<int>(drawn));
     CHECK(split->scene.uvs == scene.uvs);
   }
-  SUBCASE("numbers of vertices that are none, or whose copies stand elsewhere, are not believed") {
+  SUBCASE("vertex numbers that are invalid, or whose copies have different positions, are ignored") {
     const json& accessor = file.doc["accessors"][primitive["attributes"]["_SHAPESPLINE_VERTEX"].get<int>()];
     const std::size_t at =
         file.doc["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"].get<std::size_t>() + 4 * (drawn - 1);
@@ -419,7 +419,7 @@ TEST_CASE("a texture's seams are split open in the file, and closed when it open
   }
 }
 
-TEST_CASE("every primitive has vertices of its own, and the mesh opens again with its vertices in their order") {
+TEST_CASE("every primitive has separate vertices, and the mesh opens again with its vertices in their order") {
   Scene scene;
   SUBCASE("with seams") { scene = seamScene(); }
   SUBCASE("without") {}
@@ -462,7 +462,7 @@ TEST_CASE("every primitive has vertices of its own, and the mesh opens again wit
   for (int k = 0; k < 2; ++k) CHECK(distance(import->keyframes.keys[k].positions, boxPose(0.2 * k)) < 1e-6);
 }
 
-TEST_CASE("vertices that no face names are kept with several materials, too") {
+TEST_CASE("vertices without faces are kept, also with several materials") {
   Scene scene;
   scene.materials.resize(2);
   scene.groups = {{0, 1, 0}, {1, 1, 1}};
@@ -475,7 +475,7 @@ TEST_CASE("vertices that no face names are kept with several materials, too") {
   CHECK(import->keyframes.faces == std::vector<Triangle>{{1, 2, 3}, {1, 3, 4}});
 }
 
-TEST_CASE("weights of one's own: every target at every time") {
+TEST_CASE("given weights: every target at every time") {
   const Scene scene;
   AnimationSource source = bending({0, 1, 2, 3}, scene);
   source.weights = {0, 0, 0.5f, 0, 1, 0.25f, 0, 1};  // for frames 1 and 2, bent by 0.1 and 0.2
@@ -513,7 +513,7 @@ TEST_CASE("texture coordinates are kept without a texture, with their seams, and
         doctest::Approx(file.bytes.size()).epsilon(0.5));
 }
 
-TEST_CASE("single poses with seams go round as GLB and OBJ, in the mesh's own vertices and faces") {
+TEST_CASE("single poses with seams are restored from GLB and OBJ, with the same vertices and faces") {
   const Scene scene = seamScene();
   const std::vector<float> positions = floats(boxPose(0.1)), normals = floats(outward(boxPose(0.1)));
   const auto glb = writePoseGlb(positions, normals, boxFaces(), scene);
@@ -563,7 +563,7 @@ TEST_CASE("an OBJ keeps its polygons, coordinates, materials and normals") {
   CHECK(out.find("vn 1 1 1\n") != std::string::npos);
 }
 
-TEST_CASE("single poses go round as GLB, OBJ and PLY, bit for bit") {
+TEST_CASE("single poses are restored from GLB, OBJ and PLY, bit for bit") {
   std::vector<float> positions = floats(boxPose(1 / 3.0));
   positions[0] = 1.17549435e-38f;
   positions[1] = -9.9e17f;

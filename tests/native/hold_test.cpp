@@ -133,7 +133,7 @@ TEST_CASE("the path of a vertex does not overshoot where it rests, and is the cu
   }
 }
 
-TEST_CASE("a held motion meets its keys, and slides less where they rest") {
+TEST_CASE("a held motion passes through its keys, and slides less where they rest") {
   const Keyframes k = standing();
   Sequence plain = make(k, {});
   const double before = slide(plain, k);
@@ -160,7 +160,7 @@ TEST_CASE("a held motion has a continuous second derivative at the keys and wher
 
 // One key is ten times as large as the others. Next to it, the target of the rigid fit, a blend of vertices, swells,
 // folds and flips.
-TEST_CASE("where nothing says how the shape is turned to its target, the placement gives way smoothly") {
+TEST_CASE("where the rotation to the target is undefined, the placement fades out smoothly") {
   std::vector<Map> maps;
   for (const double angle : {0.0, 0.9, -0.9, 0.8, -0.7}) maps.push_back(bend(angle));
   maps.push_back([](const Vec3& p) -> Vec3 { return 10 * bend(0.5)(p); });
@@ -183,7 +183,7 @@ TEST_CASE("a held motion fades to the plain one an interval beyond the ends, and
   CHECK(shapeAt(held, 0.3) == shapeAt(other, 0.3));
 }
 
-TEST_CASE("a rigid motion stays what it is, however it is held") {
+TEST_CASE("a rigid motion does not change with holding") {
   for (const double angle : {40.0, 100.0, 170.0}) {
     std::vector<Map> maps;
     for (int j = 0; j < 4; ++j) maps.push_back(turn({1, 2, 0.5}, radians(angle) * j, Vec3(j * j, 2 * j, 0)));
@@ -195,7 +195,7 @@ TEST_CASE("a rigid motion stays what it is, however it is held") {
   }
 }
 
-TEST_CASE("a common rigid motion, another unit of length or of time change a held motion by nothing else") {
+TEST_CASE("a held motion follows a common rigid motion and changes of the units of length and time exactly") {
   const Keyframes k = standing();
   const Map moved = turn({0.3, -1, 2}, 2.2, Vec3(4, -3, 9));
   Keyframes other = k;
@@ -212,7 +212,7 @@ TEST_CASE("a common rigid motion, another unit of length or of time change a hel
   }
 }
 
-TEST_CASE("neither rounding nor a common rigid motion decides what rests") {
+TEST_CASE("rounding and a common rigid motion do not affect what rests") {
   // The lower half creeps by about 1e-5 of the size, or rests up to rounding or exactly, for four spans. Then it walks.
   const Shape shape = bar();
   const auto keysWith = [&](double creep, double rounding) {
@@ -249,7 +249,7 @@ TEST_CASE("neither rounding nor a common rigid motion decides what rests") {
   }
 }
 
-TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
+TEST_CASE("switching holding on and off gives the same motions bit for bit") {
   const Keyframes k = standing();
   std::vector<double> times;
   for (const Key& key : k.keys) times.push_back(key.time);
@@ -274,7 +274,7 @@ TEST_CASE("held or not, one motion leads to the other and back bit for bit") {
   CHECK(shapeAt(updated, 1.4) == shapeAt(plain, 1.4));
 }
 
-TEST_CASE("holding factors once when it is switched on, whatever else changes") {
+TEST_CASE("holding factors once when it is switched on, for any other changes") {
   const Keyframes k = standing();
   const std::vector<double> times = {0, 1, 2.5, 3, 4}, later = {0, 1, 1.8, 3, 4};
   Sequence s = make(k, {});
@@ -301,7 +301,7 @@ TEST_CASE("holding factors once when it is switched on, whatever else changes") 
   CHECK_FALSE(fitted(other, times, &third).pinned()->sharesSystem(third.pinned()));
 }
 
-TEST_CASE("parts of one body move as one where they are held") {
+TEST_CASE("held parts of one body move together") {
   // A wheel turns next to the resting half. None of its vertices rest, and it must move with the resting half.
   const Vec3 hub(0.85, 0, 3);
   const Shape body = bar();
@@ -333,7 +333,7 @@ TEST_CASE("parts of one body move as one where they are held") {
   CHECK(moved > 2e-3 * diagonalOf(k));
 }
 
-TEST_CASE("separate objects are placed each by itself, and what stays joined as one") {
+TEST_CASE("separate objects are placed independently, and joined objects together") {
   // One bar walks away, rotating and bending; the other stays and nods.
   const Shape first = bar();
   const Shape both = joined(first, bar());
@@ -426,7 +426,7 @@ TEST_CASE("objects and parts of real shapes") {
   CHECK(kept < plain);
 }
 
-TEST_CASE("a ghost goes with the shape that is held") {
+TEST_CASE("a ghost follows the held shape") {
   const Keyframes k = standing();
   EncodingOptions encoding = doublePrecision();
   encoding.ghostFaces = 300;
@@ -446,7 +446,7 @@ TEST_CASE("a ghost goes with the shape that is held") {
   CHECK(moved > 1e-3 * diagonalOf(k));
 }
 
-TEST_CASE("a loop that walks on is held over its seam") {
+TEST_CASE("a loop that moves on is held across its seam") {
   Keyframes k = standing();
   k.keys[4].positions = k.keys[0].positions;
   for (Vec3& p : k.keys[4].positions) p += Vec3(0, 2, 0);
@@ -506,7 +506,7 @@ MotionOptions comparedMotion(int column) {
 
 }  // namespace
 
-TEST_CASE("held motions against captured ones" * dense) {
+TEST_CASE("held motions compared with captured ones" * dense) {
   const std::vector<std::string> files = {"skin/CesiumMan.glb", "skin/Fox.glb", "skin/Soldier.glb"};
   if (!hasData(files)) return;
   struct Run {
@@ -544,7 +544,7 @@ TEST_CASE("held motions against captured ones" * dense) {
 
 // Reference numbers from a numpy implementation with a different partition. They use welded vertices in the frames
 // between the keys, with sliding in % of the first frame's diagonal.
-TEST_CASE("a walking man is held as another implementation holds him") {
+TEST_CASE("holding a walking man agrees with another implementation") {
   if (!hasData({"skin/CesiumMan.glb"})) return;
   constexpr int every = 8;
   constexpr double kg[] = {4.31, 4.20, 4.01}, fittedKg[] = {3.53, 3.35, 3.17}, slide[] = {0.254, 0.515, 0.240};

@@ -59,7 +59,7 @@ TEST_CASE("single precision stays close to double between the keys") {
   }
 }
 
-TEST_CASE("a common rigid motion of all keys moves the whole sequence by it") {
+TEST_CASE("a common rigid motion of all keys moves the whole sequence") {
   const Keyframes k = bentBar({0, 80, 20});
   const Map move = turn(Vec3(1, 2, -0.5), 2.2, Vec3(3, -7, 11));
   Keyframes moved = k;
@@ -134,7 +134,7 @@ TEST_CASE("a twisted bar follows the analytic twist within KG 1.5") {
   CHECK(error < 1.5);
 }
 
-TEST_CASE("a bend keeps its volume where a linear blend loses it") {
+TEST_CASE("a bend keeps its volume, unlike a linear blend") {
   for (const auto& [bendDegrees, share] : {std::pair{120.0, 0.99}, std::pair{340.0, 0.96}}) {
     const double degrees = bendDegrees;
     const Keyframes k = bentBar({0, degrees});

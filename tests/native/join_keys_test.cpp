@@ -140,7 +140,7 @@ void checkSheet(const Import& import, double from, double to) {
 
 }  // namespace
 
-TEST_CASE("poses that flat shading splits are one mesh, whichever of them comes first") {
+TEST_CASE("poses split by flat shading are one mesh, in any order") {
   for (const bool sorted : {true, false}) {
     CAPTURE(sorted);
     for (const auto& [first, second] : {std::pair{shared(0), flat(0.4, sorted)},
@@ -156,7 +156,7 @@ TEST_CASE("poses that flat shading splits are one mesh, whichever of them comes 
   }
 }
 
-TEST_CASE("quads that are cut along the other diagonal take the first key's, shared or split") {
+TEST_CASE("quads cut along the other diagonal get that of the first key, with shared or split vertices") {
   for (const Strip& second : {shared(0.4, true), flat(0.4, true, true), flat(0.4, false, true)}) {
     const auto import = joined({shared(0), second});
     REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
@@ -168,7 +168,7 @@ TEST_CASE("quads that are cut along the other diagonal take the first key's, sha
   }
 }
 
-TEST_CASE("quads that are split and cut otherwise at the same time are found, whichever way is first") {
+TEST_CASE("quads with different splits and diagonals are matched, in any order") {
   const std::vector<Cut> plain{firstPose};
   const std::vector<Cut> mixes[] = {{firstPose, secondPose},
                                     {firstPose, turnedPose},
@@ -197,7 +197,7 @@ TEST_CASE("quads that are split and cut otherwise at the same time are found, wh
         }
 }
 
-TEST_CASE("triangles that fly apart are the same mesh still") {
+TEST_CASE("triangles that fly apart are still the same mesh") {
   Strip whole = sheet(0, {firstPose}, Split::Triangles, false), apart = whole;
   for (std::size_t f = 0; f < apart.faces.size(); ++f)
     for (const int v : apart.faces[f]) apart.positions[v].y() += double(f) * f;
@@ -208,7 +208,7 @@ TEST_CASE("triangles that fly apart are the same mesh still") {
   CHECK(back->keyframes.keys[1].positions == whole.positions);
 }
 
-TEST_CASE("faces in another order are found") {
+TEST_CASE("faces in another order are matched") {
   Strip second = shared(0.4);
   std::reverse(second.faces.begin(), second.faces.end());
   const auto import = joined({shared(0), second});
@@ -216,7 +216,7 @@ TEST_CASE("faces in another order are found") {
   checkCorners(*import, {0, 0.4});
 }
 
-TEST_CASE("what touches in the first key and parts in another is split, and said") {
+TEST_CASE("vertices that coincide in the first key and separate in another are split, with a warning") {
   // The strip as a ring, closed by one vertex pair in the first key and open in the second.
   Strip closed = shared(0), open = shared(0.4);
   for (Triangle& f : closed.faces)
@@ -236,7 +236,7 @@ TEST_CASE("what touches in the first key and parts in another is split, and said
     }
 }
 
-TEST_CASE("other meshes are refused, and the sentence says what to do") {
+TEST_CASE("other meshes are refused with advice") {
   Strip shuffled = flat(0.4, false), fewer = shared(0.4);
   std::rotate(shuffled.faces.begin(), shuffled.faces.begin() + 5, shuffled.faces.end());
   fewer.faces.pop_back();
@@ -254,7 +254,7 @@ TEST_CASE("other meshes are refused, and the sentence says what to do") {
   }
 }
 
-TEST_CASE("one face of other vertices is another mesh, however many there are") {
+TEST_CASE("one different face makes a different mesh, for any number of faces") {
   Strip other = shared(0.4), more = flat(0.4, false);
   other.faces[3][0] = 13;
   more.faces[3][0] = more.faces[9][0];
@@ -262,7 +262,7 @@ TEST_CASE("one face of other vertices is another mesh, however many there are") 
   CHECK(joined({shared(0), more}).error().code == ErrorCode::VertexCountMismatch);
 }
 
-TEST_CASE("faces that name wrong vertices are refused, a mesh that is numbered otherwise is not") {
+TEST_CASE("faces with wrong vertices are refused, but not a mesh with another numbering") {
   const int n = 2 * quadText + 2;
   const Strip mesh = shared(0);
   // Indices from 0 instead of 1, the reverse, and shifts that wrap around at the last vertex.
@@ -304,7 +304,7 @@ TEST_CASE("an OBJ whose faces count its vertices from 0 is refused") {
   CHECK(Files().add("a.obj", obj(0, 2)).add("b.obj", obj(0.4, 2)).import().ok());
 }
 
-TEST_CASE("keys that are one pose are named, with the reason and what to do") {
+TEST_CASE("equal keys are named, with the reason and advice") {
   const auto all = joined({shared(0.2), shared(0.2), shared(0.2)});
   REQUIRE(all.ok());
   REQUIRE(all->warnings.size() == 1);
@@ -320,7 +320,7 @@ TEST_CASE("keys that are one pose are named, with the reason and what to do") {
   CHECK(joined({shared(0), shared(0.2), shared(0)})->warnings.empty());
 }
 
-TEST_CASE("poses come in the vertices of the mesh that they are said to be of") {
+TEST_CASE("poses get the vertices of the given mesh") {
   const Strip mesh = shared(0), split = flat(0.4, false);
   ImportOptions options;
   options.like = mesh.faces;
@@ -335,7 +335,7 @@ TEST_CASE("poses come in the vertices of the mesh that they are said to be of") 
         ErrorCode::InvalidOption);
 }
 
-TEST_CASE("vertex colours that are all zero are none") {
+TEST_CASE("vertex colours that are all zero are ignored") {
   const Strip strip = shared(0);
   const auto withColours = [&](float green) {
     GltfMaker maker;
@@ -350,7 +350,7 @@ TEST_CASE("vertex colours that are all zero are none") {
   CHECK(withColours(0.5f).size() == 4 * strip.positions.size());
 }
 
-TEST_CASE("objects of a glTF and of an OBJ can be left out") {
+TEST_CASE("objects of a glTF and of an OBJ can be excluded") {
   const auto scene = [](double bend) {
     GltfMaker maker;
     const Strip strip = shared(bend), floor = shared(0);
@@ -384,7 +384,7 @@ TEST_CASE("objects of a glTF and of an OBJ can be left out") {
   check(Files().add("a.obj", bytesOf(obj)).add("b.obj", bytesOf(obj + "o Empty\n")), {"Floor", "Thing"}, "Thing", 4);
 }
 
-TEST_CASE("objects that not every file has are left out, and said") {
+TEST_CASE("objects that some files do not have are excluded, with a warning") {
   const auto scene = [](double bend, const std::vector<std::string>& names) {
     GltfMaker maker;
     for (const std::string& name : names) {

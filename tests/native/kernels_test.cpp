@@ -255,7 +255,7 @@ TEST_CASE("kernels: indefinite faces are counted, and one of them is named") {
   CHECK(kernel.indefinite.slot >= 0);
 }
 
-TEST_CASE("kernels: normals are the area-weighted ones, unit vectors at every scale") {
+TEST_CASE("kernels: normals are area-weighted, and unit vectors at every scale") {
   PlainMesh mesh = sheet();
   const Positions normals = normalsOf(mesh), plain = plainNormals(mesh);
   for (std::size_t v = 0; v < normals.size(); ++v) {
@@ -270,7 +270,7 @@ TEST_CASE("kernels: normals are the area-weighted ones, unit vectors at every sc
   for (const Vec3& up : normalsOf(mesh)) CHECK(up == Vec3::UnitZ());
 }
 
-TEST_CASE("kernels: a column in which every face rests is not stored, and one in which a face does not, is") {
+TEST_CASE("kernels: a column in which every face rests is not stored, any other is") {
   FaceCoordinates<float> coordinates(6, 3, 1.0f);
   coordinates.store();
   for (int f = 0; f < 6; ++f) coordinates.set(f, 1, 0, 0.1f * static_cast<float>(f)), coordinates.set(f, 2, 3, 2.0f);
@@ -291,7 +291,7 @@ TEST_CASE("kernels: a column in which every face rests is not stored, and one in
   }
 }
 
-TEST_CASE("kernels: columns whose weight the precision cannot see are left out, and the others keep their places") {
+TEST_CASE("kernels: columns with a weight below the precision are omitted, and the others keep their positions") {
   const PoseWeights weights{.column = {1e-3, 1e-9, -1e-10, 0.5, 1e-19, 0.499}, .keys = 6};
   FaceCoordinates<float> single(4, 6, 1.0f);
   FaceCoordinates<double> full(4, 6, 1.0);
@@ -305,7 +305,7 @@ TEST_CASE("kernels: columns whose weight the precision cannot see are left out, 
   CHECK(placesOf(full.weights(weights)) == std::vector<int>{0, 1, 2, 3, 5});
 }
 
-TEST_CASE("kernels: a blend of many columns with the weights of a spline is that of all of them, to a rounding step") {
+TEST_CASE("kernels: a spline blend of many columns equals the complete one, up to a rounding step") {
   // With each key farther from t, weights shrink to 0.27 of their value.
   std::vector<double> weights(100);
   double sum = 0;

@@ -30,9 +30,9 @@ bool says(const Error& e, const char* words) { return e.message.find(words) != s
 
 }  // namespace
 
-TEST_CASE("good keys pass") { CHECK(validate(good()).ok()); }
+TEST_CASE("valid keys are accepted") { CHECK(validate(good()).ok()); }
 
-TEST_CASE("bad keys are refused with their place") {
+TEST_CASE("invalid keys are refused with the location") {
   Keyframes k = good();
   k.keys.resize(1);
   CHECK(refused(k).code == ErrorCode::TooFewKeys);
@@ -76,7 +76,7 @@ TEST_CASE("bad keys are refused with their place") {
   CHECK(e.key == 2);
 }
 
-TEST_CASE("faces that differ are named, and what kind of difference it is") {
+TEST_CASE("different faces are named, with the kind of difference") {
   const std::vector<Triangle> first = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
   CHECK(compareFaces(first, first, 1, "x").ok());
   CHECK(compareFaces(first, {{0, 1, 2}}, 1, "x").error().code == ErrorCode::FaceCountMismatch);
@@ -89,7 +89,7 @@ TEST_CASE("faces that differ are named, and what kind of difference it is") {
   CHECK(says(compareFaces(first, {{0, 2, 1}, {0, 2, 3}, {0, 3, 4}}, 1, "x").error(), "opposite winding"));
 }
 
-TEST_CASE("triangles may start at another corner, but neither turn around nor change places") {
+TEST_CASE("triangles may start at another corner, but must have the same orientation and order") {
   const std::vector<Triangle> first = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
   CHECK(compareFaces(first, {{1, 2, 0}, {3, 0, 2}, {0, 3, 4}}, 1, "x").ok());
   CHECK(says(compareFaces(first, {{2, 1, 0}, {3, 0, 2}, {0, 3, 4}}, 1, "x").error(), "opposite winding"));
@@ -98,7 +98,7 @@ TEST_CASE("triangles may start at another corner, but neither turn around nor ch
   CHECK(!compareFaces({{0, 0, 1}}, {{0, 1, 1}}, 1, "x").ok());
 }
 
-TEST_CASE("options that make no sense are refused and change nothing") {
+TEST_CASE("invalid options are refused and change nothing") {
   EncodingOptions encoding;
   encoding.reference = 3;
   CHECK(Sequence::create(good(), encoding, {}).error().code == ErrorCode::InvalidOption);

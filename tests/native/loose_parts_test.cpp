@@ -40,7 +40,7 @@ Shape cutApart(const Shape& shape) {
 
 }  // namespace
 
-TEST_CASE("a key that lies far away welds the same vertices as at the origin") {
+TEST_CASE("a distant key welds the same vertices as at the origin") {
   Shape fine = box(1, 1, 2, 20, 20, 40);
   fine = joined(fine, sphere({0.6, 0, 1}, 1e-4));  // small, but larger than the weld tolerance
   const auto n = static_cast<int>(fine.positions.size());
@@ -53,13 +53,13 @@ TEST_CASE("a key that lies far away welds the same vertices as at the origin") {
   }
 }
 
-TEST_CASE("a key that is one point, and a part that is, leave the others' seams as they are") {
+TEST_CASE("a key or a part that is one point does not affect the seams of others") {
   const Shape body = box(1, 1, 2, 4, 4, 8);
   const Keyframes k = keyframes(cutApart(body), {[](const Vec3&) -> Vec3 { return {1, 2, 3}; }, bend(0), bend(1)});
   CHECK(weldedCount(k) == static_cast<int>(body.positions.size()));
 }
 
-TEST_CASE("a welded vertex lies in the middle of its copies, whichever comes first") {
+TEST_CASE("a welded vertex is in the middle of its copies, in any order") {
   const Positions copies = {{1, 2, 3}, {1 + 3e-7, 2, 3}, {0, 0, 0}, {1, 2, 3 - 6e-7}};
   const Positions turned(copies.rbegin(), copies.rend());
   for (const Positions* pose : {&copies, &turned}) {
@@ -70,7 +70,7 @@ TEST_CASE("a welded vertex lies in the middle of its copies, whichever comes fir
   }
 }
 
-TEST_CASE("a hat that is one point in some key stays where it is on the shape") {
+TEST_CASE("a hat that is one point in some key stays in place on the shape") {
   const double radius = 0.3, gap = 0.1;
   const Vec3 foot(0.5, 0, 7.5), middle = foot + Vec3(gap + radius, 0, 0);
   const Shape body = bar(), hat = sphere(middle, radius);

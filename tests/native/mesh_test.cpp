@@ -122,7 +122,7 @@ TEST_CASE("repeated faces are counted in any order of their vertices, those with
   CHECK(countMesh(4, faces).duplicateFaces == 3);
 }
 
-TEST_CASE("components are counted as they are numbered: faces that share a vertex belong together") {
+TEST_CASE("components are numbered and counted consistently: faces that share a vertex belong together") {
   Shape shape = joined(joined(sphere({0, 3, 0}, 0.2), tetrahedron()), bar());
   shape.faces.push_back({0, static_cast<int>(shape.positions.size()) - 1, 1});  // connects the first part to the last
   std::vector<char> use(shape.faces.size(), 1);
@@ -157,7 +157,7 @@ TEST_CASE("long work is reported block by block, in order and to its end") {
   CHECK(heard[1] == doctest::Approx(16384.0 / 40000));
 }
 
-TEST_CASE("a part of a part of a report runs where it stands in the whole") {
+TEST_CASE("nested parts of a progress report have the right place in the whole") {
   double heard = -1;
   const auto hear = [&](double fraction) { heard = fraction; };
   const FractionReport part = partOf(partOf(hear, 0.5, 1), 0.5, 0.75);
@@ -168,7 +168,7 @@ TEST_CASE("a part of a part of a report runs where it stands in the whole") {
   CHECK(!partOf({}, 0, 0.5));
 }
 
-TEST_CASE("contacts are those that comparing all vertices finds") {
+TEST_CASE("contacts equal those found by comparing all vertices") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
   constexpr int parts = 9, size = 400;
@@ -227,7 +227,7 @@ TEST_CASE("components are attached to their nearest neighbour, rooted at the lar
   CHECK(components.ofFace[tree.link[0].contactFace] == 0);
 }
 
-TEST_CASE("rounding does not decide where a component is attached that is as near at several places") {
+TEST_CASE("rounding does not decide where a component is attached if several places are equally near") {
   Shape hat = box(0.5, 0.5, 0.5, 1, 1, 1);
   for (Vec3& p : hat.positions) p += Vec3(0, 0, 10.3);
   const Shape parts = joined(box(1, 1, 10, 2, 2, 20), hat);
@@ -249,7 +249,7 @@ TEST_CASE("rounding does not decide where a component is attached that is as nea
   for (unsigned seed = 1; seed <= 30; ++seed) CHECK(attached(1e-6, seed) == exact);
 }
 
-TEST_CASE("the zoo moves: every kind of mesh gives its keys back and stays finite") {
+TEST_CASE("every kind of mesh moves through its keys and stays finite") {
   checkMotion(tetrahedron(), "tetrahedron");
   Shape open = bar();
   open.faces.resize(open.faces.size() / 2);
@@ -279,7 +279,7 @@ TEST_CASE("the zoo moves: every kind of mesh gives its keys back and stays finit
   checkMotion(fin, "non-manifold edge");
 }
 
-TEST_CASE("a triangle that is flat in one key only keeps its keys") {
+TEST_CASE("a triangle without area in one key only passes through its keys") {
   const Shape shape = bar();
   Keyframes k = keyframes(shape, {bend(0), bend(1), bend(2)});
   const Triangle f = shape.faces[100];

@@ -75,7 +75,7 @@ Map roll(double angle) {
 
 }  // namespace
 
-TEST_CASE("a mirrored key of a ball or a bumpy bar is named, whichever it is and however it is posed") {
+TEST_CASE("a mirrored key of a ball or a bumpy bar is named, for any key and pose") {
   const Shape ball = sphere({0, 0, 0}, 1);
   CHECK(mirroredOf(keyframes(ball, {turn(Vec3::UnitX(), 0), mirrorX})) == std::vector{1});
   CHECK(mirroredOf(keyframes(ball, {turn(Vec3::UnitX(), 0), turn(Vec3(1, 2, 3), 2)})).empty());
@@ -106,7 +106,7 @@ TEST_CASE("the warning names the key and stays through updates") {
   for (const Warning& warning : sound.warnings()) CHECK(warning.code != "mirrored-key");
 }
 
-TEST_CASE("a sheet may roll up either way") {
+TEST_CASE("a sheet can roll up to either side") {
   const Shape flat = sheet();
   CHECK(mirroredOf(keyframes(flat, {turn(Vec3::UnitX(), 0), roll(3), roll(-5)})).empty());
   CHECK(mirroredOf(keyframes(flat, {roll(3), roll(-5)})).empty());
@@ -114,7 +114,7 @@ TEST_CASE("a sheet may roll up either way") {
   CHECK(mirroredOf(keyframes(sheet(200, 0.35), {roll(3), roll(-5)})).empty());
 }
 
-TEST_CASE("curvature that is noise tells nothing") {
+TEST_CASE("curvature due to noise is ignored") {
   std::mt19937 random(1);
   Shape tube = box(1, 1, 10, 16, 16, 160);  // open at its ends, but not a sheet
   std::erase_if(tube.faces, [&](const Triangle& t) {

@@ -50,7 +50,7 @@ TEST_CASE("boundaries change the motion between the keys") {
   CHECK(largestDistance(natural, shapeAt(s, 0.2)) > 0.01);
 }
 
-TEST_CASE("a periodic motion repeats, and runs on where its last key is the first one moved") {
+TEST_CASE("a periodic motion repeats, and moves on if its last key is the moved first one") {
   Sequence s = make(walk(), with(BoundaryKind::Periodic));
   CHECK(s.range().second == 3);
   const Positions first = shapeAt(s, 0.7), next = shapeAt(s, 3.7), before = shapeAt(s, -2.3);
@@ -83,7 +83,7 @@ TEST_CASE("an open periodic motion returns over a closing interval") {
   CHECK(s.update(longer, {0, 1, 2}).error().code == ErrorCode::InvalidOption);
 }
 
-TEST_CASE("whole turns are added on the way to a key") {
+TEST_CASE("full turns are added before a key") {
   const Keyframes k = keyframes(bar(), {turn(Vec3::UnitY(), 0), turn(Vec3::UnitY(), radians(60))});
   Sequence s = make(k);
   const auto halfway = [&] {
@@ -97,7 +97,7 @@ TEST_CASE("whole turns are added on the way to a key") {
   CHECK(largestDistance(shapeAt(s, 1), k.keys[1].positions) < 1e-9 * diagonalOf(k));
 }
 
-TEST_CASE("turns that the keys leave open draw a warning") {
+TEST_CASE("ambiguous turns between keys give a warning") {
   const auto codes = [](double degrees) {
     Sequence s = make(keyframes(bar(), {turn(Vec3::UnitY(), 0), turn(Vec3::UnitY(), radians(degrees))}));
     std::vector<std::string> list;
@@ -108,7 +108,7 @@ TEST_CASE("turns that the keys leave open draw a warning") {
   CHECK(codes(160) == std::vector<std::string>{"ambiguous-turn"});
 }
 
-TEST_CASE("end tangents given as shapes steer the ends, a neighbour key changes nothing") {
+TEST_CASE("end tangents given as shapes change the ends, the neighbouring key as a tangent changes nothing") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence plain = make(k, with(BoundaryKind::Hermite));
   EncodingOptions same = doublePrecision(), other = doublePrecision();
@@ -138,7 +138,7 @@ TEST_CASE("volume, area and the KG error of known shapes") {
   CHECK(kgError(a, c) == doctest::Approx(100 * 0.1 / std::sqrt(2.0)));
 }
 
-TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that leave no overshoot") {
+TEST_CASE("distances between keys, and the tensions without overshoot") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
   Sequence s = make(k);
   const KeySpacing spacing = s.featureCurve()->keySpacing();
@@ -160,7 +160,7 @@ TEST_CASE("the pace of the keys: how far they lie apart, and the tensions that l
   for (int j = 0; j < 5; ++j) CHECK(again.tension[j] == spacing.tension[j]);
 }
 
-TEST_CASE("the pace of the motion: its speed and where it swings past a key") {
+TEST_CASE("speed of the motion, and its overshoot past a key") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.1), bend(1.1), bend(1.1), bend(0.6)});
   Sequence s = make(k);
   const KeySpacing keys = s.featureCurve()->keySpacing();
@@ -194,7 +194,7 @@ TEST_CASE("the speed of the motion is the length of its step over a short time")
         doctest::Approx(step / chord).epsilon(1e-5));
 }
 
-TEST_CASE("the keys lie in their own principal plane, and the spline bends less than the geodesic") {
+TEST_CASE("the keys are in their own principal plane, and the spline bends less than the geodesic") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence s = make(k);
   const ShapePlane plane = s.featureCurve()->plane({0, 0.5, 1});

@@ -96,7 +96,7 @@ Import joined(const std::vector<Object>& first, const std::vector<Object>& secon
 
 }  // namespace
 
-TEST_CASE("named objects are matched by name, in whichever order they come") {
+TEST_CASE("named objects are matched by name, in any order") {
   const Import eyes = joined({leftBox, rightBox}, {rightBox, leftBox});
   checkMoved(eyes, shiftBy);
   CHECK(rules(eyes) == "nn");
@@ -121,7 +121,7 @@ TEST_CASE("objects of OBJ files are matched by name as well, and keep those of t
   CHECK(import.scene.objects[1].count == 12);
 }
 
-TEST_CASE("of alike objects one may be renamed: the others keep their names' places") {
+TEST_CASE("one of several similar objects can be renamed: the others are matched by name") {
   const auto eye = [](const char* name, double x) { return Object{name, "", {x, x * x, 0}}; };
   const auto third = eye("Third", 1), other = eye("Other", 1);
   const Import alike = joined({leftBox, rightBox, third}, {rightBox, other, leftBox});
@@ -135,7 +135,7 @@ TEST_CASE("of alike objects one may be renamed: the others keep their names' pla
   CHECK(apart.keyframes.vertexCount() == 16);
 }
 
-TEST_CASE("names of meshes count where nodes have none, and numbers at the end do not") {
+TEST_CASE("names of meshes are used if nodes have none, and trailing numbers are ignored") {
   const auto eye = [](const char* node, const char* mesh, double x) { return Object{node, mesh, {x, 0, 0}}; };
   checkMoved(joined({eye("", "L", -3), eye("", "R", 3)}, {eye("", "R", 3), eye("", "L", -3)}), shiftBy);
   checkMoved(joined({eye("L", "", -3), eye("R", "", 3)}, {eye("", "R", 3), eye("", "L", -3)}), shiftBy);
@@ -148,7 +148,7 @@ TEST_CASE("names of meshes count where nodes have none, and numbers at the end d
              shiftBy);
 }
 
-TEST_CASE("objects without names are matched by shape, and alike ones by place") {
+TEST_CASE("objects without names are matched by shape, and similar ones by position") {
   const auto plain = [](double x, bool pyramid = false) { return Object{"", "", {x, 0, 0}, pyramid}; };
   const Import shapes = joined({plain(-3), plain(0, true)}, {plain(0, true), plain(-3)});
   checkMoved(shapes, shiftBy);
@@ -170,14 +170,14 @@ TEST_CASE("a rotation of the whole does not swap similar objects") {
   checkMoved(joined({plain(-3), plain(3)}, {plain(3), plain(-3)}, turned), turned);
 }
 
-TEST_CASE("names that programs make up do not stand in the way of shapes") {
+TEST_CASE("automatic names do not prevent matching by shape") {
   const Object body{"Cube", "", {0, 0, 0}}, hat{"Cube.001", "", {0, 0, 5}, true};
   const Object otherBody{"Cube.001", "", {0, 0, 0}}, otherHat{"Cube", "", {0, 0, 5}, true};
   checkMoved(joined({body, hat}, {otherHat, otherBody}), shiftBy);
   checkMoved(joined({body, hat}, {otherBody, otherHat}), shiftBy);
 }
 
-TEST_CASE("names of the nodes above tell objects of one name apart") {
+TEST_CASE("names of parent nodes distinguish objects with the same name") {
   const auto nested = [](const std::vector<std::pair<std::string, double>>& sides, const Vec3& shift) {
     GltfMaker maker;
     for (const auto& [name, x] : sides) {
@@ -196,7 +196,7 @@ TEST_CASE("names of the nodes above tell objects of one name apart") {
   CHECK(import.keyframes.keys[1].positions[0].x() == doctest::Approx(3));
 }
 
-TEST_CASE("objects that not every file has are left out, with a warning") {
+TEST_CASE("objects that some files do not have are excluded, with a warning") {
   const auto leftOut = [](const Import& import) {
     return std::any_of(import.warnings.begin(), import.warnings.end(),
                        [](const Warning& w) { return w.code == "left-out-objects"; });
@@ -213,7 +213,7 @@ TEST_CASE("objects that not every file has are left out, with a warning") {
   checkMoved(joined({plain(-3)}, {plain(0, true), plain(-3)}), shiftBy);
 }
 
-TEST_CASE("an object that was chosen is found in files that call it otherwise") {
+TEST_CASE("a chosen object is found in files with other names") {
   ImportOptions options;
   options.objects = {"EyeL"};
   const Object renamed{"EyeL.002", "", {-3, 0, 0}};
@@ -226,7 +226,7 @@ TEST_CASE("an object that was chosen is found in files that call it otherwise") 
   checkMoved(*import, shiftBy);
 }
 
-TEST_CASE("a further pose of a mesh is matched with the mesh's objects") {
+TEST_CASE("a further pose is matched with the objects of its mesh") {
   const Import mesh = joined({leftBox, rightBox}, {leftBox, rightBox});
   ImportOptions options;
   options.like = mesh.keyframes.faces;
@@ -238,7 +238,7 @@ TEST_CASE("a further pose of a mesh is matched with the mesh's objects") {
   CHECK(distance(further->keyframes.keys[0].positions, mesh.keyframes.keys[1].positions) < 1e-5);
 }
 
-TEST_CASE("groups stand for objects, and may share vertices") {
+TEST_CASE("groups count as objects, and can share vertices") {
   const auto file = [](bool swapped, double up) {
     const std::string z = " " + std::to_string(up) + "\n";
     const std::string left = "g left\nf 1 2 5\nf 1 5 4\n", right = "g right\nf 2 3 6\nf 2 6 5\n";
@@ -252,7 +252,7 @@ TEST_CASE("groups stand for objects, and may share vertices") {
   CHECK(import.keyframes.keys[1].positions[2].x() == 2);
 }
 
-TEST_CASE("many objects without names take no quadratic time") {
+TEST_CASE("many objects without names do not take quadratic time") {
   // Few similar objects are compared in pairs. For many, the file order decides.
   const auto file = [](int count) {
     GltfMaker maker;

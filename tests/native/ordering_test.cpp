@@ -130,7 +130,7 @@ TEST_CASE("ordering: the symbolic factor covers all fill") {
   }
 }
 
-TEST_CASE("ordering: vertex cuts are smallest, by trying all") {
+TEST_CASE("ordering: vertex cuts are minimal, compared with all others") {
   Random random(3);
   for (int round = 0; round < 400; ++round) {
     const int band = 1 + random.below(10), size = band + 4;  // followed by two nodes Left and two Right
@@ -187,7 +187,7 @@ TEST_CASE("ordering: nested dissection has far less fill than the given order an
   CHECK(nestedDissectionOrder(graph, mesh.positions) == dissected);
 }
 
-TEST_CASE("ordering: clusters hold neighbours, and border on each other as their nodes do") {
+TEST_CASE("ordering: clusters contain neighbours, and are adjacent like their nodes") {
   Random random(9);
   const PlainMesh sheet = irregularSheet(60, 40, random);
   for (const Graph& graph : {meshGraph(sheet), randomGraph(400, 300, random), graphFromEdges(3, {}), Graph{}}) {
@@ -217,7 +217,7 @@ TEST_CASE("ordering: clusters hold neighbours, and border on each other as their
   CHECK(5 * clusterNodes(graph).graph.size() < graph.size());
 }
 
-TEST_CASE("ordering: nested dissection copes with large graphs that are no meshes") {
+TEST_CASE("ordering: nested dissection works on large graphs that are not meshes") {
   Random random(8);
   const int size = 7000;  // large enough for division by clusters
   const std::vector<Vec3> same(size, Vec3(1, 2, 3)), scattered = randomPoints(size, random);
@@ -229,7 +229,7 @@ TEST_CASE("ordering: nested dissection copes with large graphs that are no meshe
   CHECK(isPermutation(nestedDissectionOrder(randomGraph(size, 12000, random), scattered), size));
 }
 
-TEST_CASE("ordering: nested dissection copes with graphs that are no meshes") {
+TEST_CASE("ordering: nested dissection works on graphs that are not meshes") {
   Random random(7);
   const int size = 500;
   const std::vector<Vec3> same(size, Vec3(1, 2, 3)), scattered = randomPoints(size, random);

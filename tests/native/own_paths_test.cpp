@@ -35,7 +35,7 @@ Map then(const Map& first, const Map& second) {
 
 }  // namespace
 
-TEST_CASE("own paths: keys are exact, with components, a ghost, what is held, and end tangents") {
+TEST_CASE("own paths: keys are exact, with components, a ghost, holding, and end tangents") {
   Shape shape = joined(box(1, 1, 10, 2, 2, 20), sphere({0, 0, 10.8}, 0.6, 6, 12));
   shape.positions.emplace_back(0.2, 0.1, 5);  // an unused vertex
   const Keyframes k = keyframes(shape, {bend(0), bend(1.2), bend(-1), twist(2)});
@@ -62,7 +62,7 @@ TEST_CASE("own paths: keys are exact, with components, a ghost, what is held, an
       }
 }
 
-TEST_CASE("own paths: volume stays, also where a bar is twisted by a whole turn") {
+TEST_CASE("own paths: the volume is kept, also if a bar is twisted by a full turn") {
   for (const OwnPaths base : bases) {
     Sequence bent = sequenceOf(bentBar({0, 120}), doublePrecision(), ownPaths(base));
     for (const double t : {0.1, 0.3, 0.5, 0.8}) CHECK(volumeError(bent, t) < 0.2);
@@ -71,7 +71,7 @@ TEST_CASE("own paths: volume stays, also where a bar is twisted by a whole turn"
   }
 }
 
-TEST_CASE("own paths: against a frame, a key that is turned as a whole changes nothing") {
+TEST_CASE("own paths: relative to a frame, rotating a whole key changes nothing") {
   const std::vector<Map> maps = {bend(0), bend(1.5), twist(1)};
   const std::vector<Map> turned = {maps[0], maps[1], then(maps[2], turn({1, 2, -1}, 1.1, {3, -1, 2}))};
   const auto apart = [&](const MotionOptions& motion) {
@@ -88,7 +88,7 @@ TEST_CASE("own paths: against a frame, a key that is turned as a whole changes n
   CHECK(apart(ownPaths(OwnPaths::Absolute)) > 1e-4);
 }
 
-TEST_CASE("own paths: a loop goes on from where its last key stands, smoothly") {
+TEST_CASE("own paths: a loop continues smoothly from its last key") {
   const Map step = turn({0, 1, 0}, 0.7, {2, 0, 1});
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.8), bend(-0.5), step});
   for (const OwnPaths base : bases) {
@@ -101,7 +101,7 @@ TEST_CASE("own paths: a loop goes on from where its last key stands, smoothly") 
   }
 }
 
-TEST_CASE("own paths: what they cannot do is refused") {
+TEST_CASE("own paths: unsupported options are refused") {
   Sequence sequence = sequenceOf(bentBar({0, 60, 90}), doublePrecision());
   MotionOptions motion = ownPaths(OwnPaths::Root);
   motion.turns = {{1, 1}};
@@ -116,7 +116,7 @@ TEST_CASE("own paths: what they cannot do is refused") {
   CHECK(!Sequence::create(bentBar({0, 60}), paper, ownPaths(OwnPaths::Root)).ok());
 }
 
-TEST_CASE("own paths: nothing jumps" * dense) {
+TEST_CASE("own paths: the motion has no jumps" * dense) {
   if (!hasData(lionPoses)) return;
   std::vector<std::string> first(lionPoses.begin(), lionPoses.begin() + 4);
   for (const OwnPaths base : bases) {

@@ -74,7 +74,7 @@ void checkPartition(const Partitioned& p) {
 
 }  // namespace
 
-TEST_CASE("partition: patches of a large mesh are connected, as many as asked for, each within one component") {
+TEST_CASE("partition: patches of a large mesh are connected, in the requested number, each within one component") {
   checkPartition(partitioned(makeBenchKeyframes(largeFaces, 3, 1)));
   checkPartition(partitioned(makeBenchParts(largeFaces, 3, 1)));
 }
@@ -87,7 +87,7 @@ TEST_CASE("partition: a common rigid motion of all keys changes no patch of a la
   CHECK(partitioned(std::move(keys)).patches.ofFace == before);
 }
 
-TEST_CASE("clusters: connected, of few faces each, with what their faces sum up to") {
+TEST_CASE("clusters: connected, with few faces each, and the sums over their faces") {
   const Partitioned p = partitioned(makeBenchParts(6000, 3, 1));
   const int faces = p.shape.faceCount();
   std::vector<double> area(faces, 0);

@@ -45,7 +45,7 @@ TEST_CASE("a pin that follows its own spline leaves the keys exact, and moves th
   CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(plain, 1.8)) > 1e-3 * diagonalOf(k));
 }
 
-TEST_CASE("a pin that stays is where its key has it, and what is far from it hardly moves") {
+TEST_CASE("a fixed pin has its position in its key, and distant parts hardly move") {
   const Keyframes k = swaying();
   const Pin pin = atTip(k, 0);
   Sequence plain = make(k), s = make(k, pinned(pin));
@@ -74,7 +74,7 @@ TEST_CASE("a pinned motion is smooth, pure, and fades out an interval beyond the
   }
 }
 
-TEST_CASE("a common rigid motion moves a pinned motion along, and a rigid motion stays what it is") {
+TEST_CASE("a common rigid motion moves a pinned motion, and a rigid motion does not change") {
   const Keyframes k = swaying();
   const Mat3 r = expRotation(Vec3(0.3, -1, 2));
   Keyframes other = k;
@@ -98,7 +98,7 @@ TEST_CASE("a common rigid motion moves a pinned motion along, and a rigid motion
   }
 }
 
-TEST_CASE("pins beside what is held, at every boundary: keys, smoothness, rigid motions, fading") {
+TEST_CASE("pins with holding, at every boundary: keys, smoothness, rigid motions, fading") {
   const Keyframes k = swaying();
   const Mat3 r = expRotation(Vec3(0.3, -1, 2));
   Keyframes other = k;
@@ -143,7 +143,7 @@ TEST_CASE("pins beside what is held, at every boundary: keys, smoothness, rigid 
   }
 }
 
-TEST_CASE("a pin takes the parts of its body along, and leaves another object where it is") {
+TEST_CASE("a pin moves the parts of its body, but no other object") {
   // A hat on the pinned end, and a distant bar that nods independently.
   const Shape body = bar();
   const std::size_t hat = body.positions.size();
@@ -185,7 +185,7 @@ TEST_CASE("a pin takes the parts of its body along, and leaves another object wh
   CHECK(std::abs(gapIn(a) - gapIn(b)) < 0.1 * own);
 }
 
-TEST_CASE("what stays in a loop that walks on goes with it, without a seam") {
+TEST_CASE("a fixed pin moves along with a loop that moves on, without a seam") {
   Keyframes k = swaying();
   k.keys[3].positions = k.keys[0].positions;
   for (Vec3& p : k.keys[3].positions) p += Vec3(0, 2, 0);
@@ -200,7 +200,7 @@ TEST_CASE("what stays in a loop that walks on goes with it, without a seam") {
   CHECK(largestDistance(next, shapeAt(s, 4.1)) < 1e-9 * diagonalOf(k));
 }
 
-TEST_CASE("patches do not spin where the shape walks far away from what is held") {
+TEST_CASE("patches do not spin where the shape moves far from held vertices") {
   Keyframes k = swaying();
   for (Vec3& p : k.keys[3].positions) p += Vec3(12, 0, 2.4);
   Sequence s = make(k, pinned({0, 0.08, 0}));
@@ -262,7 +262,7 @@ TEST_CASE("pins on real shapes: keys, rigid motions, fading, purity" * dense) {
   }
 }
 
-TEST_CASE("a pin on a vertex in no face holds nothing, and one on a single vertex its place") {
+TEST_CASE("a pin on a vertex without faces has no effect, and one on a single vertex keeps its position") {
   Keyframes k = swaying();
   for (Key& key : k.keys) key.positions.push_back(Vec3(3, 0, 0));
   const int loose = static_cast<int>(k.keys[0].positions.size()) - 1;
@@ -272,7 +272,7 @@ TEST_CASE("a pin on a vertex in no face holds nothing, and one on a single verte
   CHECK((shapeAt(one, 1)[tip(k)] - home).norm() < (shapeAt(plain, 1)[tip(k)] - home).norm());
 }
 
-TEST_CASE("pins that cannot be meant are refused") {
+TEST_CASE("invalid pins are refused") {
   const Keyframes k = swaying();
   for (const Pin& pin : {Pin{-1, 0.1}, Pin{1 << 20, 0.1}, Pin{0, -0.1}, Pin{0, 0.1, 4},
                          Pin{0, 0.1, -1, {{1, Vec3::Zero()}, {1, Vec3::Zero()}}}}) {

@@ -72,7 +72,7 @@ void checkKey(const Import& import, int key, double frame) {
 
 }  // namespace
 
-TEST_CASE("PC2 and MDD with their OBJ are sampled at times of their own, between frames too") {
+TEST_CASE("PC2 and MDD with their OBJ are sampled at given times, also between frames") {
   ImportOptions options;
   options.sampleTimes = {1, 1.025, 1.5};  // PC2: frame 10 + 2 f at 24 per second
   const auto a = moved("cache.pc2", pc2(), options);
@@ -90,7 +90,7 @@ TEST_CASE("PC2 and MDD with their OBJ are sampled at times of their own, between
   checkKey(*even, 7, frameCount - 1);
 }
 
-TEST_CASE("a cache in other axes than its OBJ is turned to it") {
+TEST_CASE("a cache with other axes than its OBJ is rotated") {
   Mat3 zUp;
   zUp << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   const auto import = moved("cache.pc2", pc2(4, frameCount, zUp));
@@ -99,13 +99,13 @@ TEST_CASE("a cache in other axes than its OBJ is turned to it") {
   checkKey(*import, 7, frameCount - 1);
 }
 
-TEST_CASE("times that stand still are counted as frames") {
+TEST_CASE("equal times are replaced by frame numbers") {
   const auto import = moved("cache.mdd", mdd(4, frameCount, 0));
   REQUIRE(import.ok());
   CHECK(import->animations.at(0).end == doctest::Approx((frameCount - 1) / 24.0));
 }
 
-TEST_CASE("caches that are no good are refused before memory is taken") {
+TEST_CASE("invalid caches are refused before allocating memory") {
   const auto refused = [](const Result<Import>& import, ErrorCode code, const std::string& says) {
     REQUIRE(!import.ok());
     CAPTURE(import.error().message);
@@ -132,7 +132,7 @@ TEST_CASE("caches that are no good are refused before memory is taken") {
   refused(moved("a.mdd", mdd(), options), ErrorCode::UnknownAnimation, "no animation 3");
 }
 
-TEST_CASE("numbered files are frames of an animation where samples are asked for, or where there are many") {
+TEST_CASE("numbered files are frames of an animation if samples are requested, or if there are many") {
   const auto series = [](int count) {
     Files files;
     for (int f = 0; f < count; ++f)
@@ -163,7 +163,7 @@ TEST_CASE("numbered files are frames of an animation where samples are asked for
   CHECK(refused.error().message.starts_with("walk_159.obj (key 60)"));
 }
 
-TEST_CASE("files that do not say which axis is up are hinted at where they stand on z") {
+TEST_CASE("files without an up axis give a hint if they stand on z") {
   const std::string header =
       "element vertex 8\nproperty float x\nproperty float y\nproperty float z\nelement face 5\n"
       "property list uchar int vertex_indices\nend_header\n";

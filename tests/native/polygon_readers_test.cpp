@@ -57,7 +57,7 @@ double area(const Positions& p, const Triangle& f) { return 0.5 * (p[f[1]] - p[f
 
 }  // namespace
 
-TEST_CASE("the three squares are one") {
+TEST_CASE("the square is equal in all three formats") {
   for (const auto& [name, text] :
        {std::pair<std::string, std::string>{"a.obj", squareObj}, {"a.ply", squarePly}, {"a.off", squareOff}}) {
     const Import import = twice(name, text);
@@ -69,7 +69,7 @@ TEST_CASE("the three squares are one") {
   }
 }
 
-TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued lines, things that are left out") {
+TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued lines, ignored statements") {
   const Import import = twice("a.obj",
                               "# a comment\r\no thing\r\ns 1\r\nv 0 0 0 1\r\nv 1 0 0 # here\r\nv 1 1 0\r\nv 0 1 "
                               "0\r\nvt 0 0\r\nvt 1 0\r\nvt 1 1\r\nvt 0 1\r\nvn 0 0 1\r\n"
@@ -83,7 +83,7 @@ TEST_CASE("OBJ: comments, negative indices, all kinds of corners, continued line
   CHECK(import.warnings.at(0).count == 3);
 }
 
-TEST_CASE("a byte order mark is no part of a text") {
+TEST_CASE("a byte order mark is skipped") {
   for (const auto& [name, text] :
        {std::pair<std::string, std::string>{"a.obj", squareObj}, {"a.ply", squarePly}, {"a.off", squareOff}}) {
     CAPTURE(name);
@@ -92,7 +92,7 @@ TEST_CASE("a byte order mark is no part of a text") {
   }
 }
 
-TEST_CASE("OBJ: texture coordinates, with the origin above, and copies of vertices where they have several") {
+TEST_CASE("OBJ: texture coordinates with the origin at the top, and copies of vertices with several of them") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0.25\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n";
   const Import kept = twice("a.obj", vertices + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
   REQUIRE(kept.scene.uvs.size() == 8);
@@ -108,7 +108,7 @@ TEST_CASE("OBJ: texture coordinates, with the origin above, and copies of vertic
   CHECK(seam.scene.uvs == std::vector<float>{0, 0.75f, 1, 1, 1, 0, 0, 0, 0.5f, 0.5f});
 }
 
-TEST_CASE("OBJ: one copy for all corners of a vertex that lie at the same place of the texture") {
+TEST_CASE("OBJ: one copy for all corners of a vertex with the same texture region") {
   // A fan around vertex 1. Its sectors alternate between two regions of the texture, and vertices in several regions
   // are duplicated.
   std::string text = "v 0 0 0\n", faces;
@@ -120,7 +120,7 @@ TEST_CASE("OBJ: one copy for all corners of a vertex that lie at the same place 
   for (int f = 0; f < 6; ++f) CHECK(import.scene.seams.faces[f][0] == (f % 2 ? 8 : 0));
 }
 
-TEST_CASE("further poses of a mesh are cut into its triangles, however they would be cut by themselves") {
+TEST_CASE("polygons of further poses are split like those of the mesh") {
   const std::string faces = "f 1 2 3 4\nf 5 6 7 8 9\nf 1 2 6\n";
   // x determines the shorter diagonal of the first polygon and the reflex corner of the second
   const auto pose = [&](double x) {
@@ -140,7 +140,7 @@ TEST_CASE("further poses of a mesh are cut into its triangles, however they woul
   CHECK(imported(Files().add("a.obj", pose(-0.5)).add("b.obj", pose(-0.5)), options).keyframes.faces == others);
 }
 
-TEST_CASE("OBJ: polygons with seams are cut as their faces are; later keys may have other coordinates") {
+TEST_CASE("OBJ: polygons with seams are split like their faces; later keys can have other coordinates") {
   const std::string house =
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 1.5 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\nvt 0 "
       "1\nvt 0.25 0.25\n";
@@ -160,7 +160,7 @@ TEST_CASE("OBJ: polygons with seams are cut as their faces are; later keys may h
     }
 }
 
-TEST_CASE("OBJ: coordinates that are not there or no numbers are left out with a warning") {
+TEST_CASE("OBJ: missing or invalid coordinates are omitted with a warning") {
   const Import import = twice("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.5\nvt nan 0\nf 1/1 2/2 3/7\n");
   CHECK(import.scene.uvs == std::vector<float>{0.5f, 0.5f, 0, 0, 0, 0});
   REQUIRE(import.warnings.size() == 1);
@@ -168,7 +168,7 @@ TEST_CASE("OBJ: coordinates that are not there or no numbers are left out with a
   CHECK(import.warnings[0].count == 2);
 }
 
-TEST_CASE("OBJ: a vertex with a hundred thousand places in the texture takes no longer than as many vertices") {
+TEST_CASE("OBJ: a vertex with a hundred thousand texture coordinates takes no longer than as many vertices") {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", faces;
   for (int i = 1; i <= 100'000; ++i) {
     text += "vt 0." + std::to_string(100'000 + i) + " 0\n";
@@ -203,7 +203,7 @@ TEST_CASE("OBJ: materials of its MTL, and its texture") {
   CHECK(without.warnings.at(0).code == "missing-materials");
 }
 
-TEST_CASE("OBJ: images are looked for as seen from their library, and stop at their edges where it says so") {
+TEST_CASE("OBJ: images are relative to their library, and clamped if it says so") {
   const Bytes red = bytesOf("\x89PNG\r\n\x1a\n red"), blue = bytesOf("\x89PNG\r\n\x1a\n blue");
   const Bytes obj = bytesOf("mtllib paint/a.mtl\n" + squareObj),
               mtl = bytesOf(
@@ -224,7 +224,7 @@ TEST_CASE("OBJ: images are looked for as seen from their library, and stop at th
   CHECK(import.warnings.empty());
 }
 
-TEST_CASE("OBJ: a library and an image are read once, however often they are named") {
+TEST_CASE("OBJ: a library and an image are read once, even if named several times") {
   std::string obj, mtl;
   for (int i = 0; i < 3'000; ++i)
     obj += "mtllib a.mtl\n", mtl += "newmtl m" + std::to_string(i) + "\nmap_Kd a.png\nmap_Kd none.png\nmap_Kd a.png\n";
@@ -297,7 +297,7 @@ TEST_CASE("PLY: binary in both orders, other elements and properties, every type
   }
 }
 
-TEST_CASE("OFF: comments, counts on the first line, normals, colours, lines that are left out") {
+TEST_CASE("OFF: comments, counts on the first line, normals, colours, ignored lines") {
   CHECK(twice("a.off", "OFF 3 1 0 # counts\n# a comment\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n")
             .keyframes.faceCount() == 1);
   const Import normals = twice("a.off", "NOFF\n3 1 0\n0 0 0 0 0 2\n1 0 0 0 0 2\n0 1 0 0 0 2\n3 0 1 2\n");
@@ -310,7 +310,7 @@ TEST_CASE("OFF: comments, counts on the first line, normals, colours, lines that
         3);
 }
 
-TEST_CASE("polygons are split as in the first key, whatever their shape in the others") {
+TEST_CASE("polygons are split as in the first key, for any shape in the others") {
   // A dart with its inner corner at vertex 4 in the first key and at vertex 1 in the second. Each key alone would be
   // cut differently.
   const std::string face = "f 1 2 3 4\n";
@@ -347,7 +347,7 @@ TEST_CASE("concave polygons are covered without overlap") {
   CHECK(sum == doctest::Approx(7 + 4));
 }
 
-TEST_CASE("up axis and unit on glTF change nothing, and say so") {
+TEST_CASE("up axis and unit have no effect on glTF, with a warning") {
   ImportOptions options;
   options.zUp = true;
   const Import import = imported(Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb()), options);
@@ -479,7 +479,7 @@ TEST_CASE("broken OFF files") {
   checkRefused("bad.off", "not", ErrorCode::NotRecognised, "extension .off");
 }
 
-TEST_CASE("every cut of a file is refused") {
+TEST_CASE("every truncated file is refused") {
   for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.ply", squarePly}, {"a.off", squareOff}})
     for (std::size_t size = 0; size + 2 < text.size(); ++size) {
       // A text file cut inside its last number may still be complete. All earlier numbers must be present.

@@ -41,7 +41,7 @@ double largestLeft(const Rows& rows, const PrincipalOffsets& p) {
 
 }  // namespace
 
-TEST_CASE("principal offsets are as few as the tolerance needs, and say what is left") {
+TEST_CASE("principal offsets are the fewest for the tolerance, and state the remaining error") {
   const Rows rows = waves(30, 0.001);
   for (const auto& [tolerance, count] : {std::pair(1e-5, 3), std::pair(0.01, 2), std::pair(1.0, 1)}) {
     Rows scratch = rows;
@@ -57,7 +57,7 @@ TEST_CASE("principal offsets are as few as the tolerance needs, and say what is 
   }
 }
 
-TEST_CASE("principal offsets end at the number that is asked for, and at none where nothing is left") {
+TEST_CASE("principal offsets are limited to the requested number, and are empty without an error") {
   Rows rows = waves(10);
   const PrincipalOffsets one = principalOffsets(rows, 0, 1);
   CHECK(one.count == 1);

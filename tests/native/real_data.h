@@ -42,7 +42,7 @@ inline Bytes contentOf(const std::filesystem::path& file) {
 inline const std::vector<std::string> wolfPoses = {"obj/wolf/wolf-1.obj",  "obj/wolf/wolf-4.obj",
                                                    "obj/wolf/wolf-8.obj",  "obj/wolf/wolf-12.obj",
                                                    "obj/wolf/wolf-16.obj", "obj/wolf/wolf-20.obj"};
-/// Not in order, with turns of 175 degrees.
+/// In the order of their numbers, which is not that of a motion; rotations of up to 175 degrees.
 inline const std::vector<std::string> lionPoses = {"turns/lion/1.obj", "turns/lion/2.obj", "turns/lion/3.obj",
                                                    "turns/lion/4.obj", "turns/lion/5.obj", "turns/lion/6.obj",
                                                    "turns/lion/7.obj", "turns/lion/8.obj", "turns/lion/9.obj"};

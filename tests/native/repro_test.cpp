@@ -74,7 +74,7 @@ double largestGap(const Keyframes& hat) {
 
 }  // namespace
 
-TEST_CASE("repro: a wheel turns on") {
+TEST_CASE("repro: a wheel keeps turning in one direction") {
   const Car car = oneWheeled();
   for (const double step : {90.0, 100.0, 120.0, 170.0}) {
     CAPTURE(step);
@@ -83,14 +83,14 @@ TEST_CASE("repro: a wheel turns on") {
   }
 }
 
-TEST_CASE("repro: a car's wheels turn on") {
+TEST_CASE("repro: a car's wheels keep turning in one direction") {
   const Car car = fourWheeled();
   Sequence sequence = sequenceOf(car.keys(drive(90, 5)), doublePrecision());
   CHECK(sequence.stats().components == 5);
   for (int wheel = 0; wheel < car.wheels(); ++wheel) checkRolls(sequence, car, wheel, 360);
 }
 
-TEST_CASE("repro: a wheel turns on in a loop, too") {
+TEST_CASE("repro: a wheel keeps turning in a loop as well") {
   const Car car = oneWheeled();
   MotionOptions motion;
   motion.boundary = BoundaryKind::Periodic;
@@ -99,7 +99,7 @@ TEST_CASE("repro: a wheel turns on in a loop, too") {
   checkRolls(sequence, car, 0, 360);
 }
 
-TEST_CASE("repro: parts with large rotations between two keys draw a warning that says where") {
+TEST_CASE("repro: parts with large rotations between two keys give a warning with the location") {
   const Car car = oneWheeled();
   for (const double degrees : {155.0, 175.0, 185.0}) {
     CAPTURE(degrees);
@@ -115,7 +115,7 @@ TEST_CASE("repro: parts with large rotations between two keys draw a warning tha
   CHECK(warningOf(calm, "ambiguous-component-turn") == nullptr);
 }
 
-TEST_CASE("repro: turns that are added to one part silence its warning, and no other") {
+TEST_CASE("repro: turns added to one part remove its warning only") {
   const Car car = fourWheeled();
   const Keyframes keys = car.keys({{0, 0, 0}, {1, 10, 170}});
   const std::vector<double> times = {0, 1};
@@ -141,7 +141,7 @@ TEST_CASE("repro: turns that are added to one part silence its warning, and no o
   CHECK(wheelsWarnedOf({{1, 1}}) == 4);  // turns of the whole
 }
 
-TEST_CASE("repro: whole turns can be added to a part") {
+TEST_CASE("repro: full turns can be added to a part") {
   const Car car = oneWheeled();
   const std::vector<double> times = {0, 1};
   Sequence sequence = sequenceOf(car.keys(drive(90, 2)), doublePrecision());
@@ -160,7 +160,7 @@ TEST_CASE("repro: whole turns can be added to a part") {
   checkRolls(far, car, 0, 240);
 }
 
-TEST_CASE("repro: a wheel that rests in the keys turns about its axle, not about what their noise turns it") {
+TEST_CASE("repro: a wheel that rests in the keys turns about its axle, not about an axis determined by noise") {
   const Car car = oneWheeled();
   Keyframes k = car.keys({{0, 0, 0}, {1, 0, 0}});
   std::mt19937 random(3);
@@ -175,7 +175,7 @@ TEST_CASE("repro: a wheel that rests in the keys turns about its axle, not about
   CHECK(largestDistance(shapeAt(sequence, k.keys[1].time), k.keys[1].positions) < 1e-9 * diagonalOf(k));
 }
 
-TEST_CASE("repro: half a turn of the whole goes the same way wherever the shape stands") {
+TEST_CASE("repro: half a turn of the whole has the same direction at any position") {
   const Shape bar = box(1, 1, 6, 3, 3, 12);
   for (const std::vector<double>& degrees : {std::vector<double>{0, 180}, {0, 180, 360}}) {
     std::vector<Map> maps;
@@ -192,7 +192,7 @@ TEST_CASE("repro: half a turn of the whole goes the same way wherever the shape 
   }
 }
 
-TEST_CASE("repro: added turns and key times that cannot be are refused") {
+TEST_CASE("repro: invalid added turns and key times are refused") {
   const Keyframes k = keyframes(box(1, 1, 6, 2, 2, 4), {bend(0), bend(1), bend(-0.5), bend(0.2)});
   Sequence sequence = sequenceOf(k, doublePrecision());
   for (const AddedTurns& t : {AddedTurns{1, std::numeric_limits<int>::min(), -1},
@@ -209,7 +209,7 @@ TEST_CASE("repro: added turns and key times that cannot be are refused") {
   CHECK(sequence.update({}, {0, 1e-9, 0.5, 1}).ok());
 }
 
-TEST_CASE("repro: a hat that vanishes in one key stays where it sits") {
+TEST_CASE("repro: a hat that vanishes in one key stays in place") {
   for (const int small : {0, 1, 2}) {
     CAPTURE(small);
     // The limit is the gap of a nearly vanishing hat: 0.02 in the keys, 0.07 between them.
@@ -226,7 +226,7 @@ TEST_CASE("repro: a mirrored key is named") {
   CHECK(warningOf(plain, "mirrored-key") == nullptr);
 }
 
-TEST_CASE("repro: a key far away welds nothing more") {
+TEST_CASE("repro: a distant key welds no further vertices") {
   const auto welded = [](double lengths) {
     return sequenceOf(farKey(lengths), doublePrecision()).stats().weldedVertices;
   };

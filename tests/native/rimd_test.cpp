@@ -29,7 +29,7 @@ double volumeError(Sequence& sequence, double t) {
 
 }  // namespace
 
-TEST_CASE("rimd: keys are exact, with components, a ghost beside them and end tangents") {
+TEST_CASE("rimd: keys are exact, with components, a ghost and end tangents") {
   Shape shape = joined(box(1, 1, 10, 2, 2, 20), sphere({0, 0, 10.8}, 0.6, 6, 12));
   shape.positions.emplace_back(0.2, 0.1, 5);  // an unused vertex
   const Keyframes k = keyframes(shape, {bend(0), bend(1.2), bend(-1), twist(2)});
@@ -49,7 +49,7 @@ TEST_CASE("rimd: keys are exact, with components, a ghost beside them and end ta
       }
 }
 
-TEST_CASE("rimd: volume stays, also where a bar is twisted by a whole turn") {
+TEST_CASE("rimd: the volume is kept, also if a bar is twisted by a full turn") {
   Sequence bent = sequenceOf(bentBar({0, 120}), doublePrecision(), rimd());
   for (const double t : {0.1, 0.3, 0.5, 0.8}) CHECK(volumeError(bent, t) < 0.2);
   Sequence twisted = sequenceOf(twistedBar({0, 360}), doublePrecision(), rimd());
@@ -59,7 +59,7 @@ TEST_CASE("rimd: volume stays, also where a bar is twisted by a whole turn") {
   CHECK(turned.norm() == doctest::Approx(pi).epsilon(0.02));
 }
 
-TEST_CASE("rimd: where all keys are moved rigidly, so is the shape") {
+TEST_CASE("rimd: if all keys are moved rigidly, so is the shape") {
   const Map move = turn({1, 2, -1}, 2.1, {3, -1, 2});
   const std::vector<Map> maps = {bend(0), bend(1.5), twist(1)};
   std::vector<Map> moved;
@@ -70,7 +70,7 @@ TEST_CASE("rimd: where all keys are moved rigidly, so is the shape") {
     CHECK(largestDistance(mapped(shapeAt(here, t), move), shapeAt(there, t)) < 1e-8);
 }
 
-TEST_CASE("rimd: near LRI space and smooth, and it holds nothing") {
+TEST_CASE("rimd: close to LRI space and smooth, without holding") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1.5), twist(2)});
   Sequence sequence = sequenceOf(k, doublePrecision(), rimd());
   const Positions rival = shapeAt(sequence, 0.3);
@@ -84,7 +84,7 @@ TEST_CASE("rimd: near LRI space and smooth, and it holds nothing") {
   CHECK(apart < 0.02);
 }
 
-TEST_CASE("rimd: nothing jumps" * dense) {
+TEST_CASE("rimd: the motion has no jumps" * dense) {
   if (!hasData(lionPoses)) return;
   std::vector<std::string> first(lionPoses.begin(), lionPoses.begin() + 4);
   Sequence sequence = sequenceOf(realKeyframes(first), doublePrecision(), rimd());

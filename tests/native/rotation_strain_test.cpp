@@ -58,7 +58,7 @@ void checkKeys(const Keyframes& k, const EncodingOptions& encoding) {
 
 }  // namespace
 
-TEST_CASE("rotation-strain: keys are exact, with components, a ghost beside them and end tangents") {
+TEST_CASE("rotation-strain: keys are exact, with components, a ghost and end tangents") {
   const Keyframes k = keyframes(parts(), {bend(0), bend(1.2), bend(-1), twist(2)});
   EncodingOptions encoding = exactly();
   checkKeys(k, encoding);
@@ -94,7 +94,7 @@ TEST_CASE("rotation-strain: a bent bar keeps its volume, a vertex blend loses it
   CHECK(largestVolumeError(sequence) > 10);
 }
 
-TEST_CASE("rotation-strain: turns add up along the surface, and a tear near a whole turn is said") {
+TEST_CASE("rotation-strain: turns add up along the surface, and a tear near a full turn gives a warning") {
   for (const double degrees : {300.0, 640.0}) {
     Sequence far = sequenceOf(twistedBar({0, degrees}), doublePrecision(), rotationStrain());
     Vec3 turned = Vec3::Zero();
@@ -109,7 +109,7 @@ TEST_CASE("rotation-strain: turns add up along the surface, and a tear near a wh
   CHECK(!isTorn(whole));
 }
 
-TEST_CASE("rotation-strain: a loop goes on from where its last key stands") {
+TEST_CASE("rotation-strain: a loop continues from its last key") {
   const Map step = turn({0, 1, 0}, 0.7, {2, 0, 1});
   const Keyframes k = keyframes(bar(), {bend(0), bend(0.8), bend(-0.5), step});
   Sequence sequence = sequenceOf(k, doublePrecision(), rotationStrain(BoundaryKind::Periodic));
@@ -120,7 +120,7 @@ TEST_CASE("rotation-strain: a loop goes on from where its last key stands") {
   CHECK(sweep(sequence).growth < 2);
 }
 
-TEST_CASE("rotation-strain: what it cannot do is refused") {
+TEST_CASE("rotation-strain: unsupported options are refused") {
   Sequence sequence = sequenceOf(bentBar({0, 60, 90}), doublePrecision());
   const auto refused = [&](const MotionOptions& motion, const std::string& words) {
     const Status status = sequence.update(motion, evenTimes(3));
@@ -157,7 +157,7 @@ TEST_CASE("rotation-strain: its shapes leave the plane of LRI space, and bend in
   CHECK(own[1] < 2 * std::max(own[0], own[2]));
 }
 
-TEST_CASE("rotation-strain: nothing jumps" * dense) {
+TEST_CASE("rotation-strain: the motion has no jumps" * dense) {
   if (!hasData(lionPoses)) return;
   std::vector<std::string> first(lionPoses.begin(), lionPoses.begin() + 4);
   Sequence sequence = sequenceOf(realKeyframes(first), doublePrecision(), rotationStrain());

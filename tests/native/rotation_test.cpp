@@ -38,7 +38,7 @@ TEST_CASE("log inverts exp from tiny angles to half a turn") {
   }
 }
 
-TEST_CASE("exp is Eigen's at every angle, by its series or not") {
+TEST_CASE("exp agrees with Eigen at every angle, with and without its series") {
   std::mt19937 random(4);
   for (const double angle : {1e-9, 0.01, 0.5, 1.0, 1.9, 2.0, std::nextafter(2.0, 3.0), 2.1, 3.0, 7.0, 40.0})
     for (int i = 0; i < 50; ++i) {
@@ -49,7 +49,7 @@ TEST_CASE("exp is Eigen's at every angle, by its series or not") {
   CHECK(expQuaternion(Vec3::Zero()).coeffs() == Quaternion::Identity().coeffs());
 }
 
-TEST_CASE("representatives differ by whole turns and lie nearest the target") {
+TEST_CASE("representatives differ by full turns and are nearest to the target") {
   std::mt19937 random(2);
   for (int i = 0; i < 200; ++i) {
     const Vec3 v = randomVector(random, 3 * std::generate_canonical<double, 53>(random));
@@ -151,7 +151,7 @@ TEST_CASE("a rotation path passes through its keys and is the geodesic between t
   CHECK(at(two, line.at(0.3)).angularDistance(keys[0] * expQuaternion(0.3 * increment)) < 1e-12);
 }
 
-TEST_CASE("a rotation path through many keys starts at the last key that is done, and is the same") {
+TEST_CASE("a rotation path through many keys is the same if it continues from the last finished key") {
   std::mt19937 random(6);
   std::vector<Quaternion> keys = {Quaternion::Identity()};
   for (int j = 1; j < 100; ++j) keys.push_back(keys.back() * expQuaternion(randomVector(random, 1)));
@@ -195,20 +195,20 @@ std::vector<double> chosenDegrees(const std::vector<double>& degrees) {
 
 }  // namespace
 
-TEST_CASE("half turns go on in the same sense, from either end") {
+TEST_CASE("half turns continue in the same direction, from either end") {
   CHECK(chosenDegrees({-180, 180, -180}) == std::vector<double>{180, 180, 180});
   CHECK(chosenDegrees({100, -179.9999}) == std::vector<double>{100, 180});
   CHECK(chosenDegrees({-179.9999, 100}) == std::vector<double>{180, 100});
   CHECK(chosenDegrees({90, -178, 90}) == std::vector<double>{90, 182, 90});
 }
 
-TEST_CASE("the shorter way is taken unless it is hardly shorter") {
+TEST_CASE("the shorter rotation is taken unless it is hardly shorter") {
   CHECK(chosenDegrees({100, -120, 100}) == std::vector<double>{100, -120, 100});
   CHECK(chosenDegrees({155, -155}) == std::vector<double>{155, -155});
   CHECK(chosenDegrees({170, -170}) == std::vector<double>{170, 190});
 }
 
-TEST_CASE("patch rotations: connections that agree are met, others change nothing by much") {
+TEST_CASE("patch rotations: consistent connections are satisfied, others have a small effect") {
   std::mt19937 random(5);
   const int count = 60;  // a closed band with many cycles
   std::vector<PatchLink> links;

@@ -12,12 +12,12 @@ const std::vector<Triangle> meshText = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 
 
 }  // namespace
 
-TEST_CASE("triangles in any order, starting anywhere, are one surface") {
+TEST_CASE("triangles in any order, starting at any corner, are the same surface") {
   CHECK(sameSurface(meshText, meshText));
   CHECK(sameSurface(meshText, {{2, 7, 8}, {2, 0, 1}, {6, 2, 5}, {0, 2, 3}, {1, 5, 2}, {1, 4, 5}, {2, 6, 7}}));
 }
 
-TEST_CASE("polygons may be cut along other diagonals, beside each other and at another place of the list") {
+TEST_CASE("polygons can be cut along other diagonals, next to each other and in another order") {
   CHECK(sameSurface(meshText, {{0, 1, 3}, {1, 2, 3}, {1, 4, 5}, {1, 5, 2}, {2, 5, 6}, {2, 6, 7}, {2, 7, 8}}));
   CHECK(sameSurface(meshText, {{0, 1, 3}, {1, 4, 2}, {2, 5, 8}, {5, 6, 8}, {6, 7, 8}, {1, 2, 3}, {4, 5, 2}}));
 }

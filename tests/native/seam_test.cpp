@@ -161,7 +161,7 @@ TEST_CASE("seam: velocities and accelerations do not jump where a loop closes") 
   for (const Walk& walk : walks()) checkSeam(walk.name, walk.keyframes, periodic());
 }
 
-TEST_CASE("seam: another key made the first gives the same loop") {
+TEST_CASE("seam: starting with another key gives the same loop") {
   checkSameLoop("a box about three axes", turnedBox(), periodic(4), unmoved, false);
   checkSameLoop("a box about three axes that goes on", turnedBox(), periodic(), boxGoesOn(), true);
   checkSameLoop("a bar about three axes", turnedBar(), periodic(), unmoved, false);
@@ -171,7 +171,7 @@ TEST_CASE("seam: another key made the first gives the same loop") {
     checkSameLoop(walk.name, walk.keyframes, periodic(), alongCircle(walk.degrees), true);
 }
 
-TEST_CASE("seam: one more period of a walk is one more of its rigid motion") {
+TEST_CASE("seam: one more period of a walk adds its rigid motion once more") {
   for (const Walk& walk : walks()) {
     CAPTURE(walk.name);
     Sequence sequence = sequenceOf(walk.keyframes, doublePrecision(), periodic());

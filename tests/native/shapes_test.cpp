@@ -22,7 +22,7 @@
 using namespace shapespline;
 using namespace shapespline::test;
 
-TEST_CASE("mesh checks: they see a hole, a turned face, a pinched vertex, a fold and a crossing") {
+TEST_CASE("mesh checks: they detect a hole, a reversed face, a pinched vertex, a fold and a crossing") {
   const Keyframes good = makeBenchKeyframes(1000, 2, 5);
   const Positions& positions = good.keys[0].positions;
   const int vertices = good.vertexCount();
@@ -53,7 +53,7 @@ TEST_CASE("mesh checks: they see a hole, a turned face, a pinched vertex, a fold
   CHECK(selfIntersections(both, two) == 0);
 }
 
-TEST_CASE("bench meshes: the wanted number of faces, closed, irregular, shuffled, without crossings") {
+TEST_CASE("bench meshes: the requested number of faces, closed, irregular, shuffled, without crossings") {
   for (int faces : {64, 1001, 10000, 32000}) {
     CAPTURE(faces);
     const Keyframes mesh = makeBenchKeyframes(faces, 3, 5);
@@ -90,7 +90,7 @@ TEST_CASE("bench meshes: the same arguments give the same mesh, another seed a d
   CHECK(a.faces != c.faces);
 }
 
-TEST_CASE("bench meshes of parts: the wanted number of faces in several open parts, slivers among them, in every key") {
+TEST_CASE("bench meshes of parts: the requested number of faces in several open parts, with slivers, in every key") {
   for (int faces : {2400, 9999}) {
     CAPTURE(faces);
     const Keyframes mesh = makeBenchParts(faces, 3, 5);
@@ -110,7 +110,7 @@ TEST_CASE("bench meshes of parts: the wanted number of faces in several open par
   }
 }
 
-TEST_CASE("bench meshes of parts: the parts turn on their own, the same arguments give the same mesh") {
+TEST_CASE("bench meshes of parts: the parts rotate separately, the same arguments give the same mesh") {
   const Keyframes a = makeBenchParts(2400, 4, 9), b = makeBenchParts(2400, 4, 9);
   CHECK(a.faces == b.faces);
   CHECK(a.keyCount() == 4);

@@ -228,7 +228,7 @@ TEST_CASE("shells: components, loose vertices, flat faces, seams and edges with 
   }
 }
 
-TEST_CASE("shells: where a fit does not converge, its interval is LRI's") {
+TEST_CASE("shells: if a fit does not converge, its interval is that of LRI space") {
   const Keyframes k = keyframes(sheet(4), {roll(0.3, 1.5), roll(1.9, 1.5), roll(0.3, 1)});
   std::vector<ShellSample> samples = samplesOf(k, 6);
   samples[2].start[7].x() = std::numeric_limits<double>::quiet_NaN();

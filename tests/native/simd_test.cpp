@@ -111,7 +111,7 @@ TEST_CASE_TEMPLATE("simd: splats", Vector, Float4, Double2, Double4) {
   for (const auto x : numbers(Vector::zero())) CHECK(sameBits(x, RealOf<Vector>(0)));
 }
 
-TEST_CASE("simd: lanes change places") {
+TEST_CASE("simd: lanes are permuted") {
   const float f[8] = {1, 2, 3, 4, 5, 6, 7, 8};
   const Float4 a = Float4::load(f), b = Float4::load(f + 4);
   CHECK(numbers(rotatedXyz(a)) == std::array{2.0f, 3.0f, 1.0f, 4.0f});

@@ -180,7 +180,7 @@ TEST_CASE("simplify: a torus stays a torus, even when it is asked to become a te
   }
 }
 
-TEST_CASE("simplify: boundaries stay where they are") {
+TEST_CASE("simplify: boundaries stay in place") {
   for (const bool hole : {false, true}) {
     const Shape flat = sheet(30, hole);
     const WeldedShape shape = posed(flat, {wave(0), wave(0.3)});
@@ -198,7 +198,7 @@ TEST_CASE("simplify: boundaries stay where they are") {
   }
 }
 
-TEST_CASE("simplify: no face is turned over or too thin in any pose") {
+TEST_CASE("simplify: no face is reversed or too thin in any pose") {
   const Keyframes k = makeBenchKeyframes(12000, 5, 7);
   WeldedShape shape;
   shape.faces = k.faces;
@@ -294,7 +294,7 @@ TEST_CASE("simplify: the same input gives the same ghost, and so does a pose tha
 }
 
 TEST_CASE("simplify: non-manifold meshes keep their components") {
-  SUBCASE("three sheets that meet in a line keep the line") {
+  SUBCASE("three sheets that meet along a line keep the line") {
     Shape book;
     const Shape page = sheet(16);
     for (int i = 0; i < 3; ++i) {
@@ -338,7 +338,7 @@ TEST_CASE("simplify: non-manifold meshes keep their components") {
               .count == 1);
     CHECK(countMesh(int(ghost.vertexOf.size()), ghost.faces).nonManifoldEdges == 0);
   }
-  SUBCASE("a sheet with two sides becomes one with one") {
+  SUBCASE("a double sheet becomes a single one") {
     Shape two = sheet(20);
     for (const Triangle& t : sheet(20).faces) two.faces.push_back({t[0], t[2], t[1]});
     const GhostMesh ghost = simplified(posed(two, {wave(0), wave(0.3)}), 100);

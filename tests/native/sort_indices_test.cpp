@@ -12,7 +12,7 @@
 
 using namespace shapespline;
 
-TEST_CASE("indices are sorted by what they stand for, equal ones by themselves") {
+TEST_CASE("indices are sorted by their values, equal values by index") {
   std::mt19937 random(5);
   for (const int count : {0, 1, 2, 3, 5, 6, 30, 31, 200, 5000}) {
     CAPTURE(count);
@@ -28,7 +28,7 @@ TEST_CASE("indices are sorted by what they stand for, equal ones by themselves")
   }
 }
 
-TEST_CASE("a part of a list is sorted where it lies") {
+TEST_CASE("a part of a list is sorted in place") {
   std::vector<int> list = {9, 4, 3, 2, 1, 0};
   sortIndices(std::span(list).subspan(1, 4), [](int a, int b) { return a < b; });
   CHECK(list == std::vector{9, 1, 2, 3, 4, 0});

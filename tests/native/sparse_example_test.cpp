@@ -5,7 +5,7 @@
 
 using namespace shapespline;
 
-TEST_CASE("sparse: a small system, as a stranger would solve it") {
+TEST_CASE("sparse: a small system, as in the README") {
   const std::vector<Triplet> entries = {{0, 0, 4}, {1, 0, -1}, {1, 1, 4}, {2, 1, -1}, {2, 2, 4}};
   const SymmetricMatrix matrix = assembleSymmetric(3, entries);
 

@@ -83,7 +83,7 @@ TEST_CASE("value, slope and second derivative are continuous across knots") {
   }
 }
 
-TEST_CASE("natural ends have no second derivative and go on straight") {
+TEST_CASE("natural ends have no second derivative and continue straight") {
   const Curve curve = fit({});
   const Eigen::VectorXd y = randomColumns(6);
   CHECK(std::abs(value(curve, y, -1, 2)) < 1e-10);
@@ -143,7 +143,7 @@ TEST_CASE("tension scales the slope at a key") {
   CHECK(value(tense, y, -0.7) == doctest::Approx(value(plain, y, -0.7)));  // the first interval's slopes are unchanged
 }
 
-TEST_CASE("a bias of 0 changes no bit, any other none of the keys, the affine weights or the slopes' continuity") {
+TEST_CASE("a bias of 0 changes no bit; any bias keeps the keys, the affine weights and the continuity of slopes") {
   const std::vector<double> bias = {-0.5, 0.3, 1, -1, 0, 0.8}, tension = {0, 0.25, 0, 0, 0.5, 0};
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
     const Curve plain = fit({.boundary = boundary, .tension = tension});
@@ -164,7 +164,7 @@ TEST_CASE("a bias of 0 changes no bit, any other none of the keys, the affine we
   }
 }
 
-TEST_CASE("bias takes the slope from the C2 spline's own to the difference before the key or after it") {
+TEST_CASE("bias moves the slope from that of the C2 spline to the difference before or after the key") {
   const Eigen::VectorXd y = randomColumns(6);
   const Curve plain = fit({}), biased = fit({.bias = {0, 0, 1, -1, 0.25, 1}});
   const auto secant = [&](Eigen::Index i) { return (y[i + 1] - y[i]) / (times[i + 1] - times[i]); };
@@ -178,7 +178,7 @@ TEST_CASE("bias takes the slope from the C2 spline's own to the difference befor
   CHECK(value(closed, y, -1, 1) == doctest::Approx((y[0] - y[5]) / (closed.end() - 4)));
 }
 
-TEST_CASE("a curve that its last key closes has one slope there, whatever the last key's own bias and tension") {
+TEST_CASE("a curve closed by its last key has one slope there, for any bias and tension of the last key") {
   Eigen::VectorXd y = randomColumns(6);
   y[5] = y[0];
   const Curve curve = fit({.boundary = BoundaryKind::Periodic,
@@ -196,7 +196,7 @@ TEST_CASE("piecewise linear weights blend neighbours only") {
   CHECK(curve.weights(5.7)[5] == doctest::Approx(2));
 }
 
-TEST_CASE("unusable options are refused in a sentence") {
+TEST_CASE("invalid options are refused with a message") {
   const auto code = [](const CurveOptions& options, const std::vector<double>& at = times) {
     const auto result = Curve::fit(at, options);
     REQUIRE(!result.ok());

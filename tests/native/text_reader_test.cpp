@@ -13,7 +13,7 @@
 
 using namespace shapespline;
 
-TEST_CASE("numbers are those of the C library, bit for bit") {
+TEST_CASE("numbers equal those of the C library, bit for bit") {
   std::vector<std::string> words{"0",
                                  "-0",
                                  "1",
@@ -56,7 +56,7 @@ TEST_CASE("numbers are those of the C library, bit for bit") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("what is no number") {
+TEST_CASE("texts that are not numbers") {
   double value = 0;
   for (const char* word : {"", "-", "+", ".", "e5", "1e", "1e+", "1x", "0x", "1,5", "--1", "1e5.5"}) {
     CAPTURE(word);
@@ -68,7 +68,7 @@ TEST_CASE("what is no number") {
   CHECK(std::isinf(value));
 }
 
-TEST_CASE("words are taken one by one") {
+TEST_CASE("words are read one by one") {
   std::string_view text = "  v 1.5\t-2 x";
   double value = 0;
   CHECK(takeWord(text) == "v");
@@ -81,7 +81,7 @@ TEST_CASE("words are taken one by one") {
   CHECK(takeWord(text).empty());
 }
 
-TEST_CASE("lines end as they like") {
+TEST_CASE("lines can have any line ends") {
   const std::string text = "a\nb\r\nc\rd\n\ne";
   LineReader lines(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   std::string all;

@@ -61,7 +61,7 @@ double worstKey(Sequence& s, const Keyframes& k) {
 
 }  // namespace
 
-TEST_CASE("ghost: the distance to a triangle is that to its nearest point") {
+TEST_CASE("ghost: the distance to a triangle is the distance to its nearest point") {
   const Vec3 a(0, 0, 0), b(2, 0, 0), c(0, 2, 0);
   CHECK(squaredDistance({0.5, 0.5, 3}, a, b, c) == doctest::Approx(9));
   CHECK(squaredDistance({-3, -4, 0}, a, b, c) == doctest::Approx(25));
@@ -196,7 +196,7 @@ TEST_CASE("ghost: the paper's transfer passes through the reference, and near th
   CHECK(other > 1e-6);  // otherwise this would not test the mode
 }
 
-TEST_CASE("ghost: a common rigid motion of all keys moves the whole sequence by it") {
+TEST_CASE("ghost: a common rigid motion of all keys moves the whole sequence") {
   const Keyframes k = bentFineBar({0, 80, 20});
   const Map move = turn(Vec3(1, 2, -0.5), 2.2, Vec3(3, -7, 11));
   Keyframes moved = k;
@@ -398,7 +398,7 @@ TEST_CASE("ghost: faces without area, loose vertices and repeated faces") {
   }
 }
 
-TEST_CASE("ghost: seams are welded, and written back") {
+TEST_CASE("ghost: seams are welded, and all copies move") {
   Shape shape = fineBar();
   // Gives every face separate vertices.
   Shape split;
@@ -450,7 +450,7 @@ TEST_CASE("ghost: evaluate is a pure function of its arguments, and counts its w
   }
 }
 
-TEST_CASE("ghost: a frame and the ghost's own shape have clocks of their own") {
+TEST_CASE("ghost: a frame and the ghost's own shape are timed separately") {
   Sequence s = make(bentFineBar({0, 70}));
   Frame frame;
   REQUIRE(s.evaluate(0.4, frame).ok());
@@ -464,7 +464,7 @@ TEST_CASE("ghost: a frame and the ghost's own shape have clocks of their own") {
   CHECK(s.stats().localFramesMs == exact.localFramesMs);
 }
 
-TEST_CASE("ghost: wrong and pointless options") {
+TEST_CASE("ghost: invalid options and options without effect") {
   const Keyframes k = keyframes(box(1, 1, 2, 2, 2, 4), {bend(0, 2), bend(1, 2)});
   for (int faces : {-1, 1, 3}) {
     const auto sequence = Sequence::create(k, ghostly(faces), {});
@@ -483,7 +483,7 @@ TEST_CASE("ghost: wrong and pointless options") {
   CHECK(status.error().code == ErrorCode::InvalidOption);
 }
 
-TEST_CASE("ghost: progress never falls, neither of the shape nor of its space") {
+TEST_CASE("ghost: progress never decreases, for the shape and for its space") {
   double last = 0;
   std::vector<std::string> stages;
   const auto sequence =

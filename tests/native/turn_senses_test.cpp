@@ -30,7 +30,7 @@ struct Strip {
 
 }  // namespace
 
-TEST_CASE("turns that add up from part to part keep their sense beyond half a turn") {
+TEST_CASE("turns that add up from part to part keep their direction beyond half a turn") {
   for (const double degrees : {170.0, 185.0, 247.0, 350.0}) {
     Strip strip;
     for (int i = 0; i <= 10; ++i) strip.add(about(Vec3::UnitZ(), degrees * i / 10));
@@ -39,7 +39,7 @@ TEST_CASE("turns that add up from part to part keep their sense beyond half a tu
   }
 }
 
-TEST_CASE("where joints contradict each other the longer side says the sense, and the turn is open") {
+TEST_CASE("if joints contradict each other, the longer side determines the direction, and the turn is ambiguous") {
   // Two bodies of three parts. One joint between them takes the short way of 160 degrees, through a part halfway. The
   // other joint takes the long way.
   for (const double longSide : {0.5, 2.0}) {
@@ -59,7 +59,7 @@ TEST_CASE("where joints contradict each other the longer side says the sense, an
   }
 }
 
-TEST_CASE("senses do not depend on the signs that they start from") {
+TEST_CASE("directions do not depend on the initial signs") {
   Random random(3);
   const auto coordinate = [&] { return random.uniform(-2, 2); };
   std::vector<TurnJoint> joints;

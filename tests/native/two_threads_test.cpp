@@ -27,7 +27,7 @@ SymbolicFactor factorOf(const testing::PlainMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("tree cut: the parts have no column in common and share rows in the top alone") {
+TEST_CASE("tree cut: the parts have no common column and share rows only in the top") {
   testing::Random random(3);
   testing::PlainMesh two = testing::bumpySphere(20, random);
   const testing::PlainMesh other = testing::irregularSheet(31, 30, random);
@@ -62,7 +62,7 @@ TEST_CASE("tree cut: two threads have less than two thirds of the work of one") 
   CHECK(std::max(first, second) + top < 2.0 / 3 * (first + second + top));
 }
 
-TEST_CASE("face order: every face once, by its last corner, no corner in both halves, whole groups of four") {
+TEST_CASE("face order: every face once, sorted by its last corner, no corner in both halves, complete groups of four") {
   testing::Random random(5);
   const testing::PlainMesh mesh = testing::irregularSheet(23, 17, random);
   const int count = static_cast<int>(mesh.positions.size()), faces = static_cast<int>(mesh.faces.size());
@@ -129,7 +129,7 @@ void checkSameBits(const Keyframes& keyframes, const EncodingOptions& encoding, 
 
 }  // namespace
 
-TEST_CASE("two threads give the bits of one: parts, degenerate faces, every precision") {
+TEST_CASE("two threads give the same bits as one: parts, degenerate faces, every precision") {
   const Keyframes k = keyframes(parts(), {bend(0, 4), bend(1, 4), twist(1, 4)});
   for (const Precision precision : {Precision::Single, Precision::Exact, Precision::Double}) {
     EncodingOptions encoding;
@@ -141,6 +141,8 @@ TEST_CASE("two threads give the bits of one: parts, degenerate faces, every prec
   checkSameBits(k, withGhost, 1);
 }
 
-TEST_CASE("two threads give the bits of one: a large mesh") { checkSameBits(makeBenchKeyframes(90000, 2, 1), {}, 10); }
+TEST_CASE("two threads give the same bits as one: a large mesh") {
+  checkSameBits(makeBenchKeyframes(90000, 2, 1), {}, 10);
+}
 
 #endif

@@ -27,7 +27,7 @@ Keyframes bentAt(std::vector<double> times) {
 
 }  // namespace
 
-TEST_CASE("keys a millionth apart between others are a warning that names the interval") {
+TEST_CASE("keys a millionth apart between others give a warning that names the interval") {
   const std::vector<Warning> found = warningsOf(bentAt({0, 1, 1 + 1e-6, 2}));
   REQUIRE(!found.empty());
   CHECK((found[0].key == 1 || found[0].key == 3));
@@ -36,7 +36,7 @@ TEST_CASE("keys a millionth apart between others are a warning that names the in
   CHECK(found[0].message.find("--key-times") != std::string::npos);
 }
 
-TEST_CASE("intervals of 1 to 100 are a warning for what comes beyond the last key, or before the first") {
+TEST_CASE("intervals of 1 and 100 give a warning about times after the last key, or before the first") {
   const std::vector<Warning> after = warningsOf(bentAt({0, 100, 101})), before = warningsOf(bentAt({0, 1, 101}));
   REQUIRE(!after.empty());
   CHECK(after.back().message.starts_with("After the last key"));
@@ -45,7 +45,7 @@ TEST_CASE("intervals of 1 to 100 are a warning for what comes beyond the last ke
   CHECK(std::any_of(before.begin(), before.end(), [](const Warning& w) { return w.key == 0; }));
 }
 
-TEST_CASE("times as people choose them are no warning") {
+TEST_CASE("typical times give no warning") {
   for (const std::vector<double>& times : std::vector<std::vector<double>>{
            {0, 1}, {0, 1, 2, 3}, {0, 0.2, 1.4, 1.9}, {0, 1, 5, 6}, {0, 4, 5, 9}, {0, 0.1, 1, 2}, {0, 2, 2.2, 4}})
     for (BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
@@ -56,14 +56,14 @@ TEST_CASE("times as people choose them are no warning") {
     }
 }
 
-TEST_CASE("uneven times of a shape that hardly moves are no warning") {
+TEST_CASE("uneven times of a shape that hardly moves give no warning") {
   Keyframes keys = bentBar({0, 0.01, 0.02, 0.03}, box(1, 1, 10, 2, 2, 20));
   const std::vector<double> times = {0, 1, 1.02, 2};
   for (int j = 0; j < 4; ++j) keys.keys[j].time = times[j];
   CHECK(warningsOf(keys).empty());
 }
 
-TEST_CASE("the warning goes when an update gives the keys even times") {
+TEST_CASE("the warning disappears when an update makes the key times even") {
   Sequence sequence = sequenceOf(bentAt({0, 1, 1 + 1e-6, 2}), {});
   CHECK(!sequence.warnings().empty());
   REQUIRE(sequence.update({}, {0, 1, 2, 3}).ok());

@@ -4,7 +4,7 @@
 
 using namespace shapespline;
 
-TEST_CASE("a set is known by its least member, in whichever order it was joined") {
+TEST_CASE("a set is identified by its least member, in any order of joining") {
   UnionFind sets(8);
   CHECK(sets.find(7) == 7);
   CHECK(sets.join(6, 4));
@@ -16,7 +16,7 @@ TEST_CASE("a set is known by its least member, in whichever order it was joined"
   for (int x : {0, 1, 3}) CHECK(sets.find(x) == x);
 }
 
-TEST_CASE("sets that are reset are all apart again") {
+TEST_CASE("after a reset, all sets are separate") {
   UnionFind sets(3);
   sets.join(0, 2);
   sets.reset(4);

@@ -132,12 +132,12 @@ Keyframes barAndBall() {
 
 }  // namespace
 
-TEST_CASE("update: a sequence updated to any options is the one created with them, bit for bit") {
+TEST_CASE("update: a sequence updated to any options equals one created with them, bit for bit") {
   checkUpdates(barAndBall(), {});
   checkUpdates(barAndBall(), doublePrecision());
 }
 
-TEST_CASE("update: the same for a bar whose end speeds decide how it turns") {
+TEST_CASE("update: the same for a bar whose end speeds determine its rotation") {
   checkUpdates(
       keyframes(box(1, 1, 10, 2, 2, 20), {twist(0), twist(radians(150)), twist(radians(40)), twist(radians(290))}), {});
 }

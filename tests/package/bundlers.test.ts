@@ -66,7 +66,7 @@ it('webpack 5 builds it', async () => {
 /** It keeps URLs unchanged, so the test copies the files as the package's README describes. */
 const copied = ['worker.js', 'codecs.js', 'shapespline.wasm', 'shapespline_files.wasm', 'draco_decoder_gltf.wasm'];
 
-it('esbuild builds it, with the files beside', async () => {
+it('esbuild builds it, with the files next to the script', async () => {
   const folder = await newProject();
   const output = path.join(folder, 'dist');
   await esbuild.build({
@@ -81,7 +81,7 @@ it('esbuild builds it, with the files beside', async () => {
   await expectRunsAt(await host([output, folder, path.join(folder, 'public')]));
 });
 
-it('esbuild builds it for a classic script, with the files named, but for the one beside the wasm', async () => {
+it('esbuild builds it for a classic script, with the URLs of all files except the one next to the wasm', async () => {
   const first =
     "configure({ wasmUrl: 'lib/shapespline.wasm', workerUrl: 'lib/worker.js', dracoUrl: 'lib/draco_decoder_gltf.wasm' });";
   const folder = await newProject({

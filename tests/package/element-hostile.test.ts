@@ -47,7 +47,7 @@ it.each([
   expect(await message.isVisible()).toBe(false);
 });
 
-it('a web page instead of WebAssembly, until it is put right', async () => {
+it('a web page instead of WebAssembly, until the server is repaired', async () => {
   const copy = (name: string): void => write(name, readFileSync(`${packageIn(inject('installed'))}/${name}`));
   for (const name of ['cdn.js', 'codecs.js', 'shapespline_files.wasm', 'draco_decoder_gltf.wasm']) copy(name);
   write('shapespline.wasm', '<!doctype html><title>Home</title>');
@@ -99,13 +99,13 @@ const LACKING: [what: string, before: () => void, policy: string, code: string, 
   ],
 ];
 
-it.each(LACKING)('a page %s says so', async (_, before, policy, code, words) => {
+it.each(LACKING)('a page %s reports it', async (_, before, policy, code, words) => {
   const page = await openElements(ONE, { before, policy });
   expect(await when(page, 'error')).toEqual({ code, key: -1, message: expect.stringMatching(words) });
   expect(await page.locator('#a .poster').isVisible()).toBe(true);
 });
 
-it('without keys it says so, to who asks at once, and shows what comes later', async () => {
+it('without keys it reports an error, at once for method calls, and shows keys that are set later', async () => {
   const page = await openElements('<shape-spline id="a" controls autoplay></shape-spline>');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const refusal = await on(
@@ -131,7 +131,7 @@ it('without keys it says so, to who asks at once, and shows what comes later', a
   expect(await message.isVisible()).toBe(false);
 });
 
-it('what was set before the element is known counts; children say when their keys are', async () => {
+it('properties set before the element is defined are used; children can have the times of their keys', async () => {
   const children = '<source src="pose-0.glb" time="1"><source src="pose-1.glb" time="4">';
   const page = await openElements(
     `<shape-spline id="a"></shape-spline><shape-spline id="b">${children}</shape-spline>`,
@@ -161,7 +161,7 @@ it('what was set before the element is known counts; children say when their key
 const fewWorkers = (page: Page): Promise<void> =>
   expect.poll(() => page.workers().length, { timeout: 30_000 }).toBeLessThanOrEqual(3);
 
-it('twenty on a page share what they show, and one renderer', async () => {
+it('twenty elements on a page share their content and one renderer', async () => {
   const many = Array.from(
     { length: 20 },
     (_, i) => `<shape-spline id="n${i}" src="${KEYS}" loading="eager"></shape-spline>`,
@@ -173,7 +173,7 @@ it('twenty on a page share what they show, and one renderer', async () => {
   await fewWorkers(page);
 });
 
-it('attributes that change quickly end in what was said last, of one motion', async () => {
+it('quick changes of attributes give one motion, with the last values', async () => {
   const page = await openElements(shown(KEYS));
   await on(page, async (shape) => {
     for (let i = 0; i < 30; i += 1) {
@@ -193,7 +193,7 @@ it('attributes that change quickly end in what was said last, of one motion', as
   await fewWorkers(page);
 });
 
-it('another src while the first is loaded, removal while it is loaded, and a seek meanwhile', async () => {
+it('another src, removal and a seek while the first src is loaded', async () => {
   const page = await openElements('<div id="place"></div>');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const outcome = await page.evaluate(async (keys) => {
@@ -222,7 +222,7 @@ it('another src while the first is loaded, removal while it is loaded, and a see
   expect(await told(page, 'error')).toEqual([]);
 });
 
-it('a seek ends wherever the element is removed on the way to its first shape', async () => {
+it('a seek settles if the element is removed at any time before its first shape', async () => {
   const page = await openElements('<div id="place"></div>');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const outcomes = await page.evaluate(async (keys) => {
@@ -263,7 +263,7 @@ it('keeps its state when moved in the document, and starts again after a while o
   expect(await picture(page)).toBe(before);
 });
 
-it('lives in a frame, in a shadow root, in a dialog, without a size and with a new one', async () => {
+it('works in a frame, in a shadow root, in a dialog, without a size and with a new one', async () => {
   write('frame.html', '<!doctype html><title>A frame</title><body>');
   const page = await openElements(
     `${shown(KEYS)}<iframe id="frame" src="frame.html" width="400" height="300"></iframe>`,
@@ -321,7 +321,7 @@ it('lives in a frame, in a shadow root, in a dialog, without a size and with a n
   expect(await told(page, 'error')).toEqual([]);
 });
 
-it('a second copy of the script changes nothing and says so', async () => {
+it('a second copy of the script changes nothing and gives a warning', async () => {
   const other = await host([packageIn(inject('installed'))], {
     name: '127.0.0.1',
     headers: { 'access-control-allow-origin': '*' },
@@ -405,7 +405,7 @@ async function heapOf(client: CDPSession): Promise<Heap> {
   return heap;
 }
 
-it('two hundred that come and go leave nothing behind', { timeout: 600_000 }, async () => {
+it('two hundred elements leave no memory behind after removal', { timeout: 600_000 }, async () => {
   const page = await openElements('');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const client = await page.context().newCDPSession(page);

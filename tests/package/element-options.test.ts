@@ -50,7 +50,7 @@ const change = (page: Page, attributes: Attributes, id = 'a'): Promise<void> =>
     id,
   );
 
-it('a changed motion is that of an element which had the options from the start, without another worker', async () => {
+it('a changed motion equals that of an element with these options from the start, without another worker', async () => {
   const fresh = await openElements(REFITTED.map((attributes, i) => element(`n${i}`, attributes)).join(''));
   const page = await openElements(element('a'));
   await when(page, 'load');
@@ -76,7 +76,7 @@ it('a changed motion is that of an element which had the options from the start,
   expect(started()).toBe(1);
 });
 
-it('many changes while the first ones are computed end in the last', async () => {
+it('of many changes during a computation, the last one takes effect', async () => {
   const page = await openElements(element('a'));
   await when(page, 'load');
   const started = startedFrom(page);
@@ -96,7 +96,7 @@ it('many changes while the first ones are computed end in the last', async () =>
   expect(started()).toBe(0);
 });
 
-it('elements of the same keys share what is encoded, whatever their motions are', async () => {
+it('elements with the same keys share the encoding, also for different motions', async () => {
   const page = await openElements(element('a') + element('b'));
   await Promise.all([when(page, 'load', 'a'), when(page, 'load', 'b')]);
   await Promise.all([seek(page, T, 'a'), seek(page, T, 'b')]);
@@ -120,7 +120,7 @@ it('elements of the same keys share what is encoded, whatever their motions are'
   expect(started()).toBe(0);
 });
 
-it('a change that cannot be is said, and what comes next begins at what was there', async () => {
+it('an impossible change is reported, and the next change starts from the previous state', async () => {
   const page = await openElements(element('a'));
   await when(page, 'load');
   await seek(page, T);
@@ -159,7 +159,7 @@ it('the time stays where it is, within the keys as they are now', async () => {
   expect(await time({})).toEqual([8, 1]);
 });
 
-it('shapes that seem to lie are stood up, unless the page says which axis is up', async () => {
+it('shapes that seem to lie down are rotated upright, unless the page sets the up axis', async () => {
   const page = await openElements('<shape-spline id="a"></shape-spline>');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const heights = await on(page, async (shape) => {

@@ -38,7 +38,7 @@ it('two of them from another host under a strict policy; a seek resolves when it
   expect(await page.evaluate(() => document.querySelectorAll('style, [style]').length)).toBe(0);
 });
 
-it('fetches nothing before it is near, and neither computes nor draws out of view', async () => {
+it('fetches nothing until it is near the view, and neither computes nor draws out of view', async () => {
   const far = `<shape-spline id="b" src="pose-0.glb?far pose-1.glb?far"></shape-spline>`;
   const eager = `<shape-spline id="c" src="pose-0.glb?eager pose-1.glb?eager" loading="eager"></shape-spline>`;
   const playing = `<shape-spline id="a" src="${KEYS}" autoplay loop></shape-spline>`;
@@ -103,7 +103,7 @@ it('reports loading, playing, seeking and keys, each with its detail, and lets n
   expect(await page.evaluate(() => window.told.filter(({ bubbles }) => bubbles))).toEqual([]);
 });
 
-it('gives shapes, pictures and files', async () => {
+it('returns shapes, images and files', async () => {
   const page = await openElements(ONE);
   const got = await on(page, async (shape) => {
     const frame = await shape.evaluate(0.5);
@@ -147,7 +147,7 @@ it('gives shapes, pictures and files', async () => {
   expect(got.size).toBeGreaterThan(2000);
 });
 
-it('other keys begin at their own first time, also while it plays', async () => {
+it('other keys start at their own first time, also during playback', async () => {
   const page = await openElements(`<shape-spline id="a" src="${KEYS}" autoplay loop></shape-spline>`);
   await page.waitForFunction(() => (document.getElementById('a') as ShapeSplineElement).currentTime > 0.2);
   const time = await on(page, async (shape) => {
@@ -161,7 +161,7 @@ it('other keys begin at their own first time, also while it plays', async () => 
   expect(time).toBe(5);
 });
 
-it('autoplay begins by itself, not after pause(), and not for readers who asked for less motion', async () => {
+it('autoplay starts by itself, but not after pause(), and not with reduced motion', async () => {
   const playing = `<shape-spline id="a" src="${KEYS}" autoplay loop controls></shape-spline>`;
   const page = await openElements(playing);
   await when(page, 'play');
@@ -185,7 +185,7 @@ it('autoplay begins by itself, not after pause(), and not for readers who asked 
   await when(calm, 'play');
 });
 
-it('is a labelled region that space, arrows, Home, End and brackets move, and a picture where nothing can be done', async () => {
+it('is a labelled region with keyboard control, and an image without controls', async () => {
   const page = await openElements(
     `<shape-spline id="a" src="${KEYS}" controls camera-controls="false" alt="A bar"></shape-spline>` +
       `<shape-spline id="b" src="${KEYS}" alt="A still bar"></shape-spline>`,
@@ -220,7 +220,7 @@ it('is a labelled region that space, arrows, Home, End and brackets move, and a 
   expect(await page.locator('#b [part=viewport]').getAttribute('tabindex')).toBeNull();
 });
 
-it('the poster is there before the shape, and longer where the page says so', async () => {
+it('the poster is shown before the shape, and longer if the page requests it', async () => {
   const page = await openElements(
     `<shape-spline id="a" src="${KEYS}" poster="missing.png" reveal="manual"></shape-spline>` +
       `<shape-spline id="b" src="${KEYS}"><b slot="poster" id="own">Soon</b>A bar</shape-spline>`,
@@ -235,7 +235,7 @@ it('the poster is there before the shape, and longer where the page says so', as
   expect(await page.locator('#b .caption').evaluate((caption) => getComputedStyle(caption).position)).toBe('absolute');
 });
 
-it('pages put their own things into its slots and dress its parts', async () => {
+it('pages can fill its slots and style its parts', async () => {
   const page = await openElements('');
   let answer = (): void => undefined;
   const held = new Promise<void>((resolve) => {
@@ -286,7 +286,7 @@ it('pages put their own things into its slots and dress its parts', async () => 
   });
 });
 
-it('camera, colours, motion and range are what the attributes say, and what the reader turned stays', async () => {
+it('camera, colours, motion and range follow the attributes, and a camera moved by the user stays', async () => {
   const page = await openElements(`<shape-spline id="a" src="${KEYS}" controls></shape-spline>`, CALM);
   await when(page, 'load');
   const look = async (change: (shape: ShapeSplineElement) => void, t = 0.4): Promise<string> => {
@@ -334,7 +334,7 @@ it('camera, colours, motion and range are what the attributes say, and what the 
   expect(await page.locator('#a [part=timeline]').getAttribute('aria-valuemin')).toBe('-0.5');
 });
 
-it('methods that are compared stand side by side, each with its name, and move together', async () => {
+it('compared methods are shown side by side with their names, and play together', async () => {
   const page = await openElements(
     `<shape-spline id="a" src="${KEYS}" compare="linear geodesic" controls></shape-spline>`,
   );
@@ -350,7 +350,7 @@ it('methods that are compared stand side by side, each with its name, and move t
   expect(inside).toBe(true);
 });
 
-it('follows light and dark as the reader changes them', async () => {
+it('follows changes of the colour scheme', async () => {
   const page = await openElements(ONE, { colorScheme: 'light' });
   await when(page, 'load');
   await seek(page, 0);
@@ -361,7 +361,7 @@ it('follows light and dark as the reader changes them', async () => {
   await expect.poll(() => picture(page), { timeout: 30_000 }).toBe(light);
 });
 
-it('reads right to left where the page does, and its time still goes to the right', async () => {
+it('has right-to-left layout on such pages, except for the timeline', async () => {
   const page = await openElements(
     `<div dir="rtl"><shape-spline id="a" src="${KEYS}" controls></shape-spline></div>`,
     CALM,
@@ -380,7 +380,7 @@ it('reads right to left where the page does, and its time still goes to the righ
   expect(await on(page, (shape) => shape.currentTime)).toBeLessThan(1);
 });
 
-it('a "false" counts as false, and a wrong value as none; each is said once', async () => {
+it('"false" counts as false, and a wrong value is ignored; each is reported once', async () => {
   const said: string[] = [];
   const page = await openElements('', { script: 'first' });
   page.on('console', (message) => {
@@ -402,7 +402,7 @@ it('a "false" counts as false, and a wrong value as none; each is said once', as
   ]);
 });
 
-it('every row of the table makes a round trip, from the attribute and from the property', async () => {
+it('every attribute and property keeps its value when read back', async () => {
   const page = await openElements('');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const rows = PROPERTIES.flatMap((property) =>

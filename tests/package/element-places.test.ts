@@ -23,14 +23,14 @@ it.each([
   expect(await refused(page)).toEqual([]);
 });
 
-it('says which policy to list where Trusted Types are required and its own is not listed', async () => {
+it('names the policy to list if Trusted Types are required and its policy is not listed', async () => {
   const page = await openElements(ONE, { policy: `${TRUSTED}; trusted-types others` });
   const { code, message } = (await when(page, 'error'))!;
   expect(code).toBe('not-loaded');
   expect(message).toMatch(/does not list this package's Trusted Types policy: add shapespline to its trusted-types\./);
 });
 
-it('says that the policy refuses the worker where it does', async () => {
+it('reports that the policy refuses the worker', async () => {
   const page = await openElements(ONE, { policy: POLICY.replace('worker-src blob: LIBRARY', "worker-src 'none'") });
   const { message } = (await when(page, 'error'))!;
   expect(message).toMatch(/The page's policy blocks the worker: put worker\.js .* or allow blob: in its worker-src\./);
@@ -68,16 +68,16 @@ async function inFrame(forModels: Record<string, string> = CORS): Promise<{ type
   return (await said.jsonValue()) as { type: string; text: string };
 }
 
-it('works in a frame that is sandboxed without an origin of its own', async () => {
+it('works in a sandboxed frame without an origin', async () => {
   expect(await inFrame()).toEqual({ type: 'load', text: '' });
 });
 
-it('says that such a frame needs the CORS headers of the models, too', async () => {
+it('reports that such a frame also needs CORS headers for the models', async () => {
   const { type, text } = await inFrame({});
   expect([type, text]).toEqual(['error', expect.stringMatching(/Could not fetch .*pose-0\.glb.*CORS headers/)]);
 });
 
-it('works where the page has no observers and knows no preferences', async () => {
+it('works on a page without observers and media preferences', async () => {
   const page = await openElements(ONE.replace('loading="eager"', ''), {
     before: () => {
       for (const name of ['IntersectionObserver', 'ResizeObserver', 'matchMedia'])

@@ -7,7 +7,7 @@ useElements();
 const ONE = `<shape-spline id="a" src="${KEYS}" controls alt="A bar that bends"></shape-spline>`;
 const CALM = { reducedMotion: 'reduce' } as const;
 
-it('colours of the phases are those of the style when a shape is shown', async () => {
+it('the phase colours are taken from the style when a shape is shown', async () => {
   const page = await openElements(ONE, CALM);
   await when(page, 'load');
   await on(page, (shape) => (shape.colour = 'phase'));
@@ -40,7 +40,7 @@ it('a loop reports the key and the time at which it ends', async () => {
   expect((await told(page, 'keychange')).slice(0, 4)).toEqual([{ index: 0 }, { index: 1 }, { index: 0 }, { index: 1 }]);
 });
 
-it('the timeline is there in forced colours', async () => {
+it('the timeline is visible in forced colours', async () => {
   const page = await openElements(ONE, { ...CALM, forcedColors: 'active' });
   await when(page, 'load');
   const grounds = await on(page, (shape) => {
@@ -57,7 +57,7 @@ it('the timeline is there in forced colours', async () => {
   for (const part of ['key', 'thumb', 'track'] as const) expect(grounds[part], part).not.toBe(grounds.page);
 });
 
-it('a page that zooms gets as many pixels as the screen has for the shape', async () => {
+it('on a zoomed page, the shape is drawn at the resolution of the screen', async () => {
   const page = await openElements(ONE, CALM);
   await when(page, 'load');
   /** Widths in drawn pixels and in page pixels. */
@@ -102,7 +102,7 @@ it('an invalid URL or file is reported with its key', async () => {
   });
 });
 
-it('one source alone and the files of an input are lists, too', async () => {
+it('a single source and the files of an input count as lists', async () => {
   const page = await openElements('<shape-spline id="a"></shape-spline><input type="file" id="files" multiple />');
   await page.waitForFunction(() => customElements.get('shape-spline'));
   const shown = await on(page, async (shape) => {
@@ -132,7 +132,7 @@ it('one source alone and the files of an input are lists, too', async () => {
   expect(shown).toEqual([true, true, 'too-few-keys', 'not-a-model']);
 });
 
-it('focus() goes to the shape; a poster of words covers it until it is dismissed', async () => {
+it('focus() focuses the shape; a text poster covers it until it is dismissed', async () => {
   const page = await openElements(
     `<shape-spline id="a" src="${KEYS}" controls reveal="manual"><b slot="poster">Soon</b></shape-spline>`,
     CALM,
@@ -149,7 +149,7 @@ it('focus() goes to the shape; a poster of words covers it until it is dismissed
   expect(await page.locator('#a .poster').isVisible()).toBe(false);
 });
 
-it('a wrong value is said once on the console, and the default shown', async () => {
+it('a wrong value is reported once on the console, and the default is used', async () => {
   const said: string[] = [];
   const page = await openElements('');
   page.on('console', (message) => void said.push(message.text()));
@@ -167,7 +167,7 @@ it('a wrong value is said once on the console, and the default shown', async () 
     ]);
 });
 
-it('what has left the document has ended: no report, no length, paused', async () => {
+it('a removed element has no report and no duration, and is paused', async () => {
   const page = await openElements(`<shape-spline id="a" src="${KEYS}" loop></shape-spline>`, CALM);
   await when(page, 'load');
   await on(page, (shape) => {

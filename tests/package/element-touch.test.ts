@@ -45,7 +45,7 @@ const scrolled = (page: Page): Promise<number> => page.evaluate(() => scrollY);
 const atRest = (page: Page): Promise<{ t: number; paused: boolean }> =>
   on(page, (shape) => ({ t: shape.currentTime, paused: shape.paused }));
 
-it.each(PARTS)('a finger that goes up from the %s scrolls the page, and nothing else', async (part) => {
+it.each(PARTS)('an upward swipe from the %s only scrolls the page', async (part) => {
   const { page, client } = await onPhone('controls');
   const before = [await picture(page), await atRest(page)];
   await swipe(client, await middleOf(page, part), 0, -150);
@@ -57,7 +57,7 @@ it.each(PARTS)('a finger that goes up from the %s scrolls the page, and nothing 
   expect((await picture(page)) === before[0]).toBe(true);
 });
 
-it('a finger that goes sideways turns the shape, and does not scroll', async () => {
+it('a sideways swipe rotates the shape, and does not scroll', async () => {
   const { page, client } = await onPhone('controls');
   const before = await picture(page);
   await swipe(client, await middleOf(page, 'viewport'), 120, 0);
@@ -66,7 +66,7 @@ it('a finger that goes sideways turns the shape, and does not scroll', async () 
   expect(await on(page, (shape) => shape.currentTime)).toBe(0.25);
 });
 
-it('a finger that goes sideways on the timeline moves the time, and a tap sets it', async () => {
+it('a sideways swipe on the timeline changes the time, and a tap sets it', async () => {
   const { page, client } = await onPhone('controls');
   const middle = await middleOf(page, 'timeline');
   await swipe(client, middle, 100, 0);
@@ -84,7 +84,7 @@ it('a finger that goes sideways on the timeline moves the time, and a tap sets i
   await when(page, 'play');
 });
 
-it('where it is not to be turned, a finger finds the page in every direction', async () => {
+it('if the shape cannot be rotated, swipes in all directions scroll the page', async () => {
   const { page, client } = await onPhone('controls camera-controls="false"');
   const before = await picture(page);
   await swipe(client, await middleOf(page, 'viewport'), 120, 0);

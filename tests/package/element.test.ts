@@ -75,7 +75,7 @@ describe.skipIf(!there)('the element', () => {
     expect(await outcomeOf(await host([folder, path.join(folder, 'public')], { headers: strict }))).toEqual(SHOWN);
   });
 
-  it('is shown by the page of the README, on a plain server and on those of Vite as they are', async () => {
+  it('is shown by the example page of the README, on a plain server and on those of Vite by default', async () => {
     const readme = readFileSync(path.join(packageIn(inject('installed')), 'README.md'), 'utf8');
     const [html] = /<!doctype html>\n<meta charset[^`]*/.exec(readme)!;
     const folder = await newProject({ 'index.html': `${html}<script type="module">${WATCH}</script>` });
@@ -128,25 +128,28 @@ describe.skipIf(!there)('the element', () => {
     expect(await outcomeOf(await host([output, folder, path.join(folder, 'public')]))).toEqual(SHOWN);
   });
 
-  it.each(['three', 'three-lowest'])('is bundled by esbuild with %s, with the files beside', async (three) => {
-    const files = { 'main.js': `import 'shapespline/element';\n${WATCH}`, 'index.html': BUNDLED };
-    const folder = await withPeers(files, three);
-    const output = path.join(folder, 'dist');
-    await esbuild.build({
-      absWorkingDir: folder,
-      entryPoints: ['main.js'],
-      bundle: true,
-      splitting: true,
-      format: 'esm',
-      outdir: output,
-      logLevel: 'error',
-    });
-    for (const name of readdirSync(packageIn(folder)).filter((file) => /^(worker|codecs)\.js$|\.wasm$/.test(file)))
-      cpSync(path.join(packageIn(folder), name), path.join(output, name));
-    expect(await outcomeOf(await host([output, folder, path.join(folder, 'public')]))).toEqual(SHOWN);
-  });
+  it.each(['three', 'three-lowest'])(
+    'is bundled by esbuild with %s, with the files next to the script',
+    async (three) => {
+      const files = { 'main.js': `import 'shapespline/element';\n${WATCH}`, 'index.html': BUNDLED };
+      const folder = await withPeers(files, three);
+      const output = path.join(folder, 'dist');
+      await esbuild.build({
+        absWorkingDir: folder,
+        entryPoints: ['main.js'],
+        bundle: true,
+        splitting: true,
+        format: 'esm',
+        outdir: output,
+        logLevel: 'error',
+      });
+      for (const name of readdirSync(packageIn(folder)).filter((file) => /^(worker|codecs)\.js$|\.wasm$/.test(file)))
+        cpSync(path.join(packageIn(folder), name), path.join(output, name));
+      expect(await outcomeOf(await host([output, folder, path.join(folder, 'public')]))).toEqual(SHOWN);
+    },
+  );
 
-  it('the viewer in a box of the page is usable without the element', async () => {
+  it('the viewer can be used in an element of the page without the custom element', async () => {
     const files = {
       'main.js': `
         import { createEngine } from 'shapespline';
@@ -183,7 +186,7 @@ describe.skipIf(!there)('the element', () => {
     });
   });
 
-  it('its class alone registers nothing, and can be registered by another name', async () => {
+  it('its class alone registers nothing, and can be registered with another name', async () => {
     const folder = await withPeers({
       'main.js': `
         import { ShapeSplineElement } from 'shapespline/element-class';

@@ -14,7 +14,7 @@ const node = async (folder: string, ...args: string[]): Promise<string> =>
 const manifest = JSON.parse(readFileSync(path.join(packageIn(project), 'package.json'), 'utf8'));
 const hasElement = './element' in manifest.exports;
 
-it('the tarball holds these files and no others', () => {
+it('the tarball contains exactly these files', () => {
   const chunks = /^(chunk-\w+\.js|types-[\w-]+\.d\.ts)$/;
   const ofElement = [
     'attributes.d.ts',
@@ -64,7 +64,7 @@ it('the tarball holds these files and no others', () => {
   );
 });
 
-it('the manifest asks for nothing to be installed or run, and names files that are there', () => {
+it('package.json has no dependencies and no scripts, and names existing files', () => {
   expect(manifest).toMatchObject({ name: 'shapespline', type: 'module', engines: { node: '>=20' } });
   for (const name of ['private', 'scripts', 'dependencies', 'devDependencies', 'overrides'])
     expect(manifest).not.toHaveProperty(name);
@@ -74,7 +74,7 @@ it('the manifest asks for nothing to be installed or run, and names files that a
     expect(inject('packed')).toContain(path.posix.normalize(file));
 });
 
-it('every entry can be imported in Node, where there is no page', async () => {
+it('every entry can be imported in Node, without a page', async () => {
   const entries = Object.keys(manifest.exports)
     .filter((name) => !/\.(wasm|json)$/.test(name))
     .map((name) => path.posix.join('shapespline', name));
@@ -115,7 +115,7 @@ it('has the same names in Node and in a browser', async () => {
   expect(await names('shapespline')).toBe(await names(path.join(packageIn(project), 'index.js')));
 });
 
-it('configure refuses what it does not know, and comes before the first engine', async () => {
+it('configure refuses unknown options, and calls after the first engine', async () => {
   const said = await node(
     project,
     '--input-type=module',
@@ -136,7 +136,7 @@ it('configure refuses what it does not know, and comes before the first engine',
   ]);
 });
 
-it('the command line is there as a program', async () => {
+it('the command line is installed as a program', async () => {
   const folder = await newProject();
   const program = path.join(project, 'node_modules', '.bin', 'shapespline');
   const run = async (...args: string[]): Promise<string> => (await start(program, args, { cwd: folder })).stdout;

@@ -44,7 +44,7 @@ it('runs on a plain page that serves the package itself', async () => {
   expectSame(await outcomeOf(await host([folder, path.join(folder, 'public')])));
 });
 
-it('runs on a page that an import map leads to it', async () => {
+it('runs on a page with an import map', async () => {
   const map = '{ "imports": { "shapespline": "./node_modules/shapespline/index.js" } }';
   const folder = await newProject({
     'index.html': `<!doctype html><script type="importmap">${map}</script><script type="module" src="main.js"></script>`,
@@ -60,19 +60,19 @@ it('runs from another host under a strict policy', async () => {
   expectSame(await outcomeOf(await acrossHosts({ policy: `${STRICT}worker-src blob: LIBRARY` })));
 });
 
-it('runs under a policy that refuses blob:, with the worker on the own host', async () => {
+it('runs under a policy that refuses blob: URLs, with the worker on the host of the page', async () => {
   const first = "configure({ workerUrl: './own-worker.js' });";
   expectSame(await outcomeOf(await acrossHosts({ policy: `${STRICT}worker-src 'self'`, first })));
 });
 
-it('says what to do where the policy lets no worker start', async () => {
+it('reports what to do if the policy allows no worker', async () => {
   const { error } = await outcomeOf(await acrossHosts({ policy: `${STRICT}worker-src 'self'` }));
   expect(error).toMatch(
     /^EngineError: The worker did not start from http:.*worker\.js, .*configure\(\{ workerUrl \}\)/,
   );
 });
 
-it('says what to do where a web page comes instead of WebAssembly', async () => {
+it('reports what to do if the server returns a web page instead of WebAssembly', async () => {
   const folder = await newProject({
     'main.js': script('./node_modules/shapespline/index.js', "configure({ wasmUrl: '/gone.wasm' });"),
   });
@@ -82,7 +82,7 @@ it('says what to do where a web page comes instead of WebAssembly', async () => 
   expect(error).toMatch(/Put the \.wasm file there, or set its URL: configure/);
 });
 
-it('large shapes have the module for two threads where the host isolates the page, from another host, too', async () => {
+it('large shapes use the module for two threads on an isolated page, also from another host', async () => {
   const isolated = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
   const library = await host([packageIn(project)], { name: '127.0.0.1', headers: CORS });
   const folder = await newProject({
@@ -113,7 +113,7 @@ it('large shapes have the module for two threads where the host isolates the pag
   expect(outcome).toEqual({ isolated: true, started: true, vertices: 44_100 });
 });
 
-it('a request to another host would be noticed', async () => {
+it('a request to another host is detected', async () => {
   const folder = await newProject({
     'main.js': "await fetch('http://elsewhere.test/x').catch(() => 0); window.outcome = 1",
   });

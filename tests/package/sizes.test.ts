@@ -8,7 +8,7 @@ import { newProject, packageIn } from './support/project.ts';
 
 const quiet = (): void => undefined;
 
-it('every script stays within its limit, with all that it imports at once', () => {
+it('every script stays within its limit, including its static imports', () => {
   const sizes = packageSizes(packageIn(inject('installed')));
   // The entries for frameworks contain types only.
   const scripts = inject('packed').filter((file) => /^(?!chunk-|jsx|vue|svelte)[\w-]+\.js$/.test(file));
@@ -16,7 +16,7 @@ it('every script stays within its limit, with all that it imports at once', () =
   for (const { bytes, limit } of sizes) expect(bytes).toBeLessThanOrEqual(limit);
 });
 
-it('fails where a chunk that a script imports makes it too large', async () => {
+it('fails if an imported chunk makes a script too large', async () => {
   const folder = packageIn(await newProject());
   cpSync(path.join(folder, 'codecs.js'), path.join(folder, 'chunk-LARGE.js'));
   appendFileSync(path.join(folder, 'chunk-LARGE.js'), `// ${randomBytes(PACKAGE_LIMITS['index.js']!).toString('hex')}`);

@@ -24,7 +24,7 @@ inline Keyframes roundedToFloat(Keyframes k) {
   return k;
 }
 
-/// A closed cylinder about the y axis through the origin, with spokes' worth of faces on its sides.
+/// A closed cylinder about the y axis, centred at the origin, with two faces per segment on its side.
 inline Shape cylinder(double radius, double width, int segments = 24) {
   Shape shape;
   for (const double y : {-width / 2, width / 2}) {
@@ -115,8 +115,8 @@ inline std::vector<CarPose> drive(double step, int count) {
   return poses;
 }
 
-/// A bar that bends by a radian a key, with a hat (component 1) on its end that shrinks in key `small` to `scale` of
-/// its size, towards the place where it sits: to a point with 0.
+/// A bar that bends by one radian per key, with a hat (component 1) on its end. In key `small`, the hat shrinks towards
+/// its base, to `scale` of its size.
 inline Keyframes shrinkingHat(int small, double scale) {
   const Vec3 end(0, 0, 10), seat(0, 0, 10.02);
   const Shape body = box(1, 1, 10, 4, 4, 30), both = joined(body, sphere(seat + Vec3(0, 0, 0.4), 0.4, 8, 16));
@@ -133,7 +133,7 @@ inline Keyframes shrinkingHat(int small, double scale) {
   }
   return roundedToFloat(std::move(k));
 }
-/// The bar's vertex under the hat; the hat's lowest one is the last of all.
+/// The vertex of the bar under the hat. The hat's lowest vertex is the last vertex of the shape.
 inline int vertexUnderHat(const Keyframes& k) {
   const Positions& p = k.keys[0].positions;
   const auto nearer = [&](const Vec3& a, const Vec3& b) {

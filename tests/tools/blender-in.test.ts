@@ -20,7 +20,7 @@ const python = [process.env.SHAPESPLINE_BPY, installed, 'python3.11', 'python3']
 
 type Point = [number, number, number];
 
-describe.skipIf(!python)('poses that Blender wrote', () => {
+describe.skipIf(!python)('poses written by Blender', () => {
   const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-blender-'));
   const engine = testEngine();
   let truth: Record<string, Point[][]> = {};
@@ -76,14 +76,14 @@ describe.skipIf(!python)('poses that Blender wrote', () => {
     sequence.dispose();
   });
 
-  it('PLY: Z is up, and the hint says so', async () => {
+  it('PLY: Z is up, as the hint states', async () => {
     expect(warnings(await keysOf(/^zup-\d.ply$/))).toContain('z-up');
     const standing = await keysOf(/^zup-\d.ply$/, { up: 'z' });
     expect(warnings(standing)).not.toContain('z-up');
     expect(distance(standing, truth['zup']!)).toBeLessThan(1e-6);
   });
 
-  it('a rig that is not applied: the warning says why, and that its bones are at rest', async () => {
+  it('a rig that was not applied: the warning states the reason, and that the bones are at rest', async () => {
     const { info } = await keysOf(/^still-\d.glb$/);
     const same = info.warnings.find(({ code }) => code === 'same-poses');
     expect(same?.message).toMatch(/^Keys 1, 2 and 3 are the same pose.*Apply the modifiers.*bones are at rest/);
@@ -112,7 +112,7 @@ describe.skipIf(!python)('poses that Blender wrote', () => {
     expect(distance(keys, truth[name]!)).toBeLessThan(1e-6);
   });
 
-  it.each(['pc2', 'mdd'])('%s with its OBJ, in whichever axes it was written', async (kind) => {
+  it.each(['pc2', 'mdd'])('%s with its OBJ, with any axes', async (kind) => {
     const keys = await keysOf(new RegExp(`^cache\\.(obj|mtl|${kind})$`), { sample: [0, 0.5, 1] });
     const poses = [0, 12, 24].map((frame) => truth['cache']![frame]!);
     // OBJ has six decimals.

@@ -56,20 +56,20 @@ describeBlender('Blender', () => {
     }
   });
 
-  it('takes the names of materials, and numbers of 16 bits', async () => {
+  it('reads the names of materials, and 16-bit coordinates', async () => {
     const { materials, shown } = await imported({ frames: 5, compression: 'quantized' }, [0.5]);
     expect(materials).toEqual(['skin', 'cloth']);
     expect(farthestShown(shown[0]!, await made.at(0.5))).toBeLessThan(1e-4 * made.diagonal);
   });
 
-  it('bends by one slider, through the drivers that come with keys and in-betweens', async () => {
+  it('moves the shape with one slider, by the drivers for keys and in-betweens', async () => {
     const { keys, shown } = await imported({ targets: 'principal' }, grid, true);
     expect(keys).toContain('in-between 1');
     for (const [i, t] of grid.entries())
       expect(farthestShown(shown[i]!, await made.at(t))).toBeLessThan(1.1e-3 * made.diagonal);
   });
 
-  it.each(['pc2', 'mdd'] as const)('moves the OBJ by the %s beside it, exactly', async (format) => {
+  it.each(['pc2', 'mdd'] as const)('moves the OBJ exactly with its %s', async (format) => {
     const [cache, obj] = await saved(await made.files({ name: 'cached', format, fps: 24 }));
     const answer = await runInBlender<{ vertices: number; materials: string[]; uvs: number; shown: Shown[] }>(
       'blender_cache.py',
@@ -82,7 +82,7 @@ describeBlender('Blender', () => {
       expect(farthestShown(answer.shown[i]!, await made.at(t))).toBeLessThan(1e-6 * made.diagonal);
   });
 
-  it('gives back what opens here again', async () => {
+  it('exports files that open here again', async () => {
     const [file] = await saved(await made.files({ name: 'round', fps: 24 }));
     const output = path.join(folder, 'round-again.glb');
     await runInBlender('blender_round.py', { file, output, extras: true });

@@ -1,7 +1,7 @@
-"""Poses of one mesh in each of the ways in which Blender writes them: python blender-poses.py FOLDER.
+"""Writes poses of one mesh in each way that Blender supports: python blender-poses.py FOLDER.
 
-Needs the module bpy (pip install bpy). Beside the files it writes truth.json: of each set the vertices of its poses as
-Blender has them, in glTF's axes.
+Needs the module bpy (pip install bpy). Also writes truth.json: for each set, the vertices of its poses in Blender,
+converted to the axes of glTF.
 """
 
 import json
@@ -51,7 +51,7 @@ def head():
 
 
 def deform(obj, angle, method="BEND", axis="X"):
-    """The bend as a modifier, in place of the one before."""
+    """Deforms the object by a modifier, which replaces earlier ones."""
     obj.modifiers.clear()
     modifier = obj.modifiers.new("Bend", "SIMPLE_DEFORM")
     modifier.deform_method = method
@@ -79,7 +79,7 @@ def shaded(obj, flat):
 
 
 def applied(name, make, flat, method="BEND", axis="X"):
-    """Modifiers applied on export."""
+    """Poses whose modifiers are applied on export."""
     fresh()
     obj = make()
     shaded(obj, flat)
@@ -90,7 +90,7 @@ def applied(name, make, flat, method="BEND", axis="X"):
 
 
 def sharp(name):
-    """Smooth, but for edges that are sharp where they are bent."""
+    """Poses with smooth shading, except at edges that are sharp in the pose."""
     fresh()
     obj = bar()
     for index, angle in enumerate(ANGLES):
@@ -107,7 +107,7 @@ def sharp(name):
 
 
 def rig(name, animated):
-    """An armature that is posed, but not applied; with an action, each file holds the whole animation."""
+    """A posed armature that is not applied. If `animated`, each file contains the whole animation."""
     fresh()
     obj = bar()
     bpy.ops.object.armature_add(location=(0, 0, 0))
@@ -167,7 +167,7 @@ def with_floor():
 
 
 def caches():
-    """PC2 and MDD, which Blender's Mesh Cache reads and no exporter of it writes any more: as its add-ons wrote them."""
+    """PC2 and MDD files as Blender's former add-ons wrote them. Blender reads them, but no longer exports them."""
     fresh()
     obj = bar()
     deform(obj, 0)

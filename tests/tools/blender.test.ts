@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { describeBlender, runInBlender } from './blender.ts';
 
 describeBlender('a script in Blender', () => {
-  it('gets its arguments and answers, in an empty scene', async () => {
+  it('receives its arguments and returns a value, in an empty scene', async () => {
     const { version, ...rest } = await runInBlender<{ version: string }>('blender_version.py', {
       text: 'ä',
       list: [1],

@@ -1,4 +1,4 @@
-"""Imports a GLB as a person would, and tells what arrived and how it moves."""
+"""Imports a GLB with the default settings, and returns its names, frames and the vertices at given times."""
 
 from blender_script import answer, arguments, bpy
 
@@ -17,7 +17,7 @@ frames = sorted({point.co.x for curve in curves for point in curve.keyframe_poin
 
 
 def vertices(time):
-    """Positions of all vertices as they are shown, y up as in the file, and the vertex of the mesh that each is."""
+    """For each shown vertex: its number in the exported mesh, and its position with y up, as in the file."""
     if asked.get("script"):
         shape["slider"] = time
         shape.update_tag()

@@ -1,4 +1,4 @@
-"""Imports a GLB and exports it again, with the settings that Blender offers."""
+"""Imports a GLB and exports it again, with default settings except the given option for extras."""
 
 from blender_script import answer, arguments, bpy
 

@@ -1,4 +1,4 @@
-"""What every script in Blender starts with (blender.ts runs them): import this module first, it empties the scene."""
+"""Common start of the scripts that blender.ts runs in Blender. Import this module first: it empties the scene."""
 
 import json
 import sys
@@ -9,12 +9,12 @@ bpy.ops.wm.read_factory_settings(use_empty=True)
 
 
 def arguments():
-    """What the test asks for."""
+    """The arguments of the test."""
     with open(sys.argv[1], encoding="utf-8") as file:
         return json.load(file)
 
 
 def answer(value):
-    """Hands plain data back to the test."""
+    """Returns plain data to the test."""
     with open(sys.argv[2], "w", encoding="utf-8") as file:
         json.dump(value, file)

@@ -46,7 +46,7 @@ const optimised = (): Transform[] => [
   meshopt({ encoder: MeshoptEncoder, level: 'high' }),
 ];
 
-describe('a GLB of ours', () => {
+describe('an exported GLB', () => {
   it.each([
     ['read and written', () => []],
     ['reordered', () => [reorder({ encoder: MeshoptEncoder })]],
@@ -62,7 +62,7 @@ describe('a GLB of ours', () => {
       expect(largestDistance(again.positions(key), made.keys.positions(key))).toBeLessThan(3e-4 * made.diagonal);
   });
 
-  it('that was thinned opens, and says so', async () => {
+  it('with a simplified mesh opens, with a warning', async () => {
     const thin = simplify({ simplifier: MeshoptSimplifier, ratio: 0.3, error: 0.5 });
     const bytes = await through(await made.glb({ frames: 9 }), weld(), thin);
     const again = await engine.importKeyframes([{ name: 'thin.glb', bytes }]);

@@ -1,6 +1,6 @@
-"""Rotation-strain and RIMD by their formulas, in numpy, dense and slow: what tests/tools/spaces.test.ts compares with.
+"""Rotation-strain and RIMD by their formulas, in numpy, with dense matrices. Reference for tests/tools/spaces.test.ts.
 
-Gets the mesh, its keys and the shapes of the LRI motion; answers the shapes of both methods at the same times.
+Receives the mesh, its keys and the shapes of the LRI motion. Returns the shapes of both methods at the same times.
 """
 
 import numpy as np
@@ -12,7 +12,7 @@ LEAST_AGREEMENT = 1e-5
 
 
 def spline_weights(times, t):
-    """A natural cubic spline through unit values: the weight of each key at t."""
+    """Weight of each key at t for natural cubic splines."""
     n = len(times)
     h = np.diff(times)
     system, right = np.zeros((n, n)), np.zeros((n, n))
@@ -50,7 +50,7 @@ def polar(m):
 
 
 def frame(p):
-    """The corners' matrix of a triangle with its unit normal as third column."""
+    """The matrix of a triangle: two edges and the unit normal as columns."""
     e, f = p[1] - p[0], p[2] - p[0]
     n = np.cross(e, f)
     return np.stack([e, f, n / np.linalg.norm(n)], axis=1)
@@ -74,7 +74,7 @@ class Shape:
         return r, r.T @ gradient
 
     def find_pairs(self):
-        """Of neighbours, either way round."""
+        """Pairs of neighbouring faces, in both orders."""
         sides, pairs = {}, []
         for f, face in enumerate(self.faces):
             for c in range(3):
@@ -93,12 +93,12 @@ class Shape:
         return matrix
 
     def hats(self, f):
-        """Gradients of the three corners' hat functions, as columns."""
+        """Gradients of the hat functions of the three corners, as columns."""
         first, second = self.inverse[f][0], self.inverse[f][1]
         return np.stack([-first - second, first, second], axis=1)
 
     def solve(self, gradients, mean):
-        """The vertices whose gradients come nearest, their mean where it is to be."""
+        """The vertices with the given mean whose gradients fit the given ones best (least squares)."""
         right = np.zeros((len(self.keys[0]), 3))
         for f, face in enumerate(self.faces):
             right[face] += self.area[f] * self.hats(f).T @ gradients[f].T
@@ -108,13 +108,13 @@ class Shape:
 
     def at(self, t):
         weights = spline_weights(self.times, t)
-        # What of each step has been taken: the weights of all keys from its end on.
+        # Applied share of each step: the sum of the weights of all keys from its end on.
         shares = np.cumsum(weights[::-1])[::-1][1:]
         stretch = np.einsum("k,kfij->fij", weights, self.stretch)
         mean = np.tensordot(weights, self.keys.mean(axis=1), 1)
         return shares, stretch, mean
 
-    # Increments of a step on the branches nearest their neighbours', from the calmest face on.
+    # Increments of a step. Each gets the full turns that bring it nearest to a neighbour's, starting at the smallest.
     def lifted(self, step):
         increments = np.array([log(a.T @ b) for a, b in zip(self.rotation[step], self.rotation[step + 1])])
         neighbours = [[] for _ in self.faces]

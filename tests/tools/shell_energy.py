@@ -1,8 +1,9 @@
-"""Lengths, dihedral angles and the energy of shells by their formulas, in numpy: what spaces.test.ts compares with.
+"""Lengths, dihedral angles and the energy of shells by their formulas, in numpy. Reference for spaces.test.ts.
 
-Gets the mesh, its keys, and paths of shapes at the same even times. Answers by how much Gauss-Newton steps from each
-fitted shape lower the energy that it should minimise, and the bending energy of every path; and of three shapes `step`
-apart, the squared second derivative of their lengths and angles over the squared change between the keys.
+Receives the mesh, its keys, and paths of shapes at the same evenly spaced times. Returns the relative decrease of the
+minimised energy by Gauss-Newton steps from each fitted shape, and the bending energy of every path. Also returns, for
+three shapes `step` apart, the squared second derivative of their lengths and angles, relative to the squared change
+between the keys.
 """
 
 import numpy as np
@@ -76,7 +77,7 @@ class Shell:
         return p
 
     def bending(self, path):
-        """4 K^3 sum W[s_k, m_k]."""
+        """4 K^3 times the sum of W[s_k, m_k], where m_k is the middle of the neighbours of shape s_k."""
         k = len(path) - 1
         total = 0
         for before, here, after in zip(path, path[1:], path[2:]):

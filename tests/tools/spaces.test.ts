@@ -29,8 +29,8 @@ async function shapesOf(keys: Keys, method: Method): Promise<number[][]> {
   return frames.map(({ positions }) => [...positions]);
 }
 
-describeBlender('the rival spaces', () => {
-  it('are what their formulas give, to 1e-6 of the diagonal', async () => {
+describeBlender('the compared spaces', () => {
+  it('match their formulas, to 1e-6 of the diagonal', async () => {
     const keys = await importBar();
     const poses = keys.info.times.map((_, key) => [...keys.positions(key)]);
     const lri = await shapesOf(keys, 'lri');
@@ -50,7 +50,7 @@ describeBlender('the rival spaces', () => {
     }
   });
 
-  it('of shells have the least energies that their formulas allow', async () => {
+  it('of shells have the least energies by their formulas', async () => {
     const samples = 4;
     const { faces, poses } = rolledSheet(4, 2.5);
     const keys = await engine.createKeys({

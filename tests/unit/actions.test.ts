@@ -40,11 +40,11 @@ describe('bound commands', () => {
     context,
   );
 
-  it('give back what the command does', () => {
+  it('return the result of the command', () => {
     expect(bound.add(1, 2)).toBe(3);
   });
 
-  it('say what fails', async () => {
+  it('report failures', async () => {
     await bound.fail();
     expect(errors.map(String)).toEqual(['Error: no']);
   });

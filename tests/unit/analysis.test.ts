@@ -54,14 +54,14 @@ function setUp(...methods: Method[]) {
 }
 
 describe('the analysis', () => {
-  it('has the bending energy of every method and the plane of what is in LRI space', async () => {
+  it('has the bending energy of every method and the plane of motions in LRI space', async () => {
     const { cache } = setUp('lri', 'linear');
     const { motions, times } = (await cache.get())!;
     expect(motions.map(({ bending }) => bending.length)).toEqual([times.length, times.length]);
     expect(motions.map(({ plane }) => plane !== null)).toEqual([true, false]);
   });
 
-  it('tells motions of another shape from a change of the same one', () => {
+  it('distinguishes motions of another shape from changes of the same shape', () => {
     const { cache, heard, openOther } = setUp('lri');
     cache.invalidate();
     openOther();
@@ -80,7 +80,7 @@ describe('the analysis', () => {
     expect(asked).toHaveLength(2);
   });
 
-  it('is passed at once to an observer that comes later', async () => {
+  it('is passed at once to later observers', async () => {
     const { cache, heard } = setUp('lri');
     const observe = (): void =>
       cache.observe({
@@ -96,7 +96,7 @@ describe('the analysis', () => {
     expect(heard).toEqual(['fresh']);
   });
 
-  it('of motions that changed meanwhile is not fresh, and its end is reported', async () => {
+  it('is not current if the motions changed meanwhile, and its end is reported', async () => {
     const { cache, heard } = setUp('lri');
     const first = cache.refresh();
     cache.invalidate();
@@ -105,7 +105,7 @@ describe('the analysis', () => {
     expect(cache.stale).toBe(true);
   });
 
-  it('is none where nothing is open, and after a failure that is reported', async () => {
+  it('is null if nothing is open, and after a reported failure', async () => {
     expect(await setUp().cache.get()).toBeNull();
     const { cache, errors, sequences } = setUp('lri');
     Object.assign(sequences[0]!.sequence, { measures: () => Promise.reject(new Error('worker ended')) });
@@ -113,12 +113,12 @@ describe('the analysis', () => {
     expect(errors).toHaveLength(1);
   });
 
-  it('leaves out the motion without a ghost mesh beside one with it', () => {
+  it('omits the motion without a ghost mesh next to one with it', () => {
     const both = [running('lri', [], 500), running('lri', []), running('geodesic', [], 500)];
     expect(analysisInput(both, doc, [0, 1], 1).sequences).toEqual([both[0], both[2]]);
   });
 
-  it('is relative to the first key, where that has a measure', () => {
+  it('is relative to the first key, if that has a value', () => {
     const common = { times: [-1, 0, 1], keyTimes: [0, 1], range: [0, 1] as const, motions: [] };
     expect(relativeToFirstKey([1, 2, 3], common)).toEqual([50, 100, 150]);
     expect(relativeToFirstKey([1, 0, 3], common)).toEqual([NaN, NaN, NaN]);
@@ -139,7 +139,7 @@ describe('shape planes', () => {
     expect(await shown(kept, published)).toBe(1);
   });
 
-  it('are those of LRI space, with handles a third of the way to what tells the direction', async () => {
+  it('are those of LRI space, with handles a third of the way to the shape that gives the direction', async () => {
     const sequences = [running('lri', []), running('linear', [])];
     const input = {
       sequences,
@@ -160,7 +160,7 @@ describe('shape planes', () => {
     expect((await computeShapePlanes({ ...input, towards: null })).tangents).toBeNull();
   });
 
-  it('tell which speeds are on offer, by how close the tangents lie to their keys', async () => {
+  it('determine the offered speeds from the distances of the tangent poses to their keys', async () => {
     const plane = { ...(await running('lri', []).sequence.shapePlane([])), tangents: [1.2, 0.6, 3, 9] };
     const towards = { start: 'shape', end: 'shape' } as const;
     expect(mostSpeeds(plane, towards)).toEqual({ start: 20, end: 4 });

@@ -19,12 +19,12 @@ afterEach(() => {
 });
 
 describe('downloaded archives', () => {
-  it('are named with their digests by the package lists', () => {
+  it('are listed with their digests', () => {
     const printed = `Reading...\n'https://mirror.test/pool/thing_1.0_all.deb' thing_1.0_all.deb 9 SHA256:${sha256}\n`;
     expect(namedArchives(printed)).toEqual([archive]);
   });
 
-  it('pass when they are whole', () => {
+  it('are accepted if complete', () => {
     writeFileSync(path.join(folder, archive.file), content);
     expect(() => verifyArchives(folder, [archive])).not.toThrow();
   });
@@ -38,7 +38,7 @@ describe('downloaded archives', () => {
     expect(existsSync(path.join(folder, archive.file))).toBe(false);
   });
 
-  it('are refused when they are missing', () => {
+  it('are reported if missing', () => {
     expect(() => verifyArchives(folder, [archive])).toThrow(archive.file);
   });
 });

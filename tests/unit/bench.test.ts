@@ -15,8 +15,8 @@ import { aligned, Sliding, walkedOn } from '../bench/truth.ts';
 import { meshGlb } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';
 
-describe('the words behind npm run bench --', () => {
-  it('say what is measured, on which sizes, and where', () => {
+describe('the arguments of npm run bench --', () => {
+  it('state what is measured, for which sizes, and where', () => {
     expect(benchArguments([])).toEqual({ what: 'stages', sizes: null, files: [], browser: false, save: false });
     expect(benchArguments(['64,4000000', '--save', '--browser'])).toEqual({
       what: 'stages',
@@ -89,7 +89,7 @@ describe('the words behind npm run bench --', () => {
     expect(() => benchArguments(words.split(' '))).toThrow('usage: npm run bench');
   });
 
-  it('are read before anything is looked for or made', () => {
+  it('are checked before any other work', () => {
     const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-bare-'));
     try {
       cpSync(fileURLToPath(new URL('../../wasm/toolchain', import.meta.url)), path.join(folder, 'wasm/toolchain'), {
@@ -127,7 +127,7 @@ describe('the old layout of an animation', () => {
 });
 
 describe('quantiles', () => {
-  it('are values that were seen, whatever their order', () => {
+  it('are values of the list, in any order', () => {
     expect(quantile([5, 1, 4, 2, 3])).toBe(3);
     expect(quantile([10, 9])).toBe(10);
     expect(quantile([7], 0.95)).toBe(7);
@@ -140,7 +140,7 @@ describe('the verdict', () => {
   const frame: Target = { mesh: '10000 faces', what: 'frame, ms', value: 0.5, limit: 1, atLeast: false, met: true };
   const solve: Target = { mesh: '332000 faces', what: 'Eigen / ours', value: 0.9, limit: 1, atLeast: true, met: false };
 
-  it('names in one sentence what was missed', () => {
+  it('names missed targets in one sentence', () => {
     expect(verdict([frame, frame])).toBe('All 2 targets were met.');
     expect(verdict([frame, solve])).toBe('1 of 2 targets MISSED: Eigen / ours at 332000 faces (0.90, at least 1.00).');
   });
@@ -162,7 +162,7 @@ describe('errors over a sweep of times', () => {
 describe('a motion beside a captured one', () => {
   const shape = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3);
 
-  it('is laid over it, turned and moved as a whole', () => {
+  it('is aligned by a rigid motion', () => {
     // A quarter turn about z, which maps x to y, and a translation.
     const turned = shape.map((_, i) => [5 - shape[i + 1]!, shape[i - 1]! - 1, shape[i]! + 2][i % 3]!);
     aligned(shape, turned).forEach((value, i) => {
@@ -176,7 +176,7 @@ describe('a motion beside a captured one', () => {
     ).not.toEqual(shape);
   });
 
-  it('slides as far as what rests in the captured one is from where it truly is', () => {
+  it('has a sliding that is the distance of resting vertices from their true positions', () => {
     const moved = (x: number, which: number): Float32Array => shape.map((value, i) => value + (i === which ? x : 0));
     const sliding = new Sliding(10);
     expect(sliding.percent).toBeNaN();
@@ -187,7 +187,7 @@ describe('a motion beside a captured one', () => {
     expect(sliding.percent).toBeCloseTo(10 * Math.sqrt(1 / 3), 5);
   });
 
-  it('walks on where what is on the ground stays, and nowhere without steps', () => {
+  it('moves forward so that vertices on the ground stay, but not without steps', () => {
     // A head, and a foot that slides back by 1 per frame along x and z.
     const frames = Array.from({ length: 8 }, (_, i) => Float32Array.of(0, 10, 0, -i, 0, -i, -i, 0.1, -i));
     const onward = walkedOn(frames, 10)!;

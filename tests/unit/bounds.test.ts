@@ -9,13 +9,13 @@ const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
 const indices = Uint32Array.from([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
 
 describe('measures on the page', () => {
-  it('know the tetrahedron', () => {
+  it('are correct for a tetrahedron', () => {
     const { volume, area } = measure(positions, indices);
     expect(volume).toBeCloseTo(1 / 6, 6);
     expect(area).toBeCloseTo(1.5 + Math.sqrt(3) / 2, 6);
   });
 
-  it('do not depend on where the shape stands', () => {
+  it('do not depend on the position of the shape', () => {
     const moved = positions.map((value, index) => value + [5, -3, 8][index % 3]!);
     expect(measure(moved, indices).volume).toBeCloseTo(1 / 6, 4);
   });
@@ -25,7 +25,7 @@ describe('measures on the page', () => {
     expect(bounds).toMatchObject({ min: [-2, -2, -2], max: [1, 1, 1] });
   });
 
-  it('put the ring around what touches the floor, not around what leans over it', () => {
+  it('put the ring around the parts that touch the floor, not around parts above it', () => {
     const leaning = Float32Array.from([3, 0, 4, 5, 0, 4, 4, 0.01, 5, 9, 1, 9]);
     expect(extentOf([leaning]).bounds.foot).toEqual({ x: 4, z: 4.5, radius: Math.hypot(1, 0.5) });
   });
@@ -60,7 +60,7 @@ describe('tiles', () => {
     }
   });
 
-  it('stand side by side where it is wide and above each other where it is tall', () => {
+  it('are side by side on a wide canvas and above each other on a tall one', () => {
     expect(tiles(2, 900, 400).map((rect) => rect.y)).toEqual([0, 0]);
     // Film strips are wide.
     expect(tiles(2, 900, 400, 6).map((rect) => rect.x)).toEqual([0, 0]);

@@ -16,13 +16,13 @@ const QUADS = [
 ] as const;
 const FACES = Uint32Array.from(QUADS.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]));
 
-test('points in a cube are inside, those beside it are not', () => {
+test('points in a cube are inside, points next to it are not', () => {
   expect(isInside([0.9, -0.9, 0.5], CORNERS, FACES)).toBe(true);
   expect(isInside([1.1, 0, 0], CORNERS, FACES)).toBe(false);
   expect(isInside([0, 30, 0], CORNERS, FACES)).toBe(false);
 });
 
-test('a cube without a side has an inside still', () => {
+test('a cube with an open side still has an inside', () => {
   const open = FACES.slice(6);
   expect(isInside([0.2, 0, 0], CORNERS, open)).toBe(true);
   expect(isInside([-3, 0, 0], CORNERS, open)).toBe(false);

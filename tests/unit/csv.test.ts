@@ -4,7 +4,7 @@ import { ENCODING, MOTION, PER_KEY } from '../../web/engine/api/option-table.ts'
 import { pageOptions } from '../../web/model/page-options.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
-it('a table begins with every option that the page offers, those for keys beside their key', () => {
+it('a table begins with every option of the page, with options per key next to their key', () => {
   const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 2, { tension: 0.5, turns: [{ component: 3, turns: -1 }] }));
   const [version, keys, options, ...rows] = patchesCsv(Int32Array.of(4, 5), doc, '1.2.3').split('\n');
   expect(version).toBe('# shapespline 1.2.3');
@@ -17,12 +17,12 @@ it('a table begins with every option that the page offers, those for keys beside
   expect(rows).toEqual(['face,patch', '0,4', '1,5', '']);
 });
 
-it('times of keys are written without the rounding of the machine', () => {
+it('times of keys are written without rounding errors', () => {
   const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 3 * 0.4));
   expect(patchesCsv(Int32Array.of(4), doc, '1.2.3')).toContain('"time":1.2,');
 });
 
-it('no name of a file becomes a formula of a spreadsheet', () => {
+it('no file name becomes a spreadsheet formula', () => {
   const names = ['=1+1', 'x",=HYPERLINK("http://a.test")', "x';=cmd|'/c calc'!A0", '@SUM(1)', '\t=1', '\r\n=1'];
   const doc = docOfKeys(...names.map((name, index) => keyRef(index, name, index)));
   const table = patchesCsv(Int32Array.of(4), doc, '1.2.3');

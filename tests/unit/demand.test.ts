@@ -28,7 +28,7 @@ function setUp() {
 }
 
 describe('the demand for times', () => {
-  it('is for nothing at first, and for nothing when the frame was shown', () => {
+  it('is empty at first, and after the frame is shown', () => {
     const { demand, frames } = setUp();
     expect(demand.open).toBe(false);
     demand.want(0.5);
@@ -38,7 +38,7 @@ describe('the demand for times', () => {
     expect([demand.open, demand.shown.t]).toEqual([false, 0.5]);
   });
 
-  it('is for the newest time alone', () => {
+  it('is for the newest time only', () => {
     const { demand } = setUp();
     demand.want(0.1);
     const overtaken = demand.wanted;
@@ -47,7 +47,7 @@ describe('the demand for times', () => {
     expect([demand.wanted.t, demand.open]).toEqual([0.2, true]);
   });
 
-  it('has no use for frames of sequences that were exchanged', () => {
+  it('ignores frames of replaced sequences', () => {
     const { demand, frames, exchange } = setUp();
     const set = frames(0.5);
     expect(demand.isCurrent(set)).toBe(true);
@@ -55,7 +55,7 @@ describe('the demand for times', () => {
     expect(demand.isCurrent(set)).toBe(false);
   });
 
-  it('is for a blend as long as there is one', () => {
+  it('is for the blend while there is one', () => {
     const { demand, off } = setUp();
     off.blend = [0.5, 0.5];
     demand.want(0.4);

@@ -33,8 +33,8 @@ function entry(name: string, content: Tree | string | null): FileSystemEntry {
 const entries = (tree: Tree): FileSystemEntry[] => Object.entries(tree).map(([name, content]) => entry(name, content));
 const namesIn = async (tree: Tree): Promise<string[]> => (await filesOf(entries(tree))).map(({ name }) => name);
 
-describe('what was dropped', () => {
-  it('is walked through with paths from the top', async () => {
+describe('dropped files and folders', () => {
+  it('are read with paths from the top folder', async () => {
     const tree = {
       wolf: { 'wolf-1.obj': 'v', parts: { 'wolf.mtl': 'newmtl', deep: { 'skin.png': 'png' } } },
       'wolf-2.obj': 'v',
@@ -49,12 +49,12 @@ describe('what was dropped', () => {
     expect(await files[1]!.file.text()).toBe('newmtl');
   });
 
-  it('is read to its end, however many files a folder holds', async () => {
+  it('are read completely, with any number of files in a folder', async () => {
     const poses = Object.fromEntries(Array.from({ length: 350 }, (_, i) => [`pose-${i}.ply`, 'ply']));
     expect(await namesIn({ poses })).toHaveLength(350);
   });
 
-  it('leaves out what folders hold beside models, but no single file', async () => {
+  it('exclude other files of folders, but no single file', async () => {
     const folder = {
       'a.GLB': '',
       '._a.glb': '',
@@ -67,7 +67,7 @@ describe('what was dropped', () => {
     expect(await namesIn({ folder, 'c.blend': '' })).toEqual(['folder/a.GLB', 'folder/b.Ply', 'c.blend']);
   });
 
-  it('is refused in a sentence where there is no model, too much, or nothing to read', async () => {
+  it('are refused with a message if there is no model, too much data, or nothing readable', async () => {
     await expect(namesIn({ photos: { 'readme.pdf': '', more: {} } })).rejects.toThrow('There is no model in photos.');
     const many = Object.fromEntries(Array.from({ length: 20_001 }, (_, i) => [`${i}.txt`, '']));
     await expect(namesIn({ many })).rejects.toThrow('More than 20,000 files');
@@ -75,12 +75,12 @@ describe('what was dropped', () => {
     await expect(namesIn({ folder: { 'gone.obj': null } })).rejects.toThrow('folder/gone.obj could not be read.');
   });
 
-  it('is called by its first model', () => {
+  it('are named after the first model', () => {
     expect(leadingName(['a/paint.mtl', 'a/paint.png', 'a/Wolf.OBJ', 'a/wolf-2.obj'])).toBe('a/Wolf.OBJ');
     expect([leadingName(['walk.glb']), leadingName(['odd.xyz']), leadingName([])]).toEqual(['walk.glb', 'odd.xyz', '']);
   });
 
-  it('comes as plain files where the browser knows no entries, or there is no folder among them', async () => {
+  it('are plain files if the browser does not support entries, or without a folder', async () => {
     const files = [new File(['a'], 'a.obj'), new File(['b'], 'b.obj')];
     const bare = { items: [{}, {}], files } as unknown as DataTransfer;
     const flat = {

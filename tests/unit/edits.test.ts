@@ -36,7 +36,7 @@ const poses = (d: Doc): number[] => d.keys.map((key) => key.pose);
 const times = (d: Doc): number[] => d.keys.map((key) => key.time);
 
 describe('edits of keys', () => {
-  it('move a shape to another place and leave the times where they are', () => {
+  it('move a shape to another place without changing the times', () => {
     const next = moveKey(doc, 0, 2);
     expect(poses(next)).toEqual([1, 2, 0]);
     expect(times(next)).toEqual([0, 0.4, 1]);
@@ -50,7 +50,7 @@ describe('edits of keys', () => {
     expectShapings(past);
   });
 
-  it('run the motion backwards, with all that belongs to its keys, and twice as it was', () => {
+  it('reverse the motion with all options of its keys; reversing twice changes nothing', () => {
     const pins = [{ vertex: 7, radius: 0.1, stay: 2, path: [0.25, 0.5].map((time) => ({ time, move: [time, 0, 0] })) }];
     const start = setMotion(setEncoding(doc, { startTangentPose: 1, referencePose: 0 }), {
       startSpeed: 0,
@@ -83,13 +83,13 @@ describe('edits of keys', () => {
     expect(addKey(doc, { pose: 3, name: 'd', time: 0.4 })).toBe(doc);
   });
 
-  it('add a key where its time belongs', () => {
+  it('add a key at the place of its time', () => {
     const next = addKey(doc, { pose: 3, name: 'd', time: 0.6 });
     expect(poses(next)).toEqual([0, 1, 3, 2]);
     expectShapings(next);
   });
 
-  it('give the shape and its parts whole turns, and take them away', () => {
+  it('add full turns to the shape and its parts, and remove them', () => {
     const turns = (d: Doc): object[] => d.keys.map(({ shaping }) => shaping.turns);
     const next = setTurns(setTurns(doc, 1, { component: 0, turns: -1 }), 2, { component: 7, turns: 1 });
     expect(turns(next)).toEqual([
@@ -116,7 +116,7 @@ describe('edits of keys', () => {
     expect(removeKey(two, 0)).toBe(two);
   });
 
-  it('an end that rests is led by a shape at the usual speed', () => {
+  it('give an end at rest the usual speed if a tangent pose is chosen', () => {
     const eased = setMotion(doc, { boundary: 'hermite', startSpeed: 0, endSpeed: 0 });
     const led = setEncoding(eased, { startTangentPose: 1 });
     expect(led.motion).toMatchObject({ startSpeed: 1, endSpeed: 0 });
@@ -131,7 +131,7 @@ describe('edits of keys', () => {
     expect(referenceKey(removeKey(chosen, 2))).toBe(0);
   });
 
-  it('are the same document where nothing changes', () => {
+  it('return the same document if nothing changes', () => {
     expect(renameKey(doc, 0, 'a')).toBe(doc);
     expect(renameKey(doc, 0, '').keys[0]!.name).toBe('');
     expect(moveKey(doc, 1, 1)).toBe(doc);
@@ -142,8 +142,8 @@ describe('edits of keys', () => {
   });
 });
 
-describe('what is chosen for each key', () => {
-  it('becomes the lists of the engine, and comes back from them', () => {
+describe('options of each key', () => {
+  it('become the lists of the engine, and are read back from them', () => {
     const all = doc.keys.map(({ shaping }) => shaping);
     const lists = listsOf(all);
     expect(lists).toMatchObject({
@@ -169,7 +169,7 @@ describe('all keys at once', () => {
     expect(each.keys.map(({ shaping }) => shaping.tension)).toEqual([0, 0.25, 1].slice(0, doc.keys.length));
   });
 
-  it('are spaced evenly or by how different they are, between the first time and the last', () => {
+  it('are spaced evenly or by their distances, between the first time and the last', () => {
     const [first, last] = [doc.keys[0]!.time, doc.keys.at(-1)!.time];
     const share = (power: number, distance: number[]): number =>
       (spaceKeys(doc, distance, power).keys[1]!.time - first) / (last - first);
@@ -179,7 +179,7 @@ describe('all keys at once', () => {
     expect(spaceKeys(doc, [1, 3], 1).keys.at(-1)!.time).toBe(last);
   });
 
-  it('stay apart where two are equal, or all', () => {
+  it('have different times if two or all shapes are equal', () => {
     const times = spaceKeys(doc, [0, 5], 1).keys.map(({ time }) => time);
     expect(times[1]!).toBeGreaterThan(times[0]!);
     const even = spaceKeys(doc, [0, 0], 1).keys.map(({ time }) => time);

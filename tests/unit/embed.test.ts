@@ -17,12 +17,12 @@ describe('every row of the table', () => {
   });
 });
 
-it('"false" counts as false and is said', () => {
+it('"false" counts as false and is reported', () => {
   expect(readAttribute(ROWS.autoplay, 'false')).toMatchObject({ value: false, problem: expect.any(String) });
   expect(readAttribute(ROWS.loop, 'false')).toMatchObject({ value: '', problem: expect.any(String) });
 });
 
-it('what is no such value is said, and the default stands for it', () => {
+it('an invalid value is reported, and the default is used', () => {
   expect(readAttribute(ROWS.boundary, 'round')).toMatchObject({ value: 'natural', problem: expect.any(String) });
   expect(readAttribute(ROWS.playbackRate, '0')).toMatchObject({ value: 1, problem: expect.any(String) });
   for (const range of ['1', '2 1', 'a b'])

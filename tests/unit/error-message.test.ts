@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { errorMessageOf } from '../../web/app/view/error-message.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 
-describe('a failure in words', () => {
-  it('is its own sentence, with code and place for experts', () => {
+describe('the message for a failure', () => {
+  it('is its own message, with code and location as details', () => {
     const error = new EngineError('vertex-count-mismatch', 'b.obj (key 2) has 3 vertices.', { file: 'b.obj', key: 1 });
     expect(errorMessageOf(error)).toEqual({
       message: 'b.obj (key 2) has 3 vertices.',
@@ -15,7 +15,7 @@ describe('a failure in words', () => {
     expect(errorMessageOf(new TypeError('x is not a function')).details).toBe('TypeError');
   });
 
-  it('leaves hope where nothing is known of it', () => {
+  it('suggests a retry for unknown failures', () => {
     expect(errorMessageOf('boom')).toEqual({
       message: 'Something went wrong. The shape on the screen is still usable.',
       details: 'boom',

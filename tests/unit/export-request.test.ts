@@ -7,21 +7,21 @@ const numbers = (request: Partial<ExportRequest>, playing: Partial<Playing> = {}
   exportNumbers({ ...DEFAULT_REQUEST, ...request }, { ...WATCHED, ...playing }, video);
 const VIDEO = { animation: 'video' } as const;
 
-describe('what an export is', () => {
-  it('takes the time that was watched', () => {
+describe('the request for an export', () => {
+  it('has the duration of playback', () => {
     expect(numbers({})).toMatchObject({ seconds: 4, speed: 0.25, frames: 121, rate: 30 });
     expect(numbers(VIDEO, {}, 'mp4')).toMatchObject({ seconds: 4, frames: 120, rate: 30 });
     expect(numbers(VIDEO, { speed: 2, range: [1, 3] }, 'webm')).toMatchObject({ seconds: 1, frames: 30 });
     expect(numbers({ duration: 2 })).toMatchObject({ seconds: 2, speed: 0.5, frames: 61 });
   });
 
-  it('has a turn take its own seconds', () => {
+  it('has a separate duration for a turntable', () => {
     const turn = { kind: 'picture', picture: 'turntable' } as const;
     expect(numbers(turn, {}, 'mp4')).toMatchObject({ seconds: 6, frames: 180 });
     expect(numbers({ ...turn, turn: 2, duration: 9, bounce: true }, {}, 'mp4')).toMatchObject({ frames: 60 });
   });
 
-  it('has frames and rate that agree, whichever was chosen', () => {
+  it('has consistent frames and frame rate, whichever was chosen', () => {
     expect(numbers({ frames: 60 })).toMatchObject({ frames: 60, rate: 14.75 });
     expect(numbers({ rate: 10 })).toMatchObject({ frames: 41, rate: 10 });
     expect(numbers({ rate: 1000, duration: 3600 }).frames).toBe(2000);
@@ -38,13 +38,13 @@ describe('what an export is', () => {
     expect(gridTimes(slow)).toEqual(gridTimes(whole));
   });
 
-  it('has frames of a GIF that its hundredths of a second can tell', () => {
+  it('has GIF frames of whole hundredths of a second', () => {
     expect(numbers(VIDEO, {}, 'gif')).toMatchObject({ frames: 100, rate: 25 });
     expect(numbers({ ...VIDEO, rate: 60 }, {}, 'gif').rate).toBe(50);
     expect(numbers({ ...VIDEO, rate: 120 }, {}, 'mp4').rate).toBe(60);
   });
 
-  it('plays back and forth in twice the frames, without one twice in a row', () => {
+  it('plays back and forth in twice the frames, without equal neighbours', () => {
     const { frames } = numbers({ ...VIDEO, bounce: true, duration: 0.1 }, {}, 'mp4');
     expect(frames).toBe(6);
     expect(numbers({ ...VIDEO, duration: 0.1 }, {}, 'mp4').frames).toBe(3);
@@ -52,7 +52,7 @@ describe('what an export is', () => {
     expect(shares).toEqual([0, 1 / 3, 2 / 3, 1, 2 / 3, 1 / 3]);
   });
 
-  it('has a size of its own, of the screen, or small where it is a GIF', () => {
+  it('has the chosen size, that of the screen, or a small one for a GIF', () => {
     const size = (request: Partial<ExportRequest>, video: VideoFormat | null = null) =>
       sizeOf({ ...DEFAULT_REQUEST, ...request }, video);
     expect(size(VIDEO, 'mp4')).toBeNull();
@@ -62,7 +62,7 @@ describe('what an export is', () => {
     expect(size({ kind: 'picture', size: 'own', own: { width: 7, height: 9 } })).toEqual({ width: 7, height: 9 });
   });
 
-  it('of a video says nothing about pictures, and theirs nothing about videos', () => {
+  it('has only the options of its kind', () => {
     const both = { ...DEFAULT_REQUEST, size: '4k', videoSize: 'square' } as const;
     expect(sizeOf({ ...both, kind: 'picture' }, null)).toEqual(SIZES['4k']);
     expect(sizeOf({ ...both, ...VIDEO }, 'mp4')).toEqual(SIZES.square);

@@ -29,13 +29,13 @@ function turned(degrees: number): Float32Array {
 }
 
 describe('rotation and stretch of faces', () => {
-  it('are none in the reference', () => {
+  it('are zero in the reference', () => {
     for (const kind of ['rotation', 'stretch'] as const) {
       expect(heat.amounts(mesh.positions, kind).largest, kind).toBeLessThan(0.1);
     }
   });
 
-  it('of a turned shape are its angle, and no stretch', () => {
+  it('of a rotated shape are its angle, without stretch', () => {
     for (const degrees of [10, 90, 170]) {
       const { values } = heat.amounts(turned(degrees), 'rotation');
       for (const value of values) expect(value).toBeCloseTo(degrees, 1);
@@ -59,7 +59,7 @@ describe('rotation and stretch of faces', () => {
     expect(Math.min(...angles)).toBeLessThan(4);
   });
 
-  it('leave out faces without area, and colour by the top of the bar', () => {
+  it('omit faces without area, and use colours up to the top of the bar', () => {
     const flat = new FaceHeat(new Float32Array(9), Uint32Array.of(0, 1, 2));
     expect(flat.amounts(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0), 'stretch')).toMatchObject({ largest: 0, mean: 0 });
     const colours = heatColours({ percent: Float32Array.of(0, 50, 100) }, 100);

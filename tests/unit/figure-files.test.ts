@@ -9,7 +9,7 @@ import type { Presented } from '../../web/model/state.ts';
 
 const times = Array.from({ length: 97 }, (_, i) => i / 96);
 
-it('numbers of a chart: a row a time, a column a curve, nothing if nothing is known', () => {
+it('numbers of a chart: a row per time, a column per curve, empty if unknown', () => {
   const numbers = chartNumbers({
     times,
     keyTimes: [0, 0.5, 1],
@@ -24,13 +24,13 @@ it('numbers of a chart: a row a time, a column a curve, nothing if nothing is kn
   expect(numbers.rows[48]).toEqual([0.5, 1, NaN]);
 });
 
-it('numbers of a chart with a choice of measures say which it is', () => {
+it('numbers of a chart with a choice of measures name the measure', () => {
   const series = [{ label: 'a', values: [1], style: '' }];
   const numbers = chartNumbers({ times: [0], keyTimes: [0], range: [0, 1], series, measure: 'by lengths' });
   expect(numbers.names).toEqual(['Time', 'a, by lengths']);
 });
 
-it('about two dozen rows are read, the keys among them', () => {
+it('about two dozen rows are shown, including the keys', () => {
   const keep = [times[1]!, times[95]!];
   const read = briefly({ names: ['Time'], rows: times.map((t) => [t]), keep }).map(([t]) => t);
   expect(read.length).toBeLessThanOrEqual(27);
@@ -38,7 +38,7 @@ it('about two dozen rows are read, the keys among them', () => {
   expect(read).toEqual([...read].sort((a, b) => a! - b!));
 });
 
-it('a link brings back the plots that are always there, and no other', () => {
+it('a link restores the plots that always exist, and no others', () => {
   const linked = (present: Presented): string =>
     writePermalink(
       {
@@ -53,7 +53,7 @@ it('a link brings back the plots that are always there, and no other', () => {
   expect(readPermalink('sample=cactus&present=face-stretch')?.unfit).toEqual(['present']);
 });
 
-it('colours of a saved picture are such as any program reads', () => {
+it('colours of a saved image are readable by any program', () => {
   expect(plainColour('color(srgb 0.9 0.5 0 / 0.14)')).toEqual({ colour: 'rgb(230, 128, 0)', opacity: 0.14 });
   expect(plainColour('rgba(0, 114, 178, 0.5)')).toEqual({ colour: 'rgb(0, 114, 178)', opacity: 0.5 });
   expect(plainColour('rgb(0, 158, 115)')).toEqual({ colour: 'rgb(0, 158, 115)', opacity: 1 });

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { columnsOf } from '../../web/app/drawing/onion-skin.ts';
 
 describe('columns of film strips', () => {
-  it('leave room for the widest shape of each, and none overlap', () => {
+  it('have room for their widest shapes, without overlap', () => {
     const widths = [
       [1, 3, 1, 2],
       [2, 1, 1, 4],
@@ -17,7 +17,7 @@ describe('columns of film strips', () => {
     expect(columns[2]! - columns[1]!).toBeCloseTo(1.08 * 2, 6);
   });
 
-  it('stand about the middle', () => {
+  it('are centred', () => {
     const [first, , last] = columnsOf([[2, 1, 4]]) as [number, number, number];
     expect(first - 1).toBeCloseTo(-(last + 2), 6);
     expect(columnsOf([[5]])).toEqual([0]);

@@ -18,7 +18,7 @@ function firstKeyOf() {
 }
 
 describe('the first key', () => {
-  it('is shown once what is open rests, also where only reading tells that files are large', async () => {
+  it('is shown once playback has stopped, also if files turn out to be large only after reading', async () => {
     for (const begun of [true, false]) {
       const { firstKey, log } = firstKeyOf();
       if (begun) firstKey.begin();
@@ -27,7 +27,7 @@ describe('the first key', () => {
     }
   });
 
-  it('is hidden where it is not opened, and stays until its motion comes where it is', async () => {
+  it('is hidden if opening fails, and otherwise stays until its motion is ready', async () => {
     for (const isOpened of [true, false]) {
       const { firstKey, log } = firstKeyOf();
       firstKey.begin();
@@ -39,7 +39,7 @@ describe('the first key', () => {
     }
   });
 
-  it('is not shown where something else is opened before what is open rests', async () => {
+  it('is not shown if something else is opened before playback has stopped', async () => {
     const { firstKey, log } = firstKeyOf();
     firstKey.begin();
     const given = firstKey.show(openingOf('a'));

@@ -11,11 +11,11 @@ it('spaces times evenly between keys, in proportion to their intervals', () => {
   expect(times.map(({ key }) => key)).toEqual([0, -1, 1, -1, -1, -1, 2]);
 });
 
-it('keeps every key where there are more than samples', () => {
+it('includes every key if there are more keys than samples', () => {
   expect(fitTimes([0, 1, 1.5, 4], sampled(2)).map(({ key }) => key)).toEqual([0, 1, 2, 3]);
 });
 
-it('puts as many times between any two keys where lengths are kept', () => {
+it('has equally many times in each interval if lengths are kept', () => {
   const times = fitTimes([0, 1, 3], { ...MOTION_DEFAULTS, keepLengths: 1 });
   expect(times).toEqual([
     { time: 0, key: 0 },

@@ -7,20 +7,20 @@ const running = (shape = {}): RunningMotion[] => [
 ];
 
 describe('the cost of frames', () => {
-  it('is not known before there were two', () => {
+  it('is unknown before the second frame', () => {
     const [cost, sequences] = [new FrameCost(), running()];
     expect(cost.typical(sequences)).toBe(0);
     cost.note({ sequences, ms: 300 });
     expect(cost.typical(sequences)).toBe(0);
   });
 
-  it('is the middle one of the last three', () => {
+  it('is the median of the last three', () => {
     const [cost, sequences] = [new FrameCost(), running()];
     for (const ms of [1, 300, 90, 80]) cost.note({ sequences, ms });
     expect(cost.typical(sequences)).toBe(90);
   });
 
-  it('is that of another motion of the same shape and method, and unknown of others', () => {
+  it('is taken from another motion of the same shape and method, and unknown for others', () => {
     const shape = {};
     const [cost, sequences] = [new FrameCost(), running(shape)];
     for (const ms of [20, 30]) cost.note({ sequences, ms });

@@ -97,7 +97,7 @@ function setUp({ count = 1 } = {}) {
 }
 
 describe('the frame loop', () => {
-  it('asks for one moment at a time and skips those that were overtaken', async () => {
+  it('requests one time at a time and skips replaced ones', async () => {
     const { loop, shown, reply, balance, pass, wanted } = setUp();
     const all = [0.1, 0.2, 0.3].map((t) => loop.request(t));
     await pass();
@@ -124,7 +124,7 @@ describe('the frame loop', () => {
     expect(shown).toEqual(['0.5']);
   });
 
-  it('asks the successor when the sequence is exchanged meanwhile', async () => {
+  it('requests frames from the new sequence if it was replaced meanwhile', async () => {
     const { loop, shown, reply, exchange, balance, pass, wanted } = setUp();
     const done = loop.request(0.5);
     await pass();
@@ -138,7 +138,7 @@ describe('the frame loop', () => {
     expect(balance()).toBe(0);
   });
 
-  it('reports a failure once and goes on with the next moment', async () => {
+  it('reports a failure once and continues with the next time', async () => {
     const { loop, open, shown, errors, reply, pass } = setUp();
     const failed = loop.request(0.5);
     await pass();
@@ -153,7 +153,7 @@ describe('the frame loop', () => {
     expect(shown).toEqual(['0.6']);
   });
 
-  it('takes up what is asked for the moment that a frame is done', async () => {
+  it('starts a waiting request as soon as a frame is done', async () => {
     const { loop, shown, reply, pass } = setUp();
     const both = loop.request(0.1).then(() => loop.request(0.2));
     await pass();
@@ -164,7 +164,7 @@ describe('the frame loop', () => {
     expect(loop.busy).toBe(false);
   });
 
-  it('ends without sequences', async () => {
+  it('stops without sequences', async () => {
     const { loop } = setUp({ count: 0 });
     await loop.request(0.5);
     expect(loop.busy).toBe(false);
@@ -172,7 +172,7 @@ describe('the frame loop', () => {
 });
 
 describe('while the time moves', () => {
-  it('the newest time is shown as soon as the one before is drawn', async () => {
+  it('the newest time is shown as soon as the previous one is drawn', async () => {
     const { loop, shown, reply, pass, wanted, balance } = setUp();
     loop.follow(0.1);
     await pass();
@@ -240,7 +240,7 @@ describe('while the motion plays', () => {
     await draw();
   });
 
-  it('a scrub takes back what was asked for ahead', async () => {
+  it('scrubbing cancels requests made ahead', async () => {
     const { loop, open, shown, errors, reply, pass } = setUp();
     loop.play(clock());
     await pass();
@@ -254,7 +254,7 @@ describe('while the motion plays', () => {
     expect(errors).toEqual([]);
   });
 
-  it('goes on after a failure', async () => {
+  it('continues after a failure', async () => {
     const { loop, open, errors, pass, wanted } = setUp();
     loop.play(clock());
     await pass();
@@ -266,7 +266,7 @@ describe('while the motion plays', () => {
     expect(wanted()).toEqual(['0', '0.1', '0.2', '0.3']);
   });
 
-  it('what was computed for another motion is not shown', async () => {
+  it('frames of another motion are not shown', async () => {
     const { loop, shown, reply, pass, wanted, balance } = setUp();
     loop.play(clock());
     await pass();
@@ -278,7 +278,7 @@ describe('while the motion plays', () => {
     expect(balance()).toBe(0);
   });
 
-  it('nor what sequences gave that were exchanged since', async () => {
+  it('frames of replaced sequences are not shown', async () => {
     const { loop, shown, reply, exchange, pass, wanted, balance } = setUp();
     loop.play(clock());
     await pass();
@@ -299,7 +299,7 @@ describe('while the motion plays', () => {
     expect(balance()).toBe(0);
   });
 
-  it('what is asked for meanwhile is shown exactly, and what plays goes on from there', async () => {
+  it('a requested time is shown exactly, and playback continues from there', async () => {
     const { loop, shown, reply, pass, wanted } = setUp();
     loop.play(clock());
     await pass();

@@ -14,7 +14,7 @@ import { frameCount, frameTimes } from '../../web/engine/api/whole-frames.ts';
 const range = [0, 1] as const;
 
 describe('whole frames', () => {
-  it('are held until the next one begins, and never before the start', () => {
+  it('are held until the next one begins, and are never before the start', () => {
     expect(heldTime(0.49, null, 0)).toBe(0.49);
     expect(heldTime(0.49, 10, 0)).toBe(0.4);
     expect(heldTime(0.5, 10, 0)).toBe(0.5);
@@ -33,7 +33,7 @@ describe('whole frames', () => {
     expect(frameCount([0, 1e9], 60)).toBe(60e9 + 1);
   });
 
-  it('are stepped through one by one, also from between two', () => {
+  it('are stepped through one by one, also from a time between two', () => {
     expect(steppedFrameTime(0.5, 24, 1)).toBe(13 / 24);
     expect(steppedFrameTime(0.51, 24, 1)).toBe(13 / 24);
     expect(steppedFrameTime(0.51, 24, -1)).toBe(12 / 24);
@@ -45,7 +45,7 @@ describe('whole frames', () => {
     }
   });
 
-  it('lie on the grid of time zero', () => {
+  it('are on the grid that contains time zero', () => {
     expect(nearestFrameTime(0.51, 24)).toBe(0.5);
     expect(frameTimes([0, 1], 4)).toEqual([0, 0.25, 0.5, 0.75, 1]);
     expect(frameTimes([0.1, 0.8], 4)).toEqual([0.25, 0.5, 0.75]);
@@ -53,7 +53,7 @@ describe('whole frames', () => {
     expect(frameTimes([0.1, 0.2], 4)).toEqual([]);
   });
 
-  it('give way to keys that are near', () => {
+  it('are replaced by close keys', () => {
     expect(snappedTime(0.52, [0, 0.53], 0.02, 10)).toBe(0.53);
     expect(snappedTime(0.52, [0, 0.6], 0.02, 10)).toBe(0.5);
     expect(snappedTime(0.52, [0, 0.6], 0.02, null)).toBe(0.52);
@@ -67,8 +67,8 @@ describe('whole frames', () => {
   });
 });
 
-describe('what plays', () => {
-  it('is the range of the keys, or the chosen stretch as far as the slider reaches', () => {
+describe('the playing range', () => {
+  it('is the range of the keys, or the chosen range within the slider', () => {
     expect(playRange(null, range)).toEqual([0, 1]);
     expect(playRange([-0.2, 0.5], range)).toEqual([-0.2, 0.5]);
     expect(playRange([0.5, 9], range)).toEqual([0.5, 3]);
@@ -76,7 +76,7 @@ describe('what plays', () => {
     expect(playRange([7, 9], range)).toEqual([0, 1]);
   });
 
-  it('has ends that give way to each other', () => {
+  it('has ends that move with each other', () => {
     expect(withEnd(null, range, 'start', 0.3, 0.01)).toEqual([0.3, 1]);
     expect(withEnd([0.3, 0.6], range, 'start', 0.8, 0.01)).toEqual([0.8, 0.81]);
     expect(withEnd([0.3, 0.6], range, 'end', 0.1, 0.05)).toEqual([0.05, 0.1]);

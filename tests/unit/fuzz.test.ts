@@ -5,7 +5,7 @@ import { foundText, fuzzArguments } from '../../wasm/toolchain/fuzz.mjs';
 const known = ['gltf', 'obj'];
 
 describe('npm run fuzz', () => {
-  it('takes seconds and a target, either or none', () => {
+  it('accepts seconds and a target, either or none', () => {
     expect(fuzzArguments([], known)).toEqual({ seconds: 60, importers: known });
     expect(fuzzArguments(['5'], known)).toEqual({ seconds: 5, importers: known });
     expect(fuzzArguments(['obj'], known)).toEqual({ seconds: 60, importers: ['obj'] });
@@ -19,7 +19,7 @@ describe('npm run fuzz', () => {
     },
   );
 
-  it('says where an input lies and how it is kept for the replay', () => {
+  it('states where an input is and how to keep it for replays', () => {
     const text = foundText('obj', fileURLToPath(new URL('../../build/cmake-fuzz/found/obj/crash-1', import.meta.url)));
     expect(foundText('draco', '/x/build/fuzz-decoders/draco/broken-1')).toContain(
       'tests/fuzz/found/draco/WHAT-IS-THE-MATTER.glb',

@@ -4,7 +4,7 @@ import type { Sample } from '../../web/app/sources/samples.ts';
 
 const sample = (id: string): Sample => ({ id, title: id }) as Sample;
 
-it('each shape has a line, as long as it has ghosts; sizes that no shape has are left out', () => {
+it('each shape has a line up to its largest ghost; sizes without any ghost are omitted', () => {
   const { faces, series } = shapeLines([
     { id: 'large', title: 'Large', kg: [5, 4, 3, 2, 1] },
     { id: 'small', title: 'Small', kg: [3, 2] },
@@ -27,7 +27,7 @@ it('progress names the shape and never falls from one shape to the next', () => 
   expect([fractions[0], fractions.at(-1)]).toEqual([0, 1]);
 });
 
-it('four samples are compared; a page without one of them says which', () => {
+it('four samples are compared; a missing one is named', () => {
   const all = ['column', 'cactus', 'dachshund', 'octopus', 'hand'].map(sample);
   expect(chosenSamples(all).map(({ id }) => id)).toEqual(['octopus', 'hand', 'dachshund', 'cactus']);
   const without = all.filter(({ id }) => id !== 'hand');

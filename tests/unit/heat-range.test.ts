@@ -8,14 +8,14 @@ const even = (count: number, most: number): Float32Array =>
 const largestOf = (values: Float32Array): number => values.reduce((a, b) => Math.max(a, b), 0);
 
 describe('the upper end of a colour scale', () => {
-  it('is the largest amount where that is like the others', () => {
+  it('is the largest amount if it is similar to others', () => {
     for (const most of [0.03, 5, 300]) {
       const values = even(10_007, most);
       expect(robustLargest(values, largestOf(values))).toBe(largestOf(values));
     }
   });
 
-  it('is not set by a few slivers, however far they are off', () => {
+  it('is not determined by a few slivers', () => {
     const values = even(10_007, 20);
     for (let i = 0; i < 90; i += 1) values[100 * i] = 50_000;
     const end = robustLargest(values, 50_000);
@@ -23,13 +23,13 @@ describe('the upper end of a colour scale', () => {
     expect(end).toBeLessThan(42);
   });
 
-  it('holds all that covers more than a few vertices', () => {
+  it('includes amounts of more than a few vertices', () => {
     const values = even(10_007, 20);
     for (let i = 0; i < 200; i += 1) values[50 * i] = 400;
     expect(robustLargest(values, 400)).toBe(400);
   });
 
-  it('never shows noise alone: the scale goes up to 1 % where there is more', () => {
+  it('does not magnify noise: the scale is at least 1 %', () => {
     const values = new Float32Array(1000);
     values[3] = 80;
     expect(robustLargest(values, 80)).toBe(1);

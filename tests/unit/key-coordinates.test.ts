@@ -27,13 +27,13 @@ const folded = (degrees: number, whole = 0): Float32Array => {
 const measured = (poses: Float32Array[]) => keyCoordinates({ faces: mesh.indices, patches, poses, reference: 0 }, 4);
 
 describe('coordinates of a shape at its keys', () => {
-  it('have the angle between two patches, however the whole is turned', () => {
+  it('have the angle between two patches, for any rotation of the whole', () => {
     const [angle] = measured([folded(0), folded(40, 75), folded(-25, 200), folded(90)]);
     expect(angle).toMatchObject({ kind: 'angle', patches: [0, 1] });
     [0, 40, -25, 90].forEach((degrees, key) => expect(Math.abs(angle!.values[key]! - degrees)).toBeLessThan(SHEARED));
   });
 
-  it('follow a fold that goes on beyond half a turn', () => {
+  it('follow a fold beyond half a turn', () => {
     const [angle] = measured([0, 120, 240, 400].map((degrees) => folded(degrees)));
     [0, 120, 240, 400].forEach((degrees, key) => expect(Math.abs(angle!.values[key]! - degrees)).toBeLessThan(SHEARED));
   });
@@ -45,7 +45,7 @@ describe('coordinates of a shape at its keys', () => {
     for (const { values } of stretches) values.forEach((value, key) => expect(value).toBeCloseTo(key + 1, 6));
   });
 
-  it('offer as many as are asked for, those that change most first', () => {
+  it('offer the requested number, those with the largest changes first', () => {
     const all = keyCoordinates({ faces: mesh.indices, patches, poses: [folded(0), folded(60)], reference: 0 }, 1);
     expect(all.map(({ kind }) => kind)).toEqual(['angle', 'stretch']);
   });

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { keyLabel, shortNames } from '../../web/model/key-names.ts';
 
-it('leaves out what all names begin with, up to a word', () => {
+it('omits the common beginning of all names, up to a word', () => {
   expect(shortNames(['cat_run_01', 'cat_run_02', 'cat_run_13'])).toEqual(['01', '02', '13']);
   expect(shortNames(['wolf-1', 'wolf-4', 'wolf-12'])).toEqual(['1', '4', '12']);
   expect(shortNames(['cat_000001', 'cat_000013'])).toEqual(['000001', '000013']);
@@ -9,7 +9,7 @@ it('leaves out what all names begin with, up to a word', () => {
   expect(shortNames(['wild horse.a', 'wild horse.b', 'wild horse.c'])).toEqual(['a', 'b', 'c']);
 });
 
-it('leaves names alone that begin with different words, or that would end up empty', () => {
+it('keeps names that begin with different words, or that would become empty', () => {
   for (const names of [
     ['bentwards', 'bent-inwards', 'below the knee'],
     ['a rather long_', 'a rather long_1', 'a rather long_2'],
@@ -19,7 +19,7 @@ it('leaves names alone that begin with different words, or that would end up emp
     expect(shortNames(names)).toEqual(names);
 });
 
-it('names a key by its number, and by its name where it has one', () => {
+it('calls a key by its number, and by its name if it has one', () => {
   expect(keyLabel(0, 'Straight')).toBe('Key 1, Straight');
   expect(keyLabel(1, '')).toBe('Key 2');
   expect([keyLabel(1, '2'), keyLabel(1, '1')]).toEqual(['Key 2', 'Key 2, 1']);

@@ -38,16 +38,16 @@ describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
     expect(documentFromImport({ names, times, project } as unknown as KeysInfo, {} as PosePool)).toEqual(doc);
   });
 
-  it('is on the command line', () => {
+  it('is a command-line option', () => {
     const args = parseArguments([`--${option.flag}=${list.join(',')}`], COMPLETE);
     expect(sequenceOptions(args)).toEqual({ [name]: list });
   });
 
-  it('is in the head of a table', () => {
+  it('is in the header of a table', () => {
     expect(patchesCsv(Int32Array.of(0), doc, '1')).toContain(`"${name}":${value}`);
   });
 
-  it('is refused where it is no number, or out of bounds', () => {
+  it('is refused if it is not a number, or out of range', () => {
     expect(() => checkSequenceOptions({ [name]: ['x'] })).toThrow(`'${name}'`);
     if (option.most !== undefined)
       expect(() => checkSequenceOptions({ [name]: [option.most! + 1] })).toThrow(`'${name}'`);

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { CASTER_LAYERS } from '../../web/viewer/contact-shadow.ts';
 import { FIRST_EXTRAS, FIRST_SHAPE, MOST_VIEWS } from '../../web/viewer/contents.ts';
 
-it('what casts a shadow is on layers that no view sees, of the 32 that there are', () => {
+it('shadow casters are on layers that no view shows, below 32', () => {
   const seen = Array.from({ length: MOST_VIEWS }, (_, view) => [FIRST_SHAPE + view, FIRST_EXTRAS + view]).flat();
   const casting = seen.map((layer) => layer + CASTER_LAYERS);
   expect(new Set([0, ...seen, ...casting]).size).toBe(1 + 4 * MOST_VIEWS);

@@ -42,7 +42,7 @@ const said = (child: Child, words: string) =>
   });
 
 describe('the lock of a checkout', () => {
-  it('says whose it is and since when, and is gone afterwards', async () => {
+  it('states its owner and start, and is removed afterwards', async () => {
     await whileHolding(lock, () => {
       const holder = JSON.parse(readFileSync(lock, 'utf8')) as { pid: number; since: string };
       expect(holder.pid).toBe(process.pid);
@@ -67,7 +67,7 @@ describe('the lock of a checkout', () => {
     expect(readdirSync(folder)).toEqual([]);
   });
 
-  it('is taken over from a process that was killed', async () => {
+  it('is taken over from a killed process', async () => {
     const child = holding(`console.log('held'); await new Promise((wake) => setTimeout(wake, 60_000));`);
     await said(child, 'held');
     child.kill('SIGKILL');
@@ -76,7 +76,7 @@ describe('the lock of a checkout', () => {
     expect(await whileHolding(lock, () => 'done')).toBe('done');
   });
 
-  it('is waited for, with a word', async () => {
+  it('is waited for, with a message', async () => {
     const sign = path.join(folder, 'sign');
     const child = await whileHolding(lock, async () => {
       const waiting = holding(`console.log(existsSync(${JSON.stringify(sign)}) ? 'after' : 'before');`);
@@ -90,7 +90,7 @@ describe('the lock of a checkout', () => {
     expect(await text).toContain('after');
   });
 
-  it('is held by one at a time, also where all find it stale', async () => {
+  it('is held by one process at a time, also if several find it stale', async () => {
     writeFileSync(lock, '');
     const log = path.join(folder, 'log');
     const line = (word: string) => `appendFileSync(${JSON.stringify(log)}, '${word}\\n');`;
@@ -105,7 +105,7 @@ describe('the lock of a checkout', () => {
     mkdirSync(disk, { recursive: true });
     return spawnSync('mount', ['-t', 'tmpfs', '-o', 'size=64k', 'tmpfs', disk]).status === 0;
   };
-  it('says that the disk is full, and leaves nothing', async (context) => {
+  it('reports a full disk, and leaves nothing behind', async (context) => {
     if (!mount()) return context.skip('needs the right to mount a small disk');
     try {
       expect(() => writeFileSync(path.join(disk, 'all'), Buffer.alloc(1 << 20))).toThrow('ENOSPC');

@@ -5,12 +5,12 @@ import type { ClockInput } from '../../web/playback/loop-clock.ts';
 const base: ClockInput = { time: 0, direction: 1, step: 0.1, range: [0, 1], loop: 'bounce', periodic: false };
 
 describe('the clock', () => {
-  it('moves on by its step', () => {
+  it('advances by its step', () => {
     expect(tick({ ...base, time: 0.3 })).toMatchObject({ direction: 1, playing: true });
     expect(tick({ ...base, time: 0.3 }).time).toBeCloseTo(0.4, 12);
   });
 
-  it('turns round at both ends and keeps what went over', () => {
+  it('reverses at both ends and keeps the rest of the step', () => {
     const end = tick({ ...base, time: 0.96 });
     expect(end.time).toBeCloseTo(0.94, 12);
     expect(end.direction).toBe(-1);
@@ -19,7 +19,7 @@ describe('the clock', () => {
     expect(start.direction).toBe(1);
   });
 
-  it('stops exactly on the end when it plays once', () => {
+  it('stops exactly at the end if it plays once', () => {
     expect(tick({ ...base, time: 0.95, loop: 'once' })).toEqual({ time: 1, direction: 1, playing: false });
   });
 
@@ -29,19 +29,19 @@ describe('the clock', () => {
     expect(next.playing).toBe(true);
   });
 
-  it('runs round a closed motion whatever the loop says, but for playing once', () => {
+  it('loops a closed motion for every setting except playing once', () => {
     expect(tick({ ...base, time: 0.95, periodic: true }).time).toBeCloseTo(0.05, 12);
     expect(tick({ ...base, time: 0.95, periodic: true, loop: 'once' }).playing).toBe(false);
   });
 
-  it('walks in from a margin without a jump', () => {
+  it('enters the range from outside without a jump', () => {
     expect(tick({ ...base, time: -0.35 }).time).toBeCloseTo(-0.25, 12);
     const over = tick({ ...base, time: 1.35 });
     expect(over.time).toBeCloseTo(1.25, 12);
     expect(over.direction).toBe(-1);
   });
 
-  it('never leaves the range by a step longer than it', () => {
+  it('never leaves the range if a step is longer than it', () => {
     for (const loop of ['bounce', 'loop', 'once'] as const) {
       const { time } = tick({ ...base, time: 0.5, step: 7.3, loop });
       expect(time).toBeGreaterThanOrEqual(0);
@@ -49,7 +49,7 @@ describe('the clock', () => {
     }
   });
 
-  it('stands still without a range', () => {
+  it('does not advance without a range', () => {
     expect(tick({ ...base, range: [1, 1], time: 1 }).playing).toBe(false);
   });
 });

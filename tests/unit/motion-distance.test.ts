@@ -38,7 +38,7 @@ it('distances from the first motion, in percent of the diagonal, with the KG err
   expect(held).toBe(0);
 });
 
-it('every motion is compared with the animation, between the keys alone; one motion alone with nothing', async () => {
+it('every motion is compared with the animation, between the keys only; a single motion is not compared', async () => {
   const alone = input(running('lri', 0.1));
   expect(await motionDistances(alone, { original: null, diagonal: 1 })).toBeNull();
   const original = (t: number) => ({ positions: triangle(0.2 * t) });

@@ -13,8 +13,8 @@ const snapshot = (name: string, bytes = 1): Snapshot => ({
 
 const names = (history: OpenHistory): string[] => history.all.map(({ files }) => files[0]!.name);
 
-describe('what was open before', () => {
-  it('is stepped back to and forth again', () => {
+describe('the history of opened content', () => {
+  it('goes back and forth', () => {
     const history = new OpenHistory();
     const [a, b, c] = [snapshot('a'), snapshot('b'), snapshot('c')];
     history.left(a);
@@ -29,7 +29,7 @@ describe('what was open before', () => {
     expect(history.after).toBeNull();
   });
 
-  it('keeps what was left last and fits', () => {
+  it('keeps the last entries within its size', () => {
     const history = new OpenHistory();
     for (let index = 0; index < 12; ++index) history.left(snapshot(String(index)));
     expect(names(history)).toHaveLength(10);

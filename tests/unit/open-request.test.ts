@@ -65,21 +65,21 @@ describe('a request', () => {
     expect(sampleRequest({ ...sample, times: null }, input, null, null)).toMatchObject({ options: {}, step: null });
   });
 
-  it('of picked files reads them when it is met', async () => {
+  it('of picked files reads them when it is processed', async () => {
     const request = pickedRequest([{ name: 'a/b.obj', file: new File(['v'], 'b.obj') }]);
     expect(request).toMatchObject({ source: { kind: 'files', names: ['a/b.obj'] }, picked: true, step: 'on' });
     const bytes = typeof request.input === 'function' && request.input(() => undefined, new AbortController().signal);
     expect(await bytes).toEqual([{ name: 'a/b.obj', bytes: Uint8Array.of(118) }]);
   });
 
-  it('of what was left knows its project and its sample', () => {
+  it('of earlier content has its project and its sample', () => {
     expect(leftRequest(work, [sample], 'back')).toMatchObject({ project: 'mine', begins: 'files', step: 'back' });
     const state: AppState = { ...EMPTY_STATE, source: { kind: 'sample', id: 'box' } };
     expect(leftRequest({ ...work, state }, [sample], 'on').begins).toBe(sample);
     expect(leftRequest({ ...work, state }, [], 'on').begins).toBe('files');
   });
 
-  it('of the open files takes over how they lie, and what is asked for', () => {
+  it('of the open files keeps their orientation, with the requested options', () => {
     const lying = { up: 'y', unit: 2 };
     expect(momentsRequest(present, 0, [1, 3])).toMatchObject({
       ...{ options: { ...lying, animation: 0, sample: [1, 3] }, stays: true, project: 'mine' },
@@ -93,22 +93,22 @@ describe('a request', () => {
     expect(objectsRequest({ ...present, options: objects.options }, []).options).toEqual(present.options);
   });
 
-  it('of a turn knows how the files lay', () => {
+  it('of a rotation has the previous orientation', () => {
     const request = turnRequest(present, { up: 'z', unit: 1 }, 'on');
     expect(request.turn).toEqual({ before: { up: 'y', unit: 2 }, after: { up: 'z', unit: 1 } });
     expect(request.options).toEqual({ ...present.options, up: 'z', unit: 1 });
   });
 });
 
-describe('what is there when it is met', () => {
-  it('plays clips in a loop and poses back and forth, but once if chosen', () => {
+describe('the state after a request', () => {
+  it('plays animations in a loop and poses back and forth, or once if chosen', () => {
     const loopOf = (loop: LoopMode, animation: number): LoopMode =>
       met(pickedRequest([]), { ...files, play: { ...files.play, loop } }, animation).state.play.loop;
     expect([loopOf('bounce', 0), loopOf('loop', -1)]).toEqual(['loop', 'bounce']);
     expect([loopOf('once', 0), loopOf('once', -1)]).toEqual(['once', 'once']);
   });
 
-  it('of a sample: its ends and names; a divider goes, the look stays, and it moves from the first key', () => {
+  it('of a sample: its ends and names, without a divider, with the same look, playing from the first key', () => {
     const { start, state } = met(sampleRequest(sample, input, null, 'on'));
     expect(state.doc).toBe(start.initial);
     expect(state.doc.keys.map(({ name }) => name)).toEqual(['one', 'two']);
@@ -117,7 +117,7 @@ describe('what is there when it is met', () => {
     expect([state.time, state.play.playing, state.project]).toEqual([0, true, null]);
   });
 
-  it('of a link: what it says, but no camera inside of the shape', () => {
+  it('of a link: its state, except a camera inside the shape', () => {
     const outside = readPermalink('sample=box&t=0.5&camera=5,0,0,0,0,0&keys=0@0,1@2&floor=0')!;
     const { start, state } = met(sampleRequest(sample, input, outside, 'on'));
     expect(start.initial.keys[1]!.time).toBe(1);
@@ -134,13 +134,13 @@ describe('what is there when it is met', () => {
     expect([inside.start.camera, inside.state.view.camera, inside.start.link?.unfit]).toEqual([null, null, ['camera']]);
   });
 
-  it('of picked files: a project of their own', () => {
+  it('of picked files: a new project', () => {
     const { state } = met(pickedRequest([{ name: 'b.obj', file: new File([], 'b.obj') }]));
     expect([state.source, state.project]).toEqual([{ kind: 'files', names: ['b.obj'] }, expect.any(String)]);
     expect(state.project).not.toBe('mine');
   });
 
-  it('of what was left: as it was, at rest', () => {
+  it('of earlier content: the same state, paused', () => {
     const poses = [{ name: 'added', positions: new Float32Array(12) }];
     const playing = { ...files, play: { ...files.play, playing: true } };
     const { pool, state } = met(leftRequest({ ...work, poses, state: playing }, [], 'on'), EMPTY_STATE);
@@ -148,14 +148,14 @@ describe('what is there when it is met', () => {
     expect(pool.count).toBe(3);
   });
 
-  it('of other keys of the files: the settings, time, view and playing of before', () => {
+  it('of other keys of the files: the same settings, time, view and playback', () => {
     const { state } = met(momentsRequest(present, 0, [0, 1]));
     expect(state.doc).toEqual({ ...read, motion: files.doc.motion });
     expect(state).toEqual({ ...files, doc: state.doc });
     expect(met(objectsRequest(present, ['arm'])).state).toMatchObject({ time: 0, view: { split: null } });
   });
 
-  it('of a turn: the document of before, whose added poses turn along', () => {
+  it('of a rotation: the same document, with rotated added poses', () => {
     const { pool, start, state } = met(turnRequest(present, { up: 'z', unit: 1 }, 'on'));
     expect(start.doc).toEqual(files.doc);
     expect(state.time).toBe(files.time);

@@ -62,7 +62,7 @@ function openerOf({ warnings = [] as Warning[], refuse = (_: Doc): void => undef
 }
 const idOf = ({ source }: { source: object }): string | undefined => (source as { id?: string }).id;
 
-it('steps back to what was open before, with its edits, and forth again', async () => {
+it('goes back to earlier content, with its edits, and forth again', async () => {
   const { opener, store, sample } = openerOf();
   await sample('a');
   store.edit('time', (doc) => retimeKey(doc, 1, 2));
@@ -85,7 +85,7 @@ it('a sample is not opened if another is requested while it loads', async () => 
   expect(onError).not.toHaveBeenCalled();
 });
 
-it('what the engine refuses of a link is left out, and said', async () => {
+it('options of a link that the engine refuses are ignored and reported', async () => {
   const error = new EngineError('period-too-short', 'No.');
   const refuse = ({ keys }: Doc): void => {
     if (keys[1]!.time === 3) throw error;
@@ -98,7 +98,7 @@ it('what the engine refuses of a link is left out, and said', async () => {
   expect(await opener.sample('c')).toBe(false);
 });
 
-it('only files that were picked are stood up', async () => {
+it('only picked files are rotated upright', async () => {
   const warnings = [{ code: 'z-up', message: 'lies' }] as Warning[];
   const { opener, workspace, onOpened } = openerOf({ warnings });
   await opener.run([{ name: 'a.obj', file: new File(['v'], 'a.obj') }], (files) => opener.open(files));
@@ -109,7 +109,7 @@ it('only files that were picked are stood up', async () => {
   expect(workspace.options.up).toBe('z');
 });
 
-it('a turn is a step of the history, unless it is taken quietly', async () => {
+it('a rotation is a step of the history, unless it is automatic', async () => {
   const { opener, store, sample, onRead } = openerOf();
   await sample('a');
   store.edit('time', (doc) => retimeKey(doc, 1, 2));

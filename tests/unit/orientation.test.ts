@@ -5,7 +5,7 @@ import { relativeTo, reoriented } from '../../web/model/orientation.ts';
 const BEFORE = { up: 'y', unit: 1 } as const;
 const AFTER = { up: 'z', unit: 0.001 } as const;
 
-it('a pose keeps its place when axes and unit change, each with an offset of its own', () => {
+it('a pose keeps its position when axes and unit change, each with its own offset', () => {
   const pose = Float32Array.of(0.5, 1.25, -2);
   const offsets = [[432_100, 4, 5_412_344] as const, [432.125, 5412.5, -0.5] as const] as const;
   const turned = reoriented(pose, BEFORE, AFTER, offsets);
@@ -17,7 +17,7 @@ it('a pose keeps its place when axes and unit change, each with an offset of its
   back.forEach((value, i) => expect(value).toBeCloseTo(pose[i]!, 3));
 });
 
-it('a pose that was kept near the origin moves to the offset of the files', () => {
+it('a pose stored near the origin moves to the offset of the files', () => {
   const far = Float32Array.of(1000.5, 2, -499.75);
   expect(relativeTo(far, [0, 0, 0], [1000, 0, -500])).toEqual(Float32Array.of(0.5, 2, 0.25));
   expect(relativeTo(far, [4, 5, 6], [4, 5, 6])).toEqual(far);

@@ -54,7 +54,7 @@ describe('results', () => {
     expect(listed()).toEqual(['out', 'out/a.obj', 'out/b.obj', 'out/c.obj']);
   });
 
-  it('whose making fails leave nothing behind, and say what failed', async () => {
+  it('that fail leave nothing behind, and report the failure', async () => {
     const made = async function* () {
       yield { name: 'a.obj', bytes: '' };
       await Promise.reject(new EngineError('out-of-memory', 'There is not enough memory.'));
@@ -65,7 +65,7 @@ describe('results', () => {
     expect(listed()).toEqual([]);
   });
 
-  it('are written to where a link leads, and the link stays', async () => {
+  it('are written to the target of a link, and the link stays', async () => {
     writeFileSync(at('real'), 'old');
     symlinkSync('real', at('link'));
     symlinkSync('later', at('dangling'));
@@ -76,7 +76,7 @@ describe('results', () => {
     expect(readFileSync(at('later'), 'utf8')).toBe('made');
   });
 
-  it('go into devices and pipes, which stay what they are', async () => {
+  it('are written into devices and pipes, which are not replaced', async () => {
     execFileSync('mkfifo', [at('pipe')]);
     const reader = spawn('cat', [at('pipe')]);
     let read = '';
@@ -112,7 +112,7 @@ describe('results', () => {
     expect(listed()).toEqual(before);
   });
 
-  it.each(['SIGINT', 'SIGTERM', 'SIGHUP'] as const)('that %s stops on the way leave nothing behind', async (by) => {
+  it.each(['SIGINT', 'SIGTERM', 'SIGHUP'] as const)('interrupted by %s leave nothing behind', async (by) => {
     execFileSync('mkfifo', [at('pipe')]);
     const script = path.join(folder, 'script.mjs');
     await build({ entryPoints: ['web/cli/output.ts'], bundle: true, platform: 'node', format: 'esm', outfile: script });

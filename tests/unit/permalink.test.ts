@@ -52,7 +52,7 @@ const state: AppState = {
 };
 
 describe('permalinks', () => {
-  it('bring the whole state of a sample back', () => {
+  it('restore the whole state of a sample', () => {
     const link = readPermalink(`#${writePermalink(state, initial)}`)!;
     expect(link.sample).toBe('cactus');
     expect(applyPermalink(initial, link)).toEqual(state.doc);
@@ -66,7 +66,7 @@ describe('permalinks', () => {
     ]);
   });
 
-  it('of before parts had turns open as they were', () => {
+  it('from before parts had turns open unchanged', () => {
     const link = readPermalink(
       'sample=cactus&keys=2%40-0.25%2C0%40.5%2C1%401&tension=0%2C0.25%2C0&turns=0%2C-2%2C0&boundary=hermite&startSpeed=0&t=1.25&speed=0.5',
     )!;
@@ -77,20 +77,20 @@ describe('permalinks', () => {
     });
   });
 
-  it('leave out turns of parts and keys that the sample has not', () => {
+  it('ignore turns of parts and keys that the sample does not have', () => {
     const link = readPermalink('sample=x&partTurns=1:2:1,3:0:1,1:0:2,0:0:0,1:x:1,1:0.5:1,1:-1:1,1:1:1e9,1:1,2:1:-1')!;
     const turns = applyPermalink(initial, link, 2).keys.map(({ shaping }) => shaping.turns);
     expect(turns).toEqual([[], [{ component: 0, turns: 2 }], [{ component: 1, turns: -1 }]]);
   });
 
-  it('write down what was set back to a default that the sample did not start with', () => {
+  it('contain options that were reset to a default other than that of the sample', () => {
     const periodic: Doc = { ...initial, motion: { ...DEFAULT_MOTION, boundary: 'periodic' } };
     const natural: AppState = { ...state, doc: initial };
     const link = readPermalink(writePermalink(natural, periodic)!)!;
     expect(applyPermalink(periodic, link).motion.boundary).toBe('natural');
   });
 
-  it('are short where nothing was changed', () => {
+  it('are short without changes', () => {
     const untouched: AppState = { ...EMPTY_STATE, source: { kind: 'sample', id: 'bar' }, doc: initial };
     expect(writePermalink(untouched, initial)).toBe('sample=bar&t=0&speed=0.25');
   });
@@ -99,7 +99,7 @@ describe('permalinks', () => {
     expect(writePermalink({ ...state, source: { kind: 'files', names: ['mine.glb'] } }, initial)).toBeNull();
   });
 
-  it('ignore whatever does not fit', () => {
+  it('ignore invalid values', () => {
     const link = readPermalink(
       'sample=x&keys=0@0,9@1&boundary=evil&startSpeed=NaN&t=Infinity&patches=-3&camera=1,2&compare=lri,nonsense&tension=1,2&bias=0,9,0&turns=0,1.5,0&speed=0&ghostFaces=3&transfer=fast&placement=1&ghostWire=yes&between=1,0&fps=1e9&window=2',
     )!;
@@ -121,7 +121,7 @@ describe('permalinks', () => {
     ['ghostFaces', '1e9'],
     ['period', '1e-9'],
     ['period', '1e308'],
-    ['period', '1'], // the period is not longer than the keys alone
+    ['period', '1'], // not longer than the range of the keys
     ['startSpeed', '1e308'],
     ['endSpeed', '-1e6'],
     ['tension', '1e308,0,0'],
@@ -150,7 +150,7 @@ describe('permalinks', () => {
     expect(leftOut(link, doc)).toBe(`The link has a value that cannot be used and was ignored: ${name}.`);
   });
 
-  it('that fit have nothing left out', () => {
+  it('that are valid are read completely', () => {
     const link = readPermalink(writePermalink(state, initial)!)!;
     expect(leftOut(link, applyPermalink(initial, link))).toBeNull();
   });

@@ -10,7 +10,7 @@ const from = (x: number, y: number, z: number, down = -1) => ({
   direction: [0, 0, down] as const,
 });
 
-it('the nearest face in front is met, from either side, and none beside the shape', () => {
+it('the nearest face is hit, from either side, and none next to the shape', () => {
   expect(pickFace(positions, faces, from(0.5, -0.5, 5))).toBe(0);
   expect(pickFace(positions, faces, from(-0.5, 0.5, 5))).toBe(1);
   expect(pickFace(positions, faces, from(0.5, -0.5, -1))).toBe(2);

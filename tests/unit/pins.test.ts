@@ -26,7 +26,7 @@ const PATH: PathKey[] = [
 const shortest = (value: number): string => String(Number(value.toPrecision(6)));
 
 describe('the path of a pin', () => {
-  it('goes through its keys, and stands still beyond them', () => {
+  it('goes through its keys, and is constant beyond them', () => {
     for (const { time, move } of PATH)
       moveAt(PATH, time, null).forEach((x, axis) => expect(x).toBeCloseTo(move[axis]!, 12));
     expect(moveAt(PATH, -4, null)).toEqual([0, 1, 0]);
@@ -49,13 +49,13 @@ describe('the path of a pin', () => {
     }
   });
 
-  it('comes round in a loop', () => {
+  it('is periodic in a loop', () => {
     const [now, later] = [moveAt(PATH, 2.7, 4), moveAt(PATH, 10.7, 4)];
     now.forEach((x, axis) => expect(x).toBeCloseTo(later[axis]!, 9));
     expect(moveAt(PATH, 0.2, 4)).not.toEqual([0, 1, 0]);
   });
 
-  it('has one key at a moment, in order of time', () => {
+  it('has one key per time, in order', () => {
     const more = withPathKey(PATH, { time: 1, move: [9, 9, 9] }, 1e-6);
     expect(more.map(({ time }) => time)).toEqual([0.5, 1, 1.25, 2, 3.5]);
     expect(withPathKey(more, { time: 1 + 1e-9, move: [8, 8, 8] }, 1e-6)).toHaveLength(5);
@@ -65,7 +65,7 @@ describe('the path of a pin', () => {
 describe('a list of pins', () => {
   const pins: Pin[] = withPin(withPin([], 7), 3);
 
-  it('takes, changes and loses one', () => {
+  it('adds, changes and removes one', () => {
     expect(pins.map(({ vertex }) => vertex)).toEqual([7, 3]);
     const stays = changedPin(pins, 1, { stay: 2 });
     expect(stays[1]).toEqual({ ...pins[1], stay: 2 });
@@ -86,7 +86,7 @@ describe('a list of pins', () => {
       expect(pinsFromText(text), text).toBeUndefined();
   });
 
-  it('is checked before anything is asked of the core', () => {
+  it('is checked before a request to the core', () => {
     const wrong = (one: object): string | null => wrongWith(MOTION.pins, [one]);
     expect(wrong({ vertex: 3, radius: 0.1, stay: 0, path: PATH })).toBeNull();
     expect(wrong({ vertex: -1, radius: 0.1 })).toContain('vertex');
@@ -98,7 +98,7 @@ describe('a list of pins', () => {
     expect(wrongWith(MOTION.pins, new Array(101).fill({ vertex: 0, radius: 0 }))).toContain('100');
   });
 
-  it('asks the engine for keys where the document names poses', () => {
+  it('is converted from poses in the document to keys in the engine', () => {
     const before = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
     const [first, second] = before.keys;
     const moved = {

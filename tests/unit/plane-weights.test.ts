@@ -14,7 +14,7 @@ const shapes: PlaneShapes = {
 const sum = (values: readonly number[]): number => values.reduce((all, one) => all + one, 0);
 
 describe('the mixture at a point of the shape plane', () => {
-  it('is the key itself at a key, and a known shape at its place', () => {
+  it('is the key itself at a key, and a known shape at its point', () => {
     for (const key of [0, 1, 2, 3]) {
       expect(mixtureAt(shapes, [keys[2 * key]!, keys[2 * key + 1]!]).weights).toEqual(unit(key));
     }
@@ -22,7 +22,7 @@ describe('the mixture at a point of the shape plane', () => {
     weights.forEach((weight, key) => expect(weight).toBeCloseTo(between[key]!, 12));
   });
 
-  it('lies where it was asked for, with weights that sum to 1', () => {
+  it('has the requested point, with weights that sum to 1', () => {
     for (const point of [
       [0, 0],
       [7, -4],
@@ -37,13 +37,13 @@ describe('the mixture at a point of the shape plane', () => {
     }
   });
 
-  it('changes the nearby weights by no more than it must', () => {
+  it('changes nearby weights as little as possible', () => {
     // all shapes except one are far away, so the rest has the least norm of weights at that point
     const one: PlaneShapes = { keys, points: [0, 0], weights: [0.25, 0.25, 0.25, 0.25] };
     expect(mixtureAt(one, [1, 0]).weights).toEqual([0.125, 0.375, 0.125, 0.375]);
   });
 
-  it('stays on the line where all keys lie on one', () => {
+  it('stays on the line if all keys are on one', () => {
     const line: PlaneShapes = { keys: [-1, 0, 1, 0], points: [-1, 0, 1, 0], weights: [1, 0, 0, 1] };
     const { weights, at } = mixtureAt(line, [0.5, 3]);
     expect(weights[0]).toBeCloseTo(0.25, 12);

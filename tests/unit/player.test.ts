@@ -56,20 +56,20 @@ function start(
 }
 
 describe('playing', () => {
-  it('moves on with the screen', () => {
+  it('advances with the screen', () => {
     const { times, run } = start({});
     run(300);
     expect(times).toHaveLength(30);
     expect(times.at(-1)).toBeCloseTo(0.3, 9);
   });
 
-  it('shows whole frames only, each for its time', () => {
+  it('shows whole frames only, each for its duration', () => {
     const { times, run } = start({ fps: 10 });
     run(1000);
     expect(times).toEqual([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0]);
   });
 
-  it('goes round inside the chosen stretch', () => {
+  it('loops within the chosen range', () => {
     const { times, run } = start({ between: [0.3, 0.5] }, 0.3);
     run(1000);
     expect(Math.min(...times)).toBeGreaterThanOrEqual(0.3);
@@ -77,7 +77,7 @@ describe('playing', () => {
     expect(times.filter((t, i) => i > 0 && t < times[i - 1]!)).toHaveLength(5);
   });
 
-  it('starts at the chosen stretch when it stands elsewhere, and may lie beyond the keys', () => {
+  it('starts at the chosen range from a time outside it; the range can extend beyond the keys', () => {
     const { times, run } = start({ between: [1.1, 1.3], loop: 'bounce' }, 0.2);
     run(400);
     expect(times[0]).toBe(1.1);
@@ -85,21 +85,21 @@ describe('playing', () => {
     expect(Math.min(...times)).toBe(1.1);
   });
 
-  it('plays a stretch of a closed motion as a stretch', () => {
+  it('plays a range of a closed motion like any range', () => {
     const { times, run } = start({ between: [0.3, 0.5], loop: 'bounce' }, 0.3, true);
     run(400);
     expect(times.some((t, i) => i > 0 && t < times[i - 1]! && t > 0.4)).toBe(true);
     expect(Math.max(...times)).toBeLessThanOrEqual(0.5);
   });
 
-  it('stops on the last frame when it plays once, and starts over from there', () => {
+  it('stops on the last frame if it plays once, and restarts from there', () => {
     const { view, times, run } = start({ fps: 4, loop: 'once', between: [0.1, 0.9] }, 0.1);
     run(1200);
     expect(view.play.playing).toBe(false);
     expect(times).toEqual([0.25, 0.5, 0.75, 0.75]);
   });
 
-  it('knows where it will be: forth and back, and in whole frames', () => {
+  it('predicts its times: forth and back, and in whole frames', () => {
     const { player, times, run } = start({ loop: 'bounce' });
     run(1500);
     for (const ahead of [1, 7, 90]) {
@@ -113,7 +113,7 @@ describe('playing', () => {
     expect(held.player.timeOf(held.player.tick + 20)).toBe(0.6);
   });
 
-  it('counts the refreshes of the screen, with those that a busy page has missed', () => {
+  it('counts the refreshes of the screen, including those that a busy page missed', () => {
     const { ticks, run } = start({ fps: 1 });
     run(1000);
     expect(ticks).toEqual(Array.from({ length: 100 }, (_, i) => i + 1));
@@ -122,7 +122,7 @@ describe('playing', () => {
     expect(ticks.at(-1)).toBe(106);
   });
 
-  it('goes on from where someone else has put the time', () => {
+  it('continues from a time that was set elsewhere', () => {
     const { view, times, run } = start({ fps: 10 });
     run(200);
     view.time = 0.75;

@@ -67,7 +67,7 @@ function visit(time = 0): { store: Store; remembered: RememberedFiles } {
 }
 const timeOf = (id: string): number | undefined => shelf.get(id)?.remembered.state.time;
 
-it('writes what is open after a while, then what has changed, and says so once', async () => {
+it('stores open content after a while, then changes, with one message', async () => {
   const { store, remembered } = visit();
   remembered.follow();
   expect([shelf.size, remembered.unsaved]).toEqual([0, false]);
@@ -80,7 +80,7 @@ it('writes what is open after a while, then what has changed, and says so once',
   expect(said).toEqual([expect.stringContaining('These files are remembered')]);
 });
 
-it('keeps both versions where another tab has written since', async () => {
+it('keeps both versions if another tab has written since', async () => {
   const { store, remembered } = visit();
   remembered.follow();
   await vi.advanceTimersByTimeAsync(500);
@@ -90,7 +90,7 @@ it('keeps both versions where another tab has written since', async () => {
   expect([timeOf('mine'), timeOf('other'), store.get().project]).toEqual([0, 0.5, 'other']);
 });
 
-it('the next visit opens the state that was noted when the page was left', async () => {
+it('the next visit opens the state stored when the page was closed', async () => {
   const { store, remembered } = visit();
   remembered.follow();
   await vi.advanceTimersByTimeAsync(500);
@@ -112,7 +112,7 @@ it('the next visit opens the state that was noted when the page was left', async
   expect(shelf.get('mine')?.opening).toBe(false);
 });
 
-it('a tab that is loaded again opens its own files first, and a new tab those that were changed last', async () => {
+it('a reloaded tab opens its own files first, and a new tab the last changed ones', async () => {
   shelf.set('of another tab', { remembered: {} as StoredProject, version: 1, opening: false });
   const { remembered } = visit();
   remembered.follow();
@@ -123,7 +123,7 @@ it('a tab that is loaded again opens its own files first, and a new tab those th
   expect(await first()).toBe('of another tab');
 });
 
-it('a project that does not open stays marked; one that is overtaken does not', async () => {
+it('a project that does not open stays marked; a replaced one does not', async () => {
   const { remembered } = visit();
   remembered.follow();
   await vi.advanceTimersByTimeAsync(500);
@@ -133,7 +133,7 @@ it('a project that does not open stays marked; one that is overtaken does not', 
   }
 });
 
-it('what is forgotten is not written again, until it is wanted again', async () => {
+it('deleted content is not stored again until the user allows it', async () => {
   const { store, remembered } = visit();
   remembered.follow();
   await vi.advanceTimersByTimeAsync(500);

@@ -8,7 +8,7 @@ import type { Sample } from '../../web/app/sources/samples.ts';
 const folder = path.resolve(import.meta.dirname, '../../public/samples');
 const MOST_BYTES = 120_000;
 
-it('no sample is longer on its way to a visitor than it has to be', () => {
+it('no sample file is larger than necessary', () => {
   const models = readdirSync(folder).filter((name) => name.endsWith('.glb'));
   expect(models.length).toBeGreaterThan(0);
   const long = models.filter((name) => gzipSync(readFileSync(path.join(folder, name))).length > MOST_BYTES);
@@ -25,7 +25,7 @@ it('the list names each sample and its file', () => {
   );
 });
 
-it('a sample that does not arrive is named, with what to do', async () => {
+it('a sample that cannot be loaded is named, with advice', async () => {
   vi.stubGlobal('document', { baseURI: 'http://localhost/' });
   vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')));
   const hand = { made: false, files: ['hand.glb'] } as Sample;

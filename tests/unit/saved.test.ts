@@ -45,8 +45,8 @@ function poolOf(): PosePool {
   return { add: () => ++last } as unknown as PosePool;
 }
 
-describe('what older versions saved', () => {
-  it.each(saved.links)('opens from the link $link', ({ link, ...expected }) => {
+describe('links and documents of older versions', () => {
+  it.each(saved.links)('open from the link $link', ({ link, ...expected }) => {
     const doc = applyPermalink(initial, readPermalink(link)!);
     expect(spelt(doc)).toEqual(withDefaults(expected));
     expect(writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, doc, time: 0.25 }, initial)).toBe(
@@ -54,7 +54,7 @@ describe('what older versions saved', () => {
     );
   });
 
-  it('is kept here for every option of a link', () => {
+  it('are stored here for every option of a link', () => {
     const options = [...Object.values(MOTION), ...Object.values(ENCODING)].flatMap((one) =>
       'page' in one ? one.page : [],
     );
@@ -82,7 +82,7 @@ describe('what older versions saved', () => {
     },
   );
 
-  it.each(saved.documents)('opens as a browser has kept it: $document', ({ document, ...expected }) => {
+  it.each(saved.documents)('open as stored by a browser: $document', ({ document, ...expected }) => {
     const doc = keptDoc(document as Parameters<typeof keptDoc>[0]);
     expect(spelt(doc)).toEqual(withDefaults(expected));
     expect(Object.keys(doc)).toEqual(['keys', 'motion', 'encoding']);

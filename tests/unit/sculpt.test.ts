@@ -34,13 +34,13 @@ describe.each([
   ['serpent', serpent],
   ['turret', turret],
 ] as const)('the %s', (name, sculptor) => {
-  it('is closed, and its faces look outwards', async () => {
+  it('is closed, with faces oriented outwards', async () => {
     const made = await sculptor(0.3);
     expect(openEdges(made)).toBe(0);
     for (const key of made.keys) expect(measure(key, made.skin.faces).volume).toBeGreaterThan(0);
   });
 
-  it.runIf(name !== 'turret')('has one volume in every pose', async () => {
+  it.runIf(name !== 'turret')('has the same volume in every pose', async () => {
     const { skin, keys } = await sculptor(0.6);
     const [first, ...others] = keys.map((key) => measure(key, skin.faces).volume);
     for (const volume of others) expect(volume / first!).toBeCloseTo(1, 1.4);
@@ -52,7 +52,7 @@ describe.each([
     expect(colours.size).toBeGreaterThan(3);
   });
 
-  it('comes as a GLB as long as it says', async () => {
+  it('is a GLB of the stated length', async () => {
     const { bytes } = await make(name, 0.2);
     const view = new DataView(bytes.buffer);
     expect([view.getUint32(0, true), view.getUint32(8, true)]).toEqual([0x46546c67, bytes.length]);

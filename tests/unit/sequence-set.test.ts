@@ -71,7 +71,7 @@ function setUp() {
 const differing = { ...DEFAULT_VIEW, ghostDifference: true };
 
 describe('sequence sets', () => {
-  it('encode once for other times and boundaries', async () => {
+  it('are not encoded again for other times and boundaries', async () => {
     const { set, log, build, ready } = setUp();
     set.want(sequencePlan(doc));
     await build();
@@ -83,7 +83,7 @@ describe('sequence sets', () => {
     expect(ready).toHaveLength(3);
   });
 
-  it('encode again for another encoding and dispose of the old shape only then', async () => {
+  it('are encoded again for another encoding, and dispose of the old shape afterwards', async () => {
     const { set, encodings, build, alive, tick } = setUp();
     set.want(sequencePlan(doc));
     await build();
@@ -99,7 +99,7 @@ describe('sequence sets', () => {
     expect(alive()).toBe(2);
   });
 
-  it('move the same shape for a compared method, and keep the first motion', async () => {
+  it('use the same shape for a compared method, and keep the first motion', async () => {
     const { set, log, build, alive } = setUp();
     set.want(sequencePlan(doc));
     await build();
@@ -114,7 +114,7 @@ describe('sequence sets', () => {
     expect(alive()).toBe(2);
   });
 
-  it('put the motion without a ghost mesh beside the first, and keep what serves on', async () => {
+  it('add the motion without a ghost mesh, and keep the other motions', async () => {
     const { set, encodings, build, alive } = setUp();
     const led = setEncoding(doc, { ghostFaces: 2000 });
     set.want(sequencePlan(doc));
@@ -145,7 +145,7 @@ describe('sequence sets', () => {
     expect(encodings()).toEqual(['encode linear', 'encode linear 2000', 'encode linear 2000']);
   });
 
-  it('put ghost meshes of other sizes beside the first, and the full solve last', () => {
+  it('add ghost meshes of other sizes, and the full solve last', () => {
     const led = setEncoding(doc, { ghostFaces: 300 });
     const { variants } = sequencePlan(led, { ...DEFAULT_VIEW, ghostSizes: true, compare: ['linear'] });
     expect(variants.map(({ method, ghost }) => [method, ghost])).toEqual([
@@ -158,7 +158,7 @@ describe('sequence sets', () => {
     expect(sequencePlan(doc, { ...DEFAULT_VIEW, ghostSizes: true }).variants).toHaveLength(1);
   });
 
-  it('have no use for a difference where positions are blended', () => {
+  it('have no difference from a ghost mesh for vertex blends', () => {
     const led = setEncoding(setMotion(doc, { method: 'linear' }), { ghostFaces: 2000 });
     expect(sequencePlan(led, { ...differing, compare: ['lri'] }).variants.map(({ method }) => method)).toEqual([
       'linear',
@@ -166,7 +166,7 @@ describe('sequence sets', () => {
     ]);
   });
 
-  it('ask of a method only what it can do', () => {
+  it('use only supported options of a method', () => {
     const pins = [{ vertex: 3, radius: 0.1 }];
     const plan = sequencePlan(setMotion(doc, { hold: 'on', pins, boundary: 'hermite' }));
     plan.motion.turns = [{ key: 2, turns: 1 }];
@@ -191,7 +191,7 @@ describe('sequence sets', () => {
     }
   });
 
-  it('give up a build that is no longer wanted', async () => {
+  it('cancel a build that is no longer needed', async () => {
     const { set, encodings, build, refused, builds, tick, alive } = setUp();
     set.want(sequencePlan(doc));
     await tick();
@@ -206,7 +206,7 @@ describe('sequence sets', () => {
     expect(alive()).toBe(2);
   });
 
-  it('move to key times that changed during a build afterwards', async () => {
+  it('apply key times that changed during a build afterwards', async () => {
     const { set, log, build } = setUp();
     set.want(sequencePlan(doc));
     set.want(sequencePlan(retimeKey(doc, 1, 2)));
@@ -216,7 +216,7 @@ describe('sequence sets', () => {
     expect(set.plan?.times).toEqual([0, 2]);
   });
 
-  it('serve on what they served when a build is cancelled or refused', async () => {
+  it('keep the earlier motions if a build is cancelled or refused', async () => {
     const { set, build, refused, builds, tick } = setUp();
     set.want(sequencePlan(doc));
     await build();
@@ -237,7 +237,7 @@ describe('sequence sets', () => {
     expect(set.plan).toBe(plan);
   });
 
-  it('report a refused motion and can be asked for something else afterwards', async () => {
+  it('report a refused motion and accept other requests afterwards', async () => {
     const { set, build, refused } = setUp();
     set.want(sequencePlan(doc));
     await build();

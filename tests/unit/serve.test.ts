@@ -7,7 +7,7 @@ const inRepository = (name: string): string => readFileSync(path.resolve(import.
 const directives = (policy: string): string[] => policy.split('; ');
 const ofPage = (html: string): string[] => directives(/content="(default-src [^"]*)"/.exec(html)![1]!);
 
-it.each([false, true])('every answer of npm start is guarded, isolated: %s', async (isolated) => {
+it.each([false, true])('every response of npm start has the security headers, isolated: %s', async (isolated) => {
   const folder = path.resolve(import.meta.dirname, '../../public/icons');
   const { url, server } = await serve(folder, { port: await freePort(), isolated });
   try {

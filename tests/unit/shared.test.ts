@@ -24,7 +24,7 @@ const take = (key: string): Lease<Thing> =>
     made.push(key);
     return { name: key };
   });
-it('is made once, and ended a while after its last user has left', async () => {
+it('is made once, and disposed of some time after its last user is removed', async () => {
   const [a, b] = [take('x'), take('x')];
   expect(await a.value).toBe(await b.value);
   expect(made).toEqual(['x']);
@@ -39,7 +39,7 @@ it('is made once, and ended a while after its last user has left', async () => {
   expect(made).toEqual(['x']);
 });
 
-it('is ended where its last user leaves while it is made, and forgotten where it cannot be made', async () => {
+it('is cancelled if its last user is removed during its making, and not cached if making fails', async () => {
   const signals: AbortSignal[] = [];
   const slow = things.take('x', async ({ signal }) => {
     signals.push(signal);

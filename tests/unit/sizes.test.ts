@@ -57,7 +57,7 @@ describe('the check of sizes', () => {
     );
   });
 
-  it('fails over the limit, for the worker as for page and wasm', () => {
+  it('fails above the limit, for worker, page and wasm', () => {
     write('assets/worker-C.js', `new URL("core-E.wasm",import.meta.url);${noise(LIMITS.firstPicture * 3)}`);
     expect(() => checkSizes(folder, () => undefined)).toThrow(
       /first picture .* \(compressed\); the limit is [\d.]+ KB/,
@@ -75,7 +75,7 @@ describe('the check of sizes', () => {
     },
   );
 
-  it('fails where it finds nothing to measure', () => {
+  it('fails if it finds nothing to measure', () => {
     write('assets/worker-C.js', 'const u="core-E.wasm"');
     expect(() => checkSizes(folder, () => undefined)).toThrow(/no wasm was found/);
   });

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { speedAt, speedCurveOf, speedPaths, speedTimes } from '../../web/model/speed-curve.ts';
 
 describe('the curve of a motion on the timeline', () => {
-  it('is asked for on both sides of every key, in increasing order', () => {
+  it('is requested on both sides of every key, in increasing order', () => {
     const times = speedTimes([0, 1], [0, 0.25, 1]);
     expect(times.every((t, i) => i === 0 || t > times[i - 1]!)).toBe(true);
     for (const key of [0, 0.25, 1]) {
@@ -18,20 +18,20 @@ describe('the curve of a motion on the timeline', () => {
     expect(speedTimes([0, 79], keys).length).toBeLessThan(900);
   });
 
-  it('knows the mean speed over the keys alone', () => {
+  it('has the mean speed within the keys', () => {
     const times = [-1, 0, 0.5, 0.500001, 1, 2];
     const curve = speedCurveOf(times, { speed: [9, 2, 2, 4, 4, 9], overshoot: [0, 0, 0, 0, 0, 0] }, [0, 1]);
     expect(curve.mean).toBeCloseTo(3, 4);
     expect(speedAt(curve, 0.7)).toEqual({ speed: 4 / curve.mean, past: false });
   });
 
-  it('says nothing of a motion that stands still', () => {
+  it('is empty for a motion at rest', () => {
     const still = speedCurveOf([0, 1], { speed: [0, 0], overshoot: [0, 0] }, [0, 1]);
     expect(speedAt(still, 0.5)).toBeNull();
     expect(speedPaths(still, { range: [0, 1], part: [0, 1], width: 100, height: 10 }).line).not.toContain('NaN');
   });
 
-  it('draws the fastest moment highest, and tints what swings past a key alone', () => {
+  it('is highest at the largest speed, and tints overshoot only', () => {
     const curve = speedCurveOf([0, 1, 2, 3, 4], { speed: [1, 2, 4, 2, 1], overshoot: [0, 0, 0.2, 0.1, 0] }, [0, 4]);
     const picture = { range: [0, 3], part: [0, 4], width: 100, height: 10 } as const;
     const { line, area, past } = speedPaths(curve, picture);

@@ -19,7 +19,7 @@ describe('Hermite speeds', () => {
     expect(steppedSpeed(-3, -1)).toBe(0);
   });
 
-  it('go as far towards a close shape as 4 does towards the neighbour, within reason', () => {
+  it('have a limit that depends on the distance of the tangent pose', () => {
     expect([null, 3, 2, 0.4, 0.01, 0].map((shape) => mostSpeed(2, shape))).toEqual([4, 4, 4, 20, 40, 40]);
     expect(mostSpeed(0, 0)).toBe(4);
     expect([17.02, 99].map((wanted) => offeredSpeed(wanted, 20))).toEqual([17, 20]);
@@ -31,20 +31,20 @@ describe('Hermite speeds', () => {
   });
 });
 
-describe('what an end leads towards', () => {
+describe('the target of an end tangent', () => {
   const doc = (change: Partial<Doc['encoding']>): Doc => ({
     keys: [4, 2, 7].map((pose, index) => keyRef(pose, '', index)),
     motion: { ...DEFAULT_MOTION, boundary: 'hermite' },
     encoding: { ...DEFAULT_ENCODING, ...change },
   });
 
-  it('is the neighbour, or the shape that is taken as end tangent, a key or not', () => {
+  it('is the neighbour, or the chosen tangent pose, a key or not', () => {
     expect(endTangents(doc({}))).toEqual({ start: 'neighbour', end: 'neighbour' });
     expect(endTangents(doc({ startTangentPose: 7 }))).toEqual({ start: 'shape', end: 'neighbour' });
     expect(endTangents(doc({ endTangentPose: 0 }))).toEqual({ start: 'neighbour', end: 'shape' });
   });
 
-  it('is nothing if the boundary has no tangents', () => {
+  it('is null if the boundary has no tangents', () => {
     expect(endTangents({ ...doc({}), motion: { ...DEFAULT_MOTION } })).toBeNull();
   });
 });

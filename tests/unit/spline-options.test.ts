@@ -17,7 +17,7 @@ const main = (doc: Doc) => {
   return { keepLengths, ownPaths };
 };
 
-it('lengths are kept with free ends, where nothing is held or turned', () => {
+it('lengths can be kept with natural ends, without holding and added turns', () => {
   expect(main(kept)).toEqual({ keepLengths: 2, ownPaths: 'off' });
   for (const [doc, why] of [
     [setMotion(kept, { boundary: 'periodic' }), 'ends'],
@@ -33,7 +33,7 @@ it('lengths are kept with free ends, where nothing is held or turned', () => {
   }
 });
 
-it('own paths are for the shape spline without turns', () => {
+it('own paths are available for the shape spline without added turns', () => {
   expect(main(paths).ownPaths).toBe('absolute');
   expect(whyNoPaths(setTurns(paths, 1, { turns: 1 }))).toBe('turns');
   expect(main(setTurns(paths, 1, { turns: 1 })).ownPaths).toBe('off');

@@ -18,7 +18,7 @@ const hold = (keys: number, animation: number, project: object | null = null): s
     project,
   }).motion.hold;
 
-it('moments of an animation are held where they rest; poses, projects and two keys are not', () => {
+it('holding is on for poses sampled from an animation, but not for other poses, projects and two keys', () => {
   expect([hold(8, 0), hold(8, 1), hold(3, 0)]).toEqual(['on', 'on', 'on']);
   // A morph target animation whose keys are these poses, poses without an animation, a project, and two sampled times.
   expect([hold(4, 1), hold(8, -1), hold(8, 0, {}), hold(2, 0)]).toEqual(['off', 'off', 'off', 'off']);

@@ -25,7 +25,7 @@ describe('changes of the state', () => {
     expect(named(after)).toEqual(names);
   });
 
-  it('of playing have a beginning and an end', () => {
+  it('of playback have a start and an end', () => {
     const playing = { ...EMPTY_STATE, play: { ...EMPTY_STATE.play, playing: true } };
     expect(named(playing)).toEqual(['started']);
     expect(named(EMPTY_STATE, playing)).toEqual(['stopped']);

@@ -30,7 +30,7 @@ describe('the store', () => {
     ]);
   });
 
-  it('takes a drag back as a whole, but not two drags with a pause between', () => {
+  it('undoes a drag as a whole, but not two drags with a pause between', () => {
     let now = 0;
     const store = createStore(start, () => now);
     for (const time of [1.1, 1.2, 1.3]) {
@@ -45,7 +45,7 @@ describe('the store', () => {
     expect(store.get().doc.keys[1]!.time).toBe(1);
   });
 
-  it('takes a slow drag back as a whole too, and never joins two drags', () => {
+  it('undoes a slow drag as a whole as well, and never joins two drags', () => {
     let now = 0;
     const store = createStore(start, () => now);
     const drag = (times: number[]): void => {
@@ -64,7 +64,7 @@ describe('the store', () => {
     expect(store.get().doc.keys[1]!.time).toBe(1);
   });
 
-  it('forgets what could be redone after another edit', () => {
+  it('discards redo steps after another edit', () => {
     const store = createStore(start);
     store.edit('rename', (doc) => renameKey(doc, 0, 'x'));
     store.undo();
@@ -72,7 +72,7 @@ describe('the store', () => {
     expect(store.redoLabel()).toBeNull();
   });
 
-  it('neither publishes nor remembers an edit without effect', () => {
+  it('neither publishes nor records an edit without effect', () => {
     const store = createStore(start);
     let calls = 0;
     store.subscribe(() => {
@@ -83,7 +83,7 @@ describe('the store', () => {
     expect(store.undoLabel()).toBeNull();
   });
 
-  it('leaves time and view out of undo', () => {
+  it('excludes time and view from undo', () => {
     const store = createStore(start);
     store.edit('rename', (doc) => renameKey(doc, 0, 'x'));
     store.set({ time: 0.7 });

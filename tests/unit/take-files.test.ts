@@ -22,7 +22,7 @@ const names = (files: readonly PickedFile[]): string => files.map(({ name }) => 
 const own: Source = { kind: 'files', names: ['mine.obj'] };
 const sample: Source = { kind: 'sample', id: 'box' };
 
-/** `fit`: the files match the open mesh. A single file is not a motion. */
+/** `fit`: whether the files match the open mesh. A single file does not open as a motion. */
 function takeFilesOf(source: Source, fit: boolean): TakeFiles {
   const files = {
     run: async (given: PickedFile[], work: (files: PickedFile[]) => Promise<boolean>) => work(await given),
@@ -47,12 +47,12 @@ function takeFilesOf(source: Source, fit: boolean): TakeFiles {
 }
 const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-it('several files of which none is open become keys of the own files', async () => {
+it('several new files of the open mesh become keys', async () => {
   await takeFilesOf(own, true).take(picked('a.obj', 'b.obj'));
   expect(log).toEqual(['add a.obj+b.obj at null', '2 keys were added.']);
 });
 
-it('files of another mesh are opened, and what differs from own files is said with counts', async () => {
+it('files of another mesh are opened, and the difference is reported with counts', async () => {
   await takeFilesOf(own, false).take(picked('a.obj', 'b.obj'), { before: 1 });
   expect(log).toEqual([
     'add a.obj+b.obj at {"before":1}',
@@ -84,7 +84,7 @@ it('the first pose waits for the next', async () => {
   expect(log.at(-1)).toBe('open c.obj+d.obj');
 });
 
-it('of several numbered sequences one is chosen', async () => {
+it('the user chooses one of several numbered sequences', async () => {
   await takeFilesOf(sample, false).take(picked('a1.obj', 'a2.obj', 'b1.obj', 'b2.obj'));
   expect(log).toEqual([]);
   expect(offer?.others?.at(-1)?.action).toBe('All of them');

@@ -4,7 +4,7 @@ import { pictureExtent } from '../../web/viewer/thumbnails.ts';
 
 const extent = (radius: number) => ({ points: new Float32Array(3), radius });
 
-it('a shape that travels far fills its picture; one that stays is seen where it is', () => {
+it('a shape that travels far fills its thumbnail; other shapes are shown at their position', () => {
   const whole = extent(10);
   const [small, large] = [extent(2), extent(8)];
   expect(pictureExtent(small, whole)).toBe(small);

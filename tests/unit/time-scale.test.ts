@@ -18,25 +18,25 @@ const keys = [
 ];
 
 describe('the slider', () => {
-  it('shows most of a mean interval between keys beyond both ends, however many keys there are', () => {
+  it('shows most of a mean interval beyond both ends, for any number of keys', () => {
     expect(timeScale(range, 3).whole).toEqual([1.2, 4.8]);
     expect(timeScale(range, 2).whole.map((t) => Number(t.toFixed(9)))).toEqual([0.4, 5.6]);
     const [low, high] = timeScale([0, 10], 11).whole;
     expect([low, high]).toEqual([-0.8, 10.8]);
   });
 
-  it('lets time go twice the length of the motion beyond its ends', () => {
+  it('allows times up to twice the length of the motion beyond its ends', () => {
     expect(clampTime(-9, range)).toBe(-2);
     expect(clampTime(9, range)).toBe(8);
     expect(clampTime(5.5, range)).toBe(5.5);
   });
 
-  it('snaps to the nearest key within reach only', () => {
+  it('snaps only to the nearest key within reach', () => {
     expect(snap(3.45, [2, 3.5, 4], 0.1)).toBe(3.5);
     expect(snap(3.3, [2, 3.5, 4], 0.1)).toBe(3.3);
   });
 
-  it('jumps from key to key and stays where there is none', () => {
+  it('jumps from key to key and stays if there is none', () => {
     const times = [2, 3.5, 4];
     expect(neighbourKey(2, times, 1, range)).toBe(3.5);
     expect(neighbourKey(3.6, times, -1, range)).toBe(3.5);
@@ -57,18 +57,18 @@ describe('the phase', () => {
   const at = (t: number, periodic = false, tolerance?: number): ReturnType<typeof phaseOf> =>
     phaseOf({ t, keys, range, periodic, tolerance });
 
-  it('is a key only at its very time', () => {
+  it('is a key only at exactly its time', () => {
     expect(at(3.5)).toMatchObject({ kind: 'key', text: 'At key 2, straight' });
     expect(at(3.501).kind).toBe('between');
     expect(at(3.501, false, 0.01).kind).toBe('key');
   });
 
-  it('names the keys it lies between', () => {
+  it('names the neighbouring keys', () => {
     expect(at(3).text).toBe('Between keys 1 and 2');
     expect(at(3.9).text).toBe('Between keys 2 and 3');
   });
 
-  it('says on which side it is extrapolated', () => {
+  it('states on which side it is extrapolated', () => {
     expect(at(1.9)).toMatchObject({ kind: 'beyond', text: 'Before the first key (extrapolated)' });
     expect(at(4.1)).toMatchObject({ kind: 'beyond', text: 'Beyond the last key (extrapolated)' });
   });
@@ -78,19 +78,19 @@ describe('the phase', () => {
     expect(at(1.5, true)).toMatchObject({ kind: 'key', text: 'At key 2, straight' });
   });
 
-  it('knows the stretch of a closed motion from the last key back to the first', () => {
+  it('includes the interval of a closed motion from the last key to the first', () => {
     const phase = phaseOf({ t: 4.5, keys, range: [2, 5], periodic: true });
     expect(phase.text).toBe('Between keys 3 and 1');
   });
 });
 
 describe('wrap', () => {
-  it('leaves the range alone, its end included', () => {
+  it('does not change times in the range, including its end', () => {
     expect(wrap(4, range)).toBe(4);
     expect(wrap(2, range)).toBe(2);
   });
 
-  it('brings other times in by whole periods', () => {
+  it('moves other times by whole periods', () => {
     expect(wrap(4.5, range)).toBeCloseTo(2.5, 12);
     expect(wrap(1.5, range)).toBeCloseTo(3.5, 12);
     expect(wrap(-10.5, range)).toBeCloseTo(3.5, 12);
@@ -98,13 +98,13 @@ describe('wrap', () => {
 });
 
 describe('formatTime', () => {
-  it('has as many decimals as mean something', () => {
+  it('has meaningful decimals only', () => {
     expect(formatTime(0.42)).toBe('0.420');
     expect(formatTime(12.3456, [0, 100])).toBe('12.3');
     expect(formatTime(0.00012, [0, 0.001])).toBe('0.000120');
   });
 
-  it('knows no negative zero', () => {
+  it('never returns a negative zero', () => {
     expect(formatTime(-1e-9)).toBe('0.000');
   });
 });

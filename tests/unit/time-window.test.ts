@@ -14,11 +14,11 @@ import {
 const scale = { range: [2, 4], whole: [1.2, 4.8] } as const; // time reaches from -2 to 8
 
 describe('the window of the slider', () => {
-  it('shows everything unless something else is wanted', () => {
+  it('shows everything by default', () => {
     expect(windowOf(null, scale)).toEqual([1.2, 4.8]);
   });
 
-  it('has times and places that are inverse to each other', () => {
+  it('converts times to positions and back', () => {
     for (const window of [windowOf(null, scale), [2.5, 2.6] as const]) {
       for (const t of [1.2, 2, 2.71, 4, 4.8]) expect(timeIn(fractionIn(t, window), window)).toBeCloseTo(t, 12);
       expect(fractionIn(window[0], window)).toBe(0);
@@ -26,7 +26,7 @@ describe('the window of the slider', () => {
     }
   });
 
-  it('keeps the moment under the pointer where it is while zooming in and out', () => {
+  it('keeps the time under the pointer in place while zooming in and out', () => {
     let window = windowOf(null, scale);
     const at = fractionIn(3.1, window);
     for (const factor of [2, 5, 3, 0.4, 2]) {
@@ -36,17 +36,17 @@ describe('the window of the slider', () => {
     expect(3.6 / (window[1] - window[0])).toBeCloseTo(2 * 5 * 3 * 0.4 * 2, 9);
   });
 
-  it('comes at least twenty times nearer, and no nearer than its limit', () => {
+  it('zooms in at least twenty times, up to a limit', () => {
     expect(MAX_ZOOM).toBeGreaterThanOrEqual(20);
     const nearest = zoomed(windowOf(null, scale), scale, 1e9, 3)!;
     expect(3.6 / (nearest[1] - nearest[0])).toBeCloseTo(MAX_ZOOM, 6);
   });
 
-  it('is the whole again when zoomed out far enough', () => {
+  it('is the whole range again when zoomed out far enough', () => {
     expect(zoomed([3, 3.2], scale, 1e-6, 3.1)).toBeNull();
   });
 
-  it('goes on from the whole to all that can be reached, and comes back to the whole', () => {
+  it('zooms out to all times that can be reached, and back to the whole range', () => {
     const wider = zoomed([1.2, 4.8], scale, 0.5, 3)!;
     expect(wider[0]).toBeCloseTo(-0.6, 12);
     expect(wider[1]).toBeCloseTo(6.6, 12);
@@ -54,13 +54,13 @@ describe('the window of the slider', () => {
     expect(zoomed(wider, scale, 2, 3)).toBeNull();
   });
 
-  it('stays within what can be reached', () => {
+  it('stays within the times that can be reached', () => {
     expect(panned([3, 3.5], scale, 99)).toEqual([7.5, 8]);
     expect(panned([3, 3.5], scale, -99)).toEqual([-2, -1.5]);
     expect(windowOf([90, 91], scale)).toEqual([7, 8]);
   });
 
-  it('turns a page when a moment runs out of it', () => {
+  it('moves by a page when a time leaves it', () => {
     expect(revealing([3, 3.5], scale, 3.2)).toEqual([3, 3.5]);
     const [start, end] = revealing([3, 3.5], scale, 3.51)!;
     expect(start).toBeLessThan(3.51);
@@ -73,7 +73,7 @@ describe('the window of the slider', () => {
 });
 
 describe('the ruler', () => {
-  it('has round numbers inside the window, not more than asked for', () => {
+  it('has round numbers in the window, at most the requested number', () => {
     expect(ruler([0, 1], 10).map((t) => Number(t.toFixed(9)))).toEqual([
       0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1,
     ]);

@@ -6,13 +6,13 @@ import { guideLink } from '../../web/app/sources/page-link.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
 
 describe('the tour', () => {
-  it('has ten steps, each a link of its own', () => {
+  it('has ten steps, each with its own link', () => {
     expect(TOUR.map(({ link }) => guideLink(`#${link}`))).toEqual(TOUR.map(({ link }) => link));
     expect(new Set(TOUR.map(({ link }) => link)).size).toBe(10);
     expect(guideLink('#sample=cactus&tour=1')).toBeNull();
   });
 
-  it.each(TOUR.map((step) => [step.title, step] as const))('%s: says it in 25 to 60 words', (_, { text, sentence }) => {
+  it.each(TOUR.map((step) => [step.title, step] as const))('%s: has 25 to 60 words', (_, { text, sentence }) => {
     const words = text.split(/\s+/).length;
     expect(words).toBeGreaterThanOrEqual(25);
     expect(words).toBeLessThanOrEqual(60);
@@ -46,13 +46,13 @@ describe('the tour', () => {
 });
 
 describe('the figures of the paper', () => {
-  it('are all there, each a link of its own', () => {
+  it('are complete, each with its own link', () => {
     const numbers = FIGURES.map(({ link }) => link.replace('figure=', ''));
     expect(numbers).toEqual(['1', '2a', '2b', '3', '4', '5', '6', '7', '8', '9', '10']);
     expect(FIGURES.map(({ link }) => guideLink(link))).toEqual(FIGURES.map(({ link }) => link));
   });
 
-  it('count systems as the tour does, and say where heights of curves mean nothing', () => {
+  it('count systems like the tour, and state where the heights of curves have no meaning', () => {
     const sentenceOf = (link: string): string => FIGURES.find((one) => one.link === link)!.sentence;
     for (const text of [TOUR[9]!.title, sentenceOf('figure=10')]) expect(text).toMatch(/\btwo systems\b/i);
     expect(sentenceOf('figure=9')).toMatch(/by edge lengths and angles/);

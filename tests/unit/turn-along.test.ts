@@ -15,7 +15,7 @@ function row(patches: number, degrees: readonly number[]): (patch: number) => Pr
   };
 }
 
-it('turns add up from one end to the other, beyond what one rotation can say', async () => {
+it('rotations add up from one end to the other, beyond a full turn', async () => {
   const turn = (await turnAlong(10, 2, row(10, [30, 60])))!;
   expect(turn.patches).toBe(10);
   expect(turn.total[0]).toBeCloseTo(270, 9);
@@ -23,6 +23,6 @@ it('turns add up from one end to the other, beyond what one rotation can say', a
   expect(turn.largest).toBeCloseTo(60, 9);
 });
 
-it('without neighbours nothing adds up', async () => {
+it('the sum is zero without neighbours', async () => {
   expect(await turnAlong(1, 1, row(1, [0]))).toBeNull();
 });

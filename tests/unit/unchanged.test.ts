@@ -30,7 +30,7 @@ afterEach(() => {
     rmSync(file, { recursive: true, force: true });
 });
 
-it('has its counts from when it passed while nothing has changed', async () => {
+it('reports the counts of its last run if nothing has changed', async () => {
   expect(await suite().result).toEqual(PASSED);
   const again = suite();
   expect(await again.result).toEqual({ ...PASSED, unchanged: true });

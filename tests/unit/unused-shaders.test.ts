@@ -6,7 +6,7 @@ import { withoutUnusedShaders } from '../../web/viewer/unused-shaders.ts';
 
 const three = path.join(path.dirname(createRequire(import.meta.url).resolve('three')), 'three.module.js');
 
-it('parts of shaders are left out of three by name, and only shaders', () => {
+it('only shader parts are removed from three, by name', () => {
   const code = readFileSync(three, 'utf8');
   const left = withoutUnusedShaders(code);
   expect(code.length - left.length).toBeGreaterThan(30_000);

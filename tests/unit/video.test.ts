@@ -3,8 +3,8 @@ import { commonBox, drawnBox } from '../../web/app/export/crop.ts';
 import { meantTimes } from '../../web/app/export/meant-times.ts';
 import { thereAndBack } from '../../web/engine/caller/bounce.ts';
 
-describe('what a recorder wrote', () => {
-  it('gets the times that were meant, in the order that frames are shown in', () => {
+describe('a recorded video', () => {
+  it('gets the intended times, in the display order of the frames', () => {
     // The recorded times are slow, uneven, and not in display order.
     const times = meantTimes([0.1, 0.9, 0.3], 3, 30);
     expect(times.map(({ timestamp }) => timestamp)).toEqual([0, 2 / 30, 1 / 30]);
@@ -20,14 +20,14 @@ describe('what a recorder wrote', () => {
 });
 
 describe('an animation that plays back and forth', () => {
-  it('shows each shape twice but the last', () => {
+  it('shows each shape twice except the last', () => {
     const { seconds, weights } = thereAndBack({ seconds: [0, 1, 3], weights: null }, 3);
     expect(seconds).toEqual([0, 1, 3, 5, 6]);
     // The third target is a still, which is stored but never shown.
     expect([...weights!]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0]);
   });
 
-  it('keeps weights of its own, and is refused where it would not open again', () => {
+  it('keeps its own weights, and is refused if it would not open again', () => {
     const { weights } = thereAndBack({ seconds: [0, 1], weights: Float32Array.of(1, 2, 3, 4) }, 2);
     expect([...weights!]).toEqual([1, 2, 3, 4, 1, 2]);
     const many = Array.from({ length: 3000 }, (_, i) => i);
@@ -42,7 +42,7 @@ describe('cropping', () => {
     return { data, width, height };
   };
 
-  it('finds what is drawn', () => {
+  it('finds the drawn area', () => {
     expect(
       drawnBox(
         picture(8, 6, [

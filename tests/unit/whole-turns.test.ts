@@ -20,19 +20,19 @@ const parts: AddedTurns[] = [
   { key: 2, turns: 2, component: 0 },
 ];
 
-it('a project gives the whole shape and its parts the turns that it was saved with', () => {
+it('a project restores the turns of the whole shape and its parts', () => {
   const doc = opened([whole, ...parts]);
   expect(turnsIn(doc)).toEqual([[], [{ turns: -2 }, { component: 3, turns: 1 }], [{ component: 0, turns: 2 }]]);
   expect(sequencePlan(doc).motion.turns).toEqual([whole, ...parts]);
 });
 
-it('one of before parts could turn opens as it was', () => {
+it('a project from before parts could turn opens unchanged', () => {
   const doc = opened([whole]);
   expect(turnsIn(doc)).toEqual([[], [{ turns: -2 }], []]);
   expect(sequencePlan(doc).motion.turns).toEqual([whole]);
   expect(sequencePlan(opened()).motion.turns).toEqual([]);
 });
 
-it('nothing leads to the first key', () => {
+it('the first key has no turns', () => {
   expect(sequencePlan(setTurns(opened(), 0, { component: 1, turns: 1 })).motion.turns).toEqual([]);
 });

@@ -8,11 +8,11 @@ const named = (edges: Uint32Array): string[] =>
   ).sort();
 
 describe('edges of polygons', () => {
-  it('are those of the faces where all are triangles', () => {
+  it('are those of the faces if all are triangles', () => {
     expect(named(edgesOf([0, 1, 2, 0, 2, 3], null))).toEqual(['0-1', '0-2', '0-2', '0-3', '1-2', '2-3']);
   });
 
-  it('leave out the cut of a quad, and keep the edge between two polygons', () => {
+  it('omit the diagonal of a quad, and keep the edge between two polygons', () => {
     // A quad of two faces beside a triangle, and a pentagon of three.
     const faces = [0, 1, 2, 0, 2, 3, 3, 2, 4, 5, 6, 7, 5, 7, 8, 5, 8, 9];
     expect(named(edgesOf(faces, Int32Array.of(2, 1, 3)))).toEqual(

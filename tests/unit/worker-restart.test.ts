@@ -16,7 +16,7 @@ function setUp() {
 }
 
 describe('the end of a worker', () => {
-  it('is followed by one other try, however many report it', () => {
+  it('is followed by one retry, for any number of reports', () => {
     const { clock, restart } = setUp();
     expect(restart.tryAgain()).toBe(true);
     clock.now = 900;
@@ -24,7 +24,7 @@ describe('the end of a worker', () => {
     expect(clock.tries).toBe(1);
   });
 
-  it('is a matter of the shape when it comes again soon, and not when it comes late', () => {
+  it('is blamed on the shape if it happens again soon, but not later', () => {
     const { clock, restart } = setUp();
     restart.tryAgain();
     clock.now = 5000;
@@ -34,7 +34,7 @@ describe('the end of a worker', () => {
     expect(clock.tries).toBe(2);
   });
 
-  it('is not what other failures are', () => {
+  it('is distinguished from other failures', () => {
     const { clock, restart } = setUp();
     expect(restart.takesUp(new EngineError('invalid-option', 'Refused.'))).toBe(false);
     expect(clock.tries).toBe(0);

@@ -11,7 +11,7 @@ const files = [
 const bytesOf = async (blob: Blob): Promise<Uint8Array> => new Uint8Array(await blob.arrayBuffer());
 
 describe('zip', () => {
-  it('gives every file back to another program, byte for byte and in order', async () => {
+  it('another program extracts every file, byte for byte and in order', async () => {
     const blob = await zip(files);
     expect(blob.type).toBe('application/zip');
     const entries = await unzip(blob);
@@ -24,7 +24,7 @@ describe('zip', () => {
     expect(Buffer.compare(one, other)).toBe(0);
   });
 
-  it('takes files as they are made, and fails as they do', async () => {
+  it('accepts files while they are made, and fails if making one fails', async () => {
     const asked: number[] = [];
     async function* failing() {
       for (const index of files.keys()) {

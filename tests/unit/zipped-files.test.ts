@@ -13,7 +13,7 @@ async function deflated(files: Record<string, string>, password?: string): Promi
   return writer.close();
 }
 
-it('takes the models of a zip and what they need, and leaves other files alone', async () => {
+it('takes the models of a zip and their files, and ignores other files', async () => {
   const own = await zip([
     { name: 'index.html', bytes: bytesOf('<p>') },
     { name: 'lion.glb', bytes: bytesOf('glTF') },
@@ -31,7 +31,7 @@ it('takes the models of a zip and what they need, and leaves other files alone',
   expect(found[2]!.file.size).toBe(8000);
 });
 
-it('says what is wrong with a zip', async () => {
+it('reports errors in a zip', async () => {
   await expect(unzipped([picked('x.zip', ['no zip'])])).rejects.toThrow('x.zip is not a readable zip.');
   await expect(unzipped([picked('x.zip', [await deflated({ 'a.txt': '' })])])).rejects.toThrow('no model in x.zip');
   const secret = await deflated({ 'a.obj': 'v 0 0 0' }, 'word');

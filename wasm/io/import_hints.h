@@ -1,4 +1,4 @@
-// Warnings about suspicious keys: equal poses, shapes lying on their backs.
+// Warnings about suspicious keys: equal poses, shapes lying down.
 #pragma once
 
 #include <string>

@@ -52,12 +52,12 @@ export function studyGhost(args: Arguments): Promise<Measured> {
 }
 
 const GHOST_COLUMNS = {
-  'wanted faces': 'of the ghost mesh; the first row is the motion without one',
-  'ghost faces': 'its number of faces',
+  'wanted faces': 'requested number of faces of the ghost mesh; the first row is the motion without one',
+  'ghost faces': 'number of faces of the ghost mesh',
   transfer: 'how the shape follows the ghost mesh: exact or paper',
   'KG error': 'Karni-Gotsman error against the motion without a ghost mesh, %',
   'frame time': 'median time of a frame, ms',
-  'build time': 'from the keys until the first frame can be computed, ms',
+  'build time': 'time from the keys until the first frame can be computed, ms',
   note: 'why there are no numbers',
 };
 
@@ -93,15 +93,15 @@ export function studyMethods(args: Arguments): Promise<Measured> {
 }
 
 const SPACE_COLUMNS = {
-  method: 'as of --methods; every other number is of 48 times between the first and the last key',
+  method: 'the method; the numbers up to largest bending are measured at 48 times between the first and the last key',
   volume: "largest difference from the natural spline of the keys' volumes, %; empty for open surfaces",
   area: "largest difference from the natural spline of the keys' areas, %",
   'edge lengths': 'root mean square over edges and times of the differences from the splines of their lengths, %',
   bending: 'mean over time of the bending energy of edge lengths and angles, as in measure --shell-bending, 1/s^4',
-  'largest bending': 'its largest value, 1/s^4',
+  'largest bending': 'largest value of this bending energy, 1/s^4',
   'KG error': 'Karni-Gotsman error against the animation of --against, at its frames, %',
   'frame time': 'median time of a frame, ms',
-  'build time': 'from the keys until the first frame can be computed, ms',
+  'build time': 'time from the keys until the first frame can be computed, ms',
   note: 'why the method cannot move this shape, or between which keys no fit was found',
 };
 
@@ -131,15 +131,15 @@ const TABLE_COLUMNS = {
   table: '1: seconds for one shape; 2: seconds for all shapes of a motion',
   source: 'paper: as published, on an Intel i7-3770; here: measured on this computer',
   model: "the paper's model if a file name contains its name, otherwise shape",
-  faces: 'of the shape; empty where the paper does not state their number',
+  faces: 'number of faces of the shape; empty where the paper does not state it',
   shapes: 'number of shapes of the motion, K of the paper',
-  share: 'of the vertices that are left on the ghost mesh, gamma of the paper; table 1: about 2000 faces are left',
+  share: 'vertices of the ghost mesh relative to those of the shape, gamma of the paper; table 1: about 2000 faces',
   '[2] ghost': 'spline in shell space, on the ghost mesh, s; here: fitting the shapes',
-  '[2] transfer': 'deformation transfer, s; here: all else, from the keys to the last shape',
-  '[2] full': 'without a ghost mesh, s',
+  '[2] transfer': 'deformation transfer, s; here: everything else, from the keys to the last shape',
+  '[2] full': 'spline in shell space, without a ghost mesh, s',
   ghost: 'spline in LRI space, on the ghost mesh, s',
   transfer: 'deformation transfer, s; here: total time with the ghost mesh, minus the column ghost',
-  full: 'without a ghost mesh, s',
+  full: 'spline in LRI space, without a ghost mesh, s',
   note: 'how this row differs from the paper, or why a time is missing',
 };
 

@@ -44,7 +44,7 @@ export const times: Read<number[]> = (text, option) => {
 
 export const range: Read<[number, number]> = (text, option) => {
   const parts = text.split(':');
-  if (parts.length !== 2) throw new UsageError(`${option}: '${text}' is not A:B`);
+  if (parts.length !== 2) throw new UsageError(`${option}: '${text}' is not a range A:B`);
   const [first, last] = parts.map((part) => number(part, option)) as [number, number];
   if (!(first < last)) throw new UsageError(`${option}: ${first} is not before ${last}`);
   return [first, last];

@@ -7,7 +7,7 @@ import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts
 import { orbitOf, targetOf } from '../model/camera-words.ts';
 import { GHOST_FACES } from '../model/state.ts';
 
-/** Effect of a change, largest first: import again, fit again, or only redraw. */
+/** What a change affects. `source` imports again, `motion` fits again, and the others only update what is shown. */
 export type Concern = 'source' | 'motion' | 'look' | 'camera' | 'play' | 'page';
 
 interface Described {
@@ -41,7 +41,7 @@ export interface ChoiceRow extends Described {
   /** Value of an empty attribute. */
   empty?: string;
 }
-/** Numbers separated by spaces or commas; null if there are none. */
+/** Numbers separated by spaces, commas or colons; null if there are none. */
 export interface NumbersRow extends Described {
   kind: 'numbers';
   default: null;
@@ -131,7 +131,7 @@ const OWN = {
     kind: 'flag',
     default: false,
     concern: 'page',
-    doc: 'Lets users rotate the shape with pointer, finger and keyboard. On with `controls`, unless it is "false".',
+    doc: 'Lets users rotate the shape with mouse, finger and keyboard. With `controls`, on unless set to "false".',
   },
   cameraOrbit: {
     kind: 'text',
@@ -174,15 +174,15 @@ const OWN = {
     kind: 'flag',
     default: false,
     concern: 'motion',
-    doc: `Computes the motion on a ghost mesh, with ${GHOST_FACES} faces unless \`ghost-faces\` is given.`,
+    doc: `Computes the motion on a simplified mesh, with ${GHOST_FACES} faces unless \`ghost-faces\` is given.`,
   },
 } as const satisfies Readonly<Record<string, Row>>;
 
-/** Engine options whose values are words or numbers. */
+/** Import options that have attributes. A change imports again. */
 const IMPORTED = pick(IMPORT, ['animation', 'sample', 'up', 'unit']);
-/** Options that do not need another import. */
+/** Import options that the motion takes as well, so a change does not import again. */
 const TIMED = pick(IMPORT, ['keyTimes']);
-/** A project's file provides the pins. */
+/** Motion options that have attributes. Pins have none: they come from a project's file. */
 const MOVED = pick(MOTION, [
   'method',
   'hold',

@@ -25,15 +25,15 @@ import { userOf } from './motions.ts';
 export type { CameraOrbit } from '../model/camera-words.ts';
 
 export interface CanvasViewerEvents {
-  /** A new time was drawn. */
+  /** A new time is shown. */
   onTime(t: number, phase: Phase): void;
-  /** A motion that plays once has ended. */
+  /** Playback without a loop has reached the end. */
   onEnd(): void;
   onError(error: unknown): void;
   onContext(lost: boolean): void;
-  /** The views have moved. */
+  /** The views have new positions or sizes. */
   onPlaces(): void;
-  /** Pixels covered by other elements at the bottom. */
+  /** Height in pixels that other elements cover at the bottom. */
   covered(): number;
   /** Colour of shapes in a phase, in any CSS notation that three.js supports. */
   colourOf(kind: PhaseKind): string;
@@ -160,7 +160,7 @@ export class CanvasViewer {
     await this.loop.request(t);
   }
 
-  /** Shows the time as soon as possible. */
+  /** Shows the time as soon as possible, once the viewer is in view. */
   follow(t: number): void {
     this.now = t;
     if (this.seen) this.loop.follow(t);
@@ -171,7 +171,7 @@ export class CanvasViewer {
     this.run();
   }
 
-  /** Reports whether the viewer is visible. Nothing is computed or drawn while it is out of view. */
+  /** Pauses computing and drawing while the viewer is out of view. `open` and `seek` still draw. */
   setSeen(seen: boolean): void {
     if (seen === this.seen) return;
     this.seen = seen;
@@ -243,7 +243,7 @@ export class CanvasViewer {
     this.events.onPlaces();
   }
 
-  /** Fits the whole shape as the page specifies, unless the user has moved the camera. */
+  /** Fits the whole shape, with the page's orbit and target, unless the user has moved the camera. */
   private frameShape(): void {
     if (this.moved || !this.keys) return;
     this.viewer.fit('home', false);

@@ -1,4 +1,4 @@
-/** The whole element in one file, for `<script type="module" src>`. */
+/** The element and the engine in one file, for `<script type="module" src>`. */
 import './register.ts';
 
 export * from '../engine/browser.ts';

@@ -7,7 +7,7 @@ export interface LoadDetail {
   keyTimes: readonly number[];
 }
 export interface ErrorDetail {
-  /** Stable: the engine's codes, `not-found`, `not-a-model`, `no-source`, `no-webgl`. */
+  /** Stable: a code of the engine, `not-found`, `not-a-model`, `no-source` or `no-webgl`; `failed` for other errors. */
   code: string;
   /** A sentence for users: the problem and what to do. */
   message: string;
@@ -23,11 +23,11 @@ export interface TimeDetail {
   currentTime: number;
 }
 export interface KeyDetail {
-  /** The last key reached. */
+  /** Index of the last key at or before the time. */
   index: number;
 }
 
-/** Type of the event's detail by its name. */
+/** Type of each event's detail. */
 export interface EventDetails {
   load: LoadDetail;
   error: ErrorDetail;
@@ -56,7 +56,7 @@ export const EVENTS: Readonly<Record<keyof EventDetails, { detail: string; doc: 
   play: { detail: 'null', doc: 'Playback started.' },
   pause: { detail: 'null', doc: 'Playback paused.' },
   timeupdate: { detail: '{ currentTime }', doc: 'A new time is shown.' },
-  seeked: { detail: '{ currentTime }', doc: 'The requested time is shown.' },
+  seeked: { detail: '{ currentTime }', doc: 'The time requested with `seek()` is shown.' },
   loopend: { detail: '{ currentTime }', doc: 'Playback reached an end of its range.' },
-  keychange: { detail: '{ index }', doc: 'Playback reached a different key.' },
+  keychange: { detail: '{ index }', doc: 'The last key at or before the current time has changed.' },
 };

@@ -72,7 +72,7 @@ export class Frame {
     return !this.poster.hidden;
   }
 
-  /** A shape that the keyboard cannot rotate, play or move has the role of an image. */
+  /** Without any keyboard control, the viewport has the role of an image. */
   setTurnable(turnable: boolean, playable: boolean): void {
     const { viewport } = this;
     setStyle(viewport, 'pointer-events', turnable ? '' : 'none');

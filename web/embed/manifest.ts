@@ -27,8 +27,8 @@ export const FIELDS = {
   keys: ['KeySource[] | null', 'Overrides `src`: URLs, Blobs or ArrayBuffers, one per key or one with all keys.'],
   duration: ['number', 'Length of the range that plays, in the unit of the key times; NaN before loading.'],
   paused: ['boolean', 'Whether playback is paused.'],
-  stats: ['ShapeSplineStats', 'Number of frames drawn, and the timings of the last frame.'],
-  report: ['MeshReport | null', 'Report on the mesh in the files.'],
+  stats: ['ShapeSplineStats', 'Numbers of frames computed and drawn; computing time of the last one in milliseconds.'],
+  report: ['MeshReport | null', 'Report on the mesh in the files; null before loading.'],
 } as const;
 type Parameter = [name: string, type: string, doc: string];
 /** A question mark after a name marks an optional parameter. */
@@ -42,7 +42,7 @@ export const METHODS: Readonly<Record<string, { returns: string; doc: string; pa
   },
   evaluate: {
     returns: 'Promise<Frame>',
-    doc: 'The shape at a time, even if it is not drawn. `release()` returns its arrays.',
+    doc: 'The shape at a time, without showing it. Its `release()` allows its arrays to be reused.',
     parameters: [['t', 'number', 'Time in the unit of the key times. It can be beyond the keys.']],
   },
   toBlob: {
@@ -64,11 +64,11 @@ export const METHODS: Readonly<Record<string, { returns: string; doc: string; pa
 const SLOTS = {
   '': 'A caption over the upper left corner.',
   poster: 'Shown before the shape, instead of the image of `poster`.',
-  controls: 'Replaces the play button and the timeline, if there are controls.',
+  controls: 'Replaces the play button and the timeline; shown only with `controls`.',
   progress: 'Replaces the progress bar.',
 };
 const PARTS = {
-  viewport: 'The box in which the shape is drawn; it takes keyboard focus.',
+  viewport: 'The box in which the shape is drawn. It takes keyboard focus if keys can rotate or play the shape.',
   controls: 'The row with play button and timeline.',
   play: 'The button that plays and pauses.',
   timeline: 'The time slider.',
@@ -80,7 +80,7 @@ const PARTS = {
   retry: 'The retry button in the error message, shown if a retry may help.',
 };
 const STYLES = {
-  key: 'Colour of a key, on the timeline and, with `colour="phase"`, of the shape.',
+  key: 'Colour of the keys on the timeline and, with `colour="phase"`, of the shape at a key.',
   between: 'Colour of the shape between keys, with `colour="phase"`.',
   beyond: 'Colour of the shape beyond the first or last key, with `colour="phase"`.',
   foreground: 'Colour of text and controls.',
@@ -166,7 +166,7 @@ export function customElementsManifest(): object {
       {
         kind,
         path: 'canvas-viewer.js',
-        declarations: [{ kind: 'class', name: 'CanvasViewer', description: 'A custom element that shows a motion.' }],
+        declarations: [{ kind: 'class', name: 'CanvasViewer', description: 'Shows a motion in any HTML element.' }],
         exports: [exportOf('CanvasViewer')],
       },
     ],

@@ -1,6 +1,7 @@
 /**
- * The engine of a page and the objects that its elements share: one import per source list, one shape per encoding, one
- * motion per options. Unused objects are disposed of after a delay, because moving an element removes and inserts it.
+ * The engine of a page and the objects that its elements share: one import per list of sources and import options, one
+ * shape per encoding, one motion per set of options. Unused objects are disposed of after a delay, because moving an
+ * element removes and inserts it.
  */
 import type { Engine, Keys, Motion, Shape } from '../engine/api/api.ts';
 import { createEngine } from '../engine/browser.ts';
@@ -58,7 +59,7 @@ export interface KeysLease extends Lease<Keys> {
 /** With more numbered files than this, all become keys only if times are given. */
 const MOST_OWN_KEYS = 32;
 
-/** Key times do not affect the import, so different times share one. */
+/** Up to MOST_OWN_KEYS files, key times do not affect the import, so different times share one. */
 export function takeKeys(
   { list, times }: Sources,
   base: string,
@@ -143,8 +144,8 @@ export function takeMotion(wanted: Wanted, onProgress?: (part: Stage) => void): 
 }
 
 /**
- * One of several users of a motion, each with one request at a time. Users do not replace each other's requests.
- * `onComputed` is called for every frame made for it.
+ * A motion for one of its several users. A newer request replaces only requests of the same user. `onComputed` receives
+ * the worker time in milliseconds of each frame computed for this user.
  */
 export function userOf(motion: Motion, onComputed: (ms: number) => void): Motion {
   const evaluateAhead: Motion['evaluateAhead'] = async (t, options) => {

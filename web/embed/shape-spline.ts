@@ -32,19 +32,19 @@ export type { ShapeSplineProperties } from './attributes.ts';
 export type { ShapeSplineEventMap } from './events.ts';
 export type { KeySource } from './sources.ts';
 
-/** An element that is being moved in the document keeps its state for this long. */
+/** A removed element keeps its state for this long, because moving an element removes and inserts it. */
 const GRACE_MS = 500;
 /** An element in view without a source reports the missing source after this time. */
 const SOURCE_MS = 1000;
-/** Share of the keys in the whole work. */
+/** Share of loading the keys in the total progress. */
 const KEYS_SHARE = 0.5;
-/** Height in pixels of the controls and compared methods' names at the bottom. */
+/** Heights in pixels, at the bottom, of the controls and of the names of compared methods. */
 const CONTROLS_PX = 44;
 const NAMES_PX = 24;
 
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
-/** Loaded when the first element is near the view: the engine's caller and three.js. */
+/** Loaded for the first element that shows a shape: three.js and the code that calls the engine. */
 const heavy = () => Promise.all([import('./canvas-viewer.ts'), import('./motions.ts')]);
 
 export interface ShapeSplineStats {
@@ -58,7 +58,7 @@ export interface ShapeSplineStats {
 /** The element's own events and those of every HTML element. */
 type Events = ShapeSplineEventMap & Omit<HTMLElementEventMap, keyof ShapeSplineEventMap>;
 
-/** The shown content. */
+/** Loaded content, ready to be shown. */
 interface LoadedSource {
   Viewer: typeof CanvasViewer;
   keys: KeysLease;
@@ -112,11 +112,11 @@ export class ShapeSplineElement extends Base {
   /** Whether `autoplay` may still start playback; actions of the page or the user take precedence. */
   #mayBegin = true;
   #automatic = false;
-  /** Why the newest loading has shown nothing. */
+  /** Error of the newest loading; null for none. */
   #failure: unknown = null;
   /** The shown time, or the initial time of the next motion; NaN: the start of the motion. */
   #time = NaN;
-  /** Range of the motion at that time. */
+  /** Range of the shown motion. */
   #range: Range = [NaN, NaN];
   /** The shown keys are not the requested ones. */
   #outdated = false;
@@ -143,7 +143,7 @@ export class ShapeSplineElement extends Base {
 
   connectedCallback(): void {
     clearTimeout(this.#leaving);
-    // Properties set before the element was defined.
+    // Applies properties that were set before the element was defined.
     for (const name of [...PROPERTIES, 'keys'] as (PropertyName | 'keys')[]) {
       if (!Object.hasOwn(this, name)) continue;
       const value: unknown = this[name];
@@ -184,7 +184,7 @@ export class ShapeSplineElement extends Base {
     this.#leaving = setTimeout(() => this.#dispose(), GRACE_MS);
   }
 
-  /** Style sheets belong to a document. */
+  /** A constructed style sheet applies only in its own document. */
   adoptedCallback(): void {
     this.#frame?.restyle();
   }
@@ -249,7 +249,7 @@ export class ShapeSplineElement extends Base {
     this.#tell('seeked', { currentTime: t });
   }
 
-  /** The shape at t, without drawing it; `release()` returns its arrays. */
+  /** The shape at t, without showing it. Its `release()` allows its arrays to be reused. */
   async evaluate(t: number): Promise<Shape> {
     return (await this.#loaded()).evaluateAhead(t);
   }
@@ -260,7 +260,7 @@ export class ShapeSplineElement extends Base {
     const blob = await new Promise<Blob | null>((done) => {
       this.#view!.viewer.snapshot((canvas) => canvas.toBlob(done, type, quality));
     });
-    // Unknown types are written as PNG.
+    // Browsers write unknown types as PNG.
     if (blob?.type !== type) throw new EngineError('invalid-option', `This browser cannot write ${type}.`);
     return blob;
   }
@@ -335,7 +335,7 @@ export class ShapeSplineElement extends Base {
 
   /** Several changes in one task are handled together. */
   #change(concern: Concern): void {
-    // A new motion starts at its own first key.
+    // A new source starts at its own initial time.
     if (concern === 'source' && this.#sequence) [this.#time, this.#outdated] = [NaN, true];
     if (this.#changed.size === 0) queueMicrotask(() => this.#apply());
     this.#changed.add(concern);
@@ -477,14 +477,14 @@ export class ShapeSplineElement extends Base {
     view.setSeen(this.#inView);
   }
 
-  /** Initial or previous time, clamped to the range of the new motion. */
+  /** Initial or previous time. A previous time within the old range is clamped to the new one. */
   #timeWithin(range: Range): number {
     const [first, last] = this.#range;
     if (Number.isNaN(this.#time)) return this.hasAttribute('current-time') ? this.currentTime : range[0];
     return first <= this.#time && this.#time <= last ? clamp(this.#time, range[0], range[1]) : this.#time;
   }
 
-  /** Starts playback if the page requested it. */
+  /** Starts playback for `autoplay`, unless the user prefers reduced motion. */
   #begin(): void {
     if (!this.#mayBegin || !this.autoplay || lessMotion()) return;
     this.#mayBegin = false;
@@ -556,7 +556,7 @@ export class ShapeSplineElement extends Base {
     this.#tell('timeupdate', { currentTime: t });
     const { time, step } = this.#before;
     const next = t - time;
-    // A reversal or restart of playback happens between two frames.
+    // Playback that reversed or restarted has passed an end between two frames.
     if (this.#playing && next * step < 0) {
       const end = this.#range[step > 0 ? 1 : 0];
       this.#reach(end);
@@ -599,7 +599,10 @@ export class ShapeSplineElement extends Base {
     this.#tell('error', { code: String(code ?? 'failed'), message: messageOf(error), key: place?.key ?? -1 });
   }
 
-  /** Space toggles playback. Arrows, Home, End and brackets change the time, or rotate a focused shape. */
+  /**
+   * Space toggles playback. Arrow keys, Home, End, [ and ] change the time; but on a focused shape that can be rotated,
+   * arrow keys rotate it.
+   */
   #pressed(event: KeyboardEvent): void {
     if (!this.#sequence || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const onButton = event.target instanceof HTMLButtonElement;

@@ -40,7 +40,7 @@ export class Shared<T> {
     return this.held.size;
   }
 
-  /** `make` is called for a key without users. Failures are not cached. */
+  /** Calls `make` if no object exists for the key. Failures are not cached. */
   take(key: string, make: (making: Making) => Promise<T>, onProgress?: (part: Stage) => void): Lease<T> {
     return this.lease(this.held.get(key) ?? this.begin(key, make), onProgress);
   }

@@ -1,4 +1,4 @@
-/** Sources of keys, and their bytes. */
+/** Reads the sources of an element's keys. */
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseGltf } from '../engine/api/gltf-json.ts';
 import { beside, decodedUri, extensionOf, fileName, isModel, resourceUris, urlBeside } from '../engine/api/paths.ts';
@@ -42,7 +42,7 @@ function addressOf(source: string | URL, key: number, base: string): URL {
   throw new EngineError('not-found', `“${source}” is not a valid URL. Check the URL of key ${key + 1}.`, { key });
 }
 
-/** Identifies a source by its URL or by the object itself. Throws for unsupported types. */
+/** Identifies a source by its URL or by the object itself. Throws for invalid URLs and unsupported types. */
 export function keyOf(source: KeySource, key: number, base: string): string {
   if (typeof source === 'string' || source instanceof URL) return addressOf(source, key, base).href;
   if (![Blob, ArrayBuffer, Uint8Array].some((kind) => source instanceof kind))

@@ -4,7 +4,7 @@ export interface SurroundingsEvents {
   /** Close enough to the view to fetch the content. */
   onNear(near: boolean): void;
   onSeen(seen: boolean): void;
-  /** Children, or their text, have changed. */
+  /** Children were added or removed, or their `src` or `time` changed. */
   onChildren(): void;
   /** The user prefers another colour scheme, or more or less motion. */
   onPreference(): void;

@@ -1,4 +1,4 @@
-/** Position from which the shape is seen. */
+/** Poses of the camera, and a test whether a point is inside a shape. */
 
 export interface CameraPose {
   position: [number, number, number];

@@ -1,7 +1,7 @@
 /** Messages between the app and the playground in one browser. */
 import type { Boundary } from '../engine/api/types.ts';
 
-/** One number of a shape's description, at each of its keys. */
+/** One coordinate of a shape, with its value at each key. */
 export interface ShapeCoordinate {
   name: string;
   unit: string;

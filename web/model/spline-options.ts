@@ -4,30 +4,30 @@ import { listsOf } from './shaping.ts';
 import { DEFAULT_MOTION, holds } from './state.ts';
 import type { Encoding, KeyRef, Motion } from './state.ts';
 
-/** The parts of a document that decide. */
+/** The parts of a document that can rule out options. */
 export interface Edited {
   keys: readonly Pick<KeyRef, 'shaping'>[];
   motion: Motion;
   encoding: Encoding;
 }
 
-/** What rules out an option. */
+/** The choice that rules out an option. */
 export type RuledOut = 'ends' | 'held' | 'turns' | 'paths' | 'transfer';
 
-/** Why no shapes between the keys can keep lengths; null if they can. */
+/** The choice that rules out shapes that keep lengths; null if they are possible. */
 export function whyNoLengths({ keys, motion }: Edited): RuledOut | null {
   if (motion.boundary !== 'natural') return 'ends';
   if (holds({ ...motion, method: OWN_METHOD })) return 'held';
   return addsTurns(keys) ? 'turns' : motion.ownPaths !== 'off' ? 'paths' : null;
 }
 
-/** Why faces cannot have paths of their own; null if they can. */
+/** The choice that rules out own paths of faces; null if they are possible. */
 export function whyNoPaths({ keys, encoding }: Edited): RuledOut | null {
   if (addsTurns(keys)) return 'turns';
   return encoding.ghostFaces > 0 && encoding.transfer === 'paper' ? 'transfer' : null;
 }
 
-/** The options in effect. Choices that rule them out keep them, so they return. */
+/** The options in effect. An option that is ruled out keeps its value in the document. */
 export function splineOptions(edited: Edited): Pick<Motion, 'keepLengths' | 'ownPaths'> {
   const { method, keepLengths, ownPaths } = edited.motion;
   const off = DEFAULT_MOTION;

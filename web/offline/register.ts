@@ -2,7 +2,7 @@
  * Starts the service worker of a built page. If it cannot run (no https, forbidden storage), the page works without it.
  */
 
-/** Most frequent check for a newer build when a page becomes visible again. */
+/** Shortest time between two checks for a newer build when a page becomes visible again. */
 const ASK_EVERY_MS = 3_600_000;
 
 export interface OfflineEvents {

@@ -36,7 +36,7 @@ async function digestOf(response) {
 // A host may answer a request for a missing file with its start page, or with another build's file: neither is kept.
 // Hosts may modify the page itself, so it is recognised by its script.
 async function isListed(href, response) {
-  // As something else no browser runs a script or takes a style sheet.
+  // Browsers run scripts and apply style sheets only with the right type.
   const type = { js: 'javascript', css: 'css' }[href.split('.').pop()] ?? '';
   if (!response.ok || !(response.headers.get('content-type') ?? '').includes(type)) return false;
   if (ENTRIES.has(href)) return (await response.clone().text()).includes(ENTRIES.get(href));
@@ -74,7 +74,7 @@ async function responseTo(event, url) {
   }
 }
 
-// A page that is only just loading gets it once its script listens.
+// A page that is still loading receives the message once its script listens.
 async function tellOfRepair({ clientId }) {
   const client = await self.clients.get(clientId);
   client?.postMessage({ type: 'repaired' });
@@ -122,7 +122,7 @@ async function runsByThis(client) {
 // any of them.
 async function dropUnused() {
   const older = (await ownCaches()).filter((name) => name !== CACHE);
-  // A worker that waits fills the cache of the build to come.
+  // A waiting worker fills the cache of the next build.
   if (older.length === 0 || self.registration.installing || self.registration.waiting) return;
   const pages = await self.clients.matchAll({ type: 'window', includeUncontrolled: true });
   const unused = await Promise.all(pages.map(runsByThis));

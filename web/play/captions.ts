@@ -1,4 +1,4 @@
-/** Units beside the figures' titles, and announcements of changes. */
+/** Subtitles of the figures, and announcements of changes. */
 import type { Axes } from '../plots/plot-files.ts';
 import type { Shown } from './derived.ts';
 import { LAYER_WORDS, number } from './figures/words.ts';
@@ -6,7 +6,7 @@ import type { PlayState } from './state.ts';
 
 export type FigureId = 'curve' | 'slope' | 'bend' | 'weights' | 'bending' | 'system';
 
-/** Unit of each figure: per second for a coordinate taken from a shape. The page's own numbers have no unit. */
+/** Subtitle of each figure. It states the unit of a coordinate of a shape; the page's own numbers have no unit. */
 export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, string> {
   const common = {
     weights: `w₁ to w${subscript(keys.length)} over time`,
@@ -16,7 +16,7 @@ export function unitsOf({ plane, taken, keys }: PlayState): Record<FigureId, str
     const { name, unit } = taken;
     return {
       ...common,
-      curve: `${name}, in ${unit} over seconds`,
+      curve: `${name} in ${unit}, over time in seconds`,
       slope: `first derivative, ${unit}/s`,
       bend: `second derivative, ${unit}/s²`,
       bending: `total bending in (${unit})²/s³`,

@@ -27,7 +27,7 @@ export interface Derived {
   sampled: Curves;
   /** Number of samples in use, or required. */
   sampleCount: number;
-  /** Total bending of each layer between the first and last key; NaN for omitted layers. */
+  /** Total bending of each layer between the first and last key; NaN for samples that were not solved. */
   bending: Record<Layer, number>;
   /** The system of the value curve with the chosen ends. */
   system: System;

@@ -11,7 +11,7 @@ import type { Layer, PlayState, Touched } from './state.ts';
 export interface Edits extends PanelEvents, CurveFigureEvents, KeysTableEvents {
   onLayer(layer: Layer, on: boolean): void;
   onTime(time: number): void;
-  /** The pointer is over a key; -1: over none. */
+  /** The pointer or the focus is on a key's row of the system; -1: on none. */
   onLit(key: number): void;
 }
 

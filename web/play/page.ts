@@ -20,7 +20,7 @@ export interface PageParts {
   /** The panel that connects to the app, for a coordinate of a real shape. */
   real: Panel;
   theme: HTMLElement;
-  /** Whether the demonstration plays. */
+  /** Whether the demonstration starts by itself. */
   playing: boolean;
   onError(error: unknown): void;
   /** A sentence about parts of the link that cannot be shown; null for none. */
@@ -70,7 +70,7 @@ export function createPlayPage({ notices, real, theme, playing, onError, onLeftO
   const board = createBoard(real, edits, onError);
   const lead = createLead(player, () => change(INITIAL, 'natural'));
   const main = h('main', { class: 'play-main' }, lead, board.element, said);
-  // The first user action ends the demonstration, except for links and the demonstration's own button.
+  // A press or a key on the page ends the demonstration, except on its own button.
   const touch = ({ target }: Event): void => {
     if (!player.button.contains(target as Node)) player.stop();
   };

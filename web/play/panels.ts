@@ -82,7 +82,7 @@ export function createTools(events: PanelEvents): Panel {
 /** Controls below the list of curves: options of the shown curves. */
 export function createCurveControls(events: PanelEvents): Panel {
   const samples = slider({
-    label: 'Samples of the brute force, K',
+    label: 'Number of brute-force samples, K',
     testId: 'samples',
     min: MIN_SAMPLES,
     max: MAX_SAMPLES,
@@ -137,7 +137,7 @@ export function createCurveControls(events: PanelEvents): Panel {
       setHidden(shaped, !shows('shaped'));
       samples.update(state.samples);
       speeds.forEach((control, end) => control.update(state.speeds[end]!));
-      setText(selected, `Tension and bias at key ${state.selected + 1}. Click the dot of a key to select it`);
+      setText(selected, `Tension and bias at key ${state.selected + 1}. Click the dot of another key to select it`);
       tension.update(key.tension);
       bias.update(key.bias);
     },

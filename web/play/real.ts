@@ -134,7 +134,7 @@ function takenState(state: PlayState, shape: SourceShape, index: number): PlaySt
   const keys = values.slice(0, count).map((value, i) => ({
     time: shape.times[i]!,
     value,
-    // Takes a second coordinate, if there is one.
+    // The shape's next coordinate, for curves in the plane; the same one if there is no other.
     across: shape.coordinates[(index + 1) % shape.coordinates.length]!.values[i]!,
     tension: tension[i]!,
     bias: bias[i]!,

@@ -11,7 +11,8 @@ export interface PlayKey {
   /** Tension: 0 keeps the slope, 1 makes it zero. */
   tension: number;
   /**
-   * Bias from -1 to 1. Negative values bias the slope towards the next step, positive ones towards the previous step.
+   * Bias from -1 to 1. Negative values draw the slope at the key towards that of the interval after it, positive values
+   * towards that of the interval before it.
    */
   bias: number;
 }
@@ -61,7 +62,7 @@ const LEAST_GAP = 0.02;
 const MARGIN = 0.2;
 /** Larger times and values are not shown. */
 export const MOST = 1e6;
-/** Smallest time from the first to the last key, in units and relative to the latest time. */
+/** Smallest time from the first to the last key, relative to the largest absolute time, or to 1 if that is smaller. */
 const LEAST_SPAN = 1e-3;
 /** Smallest interval between two keys, relative to the whole time. Below it, slopes are mostly rounding errors. */
 const LEAST_SHARE = 1e-6;
@@ -88,14 +89,14 @@ export function shownTimes([start, end]: readonly [number, number]): [number, nu
 
 /** The reason why these keys cannot be shown, or null. */
 export function wrongWithKeys(keys: readonly PlayKey[]): string | null {
-  if (keys.length < MIN_KEYS || keys.length > MAX_KEYS) return `there must be ${MIN_KEYS} to ${MAX_KEYS}`;
+  if (keys.length < MIN_KEYS || keys.length > MAX_KEYS) return `there must be ${MIN_KEYS} to ${MAX_KEYS} keys`;
   const within = (most: number, ...numbers: number[]): boolean => numbers.every((one) => Math.abs(one) <= most);
   if (!keys.every(({ time, value, across }) => within(MOST, time, value, across)))
     return `times and values must be numbers from ${-MOST} to ${MOST}`;
   if (!keys.every(({ tension, bias }) => within(1, tension, bias))) return 'tension and bias must be from -1 to 1';
   const times = keys.map(({ time }) => time);
   const span = times.at(-1)! - times[0]!;
-  if (!(span >= LEAST_SPAN * Math.max(1, ...times.map(Math.abs)))) return 'the last must be later than the first';
+  if (!(span >= LEAST_SPAN * Math.max(1, ...times.map(Math.abs)))) return 'the last key must be later than the first';
   const close = times.findIndex((time, i) => i > 0 && !(time - times[i - 1]! >= LEAST_SHARE * span));
   return close < 0 ? null : `key ${close + 1} must be later than key ${close}`;
 }

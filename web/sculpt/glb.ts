@@ -5,7 +5,7 @@ export interface Sculpture {
   skin: Skin;
   /** Positions of each key, 3 x vertices. */
   keys: readonly Float32Array[];
-  /** A PNG over u and v. */
+  /** The texture, as PNG. */
   picture: Uint8Array;
   roughness: number;
 }

@@ -14,7 +14,10 @@ interface Bearing {
   pitch(along: number): number;
 }
 
-/** A quarter of a wave apart. Between opposite waves the serpent would be straight, and longer than the fitted view. */
+/**
+ * The two winding poses are a quarter of a wave apart. Halfway between opposite waves the serpent would be straight,
+ * and longer than the fitted view.
+ */
 const POSES: readonly Bearing[] = [winding(0), winding(Math.PI / 2), coiled()];
 
 export async function serpent(detail: number): Promise<Sculpture> {

@@ -21,7 +21,7 @@ export function turret(detail: number): Promise<Sculpture> {
   );
 }
 
-/** Vertical position follows from the shrunk height below. */
+/** Vertical position is the integral of the size over the height, so narrower slices are thinner as well. */
 function shrunk(size: number, degrees: number): Level {
   return (height) => {
     const share = Math.min(Math.max((height - FROM) / (TO - FROM), 0), 1);

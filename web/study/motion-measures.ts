@@ -53,7 +53,7 @@ export const MEASURE_UNITS =
   'bending energy 1/s^4, relative to the mean deformation energy between keys; ' +
   "sliding: displacement of resting vertices, % of the model's size; plane relative to the distance of keys";
 
-/** Of the columns of bending by edge lengths and angles. */
+/** Unit of the columns of bending by edge lengths and angles. */
 export const SHELL_UNITS =
   '# shell bending energy: of edge lengths and angles between faces, the same for every method; 1/s^4, relative to ' +
   'the mean squared change between keys';

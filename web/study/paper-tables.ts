@@ -12,21 +12,21 @@ export interface Costs {
   full: number;
 }
 
-/** Of one shape of a motion. */
+/** Costs of one shape of a motion. */
 export interface Table1Row extends Costs {
   source: Source;
   model: string;
   faces: number;
 }
 
-/** Of a motion of `shapes` shapes; `share`: of the vertices that are left on the ghost mesh. */
+/** Costs of a motion of `shapes` shapes. `share`: share of the vertices that are left on the ghost mesh. */
 export interface Table2Row {
   source: Source;
   model: string;
   faces: number;
   shapes: number;
   share: number;
-  /** Of [2], the spline in the space of shells. */
+  /** Costs of the spline in the space of shells, [2] in the paper. */
   shell: Costs;
   lri: Costs;
   /** Why a time is missing, or what differs; empty if nothing. */
@@ -62,7 +62,7 @@ export const TABLE_2: readonly Table2Row[] = [
   compared('armadillo', 50, 0.006, [80, 200, NaN], [1.34, 47.2, 258.6]),
 ];
 
-/** Of shapes that the paper does not have. */
+/** Rows for shapes that the paper does not have. */
 const USUAL: readonly Pick<Table2Row, 'shapes' | 'share'>[] = [{ shapes: 20, share: 0.05 }];
 /** Faces of the ghost mesh in Table 1. */
 const GHOST_FACES = 2000;
@@ -113,7 +113,7 @@ const scaled = ({ ghost, transfer, full }: Costs, by: number): Costs => costs([b
 const FITTING = 'fitting lengths';
 const NONE: Costs = { ghost: NaN, transfer: NaN, full: NaN };
 
-/** [2] here: the time of the fits, and of all else up to the last of the shapes. */
+/** Costs of [2] measured here: the time of the fits, and of everything else up to the last shape. */
 async function shellCosts(
   engine: Engine,
   keys: Keys,

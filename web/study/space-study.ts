@@ -1,4 +1,4 @@
-/** Motions of several methods through the same keys, measured alike: what each keeps, how it bends, what it costs. */
+/** Motions of several methods through the same keys, measured in the same way: kept measures, bending and costs. */
 import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { EngineError, isCancelled } from '../engine/api/errors.ts';
 import { partOf } from '../engine/api/progress.ts';
@@ -16,7 +16,7 @@ export interface SpaceRow {
   method: Method;
   /** Largest difference over time from the natural spline of the keys' volumes, in percent; NaN for open surfaces. */
   volume: number;
-  /** The same of areas. */
+  /** The same for areas. */
   area: number;
   /** Root mean square over edges and times of the differences from the natural splines of their lengths, in percent. */
   lengths: number;

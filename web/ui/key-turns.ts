@@ -6,7 +6,7 @@ import type { Choice } from './controls.ts';
 import { fieldRow, numberField, select } from './controls.ts';
 import { h, setField, setHidden } from './dom.ts';
 
-/** More entries are not distinguishable in a list. */
+/** Most components in the list. More entries are not distinguishable. */
 const MOST_COMPONENTS = 400;
 
 export interface KeyTurnsProps {

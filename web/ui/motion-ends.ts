@@ -59,7 +59,7 @@ export interface MotionEnds extends Fields<MotionEndsProps> {
 
 const FREE = 'This method has free ends.';
 
-/** Why a kind of curve has no such ends. */
+/** Reasons why a kind of curve does not support these ends. */
 const REFUSED: Record<MethodFacts['curve'], Partial<Record<Boundary, string>>> = {
   spline: {},
   polygon: { hermite: 'Ease sets speeds at the ends; this method moves straight from key to key.' },

@@ -20,7 +20,7 @@ const NO_ANIMATION: AnimationInfo = { name: '', start: 0, end: 1, keys: 0, moves
 export interface SamplingProps {
   /** Information on the keys; null without an animation. */
   info: KeysInfo | null;
-  /** Result for this error. */
+  /** Number of keys found for an error in percent; null without a search. */
   fewest: { keys: number; percent: number } | null;
   /** The animation is shown beside the motion. */
   original: boolean;

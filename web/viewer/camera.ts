@@ -104,7 +104,7 @@ export class CameraRig {
     this.moveTo(this.camera.position.clone().sub(this.target).multiplyScalar(factor).add(this.target));
   }
 
-  /** Moves eye and target by shares of the shape's size. */
+  /** Moves eye and target by multiples of the shape's radius. */
   pan(right: number, up: number): void {
     const shift = new Vector3()
       .setFromMatrixColumn(this.camera.matrix, 0)
@@ -115,7 +115,8 @@ export class CameraRig {
   }
 
   /**
-   * Sets the parameters that depend on the view's size and distance; call before drawing. `zoom` below 1 shows more.
+   * Sets the parameters that depend on the view's aspect ratio and the eye's distance; call before drawing. A `zoom`
+   * below 1 shows more.
    */
   prepare(aspect: number, zoom = 1): void {
     this.camera.zoom = zoom;

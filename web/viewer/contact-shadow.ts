@@ -22,7 +22,7 @@ import { makePrograms } from './programs.ts';
 /** Casters of a layer are also on the layer with this offset. */
 export const CASTER_LAYERS = 16;
 const PIXELS = 192;
-/** Half its side and its height, in radii of the shape. */
+/** Half the side of the shadow's area, and the height up to which parts cast it, in radii of the shape. */
 export const REACH = 2;
 const HEIGHT = 1.5;
 
@@ -62,12 +62,12 @@ export class ContactShadow {
     this.shown = '';
   }
 
-  /** Call when a shape has been removed. */
+  /** Draws the shadow again at the next `render`. Call after the graphics context was restored. */
   forget(): void {
     this.shown = '';
   }
 
-  /** Resolves once the graphics card has compiled the programs asynchronously. */
+  /** Compiles the programs before the first shadow; see makePrograms. */
   async compile(renderer: WebGLRenderer): Promise<void> {
     const caster = new Mesh(this.triangle, this.depth);
     renderer.setRenderTarget(this.targets[0]!);

@@ -20,7 +20,7 @@ const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe:
  */
 export const FIRST_SHAPE = 2;
 export const FIRST_EXTRAS = 8;
-/** Layers of shapes and of extras. */
+/** Number of layers for shapes, and for extras. */
 export const MOST_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
 
 /** An import whose first key is shown while its motion is made. */
@@ -37,7 +37,7 @@ export class Contents {
   /** The open content, hidden while the first key of an import is shown alone. */
   private readonly open = new Group();
   private opening: Preview | null = null;
-  /** The import of the topology. */
+  /** The import that `topology` belongs to. */
   private of: KeysInfo | null = null;
   private topology: Topology | null = null;
   private shapes: Shape[] = [];
@@ -75,7 +75,7 @@ export class Contents {
   /** Textures of the open import. */
   private ownTextures: Promise<void> = Promise.resolve();
 
-  /** Resolves once the shape is shown with its own textures. */
+  /** Resolves once the textures of the shown import are decoded. */
   get textured(): Promise<void> {
     return this.opening?.textured ?? this.ownTextures;
   }
@@ -109,7 +109,10 @@ export class Contents {
     this.colours[0] = opening.colour;
   }
 
-  /** Replaces the shown content, which is kept. Hidden until its textures are ready, so it is drawn only once. */
+  /**
+   * Shows an import's first key instead of the open content, which is kept. The key is hidden until its textures are
+   * ready, so it is drawn only once.
+   */
   showFirstKey({ info, positions, normals, colour }: FirstKey): void {
     this.hideFirstKey();
     // The import of a first visit is already prepared.
@@ -139,7 +142,7 @@ export class Contents {
     this.open.visible = true;
   }
 
-  /** Textures are decoded meanwhile. */
+  /** Makes the buffers for an import and starts decoding its textures. */
   private prepare(info: KeysInfo, opening: Preview | null = null): void {
     if (this.of === info && this.shapes.length === 0) return;
     this.of = info;

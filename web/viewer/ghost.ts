@@ -20,7 +20,7 @@ import { Rim } from './studio.ts';
 import type { Studio } from './studio.ts';
 import type { GhostPicture } from './types.ts';
 
-/** More lines are not distinguishable. */
+/** Most lines to corresponding vertices; more are not distinguishable. */
 const LINKS = 28;
 /** Share of the eye distance by which the wireframe is moved forward, so the shape's surface does not hide it. */
 const FORWARD = 0.006;
@@ -47,7 +47,7 @@ export class GhostView {
   private readonly beside = new Group();
   private readonly lines = new Group();
 
-  /** Draws one mesh; `fits` checks whether an image has this mesh. */
+  /** Draws one mesh; `fits` checks whether a picture has this mesh. */
   constructor({ faces, positions, vertexOf }: GhostPicture, studio: Studio, layer: number) {
     studio.install(this.clay, new Rim());
     this.faces = faces;

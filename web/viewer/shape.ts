@@ -257,7 +257,7 @@ function texturedMaterial(material: Material | undefined, map: Texture | null | 
   result.transparent = material.alphaMode === 'BLEND';
   result.alphaTest = material.alphaMode === 'MASK' ? material.alphaCutoff : 0;
   result.metalness = material.metallic;
-  // Smoother surfaces would mirror a studio that does not exist.
+  // Smoother surfaces would mirror surroundings, which the scene does not have.
   result.roughness = Math.max(material.roughness, 0.3);
   result.map = map ?? null;
   return result;

@@ -18,7 +18,7 @@ export function sharedSurface(): Surface {
   const context = canvas.getContext('2d')!;
   let size = { width: 1, height: 1, ratio: 1 };
 
-  /** Enlarges it to the largest image so far. */
+  /** Enlarges the common canvas to the largest image so far. */
   const makeRoom = (): void => {
     const { width, height, ratio } = size;
     if (width <= all.width && height <= all.height && ratio === all.ratio) return;

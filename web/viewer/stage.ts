@@ -16,7 +16,7 @@ export interface Bounds {
 const SIDE = 10;
 /** Radius of the ring on the floor: at most this share of half the box's diagonal on the floor. */
 const MOST_RING = 0.94;
-/** The same in radii of the foot, and at least in radii of the whole shape. */
+/** Radius of the ring in radii of the foot, and its least value in radii of the shape. */
 const [FOOT_RING, LEAST_RING] = [1.15, 0.15];
 
 export class Stage {
@@ -61,7 +61,7 @@ export class Stage {
     this.shadow.forget();
   }
 
-  /** Resolves once the graphics card has its programs. */
+  /** Compiles the programs of floor and shadow; see makePrograms. */
   async compile(renderer: WebGLRenderer, camera: Camera): Promise<void> {
     await Promise.all([makePrograms(renderer, this.floor, camera), this.shadow.compile(renderer)]);
   }

@@ -109,7 +109,7 @@ uniform float studioSharpness[${BOXES.length}];
 uniform vec3 rimColour;
 uniform float rimStrength;
 
-/* What a lobe about a direction gathers; 'lobe' is its sharpness. */
+/* Light that a lobe about a direction gathers; 'lobe' is its sharpness. */
 vec3 studioLight(vec3 direction, float lobe) {
   vec3 light = mix(studioGround, studioSky, 0.5 + 0.5 * dot(direction, studioUp));
   for (int i = 0; i < ${BOXES.length}; i ++) {
@@ -119,7 +119,7 @@ vec3 studioLight(vec3 direction, float lobe) {
   return light;
 }
 
-/* Khronos PBR Neutral: colours stay what they are, highlights roll off as on film. */
+/* The tone mapping Khronos PBR Neutral, which keeps base colours and compresses highlights. */
 vec3 filmic(vec3 colour) {
   float least = min(colour.r, min(colour.g, colour.b));
   colour -= least < 0.08 ? least - 6.25 * least * least : 0.04;

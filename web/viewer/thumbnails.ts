@@ -29,12 +29,12 @@ export class Thumbnails {
     this.extent = extent;
   }
 
-  /** A data URL; `own`: the shape's extent; width and height in CSS pixels. */
+  /** A data URL; empty before the first import. `own`: the shape's extent; width and height in CSS pixels. */
   draw(shape: Shape, own: Extent, width: number, height: number): string {
     return this.canvas(shape, own, width, height)?.toDataURL('image/png') ?? '';
   }
 
-  /** Returns a canvas, or null if the browser has none. */
+  /** Null before the first import, or if the browser has no 2D context. */
   private canvas(shape: Shape, own: Extent, width: number, height: number): HTMLCanvasElement | null {
     if (!this.extent) return null;
     const extent = pictureExtent(own, this.extent);

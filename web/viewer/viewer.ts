@@ -136,8 +136,8 @@ export class Viewer {
   }
 
   /**
-   * An import that has been read and will be set soon. The graphics card compiles the first shape's programs while the
-   * motion is made. Nothing is drawn yet. No effect once a frame has been drawn.
+   * Announces an import that will be set soon. The graphics card compiles the first shape's programs while the motion
+   * is made. Only the first call has an effect.
    */
   expect(info: KeysInfo): void {
     this.starting ??= this.contents

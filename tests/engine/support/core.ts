@@ -40,7 +40,7 @@ export function compiled(name: string): Promise<WebAssembly.Module> {
   return compiling.get(name)!;
 }
 
-/** The glue and its module. */
+/** Wraps a factory of modules to provide access to the module that it made. */
 export function kept<M extends WasmModule>(create: CreateWasmModule<M>): { create: CreateWasmModule<M>; made(): M } {
   let module: M | null = null;
   return { create: async (settings) => (module = await create(settings)), made: () => module! };

@@ -1,6 +1,6 @@
 /**
- * Writes the corpus: small whole and broken files of every kind that the importers know, each named after what is the
- * matter with it. Run it by hand after a change (`node tests/fuzz/corpus/make.mjs`); what it writes is checked in.
+ * Writes the corpus: small valid and broken files of every format of the importers; broken ones are named after their
+ * defect. Run it by hand after a change (`node tests/fuzz/corpus/make.mjs`), and commit the files.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -21,7 +21,7 @@ const bytes = (...values) => Buffer.from(values.flat());
 const points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
-/** A document that grows: accessors with a view each, one buffer. */
+/** A document under construction: one buffer, and accessors with a view each. */
 class Maker {
   doc = { asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [], meshes: [], accessors: [], bufferViews: [] };
   bin = Buffer.alloc(0);
@@ -151,7 +151,7 @@ function skinnedMorph() {
   return maker;
 }
 
-/** Broken twins: a whole file with one thing changed. */
+/** Broken files: valid ones with one change each. */
 const broken = {
   'accessor-past-buffer': [tetrahedron, (d) => (d.accessors[0].count = 5)],
   'accessor-offset-past-buffer': [tetrahedron, (d) => (d.accessors[1].byteOffset = 2)],

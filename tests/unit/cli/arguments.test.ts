@@ -13,14 +13,14 @@ describe('the command line', () => {
     expect(parse('--at', '-0.3,1.3').values.get('at')).toBe('-0.3,1.3');
   });
 
-  it('takes the same option several times where it names several things', () => {
+  it('accepts repeatable options several times', () => {
     expect(importOptions(parse('--object', 'Body', '--object=left, right'))).toEqual({
       objects: ['Body', 'left, right'],
     });
     expect(importOptions(parse('--object', 'Body'))).toEqual({ objects: ['Body'] });
   });
 
-  it('takes anything behind -- as a file', () => {
+  it('reads everything after -- as a file', () => {
     expect(parse('--', '--at', '-x.glb').files).toEqual(['--at', '-x.glb']);
   });
 
@@ -36,12 +36,12 @@ describe('the command line', () => {
     expect(() => parse(...words)).toThrow(UsageError);
   });
 
-  it('explains every option that there is', () => {
+  it('explains every option', () => {
     const named = new Set([...HELP.matchAll(/--([a-z-]+)/g)].map(([, name]) => name));
     for (const name of [...COMPLETE.options, ...COMPLETE.flags]) expect(named).toContain(name);
   });
 
-  it('offers what the table of options says, with the same words', () => {
+  it('offers the options of the table, with the same text', () => {
     const text = HELP.replace(/\s+/g, ' ');
     for (const [name, option] of [ENCODING, MOTION, PER_KEY, IMPORT, EXPORT].flatMap(optionsIn)) {
       if (option.flag === undefined) continue;
@@ -54,7 +54,7 @@ describe('the command line', () => {
 });
 
 describe('the values of options', () => {
-  it('become options of the engine, keys counted from 0', () => {
+  it('become options of the engine, with 0-based keys', () => {
     const args = parse(
       '--reference',
       '2',
@@ -116,7 +116,7 @@ describe('the values of options', () => {
     });
   });
 
-  it('refuse to hold anything with methods that hold nothing', () => {
+  it('refuse holding with methods that do not support it', () => {
     for (const method of ['geodesic', 'linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'])
       for (const held of ['--hold=on', '--pin=3'])
         expect(() => sequenceOptions(parse(held, '--method', method))).toThrow(/--method lri/);
@@ -130,7 +130,7 @@ describe('the values of options', () => {
       });
   });
 
-  it('refuse own paths beside whole turns, and with other methods', () => {
+  it('refuse own paths with full turns, and with other methods', () => {
     for (const other of ['--method=linear', '--method=geodesic', '--method=rimd', '--turns=2:1'])
       expect(() => sequenceOptions(parse('--own-paths=root', other))).toThrow(/--own-paths/);
     expect(sequenceOptions(parse('--own-paths=absolute'))).toEqual({ ownPaths: 'absolute' });
@@ -151,7 +151,7 @@ describe('the values of options', () => {
     expect(sequenceOptions(parse('--keep-lengths=3', '--tension=0,1'))).toEqual({ keepLengths: 3, tension: [0, 1] });
   });
 
-  it('refuse whole turns with methods that have none', () => {
+  it('refuse full turns with methods that do not support them', () => {
     for (const method of ['linear', 'cubic-vertex', 'rotation-strain', 'rimd', 'lengths', 'shell'])
       expect(() => sequenceOptions(parse('--turns=2:1', '--method', method))).toThrow(/--turns/);
     expect(sequenceOptions(parse('--turns=2:1', '--method=geodesic'))).toMatchObject({ method: 'geodesic' });
@@ -213,7 +213,7 @@ describe('the values of options', () => {
     },
   );
 
-  it('that are out of range say which, and what they may be', () => {
+  it('that are out of range are reported with the option and its range', () => {
     expect(() => exportOptions(parse('--frames=1000000000'), 'o.glb')).toThrow(
       '--frames: must be a whole number from 2 to 100,000',
     );

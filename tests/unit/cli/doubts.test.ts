@@ -11,7 +11,7 @@ const pairs = (turn: (x: number, y: number, z: number) => number[]): Pair[] => {
 const same = pairs((x, y, z) => [x, y, z]);
 
 describe('a comparison is doubted', () => {
-  it('where the times differ, or few are compared', () => {
+  it('if the times differ, or few are compared', () => {
     const spans = { keys: [0, 2], animation: [0, 2], frames: 60, compared: 60 } as const;
     expect(doubtsOfTime(spans)).toEqual([]);
     expect(doubtsOfTime({ ...spans, animation: [0, 2.5], compared: 48 })[0]).toMatch(
@@ -22,7 +22,7 @@ describe('a comparison is doubted', () => {
     ]);
   });
 
-  it('where another axis is up: of the animation, or of the keys if the animation says so', () => {
+  it('if another axis is up: of the animation, or of the keys according to the animation', () => {
     const read = (up: 'y' | 'z' | null) => ({ up, unit: 1 });
     expect(doubtsOfPlace(same, read('y'))).toEqual([]);
     const lying = pairs((x, y, z) => [x, -z, y]);
@@ -33,7 +33,7 @@ describe('a comparison is doubted', () => {
     expect(doubtsOfPlace(stoodUp, read(null))[0]).toMatch(/Give --up z$/);
   });
 
-  it('where the animation has another size, or lies elsewhere', () => {
+  it('if the animation has another size or position', () => {
     const large = pairs((x, y, z) => [1000 * x, 1000 * y, 1000 * z]);
     expect(doubtsOfPlace(large, { up: 'y', unit: 1 })[0]).toMatch(/1000 times as large .* --against-unit 0.001$/);
     expect(

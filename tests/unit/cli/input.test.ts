@@ -3,8 +3,8 @@ import { isBelow, libraryNames, namedIn, withoutOptions } from '../../../web/cli
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
-describe('what an OBJ and its materials name', () => {
-  it('is the rest of a line behind its keyword, each once', () => {
+describe('files named by an OBJ and its materials', () => {
+  it('are the rest of a line after its keyword, each once', () => {
     const text = 'mtllib a.mtl\r\n# mtllib no.mtl\nmtllibs no.mtl\n\tmtllib\tb c.mtl  \nmtllib a.mtl\nmtllib\nmtllib  ';
     expect(namedIn(bytes(text), 'mtllib')).toEqual(['a.mtl', 'b c.mtl']);
   });
@@ -19,7 +19,7 @@ describe('what an OBJ and its materials name', () => {
     expect(await libraryNames(text, (name) => Promise.resolve(files.includes(name)))).toEqual(names);
   });
 
-  it('is the rest of a line that goes on in the next ones', async () => {
+  it('can continue on the next lines', async () => {
     const [line = ''] = namedIn(bytes('mtllib a.mtl \\ \r\n b.mtl\\\nc.mtl\nv 0 0 0\n'), 'mtllib');
     expect(await libraryNames(line, () => Promise.resolve(false))).toEqual(['a.mtl', 'b.mtl', 'c.mtl']);
   });
@@ -37,7 +37,7 @@ describe('what an OBJ and its materials name', () => {
     expect(withoutOptions(text)).toBe(name);
   });
 
-  it('is found in the time that a test has, also in long lines of spaces, options and numbers', () => {
+  it('are found quickly, also in long lines of spaces, options and numbers', () => {
     const long = 300_000;
     expect(namedIn(bytes(`mtllib ${' '.repeat(long)}x`), 'mtllib')).toEqual(['x']);
     expect(namedIn(bytes(`map_Kd${' '.repeat(long)}`), 'map_Kd')).toEqual([]);

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { oneLine, printable, showsUtf8, shownIn } from '../../../web/cli/terminal.ts';
 
 describe('texts for the terminal', () => {
-  it('are escaped where it shows no UTF-8, which its locale says', () => {
+  it('are escaped if the locale is not UTF-8', () => {
     expect(showsUtf8({ LANG: 'de_DE.UTF-8' }, 'linux')).toBe(true);
     expect(showsUtf8({ LANG: 'C.utf8' }, 'linux')).toBe(true);
     expect(showsUtf8({ LC_ALL: 'C', LANG: 'de_DE.UTF-8' }, 'linux')).toBe(false);
@@ -19,11 +19,11 @@ describe('texts for the terminal', () => {
     }
   });
 
-  it('show what a terminal would obey', () => {
+  it('show control characters as text', () => {
     expect(oneLine('a\u001b[31m\u009b2J\u0007b\u202ec\n d')).toBe('a\\u001b[31m\\u009b2J\\u0007b\\u202ec d');
   });
 
-  it('that are JSON stay the same data', () => {
+  it('that are JSON keep the same data', () => {
     const data = { name: '\u001b[2J\u007f\u009b\u2028\u202e\u2069 Überkäse 形' };
     const text = printable(JSON.stringify(data));
     expect(JSON.parse(text)).toEqual(data);

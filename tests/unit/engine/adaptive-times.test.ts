@@ -30,7 +30,7 @@ async function densely(motion: Motion, times: readonly number[]): Promise<number
 const wanted = { corners: [0, 0.5, 1, 2], tolerance: 0.01, grid: null, most: 1000 };
 
 describe('adaptive times', () => {
-  it('stay within the tolerance everywhere, hold the corners, and are few', async () => {
+  it('stay within the tolerance everywhere, include the corners, and are few', async () => {
     const { times, error } = await adaptiveTimes(turning, wanted);
     for (const corner of wanted.corners) expect(times).toContain(corner);
     expect(times).toEqual([...new Set(times)].sort((a, b) => a - b));
@@ -42,7 +42,7 @@ describe('adaptive times', () => {
     expect(times.length).toBeLessThan(1.6 * least + wanted.corners.length);
   });
 
-  it('are fewer for a larger tolerance, and the corners alone where nothing moves', async () => {
+  it('are fewer for a larger tolerance, and only the corners if nothing moves', async () => {
     const few = await adaptiveTimes(turning, { ...wanted, tolerance: 0.1 });
     const many = await adaptiveTimes(turning, { ...wanted, tolerance: 0.001 });
     expect(few.times.length).toBeLessThan(many.times.length / 4);
@@ -50,7 +50,7 @@ describe('adaptive times', () => {
     expect(await adaptiveTimes(still, wanted)).toEqual({ times: wanted.corners, error: 0 });
   });
 
-  it('come from the grid where there is one, and all of it where that is too coarse', async () => {
+  it('are from the grid if there is one, and the whole grid if it is too coarse', async () => {
     const grid = Array.from({ length: 193 }, (_, i) => i / 96);
     const { times, error } = await adaptiveTimes(turning, { ...wanted, grid });
     expect(times.every((t) => grid.includes(t))).toBe(true);
@@ -62,7 +62,7 @@ describe('adaptive times', () => {
     expect(all.error).toBeCloseTo(await largestError(turning, coarse), 6);
   });
 
-  it('are refused where there would be too many', async () => {
+  it('are refused if there would be too many', async () => {
     await expect(adaptiveTimes(turning, { ...wanted, tolerance: 1e-7, most: 100 })).rejects.toThrow(
       'more than 100 morph targets',
     );
@@ -88,7 +88,7 @@ describe('the largest error of a chord', () => {
     expect(await largestError(motion, [-0.01, 0, 1])).toBeGreaterThan(0.97 * measured);
   });
 
-  it('lies where a motion of fourth order has it', () => {
+  it('is where it is for a motion of fourth order', () => {
     const off = (s: number): number => s * (1 - s) * (1 + 3 * s + 2 * s * s);
     const { share, distance } = peakOf(off(0.25), off(0.5), off(0.75));
     const largest = Math.max(...Array.from({ length: 1001 }, (_, i) => off(i / 1000)));
@@ -99,7 +99,7 @@ describe('the largest error of a chord', () => {
 });
 
 describe('the error of given times', () => {
-  it('is found at a cost that does not grow with them', async () => {
+  it('is found at a cost that does not grow with their number', async () => {
     let asked = 0;
     const counted: Motion = {
       at: (t) => {

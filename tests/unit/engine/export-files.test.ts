@@ -39,7 +39,7 @@ describe('a point cache', () => {
     expect(cache.bytes).toHaveLength(16 + 24);
   });
 
-  it('is refused where it would be too large', () => {
+  it('is refused if it would be too large', () => {
     expect(() => new PointCache('pc2', { seconds: Array(1000).fill(0) }, 1e6)).toThrow('12.0 GB');
   });
 });
@@ -58,19 +58,19 @@ const material = (name: string, more: object = {}): Material =>
     ...more,
   }) as unknown as Material;
 
-describe('materials beside an OBJ', () => {
+describe('materials of an OBJ', () => {
   const scene = {
     materials: [material('red skin'), material('red_skin', { baseColorImage: 0, alphaMode: 'BLEND' }), material('')],
     images: [{ mimeType: 'image/png', bytes: Uint8Array.of(1), scale: 1 }],
   } as unknown as Scene;
 
-  it('have names of their own without spaces', () => {
+  it('have unique names without spaces', () => {
     const { file, names } = materialLibrary('my cat', scene);
     expect(file).toBe('my_cat.mtl');
     expect(names).toEqual(['red_skin', 'red_skin_2', 'material_3']);
   });
 
-  it('are described with their textures, in colours of the screen', () => {
+  it('are described with their textures, in sRGB colours', () => {
     const files = materialFiles('cat', scene);
     expect(files.map(({ name }) => name)).toEqual(['cat.mtl', 'cat-texture-1.png']);
     const library = text(files[0]!.bytes);
@@ -82,7 +82,7 @@ describe('materials beside an OBJ', () => {
 });
 
 describe('morph targets', () => {
-  it('are called by their keys and times', () => {
+  it('are named after their keys and times', () => {
     expect(targetNames(['rest', 'bent', 'away'], [0, 0.5, -1], planned)).toEqual([
       't=0.25',
       'bent t=0.5',
@@ -96,7 +96,7 @@ describe('morph targets', () => {
     ]);
   });
 
-  it('of keys go out while the next comes in; a loop comes back to the first', () => {
+  it('of keys fade out while the next fades in; a loop returns to the first', () => {
     const keys = [0, 1, 3];
     expect([-1, 0, 0.25, 1, 2, 3, 9].map((t) => keyWeights(keys, null, t))).toEqual([
       [0, 0],
@@ -116,7 +116,7 @@ describe('morph targets', () => {
     ]);
   });
 
-  it('that are mixed come with a table of weights and drivers for Blender', () => {
+  it('that are blended have a table of weights and drivers for Blender', () => {
     const principal = {
       shapes: [],
       corrections: 1,

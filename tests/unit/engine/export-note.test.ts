@@ -7,8 +7,8 @@ const text = (of: Uint8Array): string => new TextDecoder().decode(of);
 const OBJ = 'mtllib a.mtl\nv 0 0 0\n';
 const PLY = 'ply\nformat binary_little_endian 1.0\nelement vertex 0\nend_header\n';
 
-describe('what an exported file says of itself', () => {
-  it('stands in comments: in front of an OBJ, in the header of a PLY', () => {
+describe('the note in an exported file', () => {
+  it('is in comments: at the start of an OBJ, in the header of a PLY', () => {
     expect(text(withNote('obj', bytes(OBJ), [0.25]))).toBe(`# shapespline: Y up, metres\n# times 0.25\n${OBJ}`);
     expect(text(withNote('ply', bytes(PLY), []))).toBe(
       PLY.replace('1.0\n', '1.0\ncomment shapespline: Y up, metres\n'),
@@ -30,7 +30,7 @@ describe('what an exported file says of itself', () => {
     },
   );
 
-  it('is little, also for many frames', () => {
+  it('is short, also for many frames', () => {
     const times = Array.from({ length: 90_000 }, (_, i) => 3 + (2 * i) / 89_999);
     const noted = withNote('obj', bytes(OBJ), times);
     expect(noted.length).toBeLessThan(150);
@@ -44,7 +44,7 @@ describe('what an exported file says of itself', () => {
     expect(readNote(uneven)).toEqual({ times: null });
   });
 
-  it('is believed in nothing that it does not say in this way', () => {
+  it('is ignored in any other form', () => {
     expect(readNote(bytes(OBJ))).toBeNull();
     expect(readNote(bytes('# shapespline: Y up, metres\n# times 0 x 1\n'))).toEqual({ times: null });
     expect(readNote(bytes('# shapespline: Y up, metres\n# frames 999999999 from 0 to 1\n'))).toEqual({ times: null });

@@ -13,7 +13,7 @@ const keys = [0, 0.4, 1];
 const plan = (options: object) => framesOf({ ...EXPORT_DEFAULTS, ...options }, keys, [0, 1]);
 
 describe('the times of an export', () => {
-  it('are the grid united with the keys, shifted to start at 0', () => {
+  it('are the union of the grid and the keys, shifted to start at 0', () => {
     const { times, seconds, stills } = plan({ frames: 4, range: [-0.5, 1] });
     expect(times).toEqual([-0.5, 0, 0.4, 0.5, 1]);
     expect(seconds).toEqual([0, 0.5, 0.9, 1, 1.5].map(Math.fround));
@@ -25,14 +25,14 @@ describe('the times of an export', () => {
     expect(seconds).toEqual([0, 4, 5, 10]);
   });
 
-  it('hold each key once, with its own exact time, even where the grid rounds', () => {
+  it('include each key once, with its exact time, also where the grid rounds', () => {
     const third = 1 / 3;
     const { times } = framesOf({ ...EXPORT_DEFAULTS, frames: 4 }, [0, third + 1e-16, 1], [0, 1]);
     expect(times).toHaveLength(4);
     expect(times).toContain(third + 1e-16);
   });
 
-  it('leave keys outside the range to the stills', () => {
+  it('store keys outside the range as stills', () => {
     expect(plan({ frames: 2, range: [0.2, 0.6] })).toEqual({
       times: [0.2, 0.4, 0.6],
       seconds: [0, 0.2, 0.4].map(Math.fround),
@@ -40,28 +40,28 @@ describe('the times of an export', () => {
     });
   });
 
-  it('are stated by an MDD, which has no keys among its frames', () => {
+  it('are stored in an MDD, without added keys', () => {
     expect(plan({ frames: 3, format: 'mdd' }).seconds).toEqual([0, 0.5, 1]);
     expect(plan({ frames: 3, format: 'mdd', duration: 4, range: [1, 2] }).seconds).toEqual([0, 2, 4]);
     expect(plan({ frames: 3, format: 'pc2' }).seconds).toEqual([0, 0, 0]);
   });
 
-  it('that are asked for one by one are sorted for a GLB and left as they are for OBJ files', () => {
+  it('given as a list are sorted for a GLB and unchanged for OBJ files', () => {
     expect(plan({ times: [1.3, -0.3] }).times).toEqual([-0.3, 0, 0.4, 1, 1.3]);
     expect(plan({ times: [1.3, -0.3], format: 'obj' }).times).toEqual([1.3, -0.3]);
     expect(plan({ frames: 3, format: 'obj' }).times).toEqual([0, 0.5, 1]);
   });
 
-  it('of one pose are that time', () => {
+  it('of one pose are its time', () => {
     expect(plan({ pose: 0.3 }).times).toEqual([0.3]);
     expect(plan({ times: [0.3] }).times).toEqual([0.3]);
   });
 
-  it('are refused where float32 cannot tell them apart', () => {
+  it('are refused if they are equal in float32', () => {
     expect(() => plan({ frames: 3, range: [0, 1e9], duration: 1e-40 })).toThrow(/too close together/);
   });
 
-  it('are refused where the file would not open again', () => {
+  it('are refused if the file would not open again', () => {
     expect(plan({ frames: 3999, range: [1, 2] }).times).toHaveLength(3999); // the plan also has two stills
     expect(() => plan({ frames: 4000, range: [1, 2] })).toThrow(
       'its 4,001 morph targets need more than 16,000,000 weights',
@@ -74,7 +74,7 @@ describe('the times of an export', () => {
     expect(() => checkBytes({ ...EXPORT_DEFAULTS, format: 'obj' }, 1e10)).not.toThrow();
   });
 
-  it('are whole frames of the motion, or of an exported animation that has a length of its own', () => {
+  it('are whole frames of the motion, or of an exported animation with its own duration', () => {
     expect(plan({ fps: 4, format: 'obj' }).times).toEqual([0, 0.25, 0.5, 0.75, 1]);
     expect(plan({ fps: 4, range: [0.1, 0.8], format: 'obj' }).times).toEqual([0.25, 0.5, 0.75]);
     const { times, seconds } = plan({ fps: 2, duration: 2, range: [0.5, 1], tolerance: 0 });
@@ -89,7 +89,7 @@ describe('the times of an export', () => {
 describe('what an export leaves out', () => {
   const isThin = (options: object): boolean => isThinned({ ...EXPORT_DEFAULTS, ...options });
 
-  it('is what the tolerance allows, in a GLB without requested times', () => {
+  it('is limited by the tolerance, in a GLB without requested times', () => {
     expect(isThin({})).toBe(true);
     expect(isThin({ fps: 24 })).toBe(true);
     expect([{ tolerance: 0 }, { frames: 60 }, { times: [0, 1] }, { pose: 0.5 }, { format: 'pc2' }].map(isThin)).toEqual(
@@ -99,7 +99,7 @@ describe('what an export leaves out', () => {
     expect(isThin({ frames: 60, targets: 'principal' })).toBe(false);
   });
 
-  it('never is a key, nor the ends of the range', () => {
+  it('is never a key or an end of the range', () => {
     const choices = (options: object) => choicesOf({ ...EXPORT_DEFAULTS, ...options }, keys, [0, 1]);
     expect(choices({})).toEqual({ corners: [0, 0.4, 1], grid: null });
     expect(choices({ range: [0.2, 1.5] })).toEqual({ corners: [0.2, 0.4, 1, 1.5], grid: null });
@@ -110,7 +110,7 @@ describe('what an export leaves out', () => {
 describe('the warning about the size', () => {
   const warned = (targets: number, vertices: number) => exportWarnings(EXPORT_DEFAULTS, targets, vertices);
 
-  it('counts what players hold, not the targets', () => {
+  it('counts the memory of players, not the targets', () => {
     expect(warned(1000, 5000)).toEqual([]);
     const [warning] = warned(240, 84_000);
     expect(warning?.code).toBe('heavy-animation');
@@ -119,7 +119,7 @@ describe('the warning about the size', () => {
     expect(exportWarnings({ ...EXPORT_DEFAULTS, format: 'obj' }, 1000, 1e6)).toEqual([]);
   });
 
-  it('names the targets where they are more than a texture has layers', () => {
+  it('gives the number of targets if a texture has fewer layers', () => {
     expect(warned(2048, 8)).toEqual([]);
     expect(warned(2049, 8).map(({ code }) => code)).toEqual(['many-targets']);
   });
@@ -131,12 +131,12 @@ describe('keys between whole frames', () => {
       ({ message }) => message,
     );
 
-  it('are reported, and that the animation ends before the last one', () => {
+  it('are reported, also that the animation ends before the last key', () => {
     expect(warned({}, [0, 0.33, 1.07])).toEqual([expect.stringMatching(/keys 2, 3 are .*ends before the last key/)]);
     expect(warned({}, [0, 0.33, 1])).toEqual([expect.stringMatching(/key 2 is between whole frames\./)]);
   });
 
-  it('are no matter where they lie on frames, of the exported animation, or no frames are asked for', () => {
+  it('are not reported for keys on frames, also of the exported animation, or without whole frames', () => {
     expect(warned({}, [0, 0.3, 1])).toEqual([]);
     expect(warned({ duration: 2 }, [0, 0.25, 0.5])).toEqual([]);
     for (const other of [{ fps: null }, { frames: 5 }, { times: [0, 1] }, { pose: 0 }, { format: 'obj' }])

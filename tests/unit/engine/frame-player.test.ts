@@ -44,7 +44,7 @@ function heldSequence(ms = 1) {
 const settings = { timeOf: (tick: number) => tick / 10, tickSeconds: () => 1 / 60, ahead: 3 };
 
 describe('the frame player', () => {
-  it('asks for a bounded number of ticks ahead and hands each out when it is due', async () => {
+  it('requests a bounded number of ticks ahead and delivers each when it is due', async () => {
     const { sequence, asked, counts } = heldSequence();
     const player = new FramePlayer(sequence, settings);
     expect(player.take(0)).toBeNull();
@@ -60,7 +60,7 @@ describe('the frame player', () => {
     expect(counts.out).toBe(0);
   });
 
-  it('skips what came too late and gives it back', async () => {
+  it('skips late frames and releases them', async () => {
     const { sequence, asked, counts } = heldSequence();
     const player = new FramePlayer(sequence, settings);
     player.take(0);
@@ -70,7 +70,7 @@ describe('the frame player', () => {
     expect(asked.at(-1)?.t).toBeGreaterThan(0.7);
   });
 
-  it('asks for ticks further apart where frames cost more than a tick', async () => {
+  it('requests ticks further apart if frames take longer than a tick', async () => {
     const { sequence, asked } = heldSequence(40); // 2.4 ticks
     const player = new FramePlayer(sequence, settings);
     player.take(0);
@@ -79,7 +79,7 @@ describe('the frame player', () => {
     expect(asked.slice(3).map(({ t }) => Math.round(10 * t))).toEqual([7, 10, 13]);
   });
 
-  it('asks for about as many as are drawn where drawing is slower than the clock, and for more when it is not', async () => {
+  it('requests about as many frames as are drawn if drawing is slow, and more otherwise', async () => {
     const { sequence, asked } = heldSequence();
     const player = new FramePlayer(sequence, settings);
     let [tick, answered] = [0, 0];
@@ -111,7 +111,7 @@ describe('the frame player', () => {
     expect(await drawn(40, 1)).toEqual({ asked: 40, drawn: 40 });
   });
 
-  it('asks once for ticks that show the same moment', async () => {
+  it('requests once for ticks that show the same time', async () => {
     const { sequence, asked } = heldSequence();
     const player = new FramePlayer(sequence, { ...settings, timeOf: (tick) => Math.floor(tick / 4) });
     player.take(0);
@@ -122,7 +122,7 @@ describe('the frame player', () => {
     expect(asked.map(({ t }) => t)).toEqual([0, 1, 2, 3, 4]);
   });
 
-  it('asks for nothing more where the time stands still', () => {
+  it('requests nothing more while the time does not change', () => {
     const { sequence, asked } = heldSequence();
     const player = new FramePlayer(sequence, { ...settings, timeOf: () => 0.5 });
     player.take(0);
@@ -130,7 +130,7 @@ describe('the frame player', () => {
     expect(asked).toHaveLength(1);
   });
 
-  it('gives everything back when it stops, also what arrives later', async () => {
+  it('releases all frames when it stops, also frames that arrive later', async () => {
     const { sequence, asked, counts } = heldSequence();
     const player = new FramePlayer(sequence, settings);
     player.take(0);
@@ -142,7 +142,7 @@ describe('the frame player', () => {
     expect(asked).toHaveLength(3);
   });
 
-  it('says an error once and stops', async () => {
+  it('reports an error once and stops', async () => {
     const { sequence, asked } = heldSequence();
     const errors: unknown[] = [];
     const player = new FramePlayer(sequence, { ...settings, onError: (error) => errors.push(error) });

@@ -20,12 +20,12 @@ const accessors = (count: number, copies = 1) => ({
 const size = (json: object, bytes: number) => () => checkDecodedSize(json, bytes, 'a.glb');
 
 describe('the JSON of a glTF', () => {
-  it('is parsed as others are, and is nothing if it is broken', () => {
+  it('is parsed, or undefined if it is broken', () => {
     expect(parseGltf('\uFEFF{"a":["}]\\"[{",1]}')).toEqual({ a: ['}]"[{', 1] });
     for (const broken of ['{', '', '{"a":}', '["\\']) expect(parseGltf(broken)).toBeUndefined();
   });
 
-  it('is measured before anything is made of it', () => {
+  it('is measured before it is parsed', () => {
     expect(parseGltf(`${'['.repeat(100)}${']'.repeat(100)}`)).toBeDefined();
     expect(parseGltf(`${'['.repeat(101)}${']'.repeat(101)}`)).toBeUndefined();
     expect(parseGltf('['.repeat(40e6))).toBeUndefined();
@@ -35,8 +35,8 @@ describe('the JSON of a glTF', () => {
   });
 });
 
-describe('what a compressed file becomes', () => {
-  it('is in proportion to its bytes', () => {
+describe('the decoded size of a compressed file', () => {
+  it('is limited in proportion to its bytes', () => {
     expect([roomFor(100), roomFor(1e6), roomFor(1e9)]).toEqual([64 * 2 ** 20, 1024e6, 2 ** 30]);
     expect(size(accessors(5e6), 1000)).not.toThrow();
     expect(size(accessors(6e6), 1000)).toThrow('a.glb expands to more than the 67 MB allowed for its size');
@@ -61,7 +61,7 @@ describe('what a compressed file becomes', () => {
     expect(size(json, 1e9)).toThrow(/^(bufferView|accessor) 0 /);
   });
 
-  it('may be any forest, and nothing else', () => {
+  it('must be a forest', () => {
     const nodes = (...children: unknown[]) => ({ nodes: children.map((list) => ({ children: list })) });
     for (const good of [{}, nodes([1, 2], [], [3], undefined), nodes(undefined, [0])])
       expect(() => checkForest(good)).not.toThrow();
@@ -94,11 +94,11 @@ describe('the memory of a wasm module', () => {
     expect((most[0]! & 0x7f) + 128 * (most[1]! & 0x7f) + 128 ** 2 * most[2]!).toBe(pages);
   });
 
-  it('never becomes more than it was', () => {
+  it('is never increased', () => {
     expect(withMemoryLimit(module, 2 ** 33)).toEqual(module);
   });
 
-  it('of a module without one stays as it is', () => {
+  it('of a module without one is unchanged', () => {
     expect(withMemoryLimit(module.slice(0, 11), 1)).toEqual(module.slice(0, 11));
   });
 

@@ -31,7 +31,7 @@ describe('the size of an image', () => {
     expect(imageSize(webp('VP8L', [0x2f, 0x7f, 0x02, 0x78, 0x00, 0, 0]))).toEqual({ width: 640, height: 481 });
   });
 
-  it('is unknown where there is none', () => {
+  it('is unknown for other data', () => {
     const whole = [png(3, 4), jpeg(3, 4), webp('VP8X', [0, 0, 0, 0, 2, 0, 0, 3, 0, 0])];
     for (const image of [
       bytes('GIF89a'),
@@ -58,7 +58,7 @@ describe('images are drawn', () => {
   };
   const scales = (...sizes: [number, number][]): number[] => plan(...sizes).images.map(({ scale }) => scale);
 
-  it('as they are up to 4,096 pixels a side, and smaller above', () => {
+  it('unchanged up to 4,096 pixels per side, and reduced above', () => {
     expect(scales([1, 1], [4096, 4096], [8192, 2048], [8192, 8192])).toEqual([1, 1, 0.5, 0.5]);
     expect(plan([8192, 8192]).warnings).toEqual([]);
   });
@@ -69,13 +69,13 @@ describe('images are drawn', () => {
     expect(warnings).toMatchObject([{ code: 'large-texture', count: 2 }]);
   });
 
-  it('up to a sum that a page can hold', () => {
+  it('up to a total that a page can hold', () => {
     const { images, warnings } = plan(...Array.from({ length: 20 }, (): [number, number] => [8192, 8192]), [64, 64]);
     expect(images.map(({ scale }) => scale)).toEqual([...Array<number>(8).fill(0.5), ...Array<number>(13).fill(0)]);
     expect(warnings).toMatchObject([{ count: 13 }]);
   });
 
-  it('where a material is coloured by them and browsers read them', () => {
+  it('if they colour a material and browsers can read them', () => {
     const images = [png(4, 4), bytes('\xabKTX 20\xbb')].map((image) => ({ mimeType: '', bytes: image }));
     const painted = (baseColorImage: number) => drawnImages(images, [{ baseColorImage, normalImage: 0 } as Material]);
     expect(painted(-1).images.map(({ scale }) => scale)).toEqual([0, 0]);

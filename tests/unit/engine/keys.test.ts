@@ -27,7 +27,7 @@ describe('keys', () => {
     ]);
   });
 
-  it('take a pose in order of time', async () => {
+  it('add a pose in order of time', async () => {
     const keys = await fakeEngine().engine.importKeyframes([someFile]);
     const pose = Float32Array.of(0, 0, 1, 1, 0, 1, 0, 1, 1);
     const added = keys.withPose('between', 0.5, pose);
@@ -41,7 +41,7 @@ describe('keys', () => {
     expect(keys.withPose('first', -1, pose).info.times).toEqual([-1, 0, 1]);
   });
 
-  it('refuse what does not fit, with a code', async () => {
+  it('refuse poses and times that do not fit, with a code', async () => {
     const keys = await fakeEngine().engine.importKeyframes([someFile]);
     expect(code(() => keys.positions(2))).toBe('invalid-option');
     expect(code(() => keys.arrange([0, 2], [0, 1]))).toBe('invalid-option');
@@ -52,7 +52,7 @@ describe('keys', () => {
     expect(code(() => keys.withPose('short', 2, new Float32Array(6)))).toBe('vertex-count-mismatch');
   });
 
-  it('give copies: nothing that is done to them reaches the keys', async () => {
+  it('return copies, and changes to them do not affect the keys', async () => {
     const keys = await fakeEngine().engine.importKeyframes([someFile]);
     keys.positions(0).fill(7);
     expect(keys.positions(0)[0]).toBe(0);

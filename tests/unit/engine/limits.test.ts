@@ -20,7 +20,7 @@ const TABLE = 'web/engine/api/option-table.ts';
 const JSON_TS = 'web/engine/api/gltf-json.ts';
 const LIMITS = 'wasm/io/base/limits.h';
 
-describe('a limit of the engine is the one of the core', () => {
+describe('a limit of the engine equals that of the core', () => {
   it.each([
     [TABLE, 'MOST_TURNS', 'wasm/core/sequence/motion.cpp', 'mostTurns'],
     [TABLE, 'MOST_TIME', 'wasm/core/spline/key_times.cpp', 'farthestTime'],

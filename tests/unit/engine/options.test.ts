@@ -25,7 +25,7 @@ function refusal(check: () => unknown): string {
 }
 
 describe('options', () => {
-  it('are the defaults where nothing is given', () => {
+  it('are the defaults if not given', () => {
     expect(checkSequenceOptions()).toEqual(SEQUENCE_DEFAULTS);
     expect(checkSequenceOptions({ method: undefined })).toEqual(SEQUENCE_DEFAULTS);
     expect(checkImportOptions()).toEqual(IMPORT_DEFAULTS);
@@ -38,7 +38,7 @@ describe('options', () => {
     expect(checkImportOptions(IMPORT_DEFAULTS)).toEqual(IMPORT_DEFAULTS);
   });
 
-  it('with unknown names are refused by that name', () => {
+  it('with unknown names are refused, with the name', () => {
     expect(refusal(() => checkSequenceOptions({ boundry: 'natural' }))).toContain("'boundry'");
     expect(refusal(() => checkImportOptions({ toString: 1 }))).toContain("'toString'");
     expect(refusal(() => checkExportOptions({ frame: 3 }))).toContain("'frame'");
@@ -115,21 +115,21 @@ describe('options', () => {
     expect(refusal(() => checkImportOptions(options))).toContain(`'${name}'`);
   });
 
-  it('of many times are refused by their count', () => {
+  it('of many times are refused, with their number', () => {
     const many = (count: number): number[] => Array.from({ length: count }, (_, i) => i);
     expect(refusal(() => checkExportOptions({ times: many(100_001) }))).toContain("'times' must be at most 100,000");
     expect(refusal(() => checkImportOptions({ sample: many(10_001) }))).toContain("'sample' must be at most 10,000");
     expect(refusal(() => checkImportOptions({ keyTimes: many(10_001) }))).toContain('not 10,001');
   });
 
-  it('that are whole numbers say which of their bounds was missed', () => {
+  it('that are whole numbers are refused with the violated bound', () => {
     const sentence = "The sequence option 'patches' must be a whole number from 0 to 100,000.";
     expect(refusal(() => checkSequenceOptions({ patches: -1 }))).toBe(sentence);
     expect(refusal(() => checkSequenceOptions({ patches: 2 ** 31 }))).toBe(sentence);
     expect(refusal(() => checkSequenceOptions({ reference: 2 ** 31 }))).toContain('at most 2,147,483,647.');
   });
 
-  it('that are numbers have a least and a most', () => {
+  it('that are numbers have a minimum and a maximum', () => {
     for (const [name, option] of [ENCODING, MOTION, PER_KEY, IMPORT, EXPORT].flatMap(optionsIn)) {
       if (option.kind !== 'number') continue;
       for (const value of [-1e300, 1e300]) expect(wrongWith(option, value), name).not.toBeNull();
@@ -142,7 +142,7 @@ describe('options', () => {
     expect([checkTime(-1e9), checkTimes([1e9])]).toEqual([-1e9, [1e9]]);
   });
 
-  it('of an update keep what is not changed, and refuse what needs a new encoding', () => {
+  it('of an update keep the other options, and refuse those that need a new encoding', () => {
     const present = { ...MOTION_DEFAULTS, boundary: 'hermite' as const };
     expect(checkUpdate(present, { startSpeed: 0, keyTimes: [0, 2] })).toEqual({
       motion: { ...present, startSpeed: 0 },

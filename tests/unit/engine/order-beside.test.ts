@@ -44,7 +44,7 @@ function isGivenUp(order: SharedOrder): boolean {
 }
 
 describe('the order of elimination of a large sequence', () => {
-  it('is left by a worker of its own, in the memory in which the other looks for it', async () => {
+  it('is written by a separate worker, into memory that the other worker reads', async () => {
     const { workers, finder, builder, order, code, answer } = await building();
     expect(workers).toHaveLength(2);
     expect(finder.of('order')[0]!.order.buffer).toBe(order.buffer);
@@ -56,14 +56,14 @@ describe('the order of elimination of a large sequence', () => {
     expect([await code, builder.terminated]).toEqual(['made', false]);
   });
 
-  it('is sought no longer than the sequence is built', async () => {
+  it('is computed only while the sequence is built', async () => {
     const { finder, builder, order, code, answer } = await building();
     await answer(builder);
     expect([await code, finder.terminated, builder.terminated]).toEqual(['made', true, false]);
     expect(isGivenUp(order)).toBe(true);
   });
 
-  it('ends with it where that is cancelled, disposed of or fails', async () => {
+  it('ends if the sequence is cancelled, disposed of or fails', async () => {
     const ends = {
       cancelled: ({ cancel }) => cancel(),
       disposed: ({ engine }) => engine.dispose(),
@@ -78,7 +78,7 @@ describe('the order of elimination of a large sequence', () => {
     }
   });
 
-  it('is given up where its worker ends, and the sequence is built all the same', async () => {
+  it('is not used if its worker ends, and the sequence is still built', async () => {
     const { finder, builder, order, code, answer } = await building();
     finder.die();
     await settled();
@@ -87,7 +87,7 @@ describe('the order of elimination of a large sequence', () => {
     expect(await code).toBe('made');
   });
 
-  it('is not waited for when the sequence is built again, nor for small shapes', async () => {
+  it('is not used when the sequence is built again, nor for small shapes', async () => {
     const { workers, builder, sequence, answer } = await building();
     await answer(builder);
     builder.die();

@@ -26,18 +26,18 @@ const shared = JSON.parse(readFileSync(new URL('../../uri-cases.json', import.me
 
 const file = (name: string) => ({ name, bytes: new Uint8Array() });
 describe('paths', () => {
-  it('are joined from the folder of the file that names them', () => {
+  it('are relative to the folder of the file that names them', () => {
     expect(beside('walk/a.gltf', '../skin/./a.png')).toBe('skin/a.png');
     expect(beside('a.gltf', 'skin\\a.png')).toBe('skin/a.png');
   });
 
-  it('keep what is no escape', () => {
+  it('keep invalid escapes', () => {
     expect(decodedUri('100%25 a%20b%C3%A4')).toBe('100% a bä');
     expect(decodedUri('50% off%zz.png')).toBe('50% off%zz.png');
     expect(decodedUri('broken%FF.png')).toBe('broken%FF.png');
   });
 
-  it('are not meant where systems left them, unless there is nothing else', () => {
+  it('of operating system files are ignored, unless there are no others', () => {
     const left = ['._a.obj', 'x/._a.glb', '.DS_Store', 'Thumbs.db', 'thumbs.db', 'desktop.ini', '__MACOSX/a.obj'];
     expect(left.filter(isModel)).toEqual([]);
     expect(left.filter(isMeantInFolder)).toEqual([]);
@@ -51,7 +51,7 @@ describe('paths', () => {
     ]);
   });
 
-  it('name a model by its own word', () => {
+  it('use the base name of a model', () => {
     expect(['walk\\key.1.GLB', 'a/notes.txt', 'b/plain'].map(modelName)).toEqual(['key.1', 'notes.txt', 'plain']);
   });
 });
@@ -76,11 +76,11 @@ describe('a URI in a file', () => {
     expect(urlBeside(uri, new URL(shared.model))).toBeNull();
   });
 
-  it.each(['data:model/gltf+json,{}', 'blob:https://example.org/a.gltf'])('leads nowhere from %s', (model) => {
+  it.each(['data:model/gltf+json,{}', 'blob:https://example.org/a.gltf'])('leads to no file from %s', (model) => {
     for (const uri of ['a.png', 'https://example.org/a.png']) expect(urlBeside(uri, new URL(model))).toBeNull();
   });
 
-  it('is listed from any JSON at all', () => {
+  it('is listed from any JSON', () => {
     expect(resourceUris({ buffers: [{ uri: 'a.bin' }, null, {}], images: [{ uri: 'data:,' }, { uri: 7 }] })).toEqual({
       buffers: ['a.bin'],
       images: [],

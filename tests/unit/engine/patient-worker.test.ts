@@ -37,7 +37,7 @@ function setUp(ways: number, loaded: Promise<unknown> = Promise.resolve()) {
   return { worker, scripts, heard, errors };
 }
 
-it('nothing that was posted is lost with a way that fails', async () => {
+it('no message is lost if a method fails', async () => {
   const { worker, scripts, heard, errors } = setUp(2);
   worker.postMessage('first');
   expect(scripts[0]!.got).toEqual([]);
@@ -51,7 +51,7 @@ it('nothing that was posted is lost with a way that fails', async () => {
   expect(worker.silent).toBe(false);
 });
 
-it('silence is a failure: of one way, then of all', async () => {
+it('silence is a failure of one method, then of all', async () => {
   const { worker, scripts, errors } = setUp(2);
   await vi.advanceTimersByTimeAsync(40_000);
   expect([scripts.length, scripts[0]!.ended, errors]).toEqual([2, true, []]);
@@ -59,7 +59,7 @@ it('silence is a failure: of one way, then of all', async () => {
   expect([scripts[1]!.ended, errors.length, errors[0]!.message, worker.silent]).toEqual([true, 1, '', true]);
 });
 
-it('the time counts once the rest has loaded, and ends with the first word', async () => {
+it('the time limit starts once the page has loaded, and ends with the first message', async () => {
   let loaded: () => void = () => undefined;
   const { scripts, errors } = setUp(1, new Promise<void>((resolve) => (loaded = resolve)));
   await vi.advanceTimersByTimeAsync(600_000);
@@ -71,7 +71,7 @@ it('the time counts once the rest has loaded, and ends with the first word', asy
   expect([scripts[0]!.ended, errors]).toEqual([false, []]);
 });
 
-it('reports later that every way was refused, without a DOM', async () => {
+it('reports later that every method was refused, without a DOM', async () => {
   const errors: unknown[] = [];
   const refused: Way = () => {
     throw new Error('refused');
@@ -82,7 +82,7 @@ it('reports later that every way was refused, without a DOM', async () => {
   expect(errors).toMatchObject([{ message: '' }]);
 });
 
-it('an ended one says nothing', async () => {
+it('a terminated worker reports nothing', async () => {
   const { worker, errors, scripts } = setUp(1);
   worker.terminate();
   await vi.advanceTimersByTimeAsync(600_000);

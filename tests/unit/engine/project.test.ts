@@ -7,7 +7,7 @@ const keys = { times: [0, 1], names: ['a', 'b'], frames: [0, 9] };
 const mesh = { vertices: 3, faces: 1, error: 0.001 };
 
 describe('a project', () => {
-  it('gives its options back, tangent poses bit for bit', () => {
+  it('restores its options, tangent poses bit for bit', () => {
     const tangent = Float32Array.from({ length: 3000 }, (_, i) => Math.sin(i) / 3);
     const options: SequenceOptions = {
       ...SEQUENCE_DEFAULTS,
@@ -24,7 +24,7 @@ describe('a project', () => {
     expect(read).toEqual(options);
   });
 
-  it('of before turns could name a component opens as it was', () => {
+  it('from before turns could name a component opens unchanged', () => {
     const old =
       '{"version":1,"keys":{"times":[0,1],"names":["a","b"],"frames":[0,9]},"options":{"reference":0,"patches":0,"stretch":"linear",' +
       '"ghostFaces":0,"transfer":"exact","placement":"vertices","precision":"single","method":"lri","boundary":"natural","startSpeed":1,' +
@@ -32,7 +32,7 @@ describe('a project', () => {
     expect(readOptions(old)).toEqual({ ...SEQUENCE_DEFAULTS, turns: [{ key: 1, turns: -2 }] });
   });
 
-  it('names its keys as the reader expects them', () => {
+  it('names its keys as the importer expects', () => {
     expect(JSON.parse(writeProject(keys, SEQUENCE_DEFAULTS, mesh))).toMatchObject({ version: 1, keys });
   });
 
@@ -51,7 +51,7 @@ describe('a project', () => {
     expect(readOptions(text)).toBeNull();
   });
 
-  it('says what mesh it was saved with, and nothing if that is missing or no number', () => {
+  it('states the mesh it was saved with, and null if that is missing or invalid', () => {
     expect(readMesh(writeProject(keys, SEQUENCE_DEFAULTS, mesh))).toEqual(mesh);
     for (const text of ['{}', '{"mesh": 1}', '{"mesh": {"vertices": "3", "faces": 1}}', 'no JSON'])
       expect(readMesh(text)).toBeNull();

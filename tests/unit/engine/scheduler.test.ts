@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { Scheduler, urgency, type Task } from '../../../web/engine/caller/scheduler.ts';
 
 describe('the scheduler', () => {
-  it('runs one task at a time, the most urgent first and equals in order', async () => {
+  it('runs one task at a time, the most urgent first, and tasks of the same priority in order', async () => {
     const scheduler = new Scheduler();
     const begun: string[] = [];
     let running = 0;
@@ -23,7 +23,7 @@ describe('the scheduler', () => {
     expect(begun).toEqual(['first', 'shown 1', 'shown 2', 'ahead', 'batch 1', 'batch 2']);
   });
 
-  it('lets no task wait for ever behind more urgent ones', async () => {
+  it('does not let a task wait forever for more urgent ones', async () => {
     const scheduler = new Scheduler();
     let shown = 0;
     const frame = async (): Promise<void> => {
@@ -42,13 +42,13 @@ describe('the scheduler', () => {
     expect(before).toBeLessThan(10);
   });
 
-  it('goes on after a task that failed', async () => {
+  it('continues after a failed task', async () => {
     const scheduler = new Scheduler();
     await expect(scheduler.run(urgency.shown, () => Promise.reject(new Error('no')))).rejects.toThrow('no');
     await expect(scheduler.run(urgency.shown, () => Promise.resolve(7))).resolves.toBe(7);
   });
 
-  it('withdraws on a signal what has not begun, and lets the rest end', async () => {
+  it('cancels tasks that have not started on a signal, and completes the others', async () => {
     const scheduler = new Scheduler();
     const abort = new AbortController();
     let started = 0;
@@ -62,7 +62,7 @@ describe('the scheduler', () => {
     expect(started).toBe(1);
   });
 
-  it('withdraws what has not begun', async () => {
+  it('cancels tasks that have not started', async () => {
     const scheduler = new Scheduler();
     let started = 0;
     const task = (): Task => ({ urgency: urgency.shown, start: async () => void ++started });

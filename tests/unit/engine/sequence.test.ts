@@ -34,7 +34,7 @@ async function heldSequence(reply: (request: Request) => FromWorker | undefined 
 }
 
 describe('evaluate', () => {
-  it('is latest-wins: one is under way, one waits, the overtaken ones are null', async () => {
+  it('keeps one running and one waiting request; replaced requests are null', async () => {
     const { sequence, worker, replyNext } = await heldSequence();
     const frames = [0.1, 0.2, 0.3, 0.4].map((t) => sequence.evaluate(t));
     await settled();
@@ -45,7 +45,7 @@ describe('evaluate', () => {
     expect((await Promise.all(frames)).map((frame) => frame?.t ?? null)).toEqual([0.1, null, null, 0.4]);
   });
 
-  it('goes before the frames of an export, which go on afterwards', async () => {
+  it('has priority over the frames of an export, which continue afterwards', async () => {
     const { sequence, worker, replyNext } = await heldSequence();
     const many = sequence.evaluateMany([1, 2, 3]);
     await settled();
@@ -56,7 +56,7 @@ describe('evaluate', () => {
     expect((await many).map(({ t }) => t)).toEqual([1, 2, 3]);
   });
 
-  it('goes before what is measured, of which the worker answers as much at once as it has time for', async () => {
+  it('has priority over measurements, which the worker answers in portions', async () => {
     const { sequence, worker } = await heldSequence((request) =>
       request.type === 'measure' ? measuredAt(request.times.slice(0, 3), request.id) : undefined,
     );
@@ -74,7 +74,7 @@ describe('evaluate', () => {
     (await ahead).release();
   });
 
-  it('sends released buffers back instead of asking for new ones', async () => {
+  it('returns released buffers instead of allocating new ones', async () => {
     const { sequence, worker, replyNext } = await heldSequence();
     const first = sequence.evaluate(0);
     await settled();
@@ -92,14 +92,14 @@ describe('evaluate', () => {
     expect(worker.of('evaluate').at(-1)?.buffers).toBeNull(); // released twice, but pooled once
   });
 
-  it('refuses a time that is no number', async () => {
+  it('refuses a time that is not a number', async () => {
     const { sequence } = await heldSequence();
     expect((await failure(sequence.evaluate(NaN))).code).toBe('invalid-option');
   });
 });
 
 describe('update', () => {
-  it('is followed by what is asked after it, not by an export that began before', async () => {
+  it('applies to later requests, but not to an export that started before', async () => {
     const { sequence, worker, replyNext } = await heldSequence();
     const many = sequence.evaluateMany([1, 2]);
     await settled();
@@ -116,7 +116,7 @@ describe('update', () => {
     ]);
   });
 
-  it('that fails leaves the motion as it was', async () => {
+  it('does not change the motion if it fails', async () => {
     const fails = (request: Request): FromWorker =>
       request.type === 'motion' && request.motion.number > 1
         ? {
@@ -137,7 +137,7 @@ describe('update', () => {
 });
 
 describe('a worker that dies', () => {
-  it('rejects what is open and is replaced, with keys and motion, by the next call', async () => {
+  it('rejects open requests and is replaced, with keys and motion, by the next call', async () => {
     const { sequence, worker, workers } = await heldSequence();
     await sequence.update({ boundary: 'hermite', keyTimes: [0, 3] });
     const lost = sequence.evaluate(0.5);
@@ -186,13 +186,13 @@ describe('cancelling', () => {
     expect((await old.evaluate(0))?.t).toBe(0);
   });
 
-  it('works before anything has begun', async () => {
+  it('works before anything has started', async () => {
     const { engine } = fakeEngine();
     const signal = AbortSignal.abort();
     expect((await failure(engine.importKeyframes([someFile], {}, { signal }))).code).toBe('cancelled');
   });
 
-  it('stops a series of frames while one is under way', async () => {
+  it('stops a series of frames while one is being computed', async () => {
     const { sequence, worker } = await heldSequence();
     const controller = new AbortController();
     const many = failure(sequence.evaluateMany([1, 2], { signal: controller.signal }));
@@ -204,7 +204,7 @@ describe('cancelling', () => {
 });
 
 describe('progress', () => {
-  it('never falls, whatever the worker says', async () => {
+  it('never decreases, for any reports of the worker', async () => {
     const { engine, workers } = fakeEngine((request) => (request.type === 'encode' ? null : replyTo(request)));
     const seen: number[] = [];
     const keys = await engine.importKeyframes([someFile]);
@@ -220,7 +220,7 @@ describe('progress', () => {
 });
 
 describe('a worker for files', () => {
-  it('is not kept after a bad file; after a good one it reads the next, and encodes nothing', async () => {
+  it('is not kept after an invalid file; after a valid one it reads the next, but never encodes', async () => {
     let good = false;
     const { engine, workers, filesWorkers } = fakeEngine((request) =>
       request.type === 'import' && !good
@@ -235,7 +235,7 @@ describe('a worker for files', () => {
     expect([filesWorkers.length, workers.length]).toEqual([2, 1]);
   });
 
-  it('ends where it read much: its memory would stay', async () => {
+  it('ends after reading large files, because its memory would stay allocated', async () => {
     const { engine, filesWorkers } = fakeEngine();
     await engine.importKeyframes([{ name: 'large.glb', bytes: new Uint8Array(1_000_000) }]);
     expect(filesWorkers.map(({ terminated }) => terminated)).toEqual([true]);
@@ -272,7 +272,7 @@ describe('keys of arrays', () => {
 });
 
 describe('disposing', () => {
-  it('is idempotent, ends the worker, and is said by every later call', async () => {
+  it('is idempotent, ends the worker, and makes every later call fail', async () => {
     const { engine, sequence, worker } = await heldSequence();
     const open = sequence.evaluate(0);
     const waiting = sequence.evaluate(1);
@@ -294,7 +294,7 @@ describe('disposing', () => {
     expect((await failure(engine.importKeyframes([someFile]))).code).toBe('disposed');
   });
 
-  it('of keys leaves a sequence alone', async () => {
+  it('of keys does not affect a sequence', async () => {
     const { engine } = fakeEngine();
     const keys = await engine.importKeyframes([someFile]);
     const sequence = await engine.createSequence(keys);

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { awaitedOrder, giveUpOrder, provideOrder, sharedOrder } from '../../../web/engine/wire/shared-order.ts';
 
 describe('shared order', () => {
-  it('is what was found, of as many unknowns as there are', () => {
+  it('is the found order if it has the right number of unknowns', () => {
     const order = sharedOrder(5);
     provideOrder(order, () => Int32Array.of(2, 0, 1));
     expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
@@ -11,7 +11,7 @@ describe('shared order', () => {
     expect([...awaitedOrder(order)!]).toEqual([2, 0, 1]);
   });
 
-  it('is empty if no worker began, if it was given up and if it failed', () => {
+  it('is empty if no worker started, if it was abandoned and if it failed', () => {
     expect(awaitedOrder(sharedOrder(3))).toBeNull();
     const given = sharedOrder(3);
     giveUpOrder(given);

@@ -10,17 +10,17 @@ function play(choice: ThreadChoice, ms: (threads: 1 | 2, frame: number) => numbe
   });
 }
 
-test('first frames are made in turn with one thread and with two', () => {
+test('first frames use one thread and two alternately', () => {
   expect(play(new ThreadChoice(), () => 10, 14)).toEqual(Array.from({ length: 14 }, (_, frame) => (frame % 2 ? 2 : 1)));
 });
 
-test('two threads stay where they are faster, whatever single frames took', () => {
+test('two threads are kept if they are faster, despite single slow frames', () => {
   const choice = new ThreadChoice();
   play(choice, (threads, frame) => (frame < 4 || frame === 7 || frame === 11 ? 100 : threads === 2 ? 7 : 10), 14);
   expect(play(choice, () => 1000, 5)).toEqual([2, 2, 2, 2, 2]);
 });
 
-test('one thread stays where a second gains little or loses', () => {
+test('one thread is kept if a second one is hardly faster or slower', () => {
   for (const two of [9.8, 10, 30]) {
     const choice = new ThreadChoice();
     play(choice, (threads) => (threads === 2 ? two : 10), 14);
@@ -29,7 +29,7 @@ test('one thread stays where a second gains little or loses', () => {
   }
 });
 
-test('one fast frame does not make a second thread faster', () => {
+test('one fast frame does not decide for a second thread', () => {
   const choice = new ThreadChoice();
   play(choice, (threads, frame) => (frame === 5 || frame === 9 ? 2 : threads === 2 ? 12 : 10), 14);
   expect(choice.threads).toBe(1);
@@ -58,7 +58,7 @@ test('two threads that have become faster than one are found, and one that has b
   expect(choice.chosen).toBe(1);
 });
 
-test('what goes on losing is tried less and less', () => {
+test('the slower choice is tried less and less often', () => {
   const choice = new ThreadChoice();
   const threads = play(choice, (number) => (number === 2 ? 20 : 10), 20_000);
   const lost = (from: number, to: number): number =>

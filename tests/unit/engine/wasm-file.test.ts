@@ -10,11 +10,11 @@ const answer =
   (): Promise<Response> =>
     Promise.resolve(new Response(body, { status, headers: type === undefined ? {} : { 'Content-Type': type } }));
 
-it.each(['application/wasm', 'application/octet-stream', undefined])('compiles what is served as %s', async (type) => {
+it.each(['application/wasm', 'application/octet-stream', undefined])('compiles a module served as %s', async (type) => {
   expect(await compileFrom(url, 'wasmUrl', answer(EMPTY_MODULE, type))).toBeInstanceOf(WebAssembly.Module);
 });
 
-it.each(['text/html', 'application/wasm'])('says that a web page came instead, served as %s', async (type) => {
+it.each(['text/html', 'application/wasm'])('reports a web page instead of the module, served as %s', async (type) => {
   const failure = compileFrom(url, 'wasmUrl', answer('<!doctype html><title>Home</title>', type));
   await expect(failure).rejects.toMatchObject({ code: 'not-loaded' });
   await expect(failure).rejects.toThrow(
@@ -23,7 +23,7 @@ it.each(['text/html', 'application/wasm'])('says that a web page came instead, s
   );
 });
 
-it('says what else is wrong: nothing, a status, no connection, a damaged file', async () => {
+it('reports other errors: no response, an error status, no connection, a damaged file', async () => {
   await expect(compileFrom(url, 'wasmUrl', answer(null, 'text/plain'))).rejects.toThrow('returned nothing instead');
   await expect(compileFrom(url, 'wasmUrl', answer('', undefined, 404))).rejects.toThrow(
     `${url.href} returned 404 instead`,

@@ -5,7 +5,7 @@ import { FARTHEST, clipped } from '../../../web/play/figures/clip.ts';
 const within = (points: readonly (readonly [number, number])[]): boolean =>
   points.every((point) => point.every((x) => Number.isNaN(x) || Math.abs(x) <= FARTHEST * (1 + 1e-12)));
 
-it('what is near stays as it is', () => {
+it('near parts are unchanged', () => {
   const near = [
     [0, 0],
     [100, -300],
@@ -14,7 +14,7 @@ it('what is near stays as it is', () => {
   expect(clipped(near)).toEqual(near);
 });
 
-it('a line that leaves goes on in its direction as far as the limit', () => {
+it('a line that leaves continues in its direction up to the limit', () => {
   const [from, to] = clipped([
     [100, 100],
     [200, 1e9],
@@ -24,7 +24,7 @@ it('a line that leaves goes on in its direction as far as the limit', () => {
   expect((to![1] - 100) / (to![0] - 100)).toBeCloseTo((1e9 - 100) / 100, -3);
 });
 
-it('a line that comes back has a gap, and one that stays away is gone', () => {
+it('a line that returns has a gap, and one that stays outside is removed', () => {
   const back = clipped([
     [0, 0],
     [1, 1e6],
@@ -42,7 +42,7 @@ it('a line that comes back has a gap, and one that stays away is gone', () => {
   ).toEqual([]);
 });
 
-it('whatever the numbers, nothing is farther than the limit', () => {
+it('for any numbers, nothing is beyond the limit', () => {
   const numbers = [0, 1, -7, 4999, 5001, -1e6, 1e12, 1e30, -1e300];
   for (const a of numbers)
     for (const b of numbers)

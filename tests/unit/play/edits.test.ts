@@ -17,7 +17,7 @@ function editing(start: PlayState = INITIAL): { edits: Edits; now: { state: Play
 }
 
 describe('edits', () => {
-  it('keep the times that followed from distances when the hand takes over', () => {
+  it('keep times computed from distances when the spacing becomes manual', () => {
     const { edits, now } = editing({ ...INITIAL, spacing: 'difference' });
     edits.onSpacing('hand');
     expect(now.state.spacing).toBe('hand');
@@ -25,7 +25,7 @@ describe('edits', () => {
     expect(now.state.keys.at(-1)!.time).toBeCloseTo(1, 12);
   });
 
-  it('leave the other end its speed', () => {
+  it('do not change the speed of the other end', () => {
     const { edits, now } = editing();
     edits.onSpeed('end', 3);
     edits.onSpeed('start', 2);
@@ -47,14 +47,14 @@ describe('edits', () => {
     expect(now.touched).toBeNull();
   });
 
-  it('keep the time within what is drawn', () => {
+  it('keep the time within the drawn range', () => {
     const { edits, now } = editing();
     edits.onTime(7);
     expect(now.state.time).toBeCloseTo(1.2, 12);
   });
 });
 
-it('an arrow key moves a key by a hundredth of what is shown, with Shift by a tenth', () => {
+it('an arrow key moves a key by a hundredth of the shown range, with Shift by a tenth', () => {
   const axes = axesOf({ width: 400, height: 200 }, [0, 2], [-1, 3]);
   const from = { along: 1, value: 1 };
   expect(stepped(from, { key: 'ArrowUp', shiftKey: false }, axes)).toEqual({ along: 1, value: 1.04 });

@@ -41,7 +41,7 @@ const changed: PlayState = {
 const at = (time: number) => ({ time, value: 0, across: 0, tension: 0, bias: 0 });
 
 describe('a link', () => {
-  it('says nothing of the page as it opens, and everything of another state', () => {
+  it('is empty for the initial state, and complete for any other', () => {
     expect(writeLink(INITIAL)).toBe('');
     expect(readLink('')).toBeNull();
     expect(readLink(`#${writeLink(changed)}`)).toEqual({ state: changed, leftOut: null });
@@ -52,7 +52,7 @@ describe('a link', () => {
     expect(readLink(`#${writeLink(none)}`)?.state.layers).toEqual([]);
   });
 
-  it('keeps times apart, however close', () => {
+  it('distinguishes close times', () => {
     const close: PlayState = { ...changed, keys: [0, 1, 1.00001, 2].map(at), selected: 0, time: 1 };
     expect(readLink(`#${writeLink(close)}`)).toEqual({ state: close, leftOut: null });
   });
@@ -93,13 +93,13 @@ describe('a link', () => {
     expect(leftOut).toContain(`The link has a value that cannot be used and was ignored: ${text.split('=')[0]}`);
   });
 
-  it('says which keys are too close', () => {
+  it('names keys that are too close', () => {
     expect(readLink('#keys=0,0+1e-12,1+2,2&samples=1e5')!.leftOut).toBe(
       'The link has values that cannot be used and were ignored: keys (key 2 must be later than key 1), samples.',
     );
   });
 
-  it('starts at a time that is shown', () => {
+  it('starts at a visible time', () => {
     expect(readLink('#keys=100,0 101,1')!.state.time).toBe(99.8);
     expect(readLink('#keys=100,0 101,1&t=1000')!.state.time).toBe(101.2);
   });
@@ -108,7 +108,7 @@ describe('a link', () => {
 /** Difficult numbers in links. */
 const NUMBERS = [0, 1e-300, 1e-12, 1e-6, 5e-5, 1e-4, 0.02, 1, 1.0001, 2, 1e3, 999_999, 1e6, 1e308, -1e6, NaN, Infinity];
 
-describe('whatever a link holds', () => {
+describe('with any link', () => {
   it('the work is bounded and every number is finite', () => {
     const counts: number[] = [];
     for (const first of [0, -1e6, 999_999, 1e308])
@@ -142,7 +142,7 @@ describe('whatever a link holds', () => {
     expect(counts.length).toBeGreaterThan(100);
   });
 
-  it('keys that are too close for the brute force are drawn without it, with a sentence', () => {
+  it('keys that are too close for brute force are drawn without it, with a message', () => {
     const { state } = readLink('#keys=0,0+1e-4,1+2,2&show=natural samples')!;
     const derived = derive(state);
     expect([state.keys.length, derived.samples, derived.sampleCount]).toEqual([3, [], 20_001]);
@@ -164,7 +164,7 @@ describe('an edit', () => {
     expect(moveKey(spaced, 1, { time: 0.4, value: 0 }).keys[1]!.time).toBe(0.25);
   });
 
-  it('never passes a neighbour that is close, nor leaves what can be shown', () => {
+  it('never passes a close neighbour, nor leaves the shown range', () => {
     const close: PlayState = { ...INITIAL, keys: [0, 0.5, 0.501, 0.502, 1].map(at) };
     for (const time of [-1, 0.5011, 9]) {
       const moved = moveKey(close, 2, { time, value: 1e308 });
@@ -176,7 +176,7 @@ describe('an edit', () => {
     expect(state.keys).toHaveLength(4);
   });
 
-  it('adds a key after the selected one, on the curve; and keeps two', () => {
+  it('adds a key after the selected one, on the curve; two keys always remain', () => {
     const added = addKey(INITIAL, (time) => ({ value: 10 * time, across: time }));
     expect(added.keys[3]).toMatchObject({ time: 0.625, value: 6.25, across: 0.625 });
     expect(added.selected).toBe(3);
@@ -190,7 +190,7 @@ describe('an edit', () => {
     expect([...new Set(times)].sort((a, b) => a - b)).toEqual(times);
   });
 
-  it('shows the curve that it is about', () => {
+  it('shows the curve that it affects', () => {
     expect(setEnds(INITIAL, 'periodic')).toMatchObject({ ends: 'periodic', layers: ['natural', 'periodic'] });
     expect(setShaping(INITIAL, { bias: 0.5 }).layers).toEqual(['natural', 'shaped']);
     expect(setShaping(INITIAL, { bias: 0.5 }).keys[2]).toMatchObject({ bias: 0.5, tension: 0 });

@@ -11,7 +11,7 @@ import type { PlayState } from '../../../web/play/state.ts';
 const of = (state: PlayState) => ({ state, derived: derive(state) });
 
 describe('the notices', () => {
-  it('tell corners from steps of the bend', () => {
+  it('distinguish corners from jumps of the second derivative', () => {
     const straight = of({ ...INITIAL, layers: ['linear', 'natural', 'catmull-rom'] });
     expect(rateNotice(straight.state, straight.derived, 1)).toMatch(
       /corners, .*: Straight lines\..*: Natural cubic, Catmull-Rom/,
@@ -24,7 +24,7 @@ describe('the notices', () => {
     expect(rateNotice(smooth.state, smooth.derived, 2)).toMatch(/No second derivative jumps.*what “natural” means/);
   });
 
-  it('say how much of a key arrives beyond its neighbours', () => {
+  it('state the influence of a key beyond its neighbours', () => {
     const { state, derived } = of(INITIAL);
     const percent = Number(/at most ([\d.]+) %/.exec(curveNotice(state, derived, 'key'))![1]);
     const beyond = [0.02, 0.1, 0.14, 0.2, 0.8, 0.9].map((t) => Math.abs(valueAt(derived.weights[2]!, t)));
@@ -32,7 +32,7 @@ describe('the notices', () => {
     expect(percent).toBeLessThan(25);
   });
 
-  it('say that tension and bias change a slope, and nothing if there are none', () => {
+  it('state that tension and bias change a slope, and are empty without them', () => {
     const plain = of(INITIAL);
     expect(curveNotice(plain.state, plain.derived, 'shaping')).toMatch(
       /slope at key \d+ is that of the natural spline/,
@@ -43,14 +43,14 @@ describe('the notices', () => {
     expect(curveNotice(shaped.state, shaped.derived, 'shaping')).toMatch(/Tension 0\.5 and bias 0 change the slope/);
   });
 
-  it('compare the total bending, of which the natural spline has the least', () => {
+  it('compare the total bending, which is least for the natural spline', () => {
     const { state, derived } = of({ ...INITIAL, layers: ['natural', 'hermite', 'periodic', 'catmull-rom'] });
     const times = [...bendingNotice(state, derived).matchAll(/([\d.]+) times/g)].map(([, n]) => Number(n));
     expect(times).toHaveLength(3);
     for (const one of times) expect(one).toBeGreaterThan(1);
   });
 
-  it('explain a row that is pointed at, and say the sum of the weights at the time', () => {
+  it('explain a row under the pointer, and state the sum of the weights at the time', () => {
     const { state, derived } = of(INITIAL);
     expect(systemNotice(state, derived, 0)).toMatch(/second derivative at key 1 is 0/);
     expect(systemNotice(state, derived, 2)).toMatch(/both sides of key 3/);
@@ -62,7 +62,7 @@ describe('the notices', () => {
 });
 
 describe('the tables', () => {
-  it('hold the curves, their derivatives, weights, system and bending', () => {
+  it('contain the curves, their derivatives, weights, system and bending', () => {
     const { state, derived } = of({ ...INITIAL, layers: ['linear', 'natural'], plane: true });
     const { names, rows, brief } = curveNumbers(state, derived, 0);
     expect(names).toHaveLength(5);
@@ -76,7 +76,7 @@ describe('the tables', () => {
 });
 
 describe('times by distance', () => {
-  it('follow the steps between the keys', () => {
+  it('are proportional to the distances between the keys', () => {
     const wide = withKey(INITIAL, 0, { value: 5 });
     const { times } = derive({ ...wide, spacing: 'difference' });
     expect(times[1]).toBeGreaterThan(0.6);

@@ -25,18 +25,18 @@ const jumps = (curve: Curve, derivative: 1 | 2): number[] =>
   });
 
 describe('the curves', () => {
-  it.each(all)('%s: meet every key', (kind) => {
+  it.each(all)('%s: pass through every key', (kind) => {
     const curve = fitCurve(kind, data, none);
     times.forEach((t, j) => expect(valueAt(curve, t)).toBeCloseTo(values[j]!, 12));
   });
 
-  it.each(smooth)('%s: slope and second derivative go on at the keys', (kind) => {
+  it.each(smooth)('%s: slope and second derivative are continuous at the keys', (kind) => {
     const curve = fitCurve(kind, data, none);
     for (const derivative of [1, 2] as const)
       for (const jump of jumps(curve, derivative)) expect(jump).toBeLessThan(1e-11);
   });
 
-  it('Catmull-Rom and tension go on in slope, not in the second derivative', () => {
+  it('Catmull-Rom and tension have a continuous slope, but not second derivative', () => {
     const shaping = times.map((_, j) => ({ tension: j === 2 ? 0.5 : 0, bias: 0 }));
     for (const curve of [fitCurve('catmull-rom', data, none), fitCurve('shaped', data, { ...none, shaping })]) {
       for (const jump of jumps(curve, 1)) expect(jump).toBeLessThan(1e-11);
@@ -44,7 +44,7 @@ describe('the curves', () => {
     }
   });
 
-  it('natural ends do not bend, Hermite ends have the speeds that are asked for, a loop closes smoothly', () => {
+  it('natural ends do not bend, Hermite ends have the given speeds, a loop closes smoothly', () => {
     const natural = fitCurve('natural', data, none);
     for (const bend of [valueAt(natural, -1, 2), inInterval(natural, 3, 4, 2)]) expect(bend).toBeCloseTo(0, 12);
     const eased = fitCurve('hermite', data, { ...none, speeds: [0, 2] });
@@ -60,7 +60,7 @@ describe('the curves', () => {
     expect(valueAt(loop, start + 0.3 + 2 * (end - start))).toBeCloseTo(valueAt(loop, start + 0.3), 12);
   });
 
-  it('go on straight beyond the keys', () => {
+  it('are straight beyond the keys', () => {
     const natural = fitCurve('natural', data, none);
     expect(valueAt(natural, 6) - valueAt(natural, 5)).toBeCloseTo(valueAt(natural, 4, 1), 12);
     expect(valueAt(natural, 6, 2)).toBe(0);
@@ -80,7 +80,7 @@ describe('the curves', () => {
 });
 
 describe('the system', () => {
-  it('of open ends is tridiagonal, and both ways of solving it agree', () => {
+  it('of open ends is tridiagonal, and both solvers agree', () => {
     for (const ends of ['natural', 'hermite'] as const) {
       const system = slopeSystem(data, ends, [1, 1]);
       system.matrix.forEach((row, i) =>
@@ -117,7 +117,7 @@ describe('bending', () => {
     expect(totalBending(curve) / sum).toBeCloseTo(1, 6);
   });
 
-  it('is least for the natural spline, and without end where there is a corner', () => {
+  it('is least for the natural spline, and infinite with a corner', () => {
     const least = totalBending(fitCurve('natural', data, none), 4);
     for (const kind of ['hermite', 'periodic', 'catmull-rom'] as const)
       expect(totalBending(fitCurve(kind, data, none), 4)).toBeGreaterThan(least);
@@ -125,7 +125,7 @@ describe('bending', () => {
     expect(totalBending(fitCurve('linear', { times, values: times }, none))).toBe(0);
   });
 
-  it('minimised by brute force falls onto the natural spline, with the square of the step', () => {
+  it('minimised by brute force approaches the natural spline, with the square of the step', () => {
     const curve = fitCurve('natural', data, none);
     const error = (samples: number): number => {
       const sampled = leastBending(data, samples);
@@ -138,7 +138,7 @@ describe('bending', () => {
     expect(error(60)).toBeLessThan(0.06);
   });
 
-  it('of the curve through K samples is never less than that of the natural spline, and falls onto it', () => {
+  it('of the curve through K samples is never less than that of the natural spline, and approaches it', () => {
     for (const keys of [data, { times: [0, 1, 2, 3, 4], values }]) {
       const least = totalBending(fitCurve('natural', keys, none));
       const more = (samples: number): number => {
@@ -152,7 +152,7 @@ describe('bending', () => {
     }
   });
 
-  it('of K samples is least: moving any that holds no key adds to it', () => {
+  it('of K samples is least: moving any sample without a key increases it', () => {
     const even = { times: [0, 1, 2, 3, 4], values };
     const { values: path } = leastBending(even, 17);
     const energy = (of: readonly number[]): number =>

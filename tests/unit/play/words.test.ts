@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { number } from '../../../web/play/figures/words.ts';
 
-it('numbers have three digits, however large they are', () => {
+it('numbers of any size have three significant digits', () => {
   expect([0, 1e-5, -0.12345, 396.04, 123_456, -987_654].map(number)).toEqual([
     '0',
     '0',

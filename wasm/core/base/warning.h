@@ -1,4 +1,4 @@
-// Warnings.
+// A warning for users.
 #pragma once
 
 #include <string>

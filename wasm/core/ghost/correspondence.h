@@ -12,7 +12,7 @@ namespace shapespline {
 /// c(f): among the ghost faces around the ghost vertices of f's corners, the one nearest to f's centroid in the
 /// reference pose. Components without a ghost follow the face that carries them. -1 for a face without area. Distances
 /// that differ by rounding count as equal, and ties go to the lower ghost face. onProgress: fraction in [0, 1], called
-/// about every ten thousand faces.
+/// every few ten thousand faces.
 std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopology& topology, const GhostMesh& ghost,
                                     const FractionReport& onProgress);
 

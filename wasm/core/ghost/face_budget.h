@@ -13,7 +13,7 @@ struct FaceBudget {
 };
 
 /// The minimum of a component is half of its share of the target (by number of faces), at least four faces (a
-/// tetrahedron), at most all its faces. The other half of the target goes to parts with the largest error. If the
+/// tetrahedron), at most all its faces. The other half of the target goes to components with the largest error. If the
 /// minima exceed the target, components with the smallest area join their neighbours. The root never joins.
 FaceBudget budgetFaces(const WeldedShape& shape, const ShapeTopology& topology, int target);
 

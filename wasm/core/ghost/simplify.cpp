@@ -32,9 +32,9 @@ constexpr int setUpsPerReport = 16384;
 // Measured share of the work before the first collapse.
 constexpr double setUpShare = 0.2;
 
-// Limits for faces changed by a collapse: cosine of the rotation, and resulting twice the area over the squared longest
-// edge. Later limits apply when no other collapse is left. The values are not round, because round values are frequent
-// in regular meshes.
+// Limits for faces changed by a collapse: the cosine of the angle by which the normal rotates, and twice the resulting
+// area over the squared longest edge. Later limits apply when no other collapse is left. The values are not round,
+// because round values are frequent in regular meshes.
 struct Limits {
   double cosine, flatness;
 };

@@ -10,7 +10,8 @@ namespace shapespline {
 namespace {
 
 constexpr std::size_t fields = 4;  // a constant field, and one along each of three axes
-// Share of its extent below which a pin is flat or a single vertex, and has no field in that direction.
+// Limits below which a pin is flat or a single vertex, and has no field in a direction: relative to the pin's extent,
+// and, for rounding errors, relative to the coordinates.
 constexpr double leastExtent = 1e-3, rounding = 1e-7;
 // Share of a patch's largest gradient. Pulls with smaller gradients barely rotate the patch.
 constexpr double littleGradient = 5e-3;

@@ -13,10 +13,10 @@ constexpr double leastAnchor = 1e-5, mostAnchor = 1e4, anchorTurn = 200 * degree
 // Rotations of the whole between keys at which the rigid fit fades out, because its target is a blend of vertices.
 constexpr double turnsLittle = 30 * degree, turnsFar = 90 * degree;
 constexpr double fitTurnsLittle = 60 * degree, fitTurnsFar = 120 * degree;
-// Range of how well the mean rotation is defined, from 0 to 2.
+// The fit fades in over this range of how well the mean rotation is defined, from 0 to 2.
 constexpr double scattered = 0.1, gathered = 0.5;
 constexpr double inertia = 1e-6;
-// Range of how well the fit is defined, from 0 to 1.
+// The fit fades in over this range of how well it is defined itself, from 0 to 1.
 constexpr double openFit = 0.05, soundFit = 0.7;
 
 // Regularises the fit of nearly collinear shapes.

@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// Rotations of a few degrees determine their fixed point poorly.
+// Regularises the fixed point of rotations. Rotations of a few degrees determine it poorly.
 constexpr double stillness = 1e-3;
 // Number of query vertices for the face nearest to a part without area.
 constexpr int queriesPerGroup = 1000;

@@ -32,7 +32,8 @@ struct Keyframes {
 
 /// Checks the requirements of the method: at least two keys and one face, equal vertex counts, finite numbers, indices
 /// in range, strictly increasing times, and some face with area in every key.
-/// Errors name the key, and the vertex or face.
+/// Errors name the key, and the vertex or face: TooFewKeys, NoTriangles, IndexOutOfRange, VertexCountMismatch,
+/// NotFinite, NoArea, and those of validateTimes.
 Status validate(const Keyframes& keyframes);
 
 /// Error with advice for a key with a different number of vertices than the first. `what`: name of the key in the

@@ -16,7 +16,7 @@ namespace shapespline {
 
 /// Interpolation of the keys: the method first, followed by the baselines.
 enum class Method {
-  Lri,             ///< cubic splines in LRI space (the method)
+  Lri,             ///< cubic splines in LRI space (the paper's method)
   Geodesic,        ///< piecewise linear in LRI space (Kilian et al. 2007, as in Fig. 1)
   Linear,          ///< piecewise linear vertex positions, like morph targets
   CubicVertex,     ///< cubic splines of the vertex positions
@@ -27,7 +27,7 @@ enum class Method {
 /// Whether every vertex moves separately: the vertex baselines.
 constexpr bool blendsVertices(Method method) { return method == Method::Linear || method == Method::CubicVertex; }
 
-/// Whether faces rotate separately, without patches for holding or added turns: the rival spaces.
+/// Whether faces rotate separately. These methods have no patches, so no holding and no added turns.
 constexpr bool turnsFaces(Method method) { return method == Method::RotationStrain || method == Method::Rimd; }
 
 /// Options that only refit the spline. Changing them never encodes again, and factors only for `hold` and `pins`.
@@ -49,7 +49,7 @@ struct MotionOptions {
   bool inPlace = false;               ///< remove the translation accumulated along the sequence
 };
 
-/// Options that change the encoding, and require a new sequence.
+/// Options that change the encoding and require a new shape.
 struct EncodingOptions : LriOptions {
   int reference = 0;  ///< 0-based key, the reference of deformation gradients
   /// hermite: shapes that replace key 2 in the difference at key 1, and key J - 1 in the difference at key J

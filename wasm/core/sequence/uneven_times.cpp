@@ -70,7 +70,7 @@ struct Box {
       for (const Vec3& p : shape.poses[j]) low = low.cwiseMin(p), high = high.cwiseMax(p);
   }
 
-  // In diagonals; infinite for NaN.
+  // Distance from the box in multiples of its diagonal; infinite for NaN.
   double distanceOf(const Vec3& p) const {
     const double out = (p - p.cwiseMax(low).cwiseMin(high)).norm() / (high - low).norm();
     return std::isfinite(out) ? out : std::numeric_limits<double>::infinity();

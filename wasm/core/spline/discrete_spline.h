@@ -22,8 +22,8 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 /// the nearest sample would be first order.)
 class DiscreteSpline {
  public:
-  /// Samples the curve through keyTimes. Costs K^3. Errors: InvalidOption (fewer samples than one per shortest interval
-  /// between keys, or more than mostSamples).
+  /// Samples the curve through keyTimes. Costs K^3. Errors: InvalidOption (fewer than four samples, fewer than one per
+  /// shortest interval between keys, or more than mostSamples).
   static Result<DiscreteSpline> fit(const std::vector<double>& keyTimes, BoundaryKind boundary, const Curve& curve,
                                     int samples);
 

@@ -6,8 +6,8 @@
 
 namespace shapespline {
 
-/// The engine cannot process larger meshes in a browser. The limit also bounds declared counts that have no bytes in
-/// the file.
+/// Most vertices of a file; limits of other counts are multiples of it. The engine cannot process larger meshes in a
+/// browser. The limit also bounds declared counts that have no bytes in the file.
 constexpr std::uint64_t mostElements = 16'000'000;
 
 /// Limits of a JSON document: nesting depth, objects, and total values. The depth exceeds any real file but is safe for
@@ -16,7 +16,7 @@ constexpr std::uint64_t mostElements = 16'000'000;
 constexpr int deepestJson = 100;
 constexpr std::uint64_t mostJsonObjects = 250'000, mostJsonValues = 4'000'000;
 
-/// A reader holds dozens of parameters per material.
+/// Most materials of a file. A reader holds dozens of parameters for each.
 constexpr std::size_t mostMaterials = 16'384;
 
 }  // namespace shapespline

@@ -8,7 +8,7 @@
 
 namespace shapespline {
 
-/// A longer list is useless for choosing.
+/// Most names in a list of objects. A longer list is useless for choosing.
 constexpr std::size_t mostObjects = 1000;
 
 /// Appends a name unless the list has it already.

@@ -9,7 +9,7 @@ namespace shapespline {
 
 namespace {
 
-// Positions of this size still fit a 32-bit address space together with their encoding.
+// Most vertices of all keys together. Their positions and encoding still fit a 32-bit address space.
 constexpr std::uint64_t mostKeyVertices = 60'000'000;
 // A file with more keys is a recording, not a set of key poses.
 constexpr std::size_t mostKeys = 10'000;

@@ -15,7 +15,7 @@ namespace shapespline {
 
 namespace {
 
-// Cost limit, in vertices: `small` for any file, plus `perByte` for each byte of the file.
+// Limit for Amount::inKeys: `small` for any file, plus `perByte` for each byte of the file.
 constexpr std::uint64_t small = 1'000'000, perByte = 16;
 
 // Limits for primitives of all mesh nodes and morph weights of all nodes, far above real scenes.

@@ -43,7 +43,7 @@ std::size_t instanceCount(const GltfDocument& doc, int node);
 /// Transforms of the copies relative to their node. Error: MalformedFile.
 Result<std::vector<Eigen::Affine3d>> readInstances(const GltfDocument& doc, int node);
 
-/// Several times the largest tested mesh.
+/// Most faces of a scene, several times those of the largest tested mesh.
 constexpr std::int64_t mostFaces = 32'000'000;
 
 /// Error for a scene that exceeds a limit.

@@ -306,7 +306,7 @@ struct ObjReader {
 
   bool isFile(std::string_view name) const { return bool(resolveUri(name, file.name, files, where)); }
 
-  // In "./a.mtl ./b.mtl" the text after the last slash may name a separate file.
+  // In "./a.mtl ./b.mtl", isFile alone would accept the whole text because of the last name, b.mtl.
   bool beginsWithLibrary(std::string_view text) const {
     std::string_view rest = text;
     for (std::string_view word = takeWord(rest); !rest.empty(); word = takeWord(rest))

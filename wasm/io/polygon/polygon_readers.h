@@ -14,7 +14,7 @@ namespace shapespline {
 /// Wavefront OBJ with its MTL and textures if given: v (with colours), vt, vn, f, usemtl, mtllib. Lines, points and
 /// curves are ignored. Coordinates belong to corners; a vertex gets the mean of its normals. `objects` selects faces by
 /// object (o, or g in files without o). Errors, with the line number: MalformedFile, IndexOutOfRange, NoTriangles,
-/// TooLarge. InvalidOption for an unknown object.
+/// TooLarge. UnknownObject for a name in `objects` that the file does not have.
 Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,
                             const std::string& where, const FractionReport& onProgress = {});
 

@@ -22,7 +22,7 @@ const MOST_FACES = 100_000;
 const SOME_FACES = 10_000;
 const SOME_INTERVALS = 16;
 
-/** The largest error (rms) of lengths halfway between two keys, as a share; null where nothing can or need be done. */
+/** The largest relative error (rms) of lengths halfway between keys; null if no option helps or none is needed. */
 export async function missedLengths(input: SheetInput): Promise<number | null> {
   const { motion, faces, keys, key, signal } = input;
   if (faces.length / 3 > MOST_FACES) return null;
@@ -137,7 +137,7 @@ function angleAt({ edge: [a, b], sides }: Pair, faces: Uint32Array, positions: F
   return Math.atan2(dot(cross(m, n), along) / size(along), dot(m, n));
 }
 
-/** Twice the area long. */
+/** The normal, with the length of twice the area. */
 function normalOf(faces: Uint32Array, face: number, positions: Float32Array): Vector {
   const [a, b, c] = [faces[3 * face]!, faces[3 * face + 1]!, faces[3 * face + 2]!];
   return cross(between(positions, a, b), between(positions, a, c));

@@ -1,4 +1,4 @@
-/** What own paths of faces do to the error against the animation of the keys. */
+/** Effect of own paths of faces on the error against the animation of the keys. */
 import type { Motion } from '../../engine/api/api.ts';
 import { motionOf } from '../../engine/api/options.ts';
 import { MotionError } from '../../study/motion-error.ts';

@@ -28,7 +28,7 @@ interface Heat {
 export class HeatMap {
   /** The current bar; null if no surface is coloured by amounts. */
   bar: ColourBarProps | null = null;
-  /** The difference that the first view's colours show, if they do. */
+  /** The difference shown by the colours of the first view; null if they show none. */
   difference: Difference | null = null;
   private heat: Heat | null = null;
   /** The amounts of each view, in arrays reused for every frame. */

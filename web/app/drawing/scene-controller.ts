@@ -123,7 +123,7 @@ export class SceneController {
     return this.opening ? [] : this.labels;
   }
 
-  /** The difference of two motions that the first view's colours show, if they do. */
+  /** The difference of two motions shown by the colours of the first view; null if they show none. */
   get difference(): Difference | null {
     return this.heatMap?.difference ?? null;
   }

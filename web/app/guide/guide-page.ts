@@ -14,7 +14,7 @@ export interface Facts {
   volumes: readonly string[];
   stats: SequenceStats;
   stretch: Stretch;
-  /** Milliseconds of the last exact frame. */
+  /** Milliseconds of the last frame. */
   ms: number | null;
 }
 

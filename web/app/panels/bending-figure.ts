@@ -24,8 +24,8 @@ const SHELL = 'squared acceleration of edge lengths and angles, relative, 1/s⁴
 const BENDING_UNIT = 'Relative to the mean deformation energy between keys';
 const CHOICE = 'By edge lengths and angles';
 const CHOICE_HINT =
-  'Measures all methods alike: by the lengths of edges and the angles between faces, as of a thin shell, on a coarse mesh';
-/** In the names of a table's columns. */
+  'Measures all methods in the same way: by edge lengths and the angles between faces, as for a thin shell, on a coarse mesh';
+/** Added to the names of a table's columns. */
 const MEASURE = 'by edge lengths and angles';
 const LEAST_BENDING = 1;
 

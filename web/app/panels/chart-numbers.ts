@@ -2,7 +2,7 @@
 import type { LineChartData } from '../../plots/line-chart.ts';
 import type { FigureNumbers } from './figure-files.ts';
 
-/** A chart without its words. */
+/** A chart without its title and unit. */
 export interface ChartCurves extends Omit<LineChartData, 'title' | 'unit'> {
   /** What is measured, for the names in a table, where a chart has a choice. */
   measure?: string;

@@ -94,7 +94,7 @@ function chartOf(
     values: mean,
     style: lineStyle(name),
   }));
-  const unit = `mean over the vertices from ${against}, % of the model’s size`;
+  const unit = `mean distance of the vertices from ${against}, % of the model’s size`;
   return { unit, times, keyTimes, range, include: 0, series };
 }
 

@@ -137,7 +137,7 @@ function blendOverlay({ method, points }: BlendCurve): PlaneOverlay {
 function minimisedWords({ energy, splineEnergy, off }: MinimisedCurve, samples: number): string {
   const more = energy > 0 ? Math.abs(splineEnergy / energy - 1) : 0;
   return (
-    `The ${samples}-sample minimiser is within ${percent(off)} of the keys\u2019 extent of the spline. ` +
+    `The minimiser with ${samples} samples is at most ${percent(off)} of the keys\u2019 extent away from the spline. ` +
     `Its bending energy differs by at most ${percent(more)}.`
   );
 }

@@ -18,7 +18,7 @@ export type ShownMotions = Pick<View, 'compare' | 'ghostDifference' | 'ghostSize
 /** Ghost mesh sizes shown side by side, as multiples of the chosen size (Fig. 7). */
 const SIZES = [2, 4];
 
-/** One motion per variant; all else is shared. */
+/** One motion per variant; everything else is shared. */
 export interface SequencePlan {
   order: number[];
   names: string[];
@@ -66,7 +66,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   };
 }
 
-/** Compares a motion that departs from the published method with that. */
+/** Compares a motion that departs from the published method with the published one. */
 function besideMethod(doc: Doc, other: Method): Omit<Variant, 'ghost'>[] {
   if (other !== doc.motion.method) return [{ method: other }];
   return departs(doc) ? [{ method: other, plain: true }] : [];

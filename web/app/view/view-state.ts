@@ -39,11 +39,11 @@ export interface ViewState {
   seen: Seen;
   errorMessage: ErrorMessage | null;
   stats: SequenceStats | null;
-  /** Milliseconds of the last exact frame. */
+  /** Milliseconds of the last frame. */
   ms: number | null;
-  /** Number of threads for an exact frame; null before the first frame. */
+  /** Number of threads for a frame; null before the first frame. */
   threads: number | null;
-  /** Number of indefinite faces in the last exact frame, and one of them; -1 if unknown. */
+  /** Number of indefinite faces in the last frame, and one of them; -1 if unknown. */
   indefinite: number;
   indefiniteFace: number;
   /** Thumbnails by pose index. */

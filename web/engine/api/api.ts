@@ -43,7 +43,7 @@ export interface Engine {
   warmFiles(): void;
   /** Makes keys from poses given as arrays. Does not load the module for files. */
   createKeys(mesh: KeyMesh, call?: CallOptions): Promise<Keys>;
-  /** Copies the keys to a new worker, which ends if the call is cancelled. */
+  /** Makes a shape: copies the keys to a new worker, which ends if the call is cancelled. */
   encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape>;
   /** A shape with one motion. */
   createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;

@@ -191,7 +191,7 @@ export const MOTION = {
     choices: ['natural', 'hermite', 'periodic'],
     default: 'natural',
     flag: 'boundary',
-    help: 'natural (default) has no bending at the ends, hermite has --start-speed and --end-speed there, periodic is a loop',
+    help: 'natural (default) has no bending at the ends, hermite has the speeds --start-speed and --end-speed there, periodic is a loop',
     page: 'boundary',
     undo: 'ends',
   },
@@ -203,7 +203,7 @@ export const MOTION = {
     default: 1,
     flag: 'start-speed',
     value: 'S',
-    help: 'speed at the first key (boundary hermite), relative to the speed between the first two keys; 0 eases in',
+    help: 'speed at the first key (boundary hermite), relative to the mean speed between the first two keys; 0 eases in; default: 1',
     page: 'startSpeed',
     undo: 'start speed',
   },
@@ -215,7 +215,7 @@ export const MOTION = {
     default: 1,
     flag: 'end-speed',
     value: 'S',
-    help: 'speed at the last key (boundary hermite), relative to the speed between the last two keys; 0 eases out',
+    help: 'speed at the last key (boundary hermite), relative to the mean speed between the last two keys; 0 eases out; default: 1',
     page: 'endSpeed',
     undo: 'end speed',
   },
@@ -227,7 +227,9 @@ export const MOTION = {
     default: null,
     flag: 'period',
     value: 'P',
-    help: 'length of one period (boundary periodic)',
+    help:
+      'length of one period in seconds (boundary periodic); default: from the first to the last key if their poses are ' +
+      'equal, otherwise one mean interval longer',
     page: 'period',
     undo: 'period',
   },
@@ -339,7 +341,7 @@ export const PER_KEY = {
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
-/** Options that change the encoding and require a new sequence. */
+/** Options that change the encoding and require a new shape or sequence. */
 export const ENCODING = {
   /** Index of the key that deformation gradients are measured from, 0-based. */
   reference: {
@@ -415,7 +417,7 @@ export const ENCODING = {
     formerly: { double: 'exact' },
     default: 'single',
     flag: 'precision',
-    help: 'exact uses double-precision coordinates and refines the solution to that precision',
+    help: 'exact uses double-precision coordinates and refines the solution to that precision; default: single',
   },
   /** Hermite: a shape that replaces the neighbouring key in the difference at that end. */
   startTangent: {
@@ -453,7 +455,7 @@ export const IMPORT = {
     value: 'T,T,...',
     help: "times of the keys in seconds; default: the animation's own, or one second apart",
   },
-  /** Name or index of the animation to sample keys from; default: the first. */
+  /** Name or index of the animation to sample keys from; default: the first one that moves. */
   animation: {
     kind: 'animation',
     flag: 'animation',
@@ -565,7 +567,7 @@ export const EXPORT = {
     default: null,
     flag: 'fps',
     value: 'F',
-    help: 'frames per second; frames are at multiples of 1/F seconds, as in animation programs; a GLB also has the times of the keys',
+    help: 'frames per second; frames are at multiples of 1/F seconds of the motion (or of the exported animation, with --duration); a GLB also has the times of the keys',
   },
   /**
    * Largest error of a vertex in GLB playback, in percent of the bounding box's diagonal. Without it, every frame is
@@ -594,7 +596,7 @@ export const EXPORT = {
     choices: ['none', 'quantized', 'meshopt'],
     default: 'none',
     flag: 'compression',
-    help: 'coordinates of a GLB: with quantized, 16 bits each (KHR_mesh_quantization); with meshopt, also compressed (EXT_meshopt_compression)',
+    help: 'coordinates of a GLB: with quantized, 16 bits each (KHR_mesh_quantization); with meshopt, also compressed (EXT_meshopt_compression); default: none',
   },
   /** First and last time; default: first and last key. */
   range: {

@@ -28,7 +28,7 @@ export type MotionOptions = ValuesOf<typeof MOTION> & PerKey;
 const NO_LISTS = Object.fromEntries(Object.keys(PER_KEY).map((name) => [name, []])) as unknown as PerKey;
 export const MOTION_DEFAULTS: Readonly<MotionOptions> = { ...defaultsOf(MOTION), ...NO_LISTS };
 
-/** Options that change the encoding and require a new sequence. */
+/** Options that change the encoding and require a new shape or sequence. */
 export type EncodingOptions = ValuesOf<typeof ENCODING>;
 export const ENCODING_DEFAULTS: Readonly<EncodingOptions> = defaultsOf(ENCODING);
 
@@ -276,7 +276,7 @@ export interface SequenceStats {
   /** Size of the stored factor with entries and row lists. A solve reads it twice. */
   factorBytes: number;
   /**
-   * Times of the last exact frame: local frames; splined faces and right-hand side; solve; vertex positions; normals.
+   * Times of the last frame: local frames; splined faces and right-hand side; solve; vertex positions; normals.
    */
   localFramesMs: number;
   facesMs: number;
@@ -288,7 +288,7 @@ export interface SequenceStats {
   /** Bytes of the wasm heap, which never shrinks, and the bytes in use. */
   heapBytes: number;
   usedBytes: number;
-  /** Threads per exact frame: 2 if that proved faster. */
+  /** Threads per frame: 2 if that proved faster. */
   threads: 1 | 2;
 }
 

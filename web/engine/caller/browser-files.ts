@@ -5,7 +5,7 @@ import type { WorkerFiles } from '../wire/protocol.ts';
 /** A worker or its replacement. */
 export interface StartedWorker
   extends Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onmessageerror' | 'onerror'> {
-  /** It did not start, and its script sent no message. */
+  /** The worker did not start, and its script sent no message. */
   readonly silent?: boolean;
 }
 

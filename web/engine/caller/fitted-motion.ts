@@ -207,7 +207,7 @@ class Fit {
     return positions;
   }
 
-  /** `open`: warnings of the keys themselves, whose halves may turn too little for one. */
+  /** `open`: warnings about the user's keys. Between fitted shapes, rotations may be too small for them. */
   private async motionThrough({ shapes, failed }: Fitted, open: readonly Warning[]): Promise<FittedMotion> {
     const { keys, encoding, encode } = this.shape.parts;
     const at = (key: number): number => this.times.findIndex((one) => one.key === key);

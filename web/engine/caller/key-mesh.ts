@@ -9,9 +9,9 @@ import { sharedFloats } from '../wire/shared-floats.ts';
 export function keysOfMesh(mesh: KeyMesh): Omit<KeyData, 'info'> & { info: Omit<KeysInfo, 'report'> } {
   const { faces, poses, scene } = mesh;
   if (!(faces instanceof Uint32Array) || faces.length % 3 > 0)
-    throw invalidOption('faces must be a Uint32Array of 3 x faces.');
+    throw invalidOption('faces must be a Uint32Array with three vertices per face.');
   if (!poses.every(({ positions }) => positions instanceof Float32Array && positions.length % 3 === 0))
-    throw invalidOption('The positions of a pose must be a Float32Array of 3 x vertices.');
+    throw invalidOption('The positions of a pose must be a Float32Array with three numbers per vertex.');
   return {
     info: {
       names: poses.map(({ name }) => String(name)),

@@ -21,7 +21,7 @@ export class PatientWorker implements StartedWorker {
   onmessage: StartedWorker['onmessage'] = null;
   onmessageerror: StartedWorker['onmessageerror'] = null;
   onerror: StartedWorker['onerror'] = null;
-  /** The last method ended in silence. */
+  /** The script of the last method sent no message. */
   silent = false;
   private readonly ways: Way[];
   private worker: StartedWorker | null = null;

@@ -36,7 +36,7 @@ export class ShapeClient implements Shape {
   private motions = 0;
   private hasLri = false;
   private over = false;
-  /** Motions that end with it. */
+  /** Fitted motions that end with this shape. */
   readonly led = new Set<FittedMotion>();
   /** The mesh on which bending is measured, once it is made. */
   readonly coarse: { mesh: CoarseMesh | null } = { mesh: null };
@@ -80,7 +80,7 @@ export class ShapeClient implements Shape {
     return needsLri && !this.hasLri ? this.makeWithLri(motion, call) : this.ask('motion', { motion, order: null });
   }
 
-  /** The motion is no longer needed. */
+  /** Releases a motion in the worker. */
   drop(motion: MotionSpec): void {
     // A worker that has ended has nothing to release.
     if (!this.over && this.client.alive) this.client.call('drop', { motion }).catch(() => undefined);

@@ -11,7 +11,7 @@ const MOST = 16;
 export class Motions {
   /** Handles by number, most recently used last. */
   private readonly handles = new Map<number, number>();
-  /** The newest motion with holding; the next one reuses its factored system. */
+  /** The newest motion with holding or pins; the next one reuses its factored system. */
   private holding: number | null = null;
 
   /** A failure does not affect the other motions. */

@@ -10,7 +10,7 @@ import type { Shown } from '../derived.ts';
 import type { Panel } from '../panels.ts';
 import { number } from './words.ts';
 
-/** Displays the shown state. */
+/** A part of a figure that displays the shown state. */
 export interface Part<E extends Element> {
   element: E;
   update(shown: Shown): void;

@@ -121,7 +121,7 @@ export function stepped(
   return { along: along + by[0]! * scale * lengthOf(x.domain), value: value + by[1]! * scale * lengthOf(y.domain) };
 }
 
-/** Size of a page pixel along either axis. */
+/** Data units per pixel of the page, along either axis. */
 function pixelOf(picture: SVGSVGElement, { x, y }: Axes): KeyPlace {
   const { width } = picture.viewBox.baseVal;
   const perPixel = width / picture.getBoundingClientRect().width;

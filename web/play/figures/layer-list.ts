@@ -1,4 +1,4 @@
-/** Switches for the curves, each with a bar of its total bending relative to the smallest. */
+/** Switches for the curves, each with a bar of its total bending relative to the largest. */
 import { svg, h, setAttribute, setHidden, setStyle, setText } from '../../ui/dom.ts';
 import type { Derived } from '../derived.ts';
 import type { Layer, PlayState } from '../state.ts';

@@ -11,7 +11,7 @@ type Place = (numbers: number[], t: number) => readonly [number, number];
 
 const STEPS = 28;
 
-/** The pieces of a curve between keys, each as [time, numbers] pairs; a loop continues to `until`. */
+/** The pieces of a curve between keys, up to the time `until`, each as [time, numbers] pairs. */
 export function pieces(curves: Curves, derivative: Derivative, until: number): [number, number[]][][] {
   const { times } = curves[0]!;
   return times.slice(0, -1).flatMap((from, interval) => {
@@ -26,7 +26,7 @@ export function pieces(curves: Curves, derivative: Derivative, until: number): [
   });
 }
 
-/** One path per piece; pieces are joined if no curve jumps. */
+/** One path per piece; pieces are joined where the curve does not jump. */
 export function curveLines(
   layer: Layer,
   curves: Curves,

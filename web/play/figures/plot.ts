@@ -1,4 +1,4 @@
-/** A plot with axes over the keys, as wide as its column and redrawn when the width changes. */
+/** A plot with axes, as wide as its column and redrawn when the width changes. */
 import { make, text } from '../../plots/svg-parts.ts';
 import { linearScale, tickLabel, ticks } from '../../plots/scale.ts';
 import type { Scale } from '../../plots/scale.ts';

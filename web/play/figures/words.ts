@@ -21,7 +21,7 @@ export const LAYER_WORDS: Record<Layer, { name: string; what: string }> = {
 
 export const ENDS_WORDS: Record<Ends, string> = { natural: 'Free', hermite: 'Given speeds', periodic: 'Loop' };
 
-/** Three digits, a proper minus sign, powers of ten for large numbers, and a dash for missing values. */
+/** Three significant digits, a proper minus sign, powers of ten for large numbers, and a dash for missing values. */
 export function number(value: number): string {
   if (Number.isNaN(value)) return '–';
   if (value === Infinity) return '∞';

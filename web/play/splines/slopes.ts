@@ -80,7 +80,7 @@ export function shapedSlopes(data: Data, ends: Ends, slopes: readonly number[], 
   });
 }
 
-/** Period of a loop: the interval from the last key to the first equals the mean interval. */
+/** Period of a loop: the interval from the last key to the first is the mean of the others. */
 export function loopTime(times: readonly number[]): number {
   return (times.at(-1)! - times[0]!) / (times.length - 1);
 }
