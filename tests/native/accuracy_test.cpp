@@ -9,8 +9,7 @@
 #include "shapes.h"
 #include "sweep.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::accuracy_test {
 
 namespace {
 
@@ -100,3 +99,5 @@ TEST_CASE("accuracy: a fox, Run") { check(table[3]); }
 TEST_CASE("accuracy: a soldier, Idle" * dense) { check(table[4]); }
 TEST_CASE("accuracy: a soldier, Run" * dense) { check(table[5]); }
 TEST_CASE("accuracy: a soldier, Walk") { check(table[6]); }
+
+}  // namespace shapespline::test::accuracy_test

@@ -11,8 +11,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::agreement_test {
 using Json = nlohmann::json;
 
 namespace {
@@ -73,3 +72,5 @@ TEST_CASE("agreement: native shapes of keys in float match those required of was
   // The keys before rounding, which the engine never receives.
   CHECK(farthest(shapesOf(keysOf<double>(shared), shared), expected) > 1e-6 * diagonal);
 }
+
+}  // namespace shapespline::test::agreement_test

@@ -11,8 +11,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::canonical_order_test {
 
 namespace {
 
@@ -229,3 +228,5 @@ TEST_CASE("the motion of real shapes is the same for any order in the file") {
     checkSameMotion(k, 2, withGhost(400));
   }
 }
+
+}  // namespace shapespline::test::canonical_order_test

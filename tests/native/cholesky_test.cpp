@@ -11,8 +11,7 @@
 
 #include "laplacian_meshes.h"
 
-using namespace shapespline;
-using namespace shapespline::testing;
+namespace shapespline::test::cholesky_test {
 
 namespace {
 
@@ -365,3 +364,5 @@ TEST_CASE("cholesky: factoring again with other values uses them") {
   REQUIRE(cholesky.factorise(matrix).ok());
   CHECK((4.0 * solve<double>(cholesky, b) - before).cwiseAbs().maxCoeff() == 0.0);
 }
+
+}  // namespace shapespline::test::cholesky_test

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace shapespline;
+namespace shapespline::test::compressed_rows_test {
 
 namespace {
 
@@ -55,3 +55,5 @@ TEST_CASE("no rows have no items") {
   CHECK(rows.count() == 0);
   CHECK(rows.item.empty());
 }
+
+}  // namespace shapespline::test::compressed_rows_test

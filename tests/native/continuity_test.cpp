@@ -10,8 +10,7 @@
 #include "shapes.h"
 #include "shapes/random.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::continuity_test {
 
 namespace {
 
@@ -288,3 +287,5 @@ TEST_CASE("a warning states beyond which keys noise has an effect") {
   closed.boundary = BoundaryKind::Periodic;
   CHECK(sequenceOf(wrungBar({0, 140, 0, -140}), doublePrecision(), closed).warnings().empty());
 }
+
+}  // namespace shapespline::test::continuity_test

@@ -11,8 +11,7 @@
 #include "core/spline/discrete_spline.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::discrete_spline_test {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -184,3 +183,5 @@ TEST_CASE("discrete path: the feature vector of a sequence converges to the spli
     CHECK(s->featureCurve()->discretePath(2).error().code == ErrorCode::InvalidOption);
   }
 }
+
+}  // namespace shapespline::test::discrete_spline_test

@@ -9,8 +9,7 @@
 #include "shapes.h"
 #include "shapes/bench_mesh.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::elimination_order_test {
 
 namespace {
 
@@ -85,3 +84,5 @@ TEST_CASE("elimination order: errors are those of the sequence") {
   REQUIRE_FALSE(order.ok());
   CHECK(order.error().code == ErrorCode::InvalidOption);
 }
+
+}  // namespace shapespline::test::elimination_order_test

@@ -12,8 +12,7 @@
 #include "files.h"
 #include "io/numbered_files.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::everyday_files_test {
 
 namespace {
 
@@ -187,7 +186,7 @@ TEST_CASE("decimal commas are refused with the line and advice") {
   checkRefused("a.obj", bytesOf("v 1, 2, 3\n"), "a vertex needs three numbers");
   Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + faceLine));
   files.add("b.obj", bytesOf(squareObj(1) + faceLine)).add("a.mtl", bytesOf("newmtl red\nKd 0,8 0 0\n"));
-  CHECK(::says(imported(files), "missing-materials", "decimal comma"));
+  CHECK(everyday_files_test::says(imported(files), "missing-materials", "decimal comma"));
 }
 
 TEST_CASE("files of other programs are refused with their type and advice") {
@@ -306,3 +305,5 @@ TEST_CASE("faces that are all equal or share an edge are matched and ordered in 
     CHECK(import.keyframes.faceCount() == count);
   }
 }
+
+}  // namespace shapespline::test::everyday_files_test

@@ -9,8 +9,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::extrapolation_test {
 
 namespace {
 
@@ -182,3 +181,5 @@ TEST_CASE("real animals keep their size beyond the keys, with logarithmic stretc
     CHECK(worst < 2 * largest);
   }
 }
+
+}  // namespace shapespline::test::extrapolation_test

@@ -12,8 +12,7 @@
 #include "io/export.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::far_offset_test {
 
 namespace {
 
@@ -158,7 +157,7 @@ TEST_CASE("keys of survey coordinates are as exact as at the origin, for any for
         for (int key = 0; key < 2; ++key) {
           Positions expected = key == 0 ? first : second;
           for (Vec3& p : expected) p = unit * (zUp ? Vec3(p.x(), p.z(), -p.y()) : p);
-          CHECK(largestDistance(asComputed(import, key), expected) < 3e-7 * ::diagonalOf(expected));
+          CHECK(largestDistance(asComputed(import, key), expected) < 3e-7 * diagonalOf(expected));
         }
       }
 }
@@ -180,7 +179,7 @@ TEST_CASE("the offset is a power of two times a whole number: subtracting and ad
       for (Positions* pose : {&first, &second})
         for (Vec3& p : *pose) p *= scale;
       const Import import = imported(Files().add("a.obj", objOf(first)).add("b.obj", objOf(second)));
-      const double step = std::exp2(std::floor(std::log2(::diagonalOf(first))));
+      const double step = std::exp2(std::floor(std::log2(diagonalOf(first))));
       for (double x : import.offset) CHECK(std::fmod(x, step) == 0);
       for (std::size_t v = 0; v < first.size(); ++v)
         CHECK(import.keyframes.keys[0].positions[v] + import.offset == first[v]);
@@ -375,3 +374,5 @@ TEST_CASE("shapes that are not finite are not written") {
   CHECK(writePly(positions, farBar.faces).error().code == ErrorCode::NotFinite);
   CHECK(writePoseGlb(positions, {}, farBar.faces, {}).error().code == ErrorCode::NotFinite);
 }
+
+}  // namespace shapespline::test::far_offset_test

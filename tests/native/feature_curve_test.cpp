@@ -7,8 +7,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::feature_curve_test {
 
 namespace {
 
@@ -217,3 +216,5 @@ TEST_CASE("the stretch of a patch is weighted by area, so slivers count little")
   CHECK(whole == doctest::Approx(sum / total));
   CHECK(std::abs(whole - plain / count) > 1e-3);
 }
+
+}  // namespace shapespline::test::feature_curve_test

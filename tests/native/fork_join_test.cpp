@@ -12,7 +12,7 @@
 
 #include "helper_thread.h"
 
-using namespace shapespline;
+namespace shapespline::test::fork_join_test {
 
 TEST_CASE("forkJoin: without a helper all is done by the caller") {
   ForkJoin forkJoin;
@@ -92,3 +92,5 @@ TEST_CASE("forkJoin: a helper that does not respond is abandoned, and has no lat
 }
 
 #endif
+
+}  // namespace shapespline::test::fork_join_test

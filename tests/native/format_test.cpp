@@ -8,7 +8,7 @@
 #include "core/base/format.h"
 #include "io/base/byte_text.h"
 
-using namespace shapespline;
+namespace shapespline::test::format_test {
 
 TEST_CASE("short numbers are written like printf's %.6g") {
   std::vector<double> numbers = {0,         -0.0,    1,       10,     -3,     0.1,       1.5,      123456,
@@ -33,3 +33,5 @@ TEST_CASE("sizes are written with one decimal") {
   CHECK(sizeText(12'340'000) == "12.3 MB");
   CHECK(sizeText(4'270'000'000) == "4.3 GB");
 }
+
+}  // namespace shapespline::test::format_test

@@ -7,8 +7,7 @@
 
 #include "gltf_maker.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::gltf_animation_test {
 
 namespace {
 
@@ -251,3 +250,5 @@ TEST_CASE("sample times beyond the animation are clamped, with a warning") {
   options.sampleCount = 2'000'000'000;
   CHECK(Files().add("m.glb", maker.glb()).import(options).error().code == ErrorCode::TooLarge);
 }
+
+}  // namespace shapespline::test::gltf_animation_test

@@ -9,8 +9,7 @@
 #include "gltf_maker.h"
 #include "io/file_kind.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::gltf_broken_test {
 
 namespace {
 
@@ -552,3 +551,5 @@ TEST_CASE("every truncated file is refused or imported, and never read past its 
   for (std::size_t size = 0; size + 1 < text.size(); size += 1 + size / 97)
     CHECK(!Files().add("m.gltf", Bytes(text.begin(), text.begin() + static_cast<long>(size))).import().ok());
 }
+
+}  // namespace shapespline::test::gltf_broken_test

@@ -5,8 +5,7 @@
 
 #include "gltf_maker.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::gltf_reader_test {
 
 namespace {
 
@@ -410,3 +409,5 @@ TEST_CASE("files that only accompany meshes are not keys") {
                                      .add("b.glb", boxFile(1).glb()));
   CHECK(import.keyframes.keyCount() == 2);
 }
+
+}  // namespace shapespline::test::gltf_reader_test

@@ -7,8 +7,7 @@
 #include "gltf_maker.h"
 #include "io/gltf/gltf_extensions.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::gltf_scene_test {
 
 namespace {
 
@@ -511,3 +510,5 @@ TEST_CASE("indices of lists must be whole numbers in range") {
   CHECK(says(with([](json& doc) { doc["nodes"][1]["children"] = {-1}; }), "\"children\" is negative"));
   CHECK(says(with([](json& doc) { doc["nodes"][1]["children"] = {0.5}; }), "\"children\" is not a whole number"));
 }
+
+}  // namespace shapespline::test::gltf_scene_test

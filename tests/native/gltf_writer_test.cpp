@@ -7,8 +7,7 @@
 #include "io/export.h"
 #include "io/gltf/glb_container.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::gltf_writer_test {
 
 namespace {
 
@@ -581,3 +580,5 @@ TEST_CASE("single poses are restored from GLB, OBJ and PLY, bit for bit") {
     CHECK(floats(import->keyframes.keys[1].positions) == positions);
   }
 }
+
+}  // namespace shapespline::test::gltf_writer_test

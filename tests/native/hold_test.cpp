@@ -16,8 +16,7 @@
 #include "shapes.h"
 #include "sweep.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::hold_test {
 
 namespace {
 
@@ -570,3 +569,5 @@ TEST_CASE("holding a walking man agrees with another implementation") {
     CHECK(slid(dense, shapes, every, diagonal) < 1.03 * slide[column]);
   }
 }
+
+}  // namespace shapespline::test::hold_test

@@ -7,8 +7,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::invariants_test {
 
 namespace {
 
@@ -266,3 +265,5 @@ TEST_CASE("nothing is encoded or factored again while scrubbing, toggling and mo
   CHECK(s.stats().factorMs == before.factorMs);
   CHECK(s.stats().solves == before.solves + 3 * static_cast<long long>(slider.size()));
 }
+
+}  // namespace shapespline::test::invariants_test

@@ -7,8 +7,7 @@
 #include "gltf_maker.h"
 #include "real_data.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::join_keys_test {
 
 namespace {
 
@@ -440,3 +439,5 @@ TEST_CASE("Blender's poses: flat shading, other diagonals, modifiers that are no
   CHECK(still->warnings[0].code == "same-poses");
   CHECK(still->warnings[0].message.find("bones are at rest") != std::string::npos);
 }
+
+}  // namespace shapespline::test::join_keys_test

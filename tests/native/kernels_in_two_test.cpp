@@ -13,14 +13,13 @@
 #include "core/sparse/cholesky.h"
 #include "laplacian_meshes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::kernels_in_two_test {
 
 namespace {
 
-testing::PlainMesh sheet() {
-  testing::Random random(1);
-  return testing::irregularSheet(40, 30, random);
+PlainMesh sheet() {
+  Random random(1);
+  return irregularSheet(40, 30, random);
 }
 
 std::vector<int> ascending(std::size_t count) {
@@ -44,7 +43,7 @@ void checkSameBits(const Run& run) {
 
 template <class Real>
 std::vector<Real> solution(const Cholesky& cholesky, ForkJoin* forkJoin) {
-  testing::Random random(3);
+  Random random(3);
   std::vector<Real> x(4 * static_cast<std::size_t>(cholesky.paddedSize()), Real(0));
   for (const int i : cholesky.eliminationPosition())
     for (int k = 0; k < 3; ++k) x[4 * static_cast<std::size_t>(i) + k] = static_cast<Real>(random.signedUnit());
@@ -66,8 +65,8 @@ std::vector<Real> rightHandSide(const FaceKernel<Real>& kernel, const FaceCoordi
 }  // namespace
 
 TEST_CASE_TEMPLATE("in two: a solve", Real, float, double) {
-  const testing::PlainMesh mesh = sheet();
-  const SymmetricMatrix matrix = testing::pinnedLaplacian(mesh);
+  const PlainMesh mesh = sheet();
+  const SymmetricMatrix matrix = pinnedLaplacian(mesh);
   Cholesky cholesky;
   REQUIRE(cholesky.analyse(matrix, mesh.positions, sizeof(Real) == 4 ? Precision::Single : Precision::Double).ok());
   REQUIRE(cholesky.factorise(matrix).ok());
@@ -75,7 +74,7 @@ TEST_CASE_TEMPLATE("in two: a solve", Real, float, double) {
 }
 
 TEST_CASE_TEMPLATE("in two: the right-hand side of faces", Real, float, double) {
-  const testing::PlainMesh mesh = sheet();
+  const PlainMesh mesh = sheet();
   WeldedShape shape;
   shape.faces = mesh.faces;
   shape.keys = 1;
@@ -85,7 +84,7 @@ TEST_CASE_TEMPLATE("in two: the right-hand side of faces", Real, float, double) 
                                 vertices);
   FaceCoordinates<Real> coordinates(faces, 2, Real(1));
   coordinates.store();
-  testing::Random random(2);
+  Random random(2);
   for (int f = 0; f < faces; ++f)
     for (int c = 0; c < 2; ++c)
       for (int k = 0; k < 6; ++k)
@@ -95,7 +94,7 @@ TEST_CASE_TEMPLATE("in two: the right-hand side of faces", Real, float, double) 
 }
 
 TEST_CASE("in two: normals of vertices") {
-  const testing::PlainMesh mesh = sheet();
+  const PlainMesh mesh = sheet();
   const std::vector<int> own = ascending(mesh.positions.size());
   const VertexNormals drawing(mesh.faces, own, static_cast<int>(own.size()), own);
   std::vector<float> places;
@@ -109,5 +108,7 @@ TEST_CASE("in two: normals of vertices") {
     return positions;
   });
 }
+
+}  // namespace shapespline::test::kernels_in_two_test
 
 #endif

@@ -13,12 +13,9 @@
 #include "core/rotation/rotation.h"
 #include "laplacian_meshes.h"
 
-using namespace shapespline;
+namespace shapespline::test::kernels_test {
 
 namespace {
-
-using testing::PlainMesh;
-using testing::Random;
 
 // A bumpy sheet whose number of faces is not a multiple of the block size.
 PlainMesh sheet() {
@@ -321,3 +318,5 @@ TEST_CASE("kernels: a spline blend of many columns equals the complete one, up t
   for (const auto& column : list.stored) left -= std::abs(weights[column.column]);
   CHECK(10 * left < 6e-8);  // for numbers of size ten, half a rounding step of a sum of size one
 }
+
+}  // namespace shapespline::test::kernels_test

@@ -6,8 +6,7 @@
 #include "core/base/format.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::keyframes_test {
 
 namespace {
 
@@ -120,3 +119,5 @@ TEST_CASE("invalid options are refused and change nothing") {
   REQUIRE(s->evaluate(0.3, after).ok());
   CHECK(before.positions == after.positions);
 }
+
+}  // namespace shapespline::test::keyframes_test

@@ -13,26 +13,9 @@
 
 #include "core/base/types.h"
 #include "core/sparse/sparse_matrix.h"
+#include "shapes/random.h"
 
-namespace shapespline::testing {
-
-/// Reproducible everywhere, unlike the distributions of <random> (splitmix64).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return z ^ (z >> 31);
-  }
-  /// In [-1, 1).
-  double signedUnit() { return static_cast<double>(next() >> 11) * 0x1.0p-52 - 1.0; }
-  int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
-
- private:
-  std::uint64_t state_;
-};
+namespace shapespline::test {
 
 struct PlainMesh {
   std::vector<Vec3> positions;
@@ -154,4 +137,4 @@ inline SymmetricMatrix pinnedLaplacian(const PlainMesh& mesh) {
   return assembleSymmetric(static_cast<int>(mesh.positions.size()), triplets);
 }
 
-}  // namespace shapespline::testing
+}  // namespace shapespline::test

@@ -5,8 +5,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::loose_parts_test {
 
 namespace {
 
@@ -100,3 +99,5 @@ TEST_CASE("a hat that is one point in some key stays in place on the shape") {
     }
   }
 }
+
+}  // namespace shapespline::test::loose_parts_test

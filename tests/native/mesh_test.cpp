@@ -11,8 +11,7 @@
 #include "core/mesh/weld.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::mesh_test {
 
 namespace {
 
@@ -292,3 +291,5 @@ TEST_CASE("a triangle without area in one key only passes through its keys") {
     CHECK(largestDistance(p, key.positions) < 1e-9 * diagonalOf(k));
   }
 }
+
+}  // namespace shapespline::test::mesh_test

@@ -10,8 +10,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::mirrored_test {
 
 namespace {
 
@@ -169,3 +168,5 @@ TEST_CASE("poses of real shapes: none is mirrored, and each is when it is mirror
     CHECK(mirroredOf(withMirrored(k, last)) == std::vector{last});
   }
 }
+
+}  // namespace shapespline::test::mirrored_test

@@ -7,8 +7,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::motion_test {
 
 namespace {
 
@@ -207,3 +206,5 @@ TEST_CASE("the keys are in their own principal plane, and the spline bends less 
   CHECK(s.featureCurve()->bendingEnergy({0.5})[0] > 10 * spline);
   CHECK(s.featureCurve()->bendingEnergy({0.25})[0] < 1e-6 * s.featureCurve()->bendingEnergy({0.5})[0]);
 }
+
+}  // namespace shapespline::test::motion_test

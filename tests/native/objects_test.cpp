@@ -5,8 +5,7 @@
 
 #include "gltf_maker.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::objects_test {
 
 namespace {
 
@@ -266,3 +265,5 @@ TEST_CASE("many objects without names do not take quadratic time") {
   CHECK(import.matches.size() == 1000);
   CHECK(import.keyframes.keys[0].positions == import.keyframes.keys[1].positions);
 }
+
+}  // namespace shapespline::test::objects_test

@@ -14,8 +14,7 @@
 #include "core/sparse/symbolic.h"
 #include "laplacian_meshes.h"
 
-using namespace shapespline;
-using namespace shapespline::testing;
+namespace shapespline::test::ordering_test {
 
 namespace {
 
@@ -250,3 +249,5 @@ TEST_CASE("ordering: nested dissection works on graphs that are not meshes") {
     for (int i = 300; i < size; ++i) hubs.emplace_back(hub, i);
   CHECK(isPermutation(nestedDissectionOrder(graphFromEdges(size, hubs), scattered), size));
 }
+
+}  // namespace shapespline::test::ordering_test

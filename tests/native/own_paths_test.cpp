@@ -10,8 +10,7 @@
 #include "shapes.h"
 #include "sweep.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::own_paths_test {
 
 namespace {
 
@@ -127,3 +126,5 @@ TEST_CASE("own paths: the motion has no jumps" * dense) {
     CHECK(found.zoomedStep < found.step / (8.0 * 8 * 8));
   }
 }
+
+}  // namespace shapespline::test::own_paths_test

@@ -13,8 +13,7 @@
 #include "shapes/bench_mesh.h"
 #include "shapes/bench_parts.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::partition_test {
 
 namespace {
 
@@ -118,3 +117,5 @@ TEST_CASE("clusters: connected, with few faces each, and the sums over their fac
   for (int c = 0; c < clusters.count(); ++c)
     CHECK(clusters.rotations.of(c)->angularDistance(Quaternion::Identity()) < 1e-12);
 }
+
+}  // namespace shapespline::test::partition_test

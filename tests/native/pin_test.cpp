@@ -9,8 +9,7 @@
 #include "shapes.h"
 #include "sweep.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::pin_test {
 
 namespace {
 
@@ -281,3 +280,5 @@ TEST_CASE("invalid pins are refused") {
     CHECK(s.error().code == ErrorCode::InvalidOption);
   }
 }
+
+}  // namespace shapespline::test::pin_test

@@ -7,8 +7,7 @@
 
 #include "files.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::point_cache_test {
 
 namespace {
 
@@ -207,3 +206,5 @@ TEST_CASE("files without an up axis give a hint if they stand on z") {
   CHECK(has(codes("a.off", onFeet(true))));
   CHECK(!has(codes("a.off", onFeet(false))));
 }
+
+}  // namespace shapespline::test::point_cache_test

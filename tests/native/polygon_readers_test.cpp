@@ -7,8 +7,7 @@
 #include "gltf_maker.h"
 #include "io/polygon/polygon_mesh.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::polygon_readers_test {
 
 namespace {
 
@@ -487,3 +486,5 @@ TEST_CASE("every truncated file is refused") {
       CHECK(!Files().add(name, bytesOf(text)).add("b" + name, bytesOf(text.substr(0, size))).import().ok());
     }
 }
+
+}  // namespace shapespline::test::polygon_readers_test

@@ -5,7 +5,7 @@
 
 #include "core/mesh/principal_offsets.h"
 
-using namespace shapespline;
+namespace shapespline::test::principal_offsets_test {
 
 namespace {
 
@@ -67,3 +67,5 @@ TEST_CASE("principal offsets are limited to the requested number, and are empty 
   Rows none;
   CHECK(principalOffsets(none, 0.1, 5).count == 0);
 }
+
+}  // namespace shapespline::test::principal_offsets_test

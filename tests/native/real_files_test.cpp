@@ -10,8 +10,7 @@
 #include "real_data.h"
 
 namespace fs = std::filesystem;
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::real_files_test {
 
 namespace {
 
@@ -126,3 +125,5 @@ TEST_CASE("malformed real files") {
         std::string::npos);
   CHECK(realFiles({"malformed/wild/truncated/facecap.glb"}).import().error().code == ErrorCode::TruncatedFile);
 }
+
+}  // namespace shapespline::test::real_files_test

@@ -9,7 +9,7 @@
 #include "core/rotation/rigid_fit.h"
 #include "sequences.h"
 
-using namespace shapespline;
+namespace shapespline::test::repro_test {
 using namespace shapespline::repro;
 
 namespace {
@@ -233,3 +233,5 @@ TEST_CASE("repro: a distant key welds no further vertices") {
   CHECK(farKey(0).vertexCount() == welded(0));
   CHECK(welded(3900) == welded(0));
 }
+
+}  // namespace shapespline::test::repro_test

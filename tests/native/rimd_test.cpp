@@ -9,8 +9,7 @@
 #include "shapes.h"
 #include "sweep.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::rimd_test {
 
 namespace {
 
@@ -93,3 +92,5 @@ TEST_CASE("rimd: the motion has no jumps" * dense) {
                           << found.growth);
   CHECK(found.zoomedStep < found.step / (8.0 * 8 * 8));
 }
+
+}  // namespace shapespline::test::rimd_test

@@ -8,8 +8,7 @@
 #include "shapes.h"
 #include "sweep.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::rotation_strain_test {
 
 namespace {
 
@@ -166,3 +165,5 @@ TEST_CASE("rotation-strain: the motion has no jumps" * dense) {
                           << found.growth);
   CHECK(found.zoomedStep < found.step / (8.0 * 8 * 8));
 }
+
+}  // namespace shapespline::test::rotation_strain_test

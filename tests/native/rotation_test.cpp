@@ -10,8 +10,7 @@
 #include "core/patches/patch_motion.h"
 #include "dense.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::rotation_test {
 
 namespace {
 
@@ -265,3 +264,5 @@ TEST_CASE("a ring of patches that turn by 170 degrees against each other turns w
   MESSAGE("largest over median step, worst of 200 rings: " << worst);
   CHECK(worst < 6);
 }
+
+}  // namespace shapespline::test::rotation_test

@@ -3,7 +3,7 @@
 
 #include "core/mesh/same_surface.h"
 
-using namespace shapespline;
+namespace shapespline::test::same_surface_test {
 
 namespace {
 
@@ -35,3 +35,5 @@ TEST_CASE("other surfaces are distinguished") {
   const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   CHECK(!sameSurface(tetrahedron, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}));
 }
+
+}  // namespace shapespline::test::same_surface_test

@@ -4,8 +4,7 @@
 
 #include "one_sided.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::seam_test {
 
 namespace {
 
@@ -187,3 +186,5 @@ TEST_CASE("seam: one more period of a walk adds its rigid motion once more") {
       }
   }
 }
+
+}  // namespace shapespline::test::seam_test

@@ -19,8 +19,7 @@
 #include "shapes/bench_parts.h"
 #include "shapes/shape_check.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::shapes_test {
 
 TEST_CASE("mesh checks: they detect a hole, a reversed face, a pinched vertex, a fold and a crossing") {
   const Keyframes good = makeBenchKeyframes(1000, 2, 5);
@@ -162,3 +161,5 @@ TEST_CASE("bench meshes: a subdivided mesh is the same shape with four times the
           doctest::Approx(enclosedVolume(coarse.keys[j].positions, coarse.faces)).epsilon(1e-12));
   }
 }
+
+}  // namespace shapespline::test::shapes_test

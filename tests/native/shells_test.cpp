@@ -15,8 +15,7 @@
 #include "shells/shell_motion.h"
 #include "shells/shell_spline.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::shells_test {
 
 namespace {
 
@@ -305,3 +304,5 @@ TEST_CASE("shells: real sheets and bodies" * dense) {
   CHECK(plate.lengths < plate.lri);
   CHECK(plate.spline < plate.lengths);
 }
+
+}  // namespace shapespline::test::shells_test

@@ -13,7 +13,7 @@
 
 #include "laplacian_meshes.h"
 
-using namespace shapespline;
+namespace shapespline::test::simd_test {
 
 namespace {
 
@@ -51,7 +51,7 @@ std::vector<Real> samples() {
                             -Limits::denorm_min(),
                             Limits::max(),
                             -Limits::max()};
-  testing::Random random(1);
+  Random random(1);
   for (int i = 0; i < 61; ++i) list.push_back(static_cast<Real>(random.signedUnit() * std::ldexp(1, i % 20 - 10)));
   return list;
 }
@@ -135,3 +135,5 @@ TEST_CASE_TEMPLATE("simd: rows become columns", Real, float, double) {
   CHECK(numbers(c) == std::array<Real, 4>{2, 6, 10, 14});
   CHECK(numbers(d) == std::array<Real, 4>{3, 7, 11, 15});
 }
+
+}  // namespace shapespline::test::simd_test

@@ -11,9 +11,7 @@
 #include "shapes.h"
 #include "shapes/bench_mesh.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
-using shapespline::testing::Random;
+namespace shapespline::test::simplify_test {
 
 namespace {
 
@@ -387,3 +385,5 @@ TEST_CASE("simplify: progress rises from 0 to 1") {
   CHECK(last == 1);
   CHECK(calls > 3);
 }
+
+}  // namespace shapespline::test::simplify_test

@@ -8,8 +8,7 @@
 #include "real_data.h"
 #include "sweep.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::smoothness_test {
 
 namespace {
 
@@ -277,3 +276,5 @@ TEST_CASE("sweep: twisted head") { checkRealSetIfRead({"blender/suzsm_0.glb", "b
 TEST_CASE("sweep: twisted head, with quads cut along the other diagonal") {
   checkRealSetIfRead({"blender/suzsm_0.glb", "blender/suzsm_1.glb", "blender/suzsm_2.glb"});
 }
+
+}  // namespace shapespline::test::smoothness_test

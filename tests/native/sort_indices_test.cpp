@@ -10,7 +10,7 @@
 
 #include "core/base/sort_indices.h"
 
-using namespace shapespline;
+namespace shapespline::test::sort_indices_test {
 
 TEST_CASE("indices are sorted by their values, equal values by index") {
   std::mt19937 random(5);
@@ -33,3 +33,5 @@ TEST_CASE("a part of a list is sorted in place") {
   sortIndices(std::span(list).subspan(1, 4), [](int a, int b) { return a < b; });
   CHECK(list == std::vector{9, 1, 2, 3, 4, 0});
 }
+
+}  // namespace shapespline::test::sort_indices_test

@@ -3,7 +3,7 @@
 
 #include "core/sparse/cholesky.h"
 
-using namespace shapespline;
+namespace shapespline::test::sparse_example_test {
 
 TEST_CASE("sparse: a small system, as in the README") {
   const std::vector<Triplet> entries = {{0, 0, 4}, {1, 0, -1}, {1, 1, 4}, {2, 1, -1}, {2, 2, 4}};
@@ -22,3 +22,5 @@ TEST_CASE("sparse: a small system, as in the README") {
   CHECK(at(1) == doctest::Approx(6.0 / 14));
   CHECK(at(2) == doctest::Approx(5.0 / 14));
 }
+
+}  // namespace shapespline::test::sparse_example_test

@@ -8,7 +8,7 @@
 
 #include "core/spline/spline.h"
 
-using namespace shapespline;
+namespace shapespline::test::spline_test {
 
 namespace {
 
@@ -216,3 +216,5 @@ TEST_CASE("invalid options are refused with a message") {
   CHECK(code({}, {-1e300, 0}) == ErrorCode::TooLarge);
   CHECK(code({}, {0, INFINITY}) == ErrorCode::NotFinite);
 }
+
+}  // namespace shapespline::test::spline_test

@@ -11,7 +11,7 @@
 
 #include "io/polygon/text_reader.h"
 
-using namespace shapespline;
+namespace shapespline::test::text_reader_test {
 
 TEST_CASE("numbers equal those of the C library, bit for bit") {
   std::vector<std::string> words{"0",
@@ -90,3 +90,5 @@ TEST_CASE("lines can have any line ends") {
   CHECK(all == "a|b|c|d||e|");
   CHECK(lines.lineNumber() == 6);
 }
+
+}  // namespace shapespline::test::text_reader_test

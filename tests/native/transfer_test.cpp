@@ -9,8 +9,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::transfer_test {
 
 namespace {
 
@@ -500,3 +499,5 @@ TEST_CASE("ghost: progress never decreases, for the shape and for its space") {
   CHECK(stages ==
         std::vector<std::string>{"welding", "simplifying", "matching", "encoding", "ordering", "factorising"});
 }
+
+}  // namespace shapespline::test::transfer_test

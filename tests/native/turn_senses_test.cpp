@@ -5,8 +5,7 @@
 #include "shapes.h"
 #include "shapes/random.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::turn_senses_test {
 
 namespace {
 
@@ -79,3 +78,5 @@ TEST_CASE("directions do not depend on the initial signs") {
   const double sign = turn[0].dot(flipped[0]);
   for (std::size_t i = 0; i < turn.size(); ++i) CHECK(turn[i].dot(flipped[i]) == doctest::Approx(sign));
 }
+
+}  // namespace shapespline::test::turn_senses_test

@@ -15,27 +15,25 @@
 #include "shapes.h"
 #include "shapes/bench_mesh.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::two_threads_test {
 
 namespace {
 
-SymbolicFactor factorOf(const testing::PlainMesh& mesh) {
-  const Graph graph = graphOf(testing::pinnedLaplacian(mesh));
+SymbolicFactor factorOf(const PlainMesh& mesh) {
+  const Graph graph = graphOf(pinnedLaplacian(mesh));
   return analyseFactor(graph, fillReducingOrder(graph, mesh.positions));
 }
 
 }  // namespace
 
 TEST_CASE("tree cut: the parts have no common column and share rows only in the top") {
-  testing::Random random(3);
-  testing::PlainMesh two = testing::bumpySphere(20, random);
-  const testing::PlainMesh other = testing::irregularSheet(31, 30, random);
+  Random random(3);
+  PlainMesh two = bumpySphere(20, random);
+  const PlainMesh other = irregularSheet(31, 30, random);
   const int offset = static_cast<int>(two.positions.size());
   two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
   for (const Triangle& f : other.faces) two.faces.push_back({f[0] + offset, f[1] + offset, f[2] + offset});
-  for (const testing::PlainMesh& mesh :
-       {testing::bumpySphere(2, random), testing::irregularSheet(61, 47, random), two}) {
+  for (const PlainMesh& mesh : {bumpySphere(2, random), irregularSheet(61, 47, random), two}) {
     const SymbolicFactor factor = factorOf(mesh);
     const std::vector<int> part = cutTree(factor);
     std::vector<int> partOfColumn(factor.size());
@@ -52,8 +50,8 @@ TEST_CASE("tree cut: the parts have no common column and share rows only in the 
 }
 
 TEST_CASE("tree cut: two threads have less than two thirds of the work of one") {
-  testing::Random random(4);
-  const SymbolicFactor factor = factorOf(testing::bumpySphere(66, random));  // 43,562 vertices
+  Random random(4);
+  const SymbolicFactor factor = factorOf(bumpySphere(66, random));  // 43,562 vertices
   const std::vector<int> part = cutTree(factor);
   std::array<double, 3> work = {};
   for (int s = 0; s < factor.supernodes(); ++s)
@@ -63,8 +61,8 @@ TEST_CASE("tree cut: two threads have less than two thirds of the work of one") 
 }
 
 TEST_CASE("face order: every face once, sorted by its last corner, no corner in both halves, complete groups of four") {
-  testing::Random random(5);
-  const testing::PlainMesh mesh = testing::irregularSheet(23, 17, random);
+  Random random(5);
+  const PlainMesh mesh = irregularSheet(23, 17, random);
   const int count = static_cast<int>(mesh.positions.size()), faces = static_cast<int>(mesh.faces.size());
   for (const int shared : {-1, 40}) {
     const FaceOrder ordered = orderFaces(mesh.faces, count, shared);
@@ -146,3 +144,5 @@ TEST_CASE("two threads give the same bits as one: a large mesh") {
 }
 
 #endif
+
+}  // namespace shapespline::test::two_threads_test

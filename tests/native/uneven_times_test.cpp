@@ -6,8 +6,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::uneven_times_test {
 
 namespace {
 
@@ -69,3 +68,5 @@ TEST_CASE("the warning disappears when an update makes the key times even") {
   REQUIRE(sequence.update({}, {0, 1, 2, 3}).ok());
   CHECK(sequence.warnings().empty());
 }
+
+}  // namespace shapespline::test::uneven_times_test

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace shapespline;
+namespace shapespline::test::union_find_test {
 
 TEST_CASE("a set is identified by its least member, in any order of joining") {
   UnionFind sets(8);
@@ -22,3 +22,5 @@ TEST_CASE("after a reset, all sets are separate") {
   sets.reset(4);
   for (int x = 0; x < 4; ++x) CHECK(sets.find(x) == x);
 }
+
+}  // namespace shapespline::test::union_find_test

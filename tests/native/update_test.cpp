@@ -6,8 +6,7 @@
 #include "sequences.h"
 #include "shapes.h"
 
-using namespace shapespline;
-using namespace shapespline::test;
+namespace shapespline::test::update_test {
 
 namespace {
 
@@ -150,3 +149,5 @@ TEST_CASE("update: the same with a ghost, and with logarithmic stretch") {
   log.stretch = Stretch::Log;
   checkUpdates(barAndBall(), log);
 }
+
+}  // namespace shapespline::test::update_test

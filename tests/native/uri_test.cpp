@@ -9,7 +9,7 @@
 
 #include "io/base/uri.h"
 
-using namespace shapespline;
+namespace shapespline::test::uri_test {
 using Json = nlohmann::json;
 
 namespace {
@@ -48,3 +48,5 @@ TEST_CASE("URIs in files lead to a given file or are refused, as in the shared c
     }
   }
 }
+
+}  // namespace shapespline::test::uri_test

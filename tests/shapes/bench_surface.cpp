@@ -108,7 +108,7 @@ std::uint64_t edgeKey(int a, int b) { return std::uint64_t(std::min(a, b)) << 32
 
 template <class T>
 void shuffle(std::vector<T>& values, Random& random) {
-  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
+  for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(static_cast<int>(i))]);
 }
 
 // Waves of several lengths that move the surface out and in, by at most a sixth of the radius.
@@ -167,7 +167,7 @@ void splitEdges(Surface& surface, int faces, Random& random, const std::function
   const std::vector<int> opposite = oppositeHalfEdges(surface.faces);
   std::vector<bool> split(surface.faces.size(), false);
   while (static_cast<int>(surface.faces.size()) + 2 <= faces) {
-    const int h = static_cast<int>(random.below(opposite.size())), g = opposite[h];
+    const int h = random.below(static_cast<int>(opposite.size())), g = opposite[h];
     if (g < 0 || split[h / 3] || split[g / 3]) continue;
     const int a = surface.faces[h / 3][h % 3], b = surface.faces[g / 3][g % 3];
     const int left = surface.faces[h / 3][(h + 2) % 3], right = surface.faces[g / 3][(g + 2) % 3];

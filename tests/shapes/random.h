@@ -19,8 +19,11 @@ class Random {
 
   double uniform(double low, double high) { return low + (high - low) * double(next() >> 11) * 0x1p-53; }
 
+  /// In [-1, 1).
+  double signedUnit() { return uniform(-1, 1); }
+
   /// In [0, count); the bias is below count / 2^64.
-  std::uint64_t below(std::uint64_t count) { return next() % count; }
+  int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
 
  private:
   std::uint64_t state_;
