@@ -27,7 +27,7 @@ const PLAYGROUND = 'figure=2a';
 
 /** The time shown by each stored figure, and a test that its content is complete. */
 const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<void> }>> = {
-  'figure=1': { t: 0.56 },
+  'figure=1': { t: 0.56, ready: (app) => expect(app.by('film-labels').locator('span')).not.toHaveCount(0) },
   'figure=2a': { t: 0.4 },
   'figure=2b': {
     t: 0.7,

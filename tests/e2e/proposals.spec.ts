@@ -1,5 +1,5 @@
 /**
- * The offer of an option that suits the keys. In a browser, because the offer waits for a pause in the real page, runs
+ * The offer of an option that suits the keys. In a browser, because the offer comes while the real page plays, runs
  * in its workers, and is accepted by a click; its conditions have unit and engine tests.
  */
 import { poseFiles } from '../engine/support/glb.ts';

@@ -6,12 +6,13 @@ import { folderOf, runCli } from './support/cli.ts';
 import { dataFile, hasData } from './support/data.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
-import { bar, bent, largestDistance, moved, rolledSheet } from './support/shapes.ts';
+import { bar, bent, largestDistance, moved, rolledSheet, split } from './support/shapes.ts';
 
 const engine = testEngine();
 
-async function sheet(n: number): Promise<Keys> {
-  const { faces, poses } = rolledSheet(n, 3.5);
+const sheet = (n: number): Promise<Keys> => keysOf(rolledSheet(n, 3.5));
+
+async function keysOf({ faces, poses }: ReturnType<typeof rolledSheet>): Promise<Keys> {
   return engine.createKeys({ faces, poses: poses.map((positions, i) => ({ name: `${i}`, time: i, positions })) });
 }
 
@@ -153,6 +154,34 @@ describe('kept lengths', () => {
     expect(await missed(await engine.createSequence(keys), keys)).toBeGreaterThan(0.02);
     const bend = (await bendKeys(engine)).keys;
     expect(await missed(await engine.createSequence(bend), bend)).toBeNull();
+  });
+
+  it('are proposed and kept for split vertices as for a welded mesh', async () => {
+    const { faces, poses } = rolledSheet(8, 3.5);
+    const [one, apart] = [await keysOf({ faces, poses }), await keysOf(split(faces, poses))];
+    const plain = await engine.createSequence(one);
+    const found = await missed(await engine.createSequence(apart), apart);
+    expect(found).toBeCloseTo((await missed(plain, one))!, 4);
+    const kept = await engine.createSequence(apart, { keepLengths: 1 });
+    expect(kept.warnings.map(({ code }) => code)).not.toContain('lengths-not-fitted');
+    expect((await deviations(kept, apart)).area).toBeLessThan((await deviations(plain, one)).area / 3);
+  });
+
+  it('are not proposed where a sheet folds, with welded or split vertices', async () => {
+    const { faces, poses } = rolledSheet(8, 3.5);
+    const vertices = poses[0]!.length / 3;
+    // Two triangles beside the sheet, folded by 120 degrees in the second key.
+    const hinged = {
+      faces: Uint32Array.of(...faces, ...[0, 1, 2, 1, 3, 2].map((v) => vertices + v)),
+      poses: poses.map((pose, key) => {
+        const angle = (key * 2 * Math.PI) / 3;
+        return Float32Array.of(...pose, 2, 0, 0, 3, -1, 0, 3, 1, 0, 3 + Math.cos(angle), 0, Math.sin(angle));
+      }),
+    };
+    for (const mesh of [hinged, split(hinged.faces, hinged.poses)]) {
+      const keys = await keysOf(mesh);
+      expect(await missed(await engine.createSequence(keys), keys)).toBeNull();
+    }
   });
 
   it('have the same error if a tangent pose is given', async () => {

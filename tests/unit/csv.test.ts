@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { patchesCsv } from '../../web/app/export/csv.ts';
+import { measuresCsv, patchesCsv } from '../../web/app/export/csv.ts';
 import { ENCODING, MOTION, PER_KEY } from '../../web/engine/api/option-table.ts';
 import { pageOptions } from '../../web/model/page-options.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -30,4 +30,20 @@ it('no file name becomes a spreadsheet formula', () => {
   expect(cells.filter((cell) => /^[=+@-]/.test(cell))).toEqual([]);
   const keys = /^# keys (.*)$/m.exec(table)![1]!;
   expect((JSON.parse(keys) as { name: string }[]).map(({ name }) => name)).toEqual(names);
+});
+
+it('a table has the bending by edge lengths and angles of each motion where it was measured, with its unit', () => {
+  const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
+  const values = { volume: [1, 2], area: [3, 4], bending: [5, 6], sliding: [NaN, NaN], plane: null };
+  const table = (shell: object): string[] => {
+    const motions = (['lri', 'shell'] as const).map((method) => ({ method, ...values, ...shell }));
+    return measuresCsv({ times: [0, 1], keyTimes: [0, 1], range: [0, 1], motions }, doc, '1.2.3', 1).split('\n');
+  };
+  expect(table({}).join('\n')).not.toMatch(/(lri|shell) shell bending/);
+  const [row, last, head, ...above] = table({ shell: [7, 8] })
+    .toReversed()
+    .slice(1);
+  expect(head).toMatch(/lri sliding,lri shell bending energy,shell volume.*,shell shell bending energy$/);
+  expect([row, last]).toEqual(['1,1,2,4,6,,8,2,4,6,,8', '0,0,1,3,5,,7,1,3,5,,7']);
+  expect(above[0]).toMatch(/^# shell bending energy: of edge lengths and angles/);
 });

@@ -25,6 +25,8 @@ const state: AppState = {
       endSpeed: 2.5,
       keepLengths: 2,
       ownPaths: 'root',
+      spaceFaces: 500,
+      spaceSamples: 12,
     },
     encoding: {
       ...DEFAULT_ENCODING,

@@ -1,6 +1,6 @@
 /** Options of the shape spline in the page: what rules them out, and what the motions get. */
 import { expect, it } from 'vitest';
-import { motionFor, sequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { buildKey, motionFor, sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import { setEncoding, setMotion, setTurns } from '../../web/model/edits.ts';
 import { departs, splineOptions, whyNoLengths, whyNoPaths } from '../../web/model/spline-options.ts';
 import { DEFAULT_VIEW } from '../../web/model/state.ts';
@@ -52,4 +52,18 @@ it('a motion with one of them is compared with the published one', () => {
     for (const variant of plan.variants.slice(1))
       expect(motionFor(plan, variant)).toMatchObject({ keepLengths: 0, ownPaths: 'off' });
   }
+});
+
+it('shapes are fitted again on another mesh or at other times, and other motions stay', () => {
+  for (const [doc, again] of [
+    [setMotion(plain, { method: 'lengths' }), true],
+    [setMotion(plain, { method: 'shell' }), true],
+    [kept, true],
+    [plain, false],
+  ] as const)
+    for (const change of [{ spaceFaces: 500 }, { spaceSamples: 12 }]) {
+      const plan = sequencePlan(setMotion(doc, change));
+      expect(motionFor(plan, plan.variants[0]!)).toMatchObject(change);
+      expect(buildKey(plan) !== buildKey(sequencePlan(doc))).toBe(again);
+    }
 });

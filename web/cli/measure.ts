@@ -50,8 +50,8 @@ export async function measure(args: Arguments): Promise<Measured> {
     const comments: string[] = truth ? [`# frames of the animation: ${truth.times.length}, ${truth.placed}`] : [];
     for (const method of methods) {
       const motion = method === methods[0] ? sequence : await motionBy(method);
-      columns.push(...columnsOf(await measureMotion(motion, { method }, times)));
-      if (byShell) columns.push({ name: `${method} shell bending energy`, values: await motion.shellBending(times) });
+      const measures = await measureMotion(motion, { method }, times);
+      columns.push(...columnsOf(byShell ? { ...measures, shell: await motion.shellBending(times) } : measures));
       if (!compared) continue;
       const error = await compare(motion, compared, keys.info.report.diagonal);
       columns.push(

@@ -18,6 +18,8 @@ export interface MotionMeasures extends MotionName {
    * blends, in the space of vertices, as in the paper's comparison (Fig. 9).
    */
   bending: number[];
+  /** Bending energy by edge lengths and angles, the same measure for every method, where it was asked for. */
+  shell?: number[];
   /** Displacement of resting vertices, % of the diagonal; NaN if none rest. */
   sliding: number[];
   /** Points in the shape plane, 2 numbers per time, relative to the distance of the keys; methods of LRI space only. */
@@ -58,7 +60,8 @@ export const SHELL_UNITS =
   '# shell bending energy: of edge lengths and angles between faces, the same for every method; 1/s^4, relative to ' +
   'the mean squared change between keys';
 
-export function columnsOf({ method, plain, volume, area, bending, sliding, plane }: MotionMeasures): Column[] {
+export function columnsOf(measures: MotionMeasures): Column[] {
+  const { method, plain, volume, area, bending, sliding, plane, shell } = measures;
   const name = plain ? `${method} plain` : method;
   const part = (points: readonly number[], axis: 0 | 1): number[] => points.filter((_, index) => index % 2 === axis);
   return [
@@ -72,6 +75,7 @@ export function columnsOf({ method, plain, volume, area, bending, sliding, plane
           { name: `${name} plane y`, values: part(plane, 1) },
         ]
       : []),
+    ...(shell ? [{ name: `${name} shell bending energy`, values: shell }] : []),
   ];
 }
 

@@ -49,7 +49,8 @@ const WORDS: Record<string, string> = {
   'pose-ply': 'The current shape, binary.',
   png: 'An image of the current view.',
   turntable: 'A video of the current shape, turning once.',
-  measures: 'A table of volume, area, bending energy, sliding and position in the shape plane, with one row per frame.',
+  measures:
+    'A table of volume, area, bending energy, sliding and position in the shape plane, with one row per frame. Includes bending by edge lengths and angles while its plot does.',
   patches: 'A table of the faces with their patches.',
 };
 

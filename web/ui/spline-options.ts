@@ -1,10 +1,11 @@
-/** Further options of the shape spline: shapes that keep lengths, and own paths of faces. */
-import { OWN_METHOD } from '../engine/api/methods.ts';
+/** Further options: of the shape spline, kept lengths and own paths; of fitted methods, their mesh and times. */
+import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { MOTION } from '../engine/api/option-table.ts';
 import { splineOptions, whyNoLengths, whyNoPaths } from '../model/spline-options.ts';
 import type { Edited, RuledOut } from '../model/spline-options.ts';
 import type { Motion } from '../model/state.ts';
 import { segments } from './controls.ts';
+import { createFitFields } from './fit-fields.ts';
 import type { Component } from './dom.ts';
 import { h, setHidden, setText } from './dom.ts';
 
@@ -37,8 +38,10 @@ export function createSplineOptions(onMotion: (change: Partial<Motion>) => void)
     MOTION.ownPaths.choices.map((value) => ({ value, ...PATHS[value] })),
     (value) => onMotion({ ownPaths: value }),
   );
+  const mesh = createFitFields(['spaceFaces'], 'keep-lengths', onMotion);
+  const fit = createFitFields(['spaceFaces', 'spaceSamples'], 'fit', onMotion);
   const summary = h('summary', { 'data-testid': 'spline-options' });
-  const element = h(
+  const details = h(
     'details',
     { class: 'details' },
     summary,
@@ -47,15 +50,20 @@ export function createSplineOptions(onMotion: (change: Partial<Motion>) => void)
       { class: 'group' },
       lengths.element,
       h('p', { class: 'hint' }, 'Shapes between two keys whose edges keep their lengths: for cloth and paper.'),
+      mesh.element,
       paths.element,
       h('p', { class: 'hint' }, 'Each face rotates by itself from key to key: closer to sampled animations.'),
     ),
   );
   return {
-    element,
+    element: h('div', { class: 'group' }, details, fit.element),
     update(props) {
       const { keepLengths, ownPaths } = splineOptions(props);
-      setHidden(element, props.motion.method !== OWN_METHOD);
+      const { motion } = props;
+      setHidden(details, motion.method !== OWN_METHOD);
+      setHidden(mesh.element, keepLengths === 0);
+      setHidden(fit.element, METHOD[motion.method].curve !== 'fitted');
+      for (const fields of [mesh, fit]) fields.update(motion);
       const used = keepLengths > 0 ? ': lengths kept' : ownPaths !== 'off' ? ': own paths' : '';
       setText(summary, `Options of the shape spline${used}`);
       lengths.update(String(keepLengths), allRefused(LENGTHS.slice(1), whyNoLengths(props)));

@@ -17,6 +17,8 @@ export interface TileLabelsProps {
   labels: readonly TileLabel[];
   /** A divider separates two motions. */
   split: boolean;
+  /** The views show film strips. */
+  strip: boolean;
 }
 
 /** If the divider is closer to an edge than this, there is no room for text. */
@@ -27,8 +29,9 @@ export function createTileLabels(): Component<TileLabelsProps> {
   const element = h('div', { class: 'tile-labels' });
   return {
     element,
-    update({ labels, split }) {
+    update({ labels, split, strip }) {
       setAttribute(element, 'data-split', split);
+      setAttribute(element, 'data-strip', strip);
       while (element.children.length > labels.length) element.lastElementChild?.remove();
       labels.forEach((label, index) => {
         const tile = (element.children[index] ??

@@ -25,8 +25,11 @@ export interface ViewerEvents {
   onContextRestored(): void;
   /** The canvas size changed and the views have moved. */
   onResize(): void;
-  /** Pixels covered by other elements at the top and bottom of each view; two `split` views count as one. */
-  covered(views: number, split: boolean): { top: number; bottom: number };
+  /**
+   * Pixels covered by other elements at the top and bottom of each view; two `split` views count as one. `strip`: the
+   * views show film strips.
+   */
+  covered(views: number, split: boolean, strip: boolean): { top: number; bottom: number };
 }
 
 /** Aspect ratio of views with film strips, which are stacked. */
@@ -528,7 +531,8 @@ export class Viewer {
   /** Covered shares of the views' heights, limited to leave room for the shape. */
   private insets(): Insets {
     const { height } = this.rects()[0]!;
-    const { top, bottom } = this.events.covered(this.isSplit ? 1 : this.contents.views, this.isSplit);
+    const { views, isStrip } = this.contents;
+    const { top, bottom } = this.events.covered(this.isSplit ? 1 : views, this.isSplit, isStrip);
     const scale = Math.min(1, MOST_COVERED / Math.max((top + bottom) / height, 1e-6));
     return { top: (scale * top) / height, bottom: (scale * bottom) / height };
   }

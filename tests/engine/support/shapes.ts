@@ -99,6 +99,16 @@ export function rolledSheet(n: number, angle: number): { faces: Uint32Array; pos
   return { faces: Uint32Array.from(faces), poses: [rolled(0.3), rolled(0.3 + Math.PI / 2)] };
 }
 
+/** The same poses with separate vertices for every face, as flat shaded files have them. */
+export function split(
+  faces: Uint32Array,
+  poses: readonly Float32Array[],
+): { faces: Uint32Array; poses: Float32Array[] } {
+  const apart = (pose: Float32Array): Float32Array =>
+    Float32Array.from({ length: 3 * faces.length }, (_, i) => pose[3 * faces[Math.floor(i / 3)]! + (i % 3)]!);
+  return { faces: faces.map((_, i) => i), poses: poses.map(apart) };
+}
+
 /** The walls of n x n x n cubes in a unit cube. Inside, all vertices are junctions, which simplification keeps. */
 export function foam(n: number): Mesh {
   const at = (place: number[]): number => place[0]! + (n + 1) * (place[1]! + (n + 1) * place[2]!);

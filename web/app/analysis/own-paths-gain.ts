@@ -3,6 +3,7 @@ import type { Motion } from '../../engine/api/api.ts';
 import { motionOf } from '../../engine/api/options.ts';
 import { MotionError } from '../../study/motion-error.ts';
 import type { TimedShapes } from '../../study/reference-motion.ts';
+import { idleSlices } from './idle-slices.ts';
 
 export interface GainInput {
   motion: Motion;
@@ -51,7 +52,9 @@ async function errorOf(
   signal: AbortSignal,
 ): Promise<number> {
   const error = new MotionError(1);
+  const pause = idleSlices(signal);
   for (const t of times) {
+    await pause();
     const [frame] = await motion.evaluateMany([t], { signal });
     error.add(reference.at(t), frame!.positions);
     frame!.release();

@@ -1,6 +1,6 @@
 /**
- * Proposes options of the shape spline that suit the open keys. Looks for them when the motion has rested for a while,
- * and stops when it changes.
+ * Proposes options of the shape spline that suit the open keys. Looks for them once the motion has been unchanged for a
+ * while, also during playback, and stops when the motion changes.
  */
 import type { Proposal, ProposalInput } from './proposal.ts';
 
@@ -16,7 +16,7 @@ export interface Proposals {
   follow(): void;
 }
 
-const REST_MS = 1500;
+const UNCHANGED_MS = 1500;
 
 export function createProposals(parts: ProposalParts): Proposals {
   const { session, isQuiet, onProposal } = parts;
@@ -28,19 +28,12 @@ export function createProposals(parts: ProposalParts): Proposals {
   const look = async (signal: AbortSignal): Promise<void> => {
     const { pool } = session.workspace;
     if (!pool) return;
-    if (session.store.get().play.playing) return wait();
     const found = isQuiet() ? null : await (await import('./proposal.ts')).proposalFor(parts, signal);
     const no = declined.get(pool) ?? new Set();
     declined.set(pool, no);
     if (signal.aborted) return;
     onProposal(found && !no.has(found.action) ? { ...found, onDecline: () => no.add(found.action) } : null);
   };
-  const wait = (): void => {
-    const { signal } = stop;
-    // The shown motion reports failures. A motion that replaces this one calls again.
-    timer = setTimeout(() => void look(signal).catch(() => undefined), REST_MS);
-  };
-
   return {
     follow() {
       stop.abort();
@@ -49,7 +42,9 @@ export function createProposals(parts: ProposalParts): Proposals {
       // A proposal for the same keys stays until its condition has been looked at again.
       if (of !== session.workspace.pool) onProposal(null);
       of = session.workspace.pool;
-      wait();
+      const { signal } = stop;
+      // The shown motion reports failures. A motion that replaces this one calls again.
+      timer = setTimeout(() => void look(signal).catch(() => undefined), UNCHANGED_MS);
     },
   };
 }

@@ -1,7 +1,7 @@
 /** Bending energy of the shown motions by edge lengths and angles, one list per motion. */
 import type { CallOptions } from '../../engine/api/api.ts';
 import { partOf } from '../../engine/api/progress.ts';
-import type { AnalysisInput } from './analysis.ts';
+import type { Analysis, AnalysisInput } from './analysis.ts';
 
 export async function shellBendings(
   { sequences }: AnalysisInput,
@@ -14,4 +14,14 @@ export async function shellBendings(
     energies.push(await sequence.shellBending([...times], { signal, onProgress: report }));
   }
   return energies;
+}
+
+/** The analysis with these energies of its motions. */
+export async function withShellBendings(
+  analysis: Analysis,
+  input: AnalysisInput,
+  call: Required<CallOptions>,
+): Promise<Analysis> {
+  const energies = await shellBendings(input, analysis.times, call);
+  return { ...analysis, motions: analysis.motions.map((motion, i) => ({ ...motion, shell: energies[i]! })) };
 }

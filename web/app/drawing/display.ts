@@ -14,6 +14,7 @@ import type { FilmLabel } from '../../ui/film-labels.ts';
 import { shownView } from '../view/view-state.ts';
 import type { ViewStateHolder } from '../view/view-state.ts';
 import type { CameraPose } from '../../model/camera.ts';
+import type { ViewerEvents } from '../../viewer/viewer.ts';
 import type { FrameSet } from '../../playback/frame-set.ts';
 import { createPlayback } from '../playback/playback.ts';
 import type { Playback } from '../playback/playback.ts';
@@ -24,8 +25,7 @@ export interface Stage {
   viewport: HTMLElement;
   /** Shows names on the image of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
-  /** Pixels covered by bars and text at the top and bottom of each view, or of two views that are `split`. */
-  covered(views: number, split: boolean): { top: number; bottom: number };
+  covered: ViewerEvents['covered'];
 }
 
 export interface DisplayParts {

@@ -1,12 +1,13 @@
 /** The plotted numbers as a table: comment lines with version, options and units, then one row per frame or face. */
 import type { Doc, KeyRef } from '../../model/state.ts';
-import { MEASURE_UNITS, columnsOf, tableJson, tableOf } from '../../study/motion-measures.ts';
+import { MEASURE_UNITS, SHELL_UNITS, columnsOf, tableJson, tableOf } from '../../study/motion-measures.ts';
 import type { Analysis } from '../analysis/analysis.ts';
 
 /** `speed`: playback speed of the export relative to the timeline. */
 export function measuresCsv({ times, motions }: Analysis, doc: Doc, version: string, speed: number): string {
   const table = tableOf(times, speed, motions.flatMap(columnsOf));
-  return [...preamble(doc, version), MEASURE_UNITS, ...table, ''].join('\n');
+  const units = motions.some(({ shell }) => shell) ? [MEASURE_UNITS, SHELL_UNITS] : [MEASURE_UNITS];
+  return [...preamble(doc, version), ...units, ...table, ''].join('\n');
 }
 
 export function patchesCsv(patches: Int32Array, doc: Doc, version: string): string {

@@ -111,7 +111,7 @@ export class ExportController {
     { doc, time, source }: AppState,
     signal: AbortSignal,
   ): Promise<void> {
-    const { display, analysis, feedback } = this.parts;
+    const { display, analysis, viewState, feedback } = this.parts;
     const { runExport } = await exporting();
     return runExport(request, {
       sequence,
@@ -126,7 +126,13 @@ export class ExportController {
       turn: turned(display.scene.viewer),
       async analyseAt(times, report, stop) {
         const what = analysis.input();
-        return what && analyseAt(what, times, report, stop);
+        if (!what || !viewState.get().shellBending) return what && analyseAt(what, times, report, stop);
+        const half = await analyseAt(what, times, (fraction) => report(fraction / 2), stop);
+        const { withShellBendings } = await import('../analysis/shell-bendings.ts');
+        return withShellBendings(half, what, {
+          signal: stop,
+          onProgress: ({ fraction }) => report((1 + fraction) / 2),
+        });
       },
       onProgress: (working) => {
         if (!signal.aborted) feedback.onWorking(working);

@@ -26,11 +26,14 @@ const LIST: readonly Figure[] = [
   {
     number: '1',
     name: 'Geodesics and a spline',
-    state: 'sample=cactus&compare=geodesic,shell&colour=phase&between=-0.35,1.35&t=-0.35&loop=bounce&play=1',
-    text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys.',
-    task: 'Watch the middle key: the geodesic turns sharply at this key, the splines do not.',
+    state: 'sample=cactus&compare=geodesic,shell&colour=phase&film=1&between=-0.2,1.2&t=0.5&loop=bounce',
+    panel: 'analysis',
+    part: 'plot-plane',
+    plot: 'plane',
+    text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys. Beside them it draws curves in shape space.',
+    task: 'Compare the rows, then the curves in Analysis: the geodesic turns sharply at the middle key, the spline does not. To see the shapes move, clear Film strip in Display.',
     sentence:
-      'This page shows the paper’s spline, the geodesic and the spline in shell space, on a different cactus. As in the paper, the two splines hardly differ.',
+      'As in the paper, there are three rows with the keys in blue, on a different cactus. The two splines hardly differ.',
   },
   {
     number: '2a',

@@ -4,13 +4,14 @@ import type { Colouring } from '../../model/state.ts';
 import { setAttribute } from '../../ui/dom.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
+import type { BendingEvents } from './bending-figure.ts';
 import type { FacesFigure, FacesFigureEvents, FacesFigureProps } from './faces-figure.ts';
 import { createMeasureCharts } from './measure-charts.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
 import type { Blend } from '../view/view-state.ts';
 
-export interface AnalysisPanelEvents extends FacesFigureEvents {
+export interface AnalysisPanelEvents extends FacesFigureEvents, BendingEvents {
   onSpeed(end: End, speed: number): void;
   onBlend(blend: Blend | null): void;
 }

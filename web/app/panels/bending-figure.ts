@@ -11,6 +11,11 @@ import type { ChartData, ChartEvents } from './chart-figure.ts';
 import { createValuedChart, motionCurves } from './valued-chart.ts';
 import { createWorkingLine } from './working-line.ts';
 
+export interface BendingEvents extends ChartEvents {
+  /** The choice, which also applies to tables. */
+  onShellBending(on: boolean): void;
+}
+
 export interface BendingFigure {
   element: HTMLElement;
   draw(analysis: Analysis): void;
@@ -29,7 +34,7 @@ const CHOICE_HINT =
 const MEASURE = 'by edge lengths and angles';
 const LEAST_BENDING = 1;
 
-export function createBendingFigure(input: () => AnalysisInput | null, events: ChartEvents): BendingFigure {
+export function createBendingFigure(input: () => AnalysisInput | null, events: BendingEvents): BendingFigure {
   const figure = createValuedChart('bending', 'Bending energy', BENDING, events);
   figure.element.title = BENDING_UNIT;
   const toggle = checkbox(CHOICE, 'bending-shell', (on) => choose(on));
@@ -45,6 +50,7 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: C
   const choose = (on: boolean): void => {
     byShell = on;
     toggle.update(on);
+    events.onShellBending(on);
     void show();
   };
   const setWorking = (now: AbortController | null): void => {

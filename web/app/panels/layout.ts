@@ -1,5 +1,6 @@
 /** The page layout. On small screens, keys and panels open as sheets. */
 import type { Presented } from '../../model/state.ts';
+import type { ViewerEvents } from '../../viewer/viewer.ts';
 import { h, setAttribute } from '../../ui/dom.ts';
 import { createFilmLabels } from '../../ui/film-labels.ts';
 import type { FilmLabel } from '../../ui/film-labels.ts';
@@ -24,6 +25,8 @@ export interface LayoutParts {
   floating: HTMLElement[];
 }
 
+type Covered = ViewerEvents['covered'];
+
 export interface Layout {
   /** Container of the viewer's canvas; receives keyboard focus. */
   viewport: HTMLElement;
@@ -36,20 +39,24 @@ export interface Layout {
   setFramed(page: { href: string; title: string } | null): void;
   /** Shows names on the image of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
-  /** Pixels covered by bars and text at the top and bottom of each view, or of two views that are `split`. */
-  covered(views: number, split: boolean): { top: number; bottom: number };
+  covered: Covered;
   /** Hides everything else; null shows the whole page. */
   present(what: Presented | null): void;
 }
 
 /** Height of title and measures over a view. On small screens, also of the text line above the buttons. */
 const TILE_LABEL_PX = 54;
+/** Height of the title in the corner of a film strip. */
+const STRIP_LABEL_PX = 26;
+const STRIP_FOOT_PX = 8;
 const PHASE_PX = 34;
 /**
  * Height of the text line over four views, beside a guide page on a small screen. The view names are left of the
  * shapes.
  */
 const CROWDED_PX = 26;
+/** Up to this width, a guide page is below the shape. It then hides most buttons over film strips. */
+const GUIDE_BELOW = '(max-width: 1180px)';
 /** From this width, panels are beside the viewport. */
 const BESIDE = '(min-width: 768px)';
 /** Height of the panel navigation. */
@@ -84,7 +91,7 @@ export function createLayout(): Layout {
   return {
     viewport,
     showFilmLabels: filmLabels.update,
-    covered: (views, split) => coveredHeights(viewport, views, split),
+    covered: (...of) => coveredHeights(viewport, ...of),
     setGuide(panel, wide = false) {
       if (app) setAttribute(app, 'data-wide', wide);
       const shown = app?.querySelector('.guide') ?? null;
@@ -157,7 +164,8 @@ function createSkips(places: Record<string, string>): HTMLElement {
   );
 }
 
-function coveredHeights(viewport: HTMLElement, views: number, split: boolean): { top: number; bottom: number } {
+function coveredHeights(viewport: HTMLElement, ...of: Parameters<Covered>): ReturnType<Covered> {
+  const [views, split, strip] = of;
   const app = viewport.closest<HTMLElement>('.app');
   const host = viewport.getBoundingClientRect();
   const height = (selector: string, from: (box: DOMRect) => number): number => {
@@ -166,18 +174,20 @@ function coveredHeights(viewport: HTMLElement, views: number, split: boolean): {
   };
   // On a phone in landscape, text and buttons are beside the shape.
   if (matchMedia('(max-height: 520px)').matches) return { top: 0, bottom: 0 };
+  const type = app?.dataset['present'] ? LARGE_TYPE : 1;
   const small = matchMedia('(max-width: 767px)').matches;
-  const crowded = small && views > 3 && app?.dataset['guide'] !== undefined && !app.dataset['sheet'];
-  if (crowded) return { top: CROWDED_PX, bottom: 0 };
+  const guided = app?.dataset['guide'] !== undefined && !app.dataset['sheet'];
+  if (strip && guided && matchMedia(GUIDE_BELOW).matches) return { top: type * STRIP_LABEL_PX, bottom: STRIP_FOOT_PX };
+  if (small && views > 3 && guided) return { top: CROWDED_PX, bottom: 0 };
   const buttons = height('.view-buttons', (box) => host.bottom - box.top);
   const status = small ? height('.status-line', (box) => box.bottom - host.top) : 0;
   const bar = height(small ? '.colour-bar' : '.colour-bar[data-along]', (box) => box.bottom - host.top);
   const welcome = height('.welcome', (box) => box.bottom - host.top);
   const offer = height('.overlay-top > .offer:not([hidden])', (box) => box.bottom - host.top);
   const over = split && matchMedia('(max-width: 1023px)').matches;
-  const type = app?.dataset['present'] ? LARGE_TYPE : 1;
+  const label = strip ? STRIP_LABEL_PX : TILE_LABEL_PX;
   return {
-    top: Math.max(Math.max(status, bar) + (views > 1 ? type * TILE_LABEL_PX : 0), welcome, offer),
+    top: Math.max(Math.max(status, bar) + (views > 1 ? type * label : 0), welcome, offer),
     bottom:
       buttons +
       (small || over || type > 1 ? type * PHASE_PX : 0) +

@@ -5,8 +5,9 @@ import { h, setHidden } from '../../ui/dom.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
 import type { Analysis, AnalysisInput } from '../analysis/analysis.ts';
 import { createBendingFigure } from './bending-figure.ts';
+import type { BendingEvents } from './bending-figure.ts';
 import { legendEntry } from './chart-figure.ts';
-import type { ChartData, ChartEvents } from './chart-figure.ts';
+import type { ChartData } from './chart-figure.ts';
 import { createValuedChart, motionCurves } from './valued-chart.ts';
 
 export interface MeasureCharts {
@@ -24,7 +25,7 @@ const SLIDING = 'displacement of resting vertices, % of the model’s size';
 /** Smaller values are rounding errors. */
 const LEAST_SLIDING = 0.01;
 
-export function createMeasureCharts(input: () => AnalysisInput | null, events: ChartEvents): MeasureCharts {
+export function createMeasureCharts(input: () => AnalysisInput | null, events: BendingEvents): MeasureCharts {
   const volume = createValuedChart('volume', 'Volume', RELATIVE, events);
   const area = createValuedChart('area', 'Area', RELATIVE, events);
   const bending = createBendingFigure(input, events);

@@ -182,6 +182,7 @@ function createAnalysis(context: Context, commands: Commands, onFilled: () => vo
       onLeaveTruth: () => void commands.compareWith(null),
       onColouring: (colouring) => commands.view({ colouring }),
       onMark: commands.mark,
+      onShellBending: (shellBending) => context.viewState.change({ shellBending }),
       onError: context.analysis.onError,
     },
     onFilled,

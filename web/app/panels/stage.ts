@@ -57,7 +57,11 @@ export function createStage(context: Context, commands: Commands, connect: Conne
   ];
   const error = createErrorMessage(commands.closeError, () => location.reload());
   return {
-    labels: connect(createTileLabels(), () => ({ labels: scene.shownLabels, split: scene.isSplit })),
+    labels: connect(createTileLabels(), ({ state: { view } }) => ({
+      labels: scene.shownLabels,
+      split: scene.isSplit,
+      strip: view.film,
+    })),
     overlays,
     progress: connect(createProgress(commands.cancel), ({ viewState }) => viewState.working),
     error: connect(error, ({ viewState }) => viewState.errorMessage),

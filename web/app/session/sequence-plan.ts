@@ -54,8 +54,6 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
       pins: pinsFor(doc),
       ...listsOf(keys.map((key) => key.shaping)),
       ...splineOptions(doc),
-      spaceFaces: MOTION_DEFAULTS.spaceFaces,
-      spaceSamples: MOTION_DEFAULTS.spaceSamples,
       inPlace: false,
     },
     variants: [

@@ -63,6 +63,8 @@ export interface ViewState {
   singleKeys: boolean;
   /** The next click on the shape pins that vertex. */
   placing: boolean;
+  /** Bending energy is also measured by edge lengths and angles. */
+  shellBending: boolean;
   /** The compared methods before the divider. */
   beside: readonly Method[];
   /** Result of the search for the fewest keys of an animation. */
@@ -168,6 +170,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   shelf: [],
   singleKeys: true,
   placing: false,
+  shellBending: false,
   beside: [],
   fewest: null,
   original: false,

@@ -271,6 +271,8 @@ export const MOTION = {
     flag: 'space-faces',
     value: 'N',
     help: 'methods lengths and shell, and --keep-lengths: largest number of faces of the fitted mesh; default: 1,000',
+    page: 'spaceFaces',
+    undo: 'fitted mesh',
   },
   /** Number of intervals between the times of the fitted shapes. */
   spaceSamples: {
@@ -282,6 +284,8 @@ export const MOTION = {
     flag: 'space-samples',
     value: 'K',
     help: 'methods lengths and shell: fit shapes at K + 1 times; default: 24',
+    page: 'spaceSamples',
+    undo: 'fitted shapes',
   },
   /** Removes the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
