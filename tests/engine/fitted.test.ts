@@ -180,6 +180,24 @@ describe('lengths', () => {
     expect(back.info.project).toMatchObject({ method: 'lengths', spaceSamples: 6, spaceFaces: 500 });
   });
 
+  it.skipIf(!hasData)(
+    'lowers the bending energy of a walk where it can, and says where not',
+    async () => {
+      const keys = await engine.importKeyframes([dataFile('skin/CesiumMan.glb')], { sample: 8 });
+      const [lengths, shell] = [
+        await engine.createSequence(keys, { method: 'lengths' }),
+        await engine.createSequence(keys, { method: 'shell' }),
+      ];
+      const found = shell.warnings.filter(({ code }) => code === 'bending-not-minimised');
+      expect(found.map(({ key }) => key)).toEqual([1]);
+      expect(found[0]!.message).toMatch(/^Between keys 1 and 2, the bending energy could not be lowered/);
+      const last = keys.info.times.at(-1)!;
+      const [a, b] = [await frameAt(lengths, 0.6 * last), await frameAt(shell, 0.6 * last)];
+      expect(largestDistance(a.positions, b.positions)).toBeGreaterThan(1e-4 * diagonal(a.positions));
+    },
+    60_000,
+  );
+
   const saddle = ['turns/saddle/monkey_saddle_1.ply', 'turns/saddle/monkey_saddle_2.ply'];
   it.skipIf(!hasData)('shows the motion of LRI space where no fit is found, with one warning', async () => {
     const keys = await engine.importKeyframes(saddle.map(dataFile), { keyTimes: [0, 1] });

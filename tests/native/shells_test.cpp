@@ -238,6 +238,24 @@ TEST_CASE("shells: if a fit does not converge, its interval is that of LRI space
   CHECK(found.shapes[4] != samples[4].start);
 }
 
+TEST_CASE("shells: the spline goes on where a mean is not found, and its shapes stay") {
+  const Keyframes k = rolledSheet(5);
+  const std::vector<ShellSample> samples = samplesOf(k, 12);
+  const ShellMetric metric(k.faces, posesOf(k));
+  auto system = ShellSystem::create(metric);
+  REQUIRE(system.ok());
+  std::vector<double> times;
+  std::vector<char> fixed;
+  for (const ShellSample& s : samples) times.push_back(s.time), fixed.push_back(s.key >= 0);
+  const std::vector<Positions> fits = fitted(k, samples).shapes;
+  std::vector<Positions> shapes = fits;
+  shapes[2][7] = shapes[2][8];
+  const std::vector<char> unchanged = ShellSpline(*system, times, diagonalOf(k)).minimise(shapes, fixed);
+  CHECK(unchanged == std::vector<char>{0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(shapes[3] == fits[3]);
+  for (std::size_t s = 5; s < 12; ++s) CHECK(shapes[s] != fits[s]);
+}
+
 TEST_CASE("shells: a shape follows its coarse mesh") {
   const Shape full = box(1, 1, 4, 4, 4, 16);
   // Here the coarse mesh is the full one.

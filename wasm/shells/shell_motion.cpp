@@ -70,7 +70,7 @@ Welded weldedOf(const std::vector<Triangle>& faces, const std::vector<Positions>
 ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
                        const FractionReport& onProgress) {
   const std::vector<ShellMeasures> measures = system.metric().measuresOfKeys(mesh.keys);
-  ShellShapes found{mesh.starts, {}, 0};
+  ShellShapes found{mesh.starts, {}, {}, 0};
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
   std::size_t intervalStart = 0;
   for (std::size_t s = 0; s < samples.size(); ++s) {
@@ -92,16 +92,24 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
   return found;
 }
 
+// Shapes of intervals without a fit stay LRI's.
 void minimiseBending(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
-                     std::vector<Positions>& shapes, const FractionReport& onProgress) {
+                     ShellShapes& found, const FractionReport& onProgress) {
   std::vector<double> times;
-  std::vector<char> fixed;
-  for (const ShellSample& s : samples) times.push_back(s.time), fixed.push_back(s.key >= 0);
-  if (times.size() == mesh.keys.size()) return;  // every sample is a key
-  ShellSpline(system, times, mesh.size).minimise(shapes, fixed, onProgress);
+  std::vector<int> interval(samples.size());  // by its last key
+  std::vector<char> fixed(samples.size());
+  for (std::size_t s = samples.size(); s-- > 0;) {
+    interval[s] = samples[s].key >= 0 ? samples[s].key : interval[s + 1];
+    fixed[s] = samples[s].key >= 0 || std::count(found.failed.begin(), found.failed.end(), interval[s]) > 0;
+  }
+  for (const ShellSample& s : samples) times.push_back(s.time);
+  const std::vector<char> unchanged = ShellSpline(system, times, mesh.size).minimise(found.shapes, fixed, onProgress);
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
-  for (std::size_t s = 0; s < samples.size(); ++s)
-    if (!fixed[s]) moveOnto(shapes[s], mesh.starts[s], components);
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    if (fixed[s]) continue;
+    moveOnto(found.shapes[s], mesh.starts[s], components);
+    if (unchanged[s] && (found.stiff.empty() || found.stiff.back() != interval[s])) found.stiff.push_back(interval[s]);
+  }
 }
 
 }  // namespace
@@ -118,8 +126,7 @@ Result<ShellShapes> shellShapes(const std::vector<Triangle>& faces, const std::v
   if (!system) return system.error();
   const double fitting = method == ShellMethod::Lengths ? 1 : 0.3;  // share of the progress
   ShellShapes found = fitSamples(*system, mesh, samples, partOf(onProgress, 0, fitting));
-  if (method == ShellMethod::Spline)
-    minimiseBending(*system, mesh, samples, found.shapes, partOf(onProgress, fitting, 1));
+  if (method == ShellMethod::Spline) minimiseBending(*system, mesh, samples, found, partOf(onProgress, fitting, 1));
   found.factors = system->factorCount();
   for (std::size_t s = 0; s < samples.size(); ++s) {
     if (samples[s].key >= 0) {

@@ -1,5 +1,6 @@
 #include "shells/shell_spline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -12,6 +13,7 @@ namespace shapespline {
 namespace {
 
 constexpr int mostSplineSteps = 20, mostHalvings = 10;
+constexpr int mostTrials = 60;      // bounds the time
 constexpr double leastFall = 1e-4;  // stops when a step lowers the energy by less than this fraction
 constexpr int mostMeanSteps = 60;
 constexpr double meanStop = 1e-8;  // stops at steps shorter than this share of the shape's size
@@ -120,12 +122,18 @@ double ShellSpline::energy(const std::vector<Positions>& shapes, std::vector<Pos
   for (const Positions& shape : shapes) measures.push_back(metric.measuresOf(shape));
   if (gradient) gradient->assign(shapes.size(), Positions(shapes.front().size(), Vec3::Zero()));
   double sum = 0;
+  terms_.assign(shapes.size(), 0);
   for (int k = 1; k + 1 < static_cast<int>(shapes.size()); ++k) {
+    if (!omitted_.empty() && omitted_[k]) continue;
     Positions mean = means_[k];
     ShellMeasures middle;
-    if (!findMean(k, measures, mean, middle)) return std::numeric_limits<double>::infinity();
+    if (!findMean(k, measures, mean, middle)) {
+      terms_[k] = std::numeric_limits<double>::infinity();
+      return terms_[k];
+    }
     const ShellMeasures away = metric.difference(measures[k], metric.measuresOf(mean));
-    sum += spaced_.weight[k] * metric.squaredNorm(away);
+    terms_[k] = spaced_.weight[k] * metric.squaredNorm(away);
+    sum += terms_[k];
     if (gradient) {
       const double twice = 2 * spaced_.weight[k];
       const Positions adjoint = adjointOf(mean, middle, away);
@@ -239,42 +247,74 @@ void release(Path& gradient, const std::vector<char>& fixed) {
 
 }  // namespace
 
-void ShellSpline::minimise(std::vector<Positions>& shapes, const std::vector<char>& fixed,
-                           const FractionReport& onProgress) {
-  auto preconditioner = Preconditioner::create(system_->metric(), spaced_, shapes, fixed);
-  if (!preconditioner) return;
-  Memory memory;
-  double length = 1;
+std::vector<char> ShellSpline::minimise(std::vector<Positions>& shapes, const std::vector<char>& fixed,
+                                        const FractionReport& onProgress) {
+  const Path starts = shapes;
+  std::vector<char> kept = fixed, unchanged(shapes.size(), 0);
+  omitted_.assign(shapes.size(), 0);
+  while (std::count(kept.begin(), kept.end(), 0) > 0) {
+    const int worst = descend(shapes, kept, onProgress);
+    if (worst < 0) break;
+    omitted_[worst] = 1;
+    for (int k = worst - 1; k <= worst + 1; ++k) {
+      unchanged[k] = !fixed[k] && shapes[k] == starts[k];
+      kept[k] = 1;
+    }
+  }
+  omitted_.clear();
+  return unchanged;
+}
+
+// Returns the time of the term that rises most where no step lowers the energy, or -1 at the end.
+int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>& fixed,
+                         const FractionReport& onProgress) {
+  const auto worstSince = [&](const std::vector<double>& before) {
+    int worst = 1;
+    for (int k = 1; k + 1 < static_cast<int>(shapes.size()); ++k)
+      if (terms_[k] - before[k] > terms_[worst] - before[worst]) worst = k;
+    return worst;
+  };
   Path gradient;
   double energy = this->energy(shapes, &gradient);
+  if (!std::isfinite(energy)) return worstSince(std::vector<double>(shapes.size(), 0));
+  auto preconditioner = Preconditioner::create(system_->metric(), spaced_, shapes, fixed);
+  if (!preconditioner) return -1;
   release(gradient, fixed);
-  for (int step = 0; step < mostSplineSteps && std::isfinite(energy); ++step) {
-    reportFraction(onProgress, static_cast<double>(step) / mostSplineSteps);
+  Memory memory;
+  double length = 1;
+  for (; steps_ < mostSplineSteps && trials_ < mostTrials; ++steps_) {
+    reportFraction(onProgress, std::max(double(steps_) / mostSplineSteps, double(trials_) / mostTrials));
     const Path direction = memory.direction(gradient, [&](const Path& g) { return preconditioner->apply(g); });
     const double slope = dotOf(gradient, direction);
+    if (!(slope > leastFall * energy)) return -1;
     length = std::min(1.0, 4 * length);
-    double trialEnergy = 0;
-    Path trial, trialGradient;
     const Path means = means_;
-    int halvings = 0;
-    for (; halvings < mostHalvings; ++halvings, length /= 2) {
+    const std::vector<double> terms = terms_;
+    Path trial;
+    bool lower = false;
+    for (int halvings = 0; halvings < mostHalvings && !lower; ++halvings, ++trials_) {
+      if (halvings > 0) length /= 2;
       trial = shapes;
       addScaledPath(trial, -length, direction);
       means_ = means;
-      trialEnergy = this->energy(trial, &trialGradient);
-      if (trialEnergy <= energy - 1e-4 * length * slope) break;
+      lower = this->energy(trial) <= energy - 1e-4 * length * slope;
     }
-    if (halvings == mostHalvings) return;
+    if (!lower) {
+      means_ = means;
+      return worstSince(terms);
+    }
+    Path trialGradient;
+    const double trialEnergy = this->energy(trial, &trialGradient);
     release(trialGradient, fixed);
     Path moved = trial, changed = trialGradient;
     addScaledPath(moved, -1, shapes), addScaledPath(changed, -1, gradient);
     memory.add(std::move(moved), std::move(changed));
     shapes = std::move(trial), gradient = std::move(trialGradient);
-    ++steps_;
     const double fall = energy - trialEnergy;
     energy = trialEnergy;
-    if (fall < leastFall * energy) return;
+    if (fall < leastFall * energy) return -1;
   }
+  return -1;
 }
 
 }  // namespace shapespline

@@ -32,20 +32,27 @@ class ShellSpline {
   /// if a mean is not found.
   double energy(const std::vector<Positions>& shapes, std::vector<Positions>* gradient = nullptr);
 
-  /// Improves the shapes that are not fixed, until a step hardly lowers the energy. onProgress: steps taken, as a
-  /// fraction of the largest allowed number.
-  void minimise(std::vector<Positions>& shapes, const std::vector<char>& fixed, const FractionReport& onProgress = {});
+  /// Improves the shapes that are not fixed, until a step hardly lowers the energy. Where no step lowers it, mostly
+  /// because a triangle collapses in a mean, that term is omitted and its three shapes stay. Returns one entry per
+  /// shape: whether it stayed as it was for this reason. onProgress: steps taken, as a fraction of the largest allowed
+  /// number.
+  std::vector<char> minimise(std::vector<Positions>& shapes, const std::vector<char>& fixed,
+                             const FractionReport& onProgress = {});
 
   int stepCount() const { return steps_; }
 
  private:
   bool findMean(int k, const std::vector<ShellMeasures>& measures, Positions& mean, ShellMeasures& middle);
+  int descend(std::vector<Positions>& shapes, const std::vector<char>& fixed, const FractionReport& onProgress);
   Positions adjointOf(const Positions& mean, const ShellMeasures& middle, const ShellMeasures& away);
 
   ShellSystem* system_;
   SpacedTimes spaced_;
   double size_;
   std::vector<Positions> means_;  // the last means, from which the next searches start
+  std::vector<double> terms_;     // of the last energy, by time
+  std::vector<char> omitted_;     // times whose terms do not count
+  int trials_ = 0;
   int steps_ = 0;
 };
 

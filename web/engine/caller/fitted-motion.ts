@@ -158,7 +158,7 @@ class Fit {
     for (const t of this.spec.keyTimes) keys.push(await base.ghostPositions(t));
     const starts = await this.starts((t) => base.ghostPositions(t));
     const coarse = { faces: ghost.faces, keys, samples: await this.samples(base, starts) };
-    const { shapes, failed } = await this.fit(coarse);
+    const { shapes, failed, stiff } = await this.fit(coarse);
     const leader = { faces: ghost.faces, vertexOf: ghost.ghostVertexOf, faceOf: ghost.ghostFaceOf };
     await this.worker.call('leadShape', { faces: info.faces, keys: [...positions], leader });
     const led: Float32Array[] = [];
@@ -170,7 +170,7 @@ class Fit {
       const shape = await this.frameAt(base, time);
       led.push((await this.worker.call('follow', { shape, from: starts[i]!, to: shapes[i]! })).positions);
     }
-    return { shapes: led, failed };
+    return { shapes: led, failed, stiff };
   }
 
   private async fit({ faces, keys, samples }: Coarse): Promise<Fitted> {
@@ -208,7 +208,7 @@ class Fit {
   }
 
   /** `open`: warnings about the user's keys. Between fitted shapes, rotations may be too small for them. */
-  private async motionThrough({ shapes, failed }: Fitted, open: readonly Warning[]): Promise<FittedMotion> {
+  private async motionThrough({ shapes, failed, stiff }: Fitted, open: readonly Warning[]): Promise<FittedMotion> {
     const { keys, encoding, encode } = this.shape.parts;
     const at = (key: number): number => this.times.findIndex((one) => one.key === key);
     const through: KeyData = {
@@ -232,6 +232,7 @@ class Fit {
       const warnings = [
         ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings.map(this.ofKeys)]),
         ...failed.map(notFitted),
+        ...stiff.map(notSmoothed),
       ];
       return new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings });
     } catch (error) {
@@ -260,6 +261,8 @@ interface Fitted {
   shapes: Float32Array[];
   /** Intervals whose fits did not converge, by the index of their last key. */
   failed: number[];
+  /** Intervals where the bending energy could not be lowered, by the index of their last key. */
+  stiff: number[];
 }
 
 /** Without those of further shapes in the same interval of keys. */
@@ -275,6 +278,18 @@ function notFitted(key: number): Warning {
     message:
       `Between keys ${key} and ${key + 1}, no shapes were found that keep lengths and angles, ` +
       'so the shape spline (LRI) is shown. Add a key between them.',
+    count: 1,
+    key,
+  };
+}
+
+function notSmoothed(key: number): Warning {
+  return {
+    ...NO_PLACE,
+    code: 'bending-not-minimised',
+    message:
+      `Between keys ${key} and ${key + 1}, the bending energy could not be lowered, because triangles collapse. ` +
+      "Shapes there are those of the method 'lengths'. Add a key between them.",
     count: 1,
     key,
   };

@@ -143,8 +143,11 @@ export interface ShellCalls {
       /** In increasing time. `key`: the key at this time, or -1; `start`: the start of the fit, null at a key. */
       samples: { time: number; weights: number[]; start: Float32Array | null; key: number }[];
     };
-    /** `failed`: intervals whose fits did not converge, by their last key. */
-    result: { shapes: Float32Array[]; failed: number[] };
+    /**
+     * `failed`: intervals whose fits did not converge, by their last key. `stiff`: those where the bending energy could
+     * not be lowered.
+     */
+    result: { shapes: Float32Array[]; failed: number[]; stiff: number[] };
   };
   /** Prepares the transfer from a coarse mesh to a full shape. */
   leadShape: {

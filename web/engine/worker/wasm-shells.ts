@@ -8,13 +8,14 @@ export class WasmShells extends WasmCalls<ShellsModule> {
 
   fit(request: RequestOf<'fitShells'>, onProgress: OnProgress): ResultOf<'fitShells'> {
     this.hear(onProgress);
-    const { handle, shapes, failed } = this.send<{
+    const { handle, shapes, failed, stiff } = this.send<{
       handle: number;
       shapes: { positions: Float32Array }[];
       failed: number[];
+      stiff: number[];
     }>(request, (address) => this.module._shapespline_fit_shells(address));
     this.release(handle);
-    return { shapes: shapes.map(({ positions }) => positions), failed };
+    return { shapes: shapes.map(({ positions }) => positions), failed, stiff };
   }
 
   /** Prepares the shape that `follow` corrects. */
