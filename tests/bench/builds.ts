@@ -13,7 +13,7 @@ export interface Silence {
   stage: string;
 }
 
-/** Milliseconds, medians of five builds; the silence is that of the median build. */
+/** Milliseconds: medians of five builds, also for the longest silence. */
 export interface Builds {
   weldMs: number;
   joinMs: number;

@@ -197,5 +197,5 @@ function costTable(costs: readonly Costs[]): string {
     short(plainMs),
     ...titles.map((title) => short(ratios[title]!)),
   ]);
-  return `Frame times in wasm, measured alternately (medians): the plain motion in milliseconds, the others relative to it:\n\n${table(['', 'plain', ...titles], rows)}`;
+  return `Median frame times in wasm, with all motions measured in turn. The plain motion is in milliseconds, the others are relative to it:\n\n${table(['', 'plain', ...titles], rows)}`;
 }

@@ -24,7 +24,7 @@ export interface InThree {
   memoryMB: number;
 }
 
-/** A message if it failed. */
+/** A message if the file could not be opened. */
 export type Played<T> = T | string;
 
 type InPage = Omit<InThree, 'memoryMB'> & { graphicsError: string | null };

@@ -20,7 +20,7 @@ const folder = fileURLToPath(new URL('./figures', import.meta.url));
 const KEPT = 2;
 
 const PARTS = { guide: '.guide', stage: 'main', options: '.side', timeline: '[data-testid="timeline"]' };
-/** Their charts show measured times, or as many points as the machine has time for. */
+/** Figures with charts of measured times, or with as many points as the machine has time for. */
 const TIMED = ['figure=8', 'figure=9'];
 /** Fig. 2a is a separate page. */
 const PLAYGROUND = 'figure=2a';

@@ -14,7 +14,7 @@ import type { App } from './support.ts';
 test.use({ sharpness: 1, fresh: true });
 
 const folder = fileURLToPath(new URL('../../public/gallery', import.meta.url));
-/** Scale at which they are drawn, relative to the stored size. */
+/** Scale at which the images are drawn, relative to the stored size. */
 const FINER = 2;
 const COMPARED = 4;
 const LEVELS = 40;

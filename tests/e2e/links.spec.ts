@@ -1,4 +1,4 @@
-/** Links are untrusted: with any link, the sample opens and drawings use valid numbers only. */
+/** Links are untrusted. Whatever a link contains, a sample opens and only valid numbers are drawn. */
 import { expect, test } from './support.ts';
 
 test('a number out of range in a link is ignored, with a message', { tag: '@all' }, async ({ app }) => {

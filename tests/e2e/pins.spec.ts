@@ -58,7 +58,7 @@ test('a foot is pinned, dragged, undone, reloaded, exported and opened again', a
   expect(distance(point(held, vertex), home)).toBeLessThan(0.2 * distance(point(plain, vertex), home) + 1e-3 * size);
   expect(difference(held, plain)).toBeGreaterThan(1e-3 * size);
 
-  // A drag moves it at this time, as a single undo step.
+  // A drag moves the pin at this time, as a single undo step.
   const handle = (await app.by('pin-handle-0').boundingBox())!;
   const middle = { x: handle.x + handle.width / 2, y: handle.y + handle.height / 2 };
   await app.page.mouse.move(middle.x, middle.y);

@@ -101,8 +101,8 @@ function chunk(type: string, data = Buffer.alloc(0)): Buffer {
 }
 
 /**
- * Scales down by a factor. Each pixel is the mean of a square; incomplete squares at the right and lower edge are
- * dropped.
+ * Scales down by a factor. Each pixel is the mean of a square. Squares at the right and lower edges may be
+ * incomplete.
  */
 export function shrink(file: Buffer, times: number): Buffer {
   const full = decode(file);

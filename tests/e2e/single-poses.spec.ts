@@ -66,7 +66,7 @@ test('a pose dropped between two keys becomes a key between them', async ({ app 
   writeFileSync(file, QUAD(0.9));
   const [first, second] = [(await app.by('key-0').boundingBox())!, (await app.by('key-1').boundingBox())!];
   const between = { x: (first.x + first.width + second.x) / 2, y: first.y + first.height / 2 };
-  // Before the drop, a mark shows its position, and the keys are visible.
+  // Before the drop, a mark shows the position of the new key, and the keys are visible.
   await app.dragOver([file], between);
   await expect(app.by('drop-zone')).toHaveText(/becomes key 2$/);
   await expect(app.by('key-1')).toHaveAttribute('data-drop', 'before');

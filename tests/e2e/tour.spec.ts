@@ -319,7 +319,7 @@ test('on a projector the sixth step has its playground, in large type, and its l
   await app.expectNoProblems();
 });
 
-/** It covers no part of the shape, and the next button is visible. */
+/** The guide covers no part of the shape, and its next button is visible. */
 async function expectBesideShape(app: App): Promise<void> {
   const shape = (await app.by('viewport').boundingBox())!;
   const guide = (await app.by('guide').boundingBox())!;
@@ -370,7 +370,7 @@ test('at 1024 px the guide does not cover the shape; after closing it, the first
   await app.open({ hash: '#tour=2' });
   await expectStep(app, 1);
   await expectBesideShape(app);
-  // A user who came by its link continues with the first sample, as on any first visit.
+  // A user who opened a link to the tour continues with the first sample, as on any first visit.
   await app.by('guide-close').click();
   await expect.poll(async () => (await app.state()).source).toEqual({ kind: 'sample', id: 'cactus' });
   expect((await app.state()).view.compare).toEqual([]);

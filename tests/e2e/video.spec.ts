@@ -463,8 +463,8 @@ test('an image of a film strip has the strip of every method, with keys and name
     await app.by('export-crop').uncheck();
   });
   const picture = decode(bytes);
-  // Columns of the upper and the lower half with coloured pixels of a shape: nine shapes side by side, the first and
-  // the last extrapolated.
+  // The number of shapes between two rows: runs of columns with coloured pixels. Both halves of the image have nine
+  // shapes side by side, the first and the last extrapolated.
   const shapesIn = (from: number, to: number): number => {
     let count = 0;
     let before = false;
@@ -481,7 +481,7 @@ test('an image of a film strip has the strip of every method, with keys and name
   };
   expect(shapesIn(0, 540)).toBe(9);
   expect(shapesIn(540, 1080)).toBe(9);
-  // Text in the lower half of each.
+  // Both halves have text below their shapes.
   const names = (from: number, to: number): number => {
     let dark = 0;
     for (let y = from; y < to; y += 1)
@@ -505,7 +505,7 @@ test('an image of a comparison has the names of the methods', { tag: '@all' }, a
   const both = await exported(app, async () => {});
   const picture = decode(both.bytes);
   const half = Math.floor(picture.width / 2);
-  // Text over each of the two: dark grey on a transparent background.
+  // Text over each of the two shapes: dark grey on a transparent background.
   const letters = (from: number): number => {
     let count = 0;
     for (let y = 0; y < 0.12 * picture.height; y += 1)

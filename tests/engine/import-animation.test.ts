@@ -26,7 +26,7 @@ async function differenceToThree(file: InputFile, animation: number, times: numb
 describe('keys of an animation match three.js', () => {
   it('with skin, morph weights and node transforms at once, in LINEAR, STEP and CUBICSPLINE', async () => {
     const file = await rigFile();
-    // Before, at and between the keys of the samplers, which start and end at different times.
+    // Times before, at and between the keys of the samplers. The samplers start and end at different times.
     expect(
       await differenceToThree(file, 0, [0, 0.1, 0.2, 0.5, 0.69, 0.7, 0.9, 1, 1.3, 1.4, 1.75, 1.9, 2]),
     ).toBeLessThan(1e-5);

@@ -60,7 +60,7 @@ describe.skipIf(!hasData)('the detected up axis of real poses', () => {
       .filter((name) => name.endsWith('.obj'))
       .map(dataFile);
     expect(await hint(poses.map((pose) => asOff(pose, false)))).toBe(null);
-    // Not all of them stand on the floor, so the axis is unclear.
+    // Not all poses stand on the floor, so the axis is unclear.
     expect(await hint(poses.map((pose) => asOff(pose, true)))).toBe('z-up-unclear');
   });
 

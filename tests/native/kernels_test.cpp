@@ -219,7 +219,7 @@ Positions plainNormals(const PlainMesh& mesh) {
 
 TEST_CASE_TEMPLATE("kernels: right-hand sides are the divergence of R_f S_f", Real, float, double) {
   for (const Stretch stretch : {Stretch::Linear, Stretch::Log})
-    // few terms, all terms, the end of the series, beyond the series
+    // few terms (twice), all terms, the end of the series, beyond the series
     for (const double largestTurn : {0.1, 0.28, 1.0, 3.0, 12.0}) {
       CAPTURE(largestTurn);
       const Coordinates<Real> coordinates(largestTurn, stretch);

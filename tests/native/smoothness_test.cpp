@@ -17,7 +17,7 @@ constexpr double leastStep = 1e-4;
 // A patch never rotates faster than this multiple of its median speed, times the unevenness that the end speeds cause
 // in an even rotation.
 constexpr double largestUnevenness = 4;
-// Maximum growth of the acceleration when the spacing is halved. A corner has 32.
+// Maximum growth of the acceleration when the spacing is halved five times. A corner has 32.
 constexpr double largestGrowth = 4;
 
 struct Boundary {

@@ -63,7 +63,7 @@ it('webpack 5 builds it', async () => {
   await expectRunsAt(await host([output, folder, path.join(folder, 'public')]));
 });
 
-/** It keeps URLs unchanged, so the test copies the files as the package's README describes. */
+/** esbuild keeps URLs unchanged, so the test copies these files, as the package's README describes. */
 const copied = ['worker.js', 'codecs.js', 'shapespline.wasm', 'shapespline_files.wasm', 'draco_decoder_gltf.wasm'];
 
 it('esbuild builds it, with the files next to the script', async () => {

@@ -169,7 +169,7 @@ it('twenty elements on a page share their content and one renderer', async () =>
   const page = await openElements(many.join(''));
   for (let i = 0; i < 20; i += 1) await when(page, 'load', `n${i}`);
   expect(await page.evaluate(() => window.contexts.length)).toBe(1);
-  // One for the keys and one for the motion that all elements share.
+  // All elements share two workers: one for the keys and one for the motion.
   await fewWorkers(page);
 });
 
@@ -368,7 +368,7 @@ const NOTED =
   /^(Performance|LayoutShift|DOMRect|ScriptTiming|TaskAttribution|CSSNumeric|CSSUnit|blink::|system \/|CppGC)/;
 
 const ELEMENTS = 80;
-/** Bytes that they may leave: measured are 72 for 200 elements, and 323 for each that leaks a geometry. */
+/** Bytes that the elements may leave. Measured: 72 for 200 elements, and 323 for each element that leaks a geometry. */
 const MOST_KEPT = 10_000;
 
 interface Heap {

@@ -6,7 +6,7 @@ import { askedElsewhere, host, outcomeOf } from './support/browser.ts';
 import { sumInNode } from './support/expected.ts';
 import { newProject, type Outcome, packageIn, script } from './support/project.ts';
 
-/** Any page can import it. */
+/** Headers of a host whose files any page may import. */
 const CORS = { 'access-control-allow-origin': '*', 'cross-origin-resource-policy': 'cross-origin' };
 
 let project: string;

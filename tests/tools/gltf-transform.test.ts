@@ -35,7 +35,7 @@ async function through(bytes: Uint8Array, ...transforms: Transform[]): Promise<U
   return io.writeBinary(document);
 }
 
-/** The defaults of its `optimize`, except for textures and simplification. */
+/** The defaults of glTF-Transform's `optimize`, except for textures and simplification. */
 const optimised = (): Transform[] => [
   dedup(),
   join(),

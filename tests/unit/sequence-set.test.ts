@@ -180,7 +180,7 @@ describe('sequence sets', () => {
     plan.motion.tension = [0.5, 0.5, 0.5];
     expect(asked('lengths')).toEqual(['off', 0, 0, 'natural']);
     expect(motionFor(plan, { method: 'lengths', ghost: 0 }).tension).toEqual([]);
-    // It has the shape's own stretches only without the paper's transfer.
+    // This method needs the stretches of the shape's own faces, which the paper's transfer lacks.
     for (const [transfer, ghost] of [
       ['paper', 0],
       ['exact', 2000],

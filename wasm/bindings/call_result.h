@@ -1,5 +1,5 @@
-// One result per call: JSON text, {"ok": true, ...} or {"code", "message", "key", "vertex", "face"}. No exception
-// crosses the boundary.
+// One result per call: JSON text, {"ok": true, ...} or {"ok": false, "code", "message", "key", "vertex", "face"}. No
+// exception crosses the boundary.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// Converts between JSON and heap ranges and the core's plain data, in both modules. Large arrays are passed as
+// Converts between JSON and heap ranges and the core's plain data, in all modules. Large arrays are passed as
 // {"address", "length"}: a heap range that its owner keeps until the call ends or its handle is released.
 #pragma once
 

@@ -10,8 +10,8 @@
 
 namespace shapespline {
 
-/// Zero unless the box around all poses is more than 16 diagonals from the origin. Otherwise the box centre, rounded to
-/// a power of two near the diagonal. The subtraction is then exact.
+/// Zero unless the centre of the box around all poses is, along some axis, more than 16 diagonals from the origin.
+/// Otherwise this centre, rounded to multiples of a power of two near the diagonal. The subtraction is then exact.
 Vec3 chooseOffset(std::span<const Key> keys);
 
 /// Subtracts one offset from all keys and stores it in the import. Uses the requested offset, else the saved project's

@@ -109,7 +109,7 @@ struct Arranged {
   }
 };
 
-// `order`: indices of the objects. Vertices of other objects are omitted, vertices without faces come last.
+// `order`: indices of the objects. Vertices of other objects are omitted; vertices without faces come last.
 Arranged arranged(const std::vector<Triangle>& faces, const std::vector<ObjectFaces>& objects,
                   const std::vector<int>& order, std::span<const Positions* const> poses) {
   Arranged out;

@@ -68,8 +68,8 @@ double strainOf(const Positions& mesh, const std::vector<int>& corners, const Po
   return sum;
 }
 
-// Faces with wrong indices can look like reordered faces. In that case the pose fits the mesh's own faces but is torn
-// by these.
+// Faces with wrong indices can look like reordered faces. In that case the pose fits the faces of the mesh, but its own
+// faces tear it.
 bool nameWrongVertices(const Positions& mesh, const std::vector<int>& corners, const Positions& pose,
                        const std::vector<int>& posed) {
   return mesh.size() == pose.size() &&

@@ -1,12 +1,12 @@
 export interface Size {
   faces: number;
-  /** null where none were given. */
+  /** null if none were given. */
   keys: number | null;
 }
 
 export interface Wanted {
   what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'embed' | 'start' | 'drop' | 'hold' | 'inputs';
-  /** null: the usual ones. */
+  /** null: the default sizes. */
   sizes: Size[] | null;
   /** Animations, for `hold`. */
   files: string[];
@@ -14,5 +14,5 @@ export interface Wanted {
   save: boolean;
 }
 
-/** Throws the usage where the words make no sense. */
+/** Throws a usage message if the words are invalid. */
 export function benchArguments(words: readonly string[]): Wanted;

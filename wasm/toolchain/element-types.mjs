@@ -17,7 +17,7 @@ const OWN = `/** Properties that have no attribute of the same name. */
 export type ShapeSplineExtras = {
   [N in Exclude<keyof ShapeSplineProperties, keyof ShapeSplineAttributes>]?: ShapeSplineProperties[N] | undefined;
 } & {
-  /** Comes before src: addresses, Blobs or ArrayBuffers of one key each, or of all. */
+  /** Takes precedence over src: URLs, Blobs or ArrayBuffers of one key each, or of all. */
   keys?: readonly KeySource[] | null | undefined;
 };
 

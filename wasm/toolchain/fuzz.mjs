@@ -1,4 +1,4 @@
-// `npm run fuzz [-- SECONDS [TARGET]]`: runs each fuzz target for this many seconds, starting from the corpus and all
+// `npm run fuzz [-- [SECONDS] [TARGET]]`: runs each fuzz target for this many seconds, starting from the corpus and all
 // earlier findings.
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-// A static file server, optionally below a sub-path, with the headers that the manual requires of a host. --isolated
+// A static file server, optionally below a sub-path, with the headers that the manual recommends. --isolated
 // also sends the two headers that let threads share memory.
 //   node serve.mjs FOLDER [--port N] [--prefix /sub/path/] [--isolated]
 import { createReadStream, statSync } from 'node:fs';

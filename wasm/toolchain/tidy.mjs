@@ -1,4 +1,4 @@
-// Runs clang-tidy over core, readers and writers, one folder at a time. All sources of a folder are checked together,
+// Runs clang-tidy over core, io and shells, one folder at a time. All sources of a folder are checked together,
 // because most time is spent on headers of other folders. A folder is checked again if it, one of our headers that it
 // includes, or the rules have changed.
 import { readdirSync, readFileSync } from 'node:fs';

@@ -97,7 +97,7 @@ export async function rigFile(name = 'rig.glb'): Promise<InputFile> {
         target((x, y, z) => [x, y + Math.sin(z), z]),
       ),
     );
-  // Its own transform has no effect, because it is skinned.
+  // The node's own transform has no effect, because its mesh is skinned.
   const bodyNode = document
     .createNode('body')
     .setMesh(document.createMesh().addPrimitive(body).setWeights([0.1, 0]))

@@ -70,10 +70,8 @@ EXPORT const char* shapespline_animation_size(const char* request) {
   });
 }
 
-/// {format: 'glb'
-/// 'obj'
-/// 'ply', positions, normals, faces, scene, library: {file, names}, offset, local} ->
-/// {handle, bytes}. `local`: an OBJ states the offset instead of adding it.
+/// {format, positions, normals, faces, scene, library: {file, names}, offset, local} -> {handle, bytes}. format: glb,
+/// obj or ply. `local`: an OBJ states the offset instead of adding it.
 EXPORT const char* shapespline_write_pose(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);

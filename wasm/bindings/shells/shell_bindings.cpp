@@ -85,7 +85,7 @@ EXPORT const char* shapespline_follow(int handle, const char* request) {
 }
 
 /// {faces, keys: [positions], shapes: [positions], steps: [[before, here, after]], step} -> {energy}: shell_bending.h.
-/// steps: three indices of shapes per energy. null where an edge has no length.
+/// steps: three indices of shapes per energy. An energy is null if an edge has no length.
 EXPORT const char* shapespline_shell_bending(const char* request) {
   return answer(request, [](const Json& json) -> Result<Json> {
     const auto bending =

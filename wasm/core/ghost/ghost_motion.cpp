@@ -11,8 +11,8 @@ namespace {
 // In patches with fewer ghost faces, the rotation is poorly determined.
 constexpr int facesPerPatch = 16;
 
-// The number of patches for the shape, if the ghost has enough faces. Coarser patches rotate further relative to each
-// other.
+// The shape's own number of patches, if the ghost has enough faces. Fewer and larger patches rotate more relative to
+// each other.
 int ghostPatchCount(int shapeFaces, int ghostFaces) {
   return std::max(defaultPatchCount(ghostFaces), std::min(defaultPatchCount(shapeFaces), ghostFaces / facesPerPatch));
 }

@@ -21,8 +21,8 @@ constexpr double crushed = 0.2, whole = 1;
 double extent(const Mat3& m) { return (m.trace() * m.trace() - m.squaredNorm()) / 2; }
 
 // planes: mean projection of a patch (affine_response.h). gradient: gradient of its displacements, relative to the
-// patch. Returns the rotation that minimises shear, to first order. Large rotations give their sine; large stretches
-// may give values above 1.
+// patch. Returns the rotation that minimises shear, to first order. The length of `turn` is the sine of the angle for
+// large rotations, and may exceed 1 under large stretches.
 Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
   const Vec3 curl(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
   const Mat3 stiff = planes.trace() * Mat3::Identity() - planes;

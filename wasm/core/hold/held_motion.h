@@ -15,8 +15,8 @@ namespace shapespline {
 /// Immutable.
 class HeldMotion {
  public:
-  /// before: motion of the same shape whose system and handles are reused where they agree, or null. The curve must be
-  /// cubic. Error: the solver's.
+  /// before: an earlier motion of the same shape, or null. Its system and handles are reused if this motion needs the
+  /// same. The curve must be cubic. Error: the solver's.
   static Result<std::shared_ptr<const HeldMotion>> create(const HoldInput& input, const Curve& curve,
                                                           const HeldMotion* before);
 

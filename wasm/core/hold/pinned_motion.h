@@ -1,5 +1,5 @@
-// A motion with pins. Rotations of patches are predicted from the pins' target positions, then the shape is pulled
-// there. Takes one solve per time with a factored system, and is as smooth as the pull.
+// A motion with pins. Rotations of patches are predicted from the pins' target positions, then the shape is pulled to
+// these positions. Takes one solve per time with a factored system, and is as smooth as the pull.
 #pragma once
 
 #include <memory>

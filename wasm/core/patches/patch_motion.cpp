@@ -153,9 +153,9 @@ std::vector<int> PatchMotion::stepsOf(const WeldedShape& shape, bool loop) const
   return result;
 }
 
-// Links are weighted by the length of the shared boundary. Links with large rotations, or whose maps disagree with the
-// others, have less weight. For small angles a, the factor ((1 + cos a) / 2)^6 is 1 - O(a^2), so smooth shapes hardly
-// change.
+// The weight of a link grows linearly with the number of shared edges. Links with large rotations, or whose maps
+// disagree with the others, have less weight. For small angles a, the factor ((1 + cos a) / 2)^6 is 1 - O(a^2), so
+// smooth shapes hardly change.
 Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& steps) const {
   const std::size_t count = patches_.graph.links().size();
   std::vector<double> weight, cost;

@@ -182,8 +182,8 @@ void findFactors(Passing<Real>& passing) {
   f.a.store(passing.factor[0]), f.b.store(passing.factor[1]);
 }
 
-// Uses the rotations of four faces as unit quaternions q instead of exp(r): Rodrigues' formula with q's vector, 2 q.w,
-// 2.
+// Uses the rotations of four faces as unit quaternions q instead of exp(r). Rodrigues' formula then has the vector of q
+// and the factors 2 q.w and 2.
 template <class Real>
 void takeRotations(const Real* rotations, Passing<Real>& passing) {
   using L = Lanes<Real>;

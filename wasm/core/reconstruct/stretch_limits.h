@@ -6,7 +6,7 @@
 namespace shapespline {
 
 /// Beyond the keys, the stretches of a face are limited. Lower limit: its smallest stretch over all keys, divided by
-/// this factor. Upper limit: its largest, times this factor.
+/// this factor. Upper limit, for logarithmic stretch only: its largest stretch, times this factor.
 inline constexpr double stretchMargin = 1.5;
 
 /// Scale of a change that would reach its limit at 1/u of itself: (1 + u^4)^(-1/4). u times this scale tends to 1 and

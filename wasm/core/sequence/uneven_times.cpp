@@ -11,10 +11,10 @@ namespace shapespline {
 
 namespace {
 
-// An interval this many times longer than its neighbour is suspicious.
+// An interval is suspicious if it is this many times longer than a neighbour, and the weights in it are large.
 constexpr double unevenFactor = 4;
-// Sums of the weights' absolute values above these limits are suspicious too. Evenly spaced keys reach 1.6 between
-// them, and 3.6 one interval beyond the last.
+// Weights are large if their absolute values sum to more than these limits. Evenly spaced keys reach 1.6 between them,
+// and 3.6 one interval beyond the last.
 constexpr double betweenFactor = 3, beyondFactor = 8;
 constexpr int samples = 8;  // per interval
 

@@ -1,4 +1,4 @@
-// Own paths: separate rotation paths of faces, faded towards LRI space where both disagree.
+// Own paths: separate rotation paths of faces, blended with LRI space where the two disagree.
 #pragma once
 
 #include <variant>

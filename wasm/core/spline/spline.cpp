@@ -28,8 +28,8 @@ MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const Vector
   return rhs;
 }
 
-// Number of keys on either side of a period with noticeable influence on it. A cubic spline's influence falls by 0.27
-// from key to key for even spacing, and at least by half.
+// Number of keys beyond each end of a period that noticeably affect it. From key to key, the influence on a cubic
+// spline falls to 0.27 of its value for even spacing, and to at most half for any spacing.
 constexpr int knotsBeyond = 40;
 
 struct Spans {

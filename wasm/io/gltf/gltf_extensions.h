@@ -34,7 +34,7 @@ std::span<const KnownExtension> knownExtensions();
 Status checkRequiredExtensions(const nlohmann::json& doc, const std::string& where);
 
 /// Warns about extensions that are not applied but may change the shape: known extensions in use, and unknown ones on
-/// nodes, meshes, skins, accessors or animations.
+/// nodes, meshes, skins, accessors, buffer views or animations.
 std::vector<Warning> extensionWarnings(const nlohmann::json& doc, const std::string& where);
 
 }  // namespace shapespline
