@@ -23,7 +23,7 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
   {
     value: 'difference',
     text: 'By pose difference',
-    hint: 'Intervals proportional to pose difference: constant speed',
+    hint: 'Intervals proportional to pose difference: nearly constant speed',
   },
 ];
 

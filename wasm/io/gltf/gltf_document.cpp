@@ -104,7 +104,7 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
       continue;
     }
     const std::string type = imageType(resource.bytes);
-    if (!resource.bytes.empty() && type.empty()) why = name + " is not a supported image format.";
+    if (!resource.bytes.empty() && type.empty()) why = name + " is not in a supported image format.";
     const bool fits = resource.bytes.size() <= room;
     if (!fits) why = name + " repeats the bytes of other images too often.";
     const bool usable = fits && !type.empty();

@@ -286,7 +286,8 @@ struct ShapeReader {
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
     warn("skipped-primitives", skippedPrimitives, "lines and points are ignored.");
-    warn("leftover-corners", leftoverCorners, "faces with fewer than three different corners are ignored.");
+    warn("leftover-corners", leftoverCorners,
+         "the number of corners in a triangle list is not a multiple of 3. The last one or two are ignored.");
     warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used without its skin.");
     if (!shape.faces.empty()) return {};
     return Error{ErrorCode::NoTriangles, doc.where +

@@ -163,11 +163,12 @@ function numberCheck(option: NumberOption): Check {
 }
 
 /** Checks the number of entries. */
-function countCheck({ some, most = Infinity }: OtherOption): Check {
+function countCheck({ kind, some, most = Infinity }: OtherOption): Check {
+  const noun = kind === 'pins' ? 'pins' : 'times';
   return (v) => {
     const count = Array.isArray(v) ? v.length : typeof v === 'number' ? v : 1;
-    if (some && count === 0) return 'must name at least one';
-    return count <= most ? null : `must be at most ${grouped(most)} times, not ${grouped(count)}`;
+    if (some && count === 0) return 'must have at least one entry';
+    return count <= most ? null : `must be at most ${grouped(most)} ${noun}, not ${grouped(count)}`;
   };
 }
 

@@ -5,7 +5,8 @@
 import { EngineError } from '../api/errors.ts';
 
 /**
- * Largest ratio of decoded to stored bytes, and the limit for small files. Whole morph targets of zeros need few bytes.
+ * Largest ratio of decoded to stored bytes; the limit for small files and for all files, in bytes. Whole morph targets
+ * of zeros need few bytes.
  */
 const LARGEST_RATIO = 1024;
 const SMALL = 64 * 2 ** 20;
