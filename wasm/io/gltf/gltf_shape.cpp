@@ -105,7 +105,8 @@ struct ShapeReader {
         if (joint[i] >= known && weight[i] == 0) joint[i] = 0;  // unused slots may hold any index
         if (joint[i] >= known)
           return malformed(doc.where, part.name + ": vertex " + grouped(std::int64_t(v)) + " follows joint " +
-                                          grouped(joint[i]) + " of " + grouped(std::int64_t(known)));
+                                          grouped(joint[i]) + ", but its skin has " + grouped(std::int64_t(known)) +
+                                          (known == 1 ? " joint" : " joints"));
         sum += std::abs(weight[i]);
       }
       if (known == 0) return malformed(doc.where, part.name + " has a skin without joints");

@@ -41,7 +41,7 @@ export function checkDecodedSize(json: unknown, bytes: number, name: string): vo
   const megabytes = Math.round(room / 1e6).toLocaleString('en');
   throw new EngineError(
     'too-large',
-    `${name} expands to more than the ${megabytes} MB allowed for its size. Export the file again, or without compression.`,
+    `${name} expands to more than the ${megabytes} MB allowed for a file of its size. Export the file again, or without compression.`,
     { file: name },
   );
 }
