@@ -165,7 +165,7 @@ function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
     onInput: (value) => events.onTightness(value),
   });
   const auto = button({
-    label: 'Adds tension that keeps slopes within three times those of straight paths',
+    label: 'Adds tension so that no slope exceeds three times the slope of a straight path to the next or previous key',
     testId: 'tightness-auto',
     text: 'Limit overshoot',
     onClick: () => events.onAutoTightness(),

@@ -128,7 +128,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     panel: 'motion',
     state:
       'sample=cactus&boundary=hermite&startSpeed=2&endSpeed=2&between=-0.2,1.2&t=0&loop=bounce&colour=phase&play=1',
-    text: 'Between the keys, nothing is left to choose. At the ends, you decide: “Free” (natural) leaves the ends free, like the ruler, with no bending. “Ease” (Hermite) gives them a speed. “Loop” (periodic) joins the last key to the first.',
+    text: 'Between the keys, nothing is left to choose. At the ends, you decide: “Free” (natural) leaves the ends free, like the ruler, with no bending. “Ease” (Hermite) sets the speed at each end. “Loop” (periodic) joins the last key to the first.',
     task: 'Drag a handle at an end of the timeline. Then choose Free and Loop in the Motion panel.',
     sentence: 'What happens at the ends is a choice: free, a given speed, or a closed loop.',
     formula: {

@@ -240,8 +240,9 @@ export const MOTION = {
     default: 'off',
     flag: 'own-paths',
     help:
-      'rotate each face on its own path between keys, fading to the path of its patch where the two differ much. absolute ' +
-      'is closer to sampled animations; root takes rotations relative to the largest patch, so rotating a key has no effect',
+      'rotate each face on its own path between keys, fading to the path of its patch where the two differ greatly. ' +
+      'absolute is closer to sampled animations; root takes rotations relative to the largest patch, so rotating a key ' +
+      'has no effect; default: off',
     page: 'ownPaths',
     undo: 'own paths',
   },
