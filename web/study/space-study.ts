@@ -19,8 +19,8 @@ export interface SpaceRow {
   /** The same for areas. */
   area: number;
   /**
-   * How far edge lengths deviate from the natural spline of their lengths in the keys, in percent of the splined length:
-   * root mean square over edges and times.
+   * How far edge lengths deviate from the natural spline of their lengths in the keys, in percent of the splined length
+   * (root mean square over edges and times).
    */
   lengths: number;
   /** Mean over time of the bending energy of edge lengths and angles, and its largest value. */
