@@ -280,7 +280,7 @@ test('unreadable records of an earlier visit are set aside with a message', { ta
   await leave(app.page, { 'project x': project, 'files x': [] });
   await visitAgain(app);
   expect((await app.state()).source.kind).toBe('sample');
-  await expect(app.by('toast')).toContainText('set aside');
+  await expect(app.by('toast')).toContainText('can no longer be read');
   await expect(app.by('error')).toBeHidden();
   const after = await shelf(app.page);
   expect(after['set aside x']).toMatchObject({ project });

@@ -301,7 +301,7 @@ describe('complete', () => {
       '--frames',
       '1300',
     );
-    expect([code, stderr]).toEqual([0, expect.stringMatching(/^writing large\.glb takes about \d{3} MB\n/)]);
+    expect([code, stderr]).toEqual([0, expect.stringMatching(/^writing large\.glb, about \d{3} MB\n/)]);
     const written = (await readFile(path.join(where, 'large.glb'))).length;
     expect(Math.abs(Number(/about (\d+)/.exec(stderr)![1]) * 1e6 - written)).toBeLessThan(0.1 * written);
   });
@@ -567,7 +567,7 @@ describe('a typical folder', () => {
     expect(stderr).toMatch(
       /2 numbered sequences: run_0001\.obj to run_0002\.obj \(2 files\), walk_0001\.obj to walk_0003\.obj/,
     );
-    expect(stderr).toMatch(/such as run_\*\.obj/);
+    expect(stderr).toMatch(/such as run_0001\.obj to run_0002\.obj/);
     const all = await runCli(place, 'inspect', 'run_0001.obj', 'run_0002.obj', 'walk_0001.obj', 'walk_0002.obj');
     expect(keysOf(all.stdout)).toHaveLength(4);
     expect(all.stdout).toContain('several-sequences');

@@ -337,7 +337,7 @@ TEST_CASE("sparse accessors out of bounds") {
   checkMended(sparse(json::object()));
   checkRefused(sparse({{"count", 2}}), ErrorCode::MalformedFile,
                "has the sparse index 8, but only 8 elements (0 to 7)");
-  checkRefused(sparse({{"count", 9}}), ErrorCode::MalformedFile, "more elements than it has");
+  checkRefused(sparse({{"count", 9}}), ErrorCode::MalformedFile, "more sparse indices than elements");
   checkRefused(sparse({{"indices", {{"bufferView", 99}}}}), ErrorCode::MalformedFile, "buffer view");
   checkRefused(sparse({{"indices", {{"byteOffset", 2}}}}), ErrorCode::MalformedFile, "needs 3 bytes");
   checkRefused(sparse({{"indices", {{"componentType", glFloat32}}}}), ErrorCode::MalformedFile, "sparse indices");
@@ -399,7 +399,7 @@ TEST_CASE("skins that do not fit") {
     return maker;
   };
   checkMended(skinned(0, 8, {{"joints", {0}}}));
-  checkRefused(skinned(1, 8, {{"joints", {0}}}), ErrorCode::MalformedFile, "joint 1 of 1");
+  checkRefused(skinned(1, 8, {{"joints", {0}}}), ErrorCode::MalformedFile, "joint 1, but its skin has 1 joint");
   checkRefused(skinned(0, 8, {{"joints", {5}}}), ErrorCode::MalformedFile, "joint node 5");
   checkRefused(skinned(0, 8, {{"joints", {0}}, {"inverseBindMatrices", 0}}), ErrorCode::MalformedFile, "16 components");
   checkRefused(skinned(0, 7, {{"joints", {0}}}), ErrorCode::MalformedFile, "a different number of joints or weights");

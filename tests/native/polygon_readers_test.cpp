@@ -292,7 +292,7 @@ TEST_CASE("PLY: binary in both orders, other elements and properties, every type
     CHECK(import.keyframes.faces == std::vector<Triangle>{{0, 1, 2}, {2, 1, 0}});
     CHECK(import.keyframes.normals.at(2) == Vec3(0, 1, 0));
     bytes.pop_back();
-    checkRefused("a.ply", bytes, ErrorCode::TruncatedFile, "elements \"face\"");
+    checkRefused("a.ply", bytes, ErrorCode::TruncatedFile, "\"face\" elements");
   }
 }
 

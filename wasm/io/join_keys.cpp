@@ -171,7 +171,7 @@ Error otherObjects(const std::string& where, int key) {
 
 Warning leftOutWarning(const std::vector<std::string>& taken, int count) {
   return {"left-out-objects",
-          "Not every file has the same objects. Using the objects that all files share: " + objectList(taken) + ".",
+          "Not every file has the same objects. Only those that all files share are used: " + objectList(taken) + ".",
           count};
 }
 

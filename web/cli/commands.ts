@@ -83,7 +83,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
       engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }),
     );
     const plan = await timings.time('plan', sequence.planExport(options.export));
-    if (plan.bytes > LARGE) say(`writing ${output} takes about ${Math.round(plan.bytes / 1e6)} MB`);
+    if (plan.bytes > LARGE) say(`writing ${output}, about ${Math.round(plan.bytes / 1e6)} MB`);
     const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
     let [files, bytes] = [0, 0];
     const beside: string[] = [];

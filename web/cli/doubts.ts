@@ -24,8 +24,8 @@ export function doubtsOfTime({ keys, animation, frames, compared }: Spans): stri
   const [start, end] = animation;
   if (Math.abs(start - first) + Math.abs(end - last) > SAME_SPAN * (last - first))
     doubts.push(
-      `the keys run from ${text(first)} to ${text(last)}, and the animation from ${text(start)} to ${text(end)}. ` +
-        `${compared === frames ? 'All' : `${compared} of its ${frames}`} frames are compared at their own times. ` +
+      `the keys run from ${text(first)} to ${text(last)} s, and the animation from ${text(start)} to ${text(end)} s. ` +
+        `${compared === frames ? 'All' : `${compared} of its ${frames}`} frames are compared with the motion at the frames' own times. ` +
         'If both are the same motion, give its times with --key-times',
     );
   if (compared < FEW_FRAMES) doubts.push(`only ${compared} frames are compared, too few to judge the motion`);
@@ -68,8 +68,8 @@ export function doubtsOfPlace(pairs: readonly Pair[], { up, unit }: Lying): stri
     away > SAME_PLACE && offBy(pairs, (x, y, z) => [x - way[0]!, y - way[1]!, z - way[2]!]) < BETTER * own;
   return away > 1 || explains
     ? [
-        `the animation is ${text(100 * away)} % of the shape's size away from the keys. This distance causes most of the error: ` +
-          'move one of them to compare their motions',
+        `the animation is offset from the motion by ${text(100 * away)} % of the shape's size. ` +
+          `${explains ? 'This offset causes most of the error: move' : 'Move'} the animation or the keys to compare their motions`,
       ]
     : [];
 }

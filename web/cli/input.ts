@@ -55,7 +55,7 @@ function checkOneSequence(folder: string, inside: string[]): void {
   throw new EngineError(
     'several-sequences',
     `${folder} has ${sequences.length} numbered sequences: ${[...shown, ...more].join(', ')}. ` +
-      `Give the files of one sequence, such as ${path.join(folder, `${first.start}*.${first.extension}`)}.`,
+      `Give the files of one sequence, such as ${path.join(folder, first.names[0]!)} to ${first.names.at(-1)!}.`,
     { file: folder },
   );
 }

@@ -19,7 +19,7 @@ import type { Truth } from './truth.ts';
 const AT_ONCE = 16;
 
 const ERROR_UNITS =
-  "# distance: distance of the vertices from the animation, % of the model's size (diagonal of the keys)";
+  "# distance: distance of the vertices from the animation, % of the diagonal of the keys' bounding box";
 
 export interface Measured {
   /** The table, or a line with the name of its file. */

@@ -172,7 +172,7 @@ ${line('  --sizes N,N,...', 'study ghost: numbers of faces of the ghost meshes; 
 ${line('  --against FILE', "measure, study spaces: compare each method with this animation of the same mesh, at the animation's own frames (with measure, unless --at, --frames, --fps or --range is given); repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
 ${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure, study spaces: metres per unit of that animation; default: as its file states, otherwise --unit')}
-${line('  --shell-bending', 'measure: add the bending energy of edge lengths and angles, which is the same measure for every method; this computes up to three more shapes per time')}
+${line('  --shell-bending', 'measure: add the bending energy computed from edge lengths and angles, in the same way for every method; up to three more shapes are computed for each time')}
 ${line('  --report R.json', 'complete: write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}
 
@@ -215,8 +215,7 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
     throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} requires --method lri`);
   if (ownPaths !== 'off' && method !== OWN_METHOD) throw new UsageError(`--own-paths requires --method ${OWN_METHOD}`);
-  if (ownPaths !== 'off' && turns.length > 0)
-    throw new UsageError('give either --own-paths or --turns: full turns cannot be added to own paths');
+  if (ownPaths !== 'off' && turns.length > 0) throw new UsageError('--own-paths cannot be combined with --turns');
   if (!METHOD[method].turns && turns.length > 0) throw new UsageError('--turns requires --method lri or geodesic');
   return options;
 }
@@ -240,7 +239,8 @@ function checkKept({ method = OWN_METHOD, keepLengths = 0, ...options }: Partial
     [ownPaths !== 'off', 'own-paths'],
   ];
   const [, flag] = others.find(([isGiven]) => isGiven) ?? [];
-  if (flag) throw new UsageError(`give either --keep-lengths or --${flag}`);
+  if (flag === 'boundary') throw new UsageError('--keep-lengths requires --boundary natural');
+  if (flag) throw new UsageError(`--keep-lengths cannot be combined with --${flag}`);
 }
 
 export function exportOptions(args: Arguments, output: string): Partial<ExportOptions> {

@@ -93,11 +93,15 @@ export function studyMethods(args: Arguments): Promise<Measured> {
 }
 
 const SPACE_COLUMNS = {
-  method: 'the method; the numbers up to largest bending are measured at 48 times between the first and the last key',
+  method:
+    'the method; all columns from volume to largest bending are measured at 48 times between the first and the last key',
   volume: "largest difference from the natural spline of the keys' volumes, %; empty for open surfaces",
   area: "largest difference from the natural spline of the keys' areas, %",
-  'edge lengths': 'root mean square over edges and times of the differences from the splines of their lengths, %',
-  bending: 'mean over time of the bending energy of edge lengths and angles, as in measure --shell-bending, 1/s^4',
+  'edge lengths':
+    'how far edge lengths deviate from the natural spline of their lengths in the keys, in % of the splined length ' +
+    '(root mean square over edges and times)',
+  bending:
+    'mean over time of the bending energy computed from edge lengths and angles (measure --shell-bending), 1/s^4',
   'largest bending': 'largest value of this bending energy, 1/s^4',
   'KG error': 'Karni-Gotsman error against the animation of --against, at its frames, %',
   'frame time': 'median time of a frame, ms',
@@ -130,16 +134,18 @@ export function studyTables(args: Arguments): Promise<Measured> {
 const TABLE_COLUMNS = {
   table: '1: seconds for one shape; 2: seconds for all shapes of a motion',
   source: 'paper: as published, on an Intel i7-3770; here: measured on this computer',
-  model: "the paper's model if a file name contains its name, otherwise shape",
+  model: "name of the paper's model if a file name contains it, otherwise 'shape'",
   faces: 'number of faces of the shape; empty where the paper does not state it',
-  shapes: 'number of shapes of the motion, K of the paper',
-  share: 'vertices of the ghost mesh relative to those of the shape, gamma of the paper; table 1: about 2000 faces',
-  '[2] ghost': 'spline in shell space, on the ghost mesh, s; here: fitting the shapes',
-  '[2] transfer': 'deformation transfer, s; here: everything else, from the keys to the last shape',
-  '[2] full': 'spline in shell space, without a ghost mesh, s',
-  ghost: 'spline in LRI space, on the ghost mesh, s',
-  transfer: 'deformation transfer, s; here: total time with the ghost mesh, minus the column ghost',
-  full: 'spline in LRI space, without a ghost mesh, s',
+  shapes: 'number of shapes of the motion, K in the paper',
+  share:
+    'number of vertices of the ghost mesh, divided by that of the shape; gamma in the paper; empty in table 1, where ' +
+    'the ghost mesh has about 2000 faces',
+  '[2] ghost': 'time of the spline in shell space on the ghost mesh, s; here: time to fit the shapes',
+  '[2] transfer': 'time of the deformation transfer, s; here: time of everything else, from the keys to the last shape',
+  '[2] full': 'time of the spline in shell space without a ghost mesh, s',
+  ghost: 'time of the spline in LRI space on the ghost mesh, s',
+  transfer: 'time of the deformation transfer, s; here: total time with the ghost mesh, minus the column ghost',
+  full: 'time of the spline in LRI space without a ghost mesh, s',
   note: 'how this row differs from the paper, or why a time is missing',
 };
 

@@ -77,7 +77,7 @@ const OWN = {
     default: '',
     empty: 'loop',
     concern: 'play',
-    doc: 'Repeats at the end, or plays back and forth.',
+    doc: 'At the end, starts again (`loop`, or no value) or plays back and forth (`bounce`).',
   },
   controls: {
     kind: 'flag',
@@ -100,7 +100,7 @@ const OWN = {
     most: 1e9,
     concern: 'play',
     doc:
-      'Current time, in the unit of the key times (seconds). It can be beyond the keys. The attribute sets the initial ' +
+      'Current time, in seconds on the scale of the key times. It can be beyond the keys. The attribute sets the initial ' +
       'time; the property is the current time. Setting the property to a non-finite number throws a TypeError; null or ' +
       'undefined removes the attribute.',
   },
@@ -116,14 +116,14 @@ const OWN = {
     choices: ['lazy', 'eager'],
     default: 'lazy',
     concern: 'page',
-    doc: 'Fetches nothing until the element comes near the view, or fetches at once.',
+    doc: 'Fetches nothing until the element comes near the view (`lazy`), or fetches at once (`eager`).',
   },
   reveal: {
     kind: 'choice',
     choices: ['auto', 'manual'],
     default: 'auto',
     concern: 'page',
-    doc: 'Removes the poster when the shape is ready, or only when `dismissPoster()` is called.',
+    doc: 'Removes the poster when the shape is ready (`auto`), or only when `dismissPoster()` is called (`manual`).',
   },
   poster: { kind: 'text', default: '', concern: 'page', doc: 'URL of an image to show before the shape.' },
   alt: { kind: 'text', default: '', concern: 'page', doc: 'Text alternative for screen readers.' },
@@ -154,7 +154,10 @@ const OWN = {
     choices: ['texture', 'phase', 'patches'],
     default: 'texture',
     concern: 'look',
-    doc: "The file's own materials (clay if it has none), the phase colour, or the patches of the method.",
+    doc:
+      "Colours of the shape. `texture`: the file's own materials, or clay if it has none. `phase`: one colour at a key, " +
+      'another between keys, a third beyond them. `patches`: one colour per patch, the regions that the method rotates ' +
+      'as a whole.',
   },
   color: {
     kind: 'choice',

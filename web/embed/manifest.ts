@@ -25,7 +25,7 @@ export function typeOf(row: Row): string {
 /** Properties without an attribute. */
 export const FIELDS = {
   keys: ['KeySource[] | null', 'Overrides `src`: URLs, Blobs or ArrayBuffers, one per key or one with all keys.'],
-  duration: ['number', 'Length of the range that plays, in the unit of the key times; NaN before loading.'],
+  duration: ['number', 'Length of the playing range, in seconds on the scale of the key times; NaN before loading.'],
   paused: ['boolean', 'Whether playback is paused.'],
   stats: ['ShapeSplineStats', 'Numbers of frames computed and drawn; computing time of the last one in milliseconds.'],
   report: ['MeshReport | null', 'Report on the mesh in the files; null before loading.'],
@@ -38,12 +38,12 @@ export const METHODS: Readonly<Record<string, { returns: string; doc: string; pa
   seek: {
     returns: 'Promise<void>',
     doc: 'Resolves when the shape at that time is drawn; rejects with a RangeError if the time is not finite.',
-    parameters: [['t', 'number', 'Time in the unit of the key times. It can be beyond the keys.']],
+    parameters: [['t', 'number', 'Time in seconds, on the scale of the key times. It can be beyond the keys.']],
   },
   evaluate: {
     returns: 'Promise<Frame>',
     doc: 'The shape at a time, without showing it. Its `release()` allows its arrays to be reused.',
-    parameters: [['t', 'number', 'Time in the unit of the key times. It can be beyond the keys.']],
+    parameters: [['t', 'number', 'Time in seconds, on the scale of the key times. It can be beyond the keys.']],
   },
   toBlob: {
     returns: 'Promise<Blob>',
@@ -56,7 +56,11 @@ export const METHODS: Readonly<Record<string, { returns: string; doc: string; pa
     returns: 'Promise<Blob>',
     doc: 'A GLB with the motion as a morph-target animation.',
     parameters: [
-      ['options?', "Partial<Omit<ExportOptions, 'format'>>", 'Frames, tolerance and compression, as in the engine.'],
+      [
+        'options?',
+        "Partial<Omit<ExportOptions, 'format'>>",
+        'Frames, tolerance, compression and other export options of the engine.',
+      ],
     ],
   },
   dismissPoster: { returns: 'void', doc: 'Removes the poster.' },

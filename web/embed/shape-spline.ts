@@ -208,7 +208,7 @@ export class ShapeSplineElement extends Base {
     this.#change('source');
   }
 
-  /** Length of the playing range, in the unit of the key times; NaN before loading. */
+  /** Length of the playing range, in seconds on the scale of the key times; NaN before loading. */
   get duration(): number {
     if (!this.#sequence) return NaN;
     const [start, end] = this.range ?? this.#sequence.range;

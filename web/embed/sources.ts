@@ -94,7 +94,9 @@ async function fetchBytes(url: URL, key: number, signal: AbortSignal): Promise<U
   const response = await fetch(url, { signal }).catch((error: unknown) => {
     if (signal.aborted) throw error;
     const reason =
-      url.origin === globalThis.location?.origin ? messageOf(error) : 'that site must allow it by sending CORS headers';
+      url.origin === globalThis.location?.origin
+        ? messageOf(error)
+        : 'the connection failed, or that site sends no CORS headers';
     throw refused('not-found', `Could not fetch ${url.href} (${reason}).`, url, key);
   });
   const { status, statusText } = response;

@@ -21,5 +21,5 @@ export const files: BrowserFiles = {
       [() => new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name })],
       loaded,
     ),
-  notStarted: (silent) => notLoaded("the worker's script", silent ? 'it does not respond' : 'it did not start'),
+  notStarted: (silent) => notLoaded('worker script', silent ? 'it does not respond' : 'it did not start'),
 };

@@ -10,13 +10,14 @@ import type { Layer, PlayState, Touched } from './state.ts';
 export function curveNotice(state: PlayState, derived: Derived, touched: Touched): string {
   const { curves, samples, sampleCount, times } = derived;
   const { selected, layers } = state;
+  const unit = state.taken?.unit ?? '';
   switch (touched) {
     case 'linear':
       return 'Straight lines are the shortest path from key to key, but turn sharply at every key.';
     case 'natural':
       return 'A thin ruler held at the keys takes this shape. It passes through all keys and bends as little as possible.';
     case 'catmull-rom':
-      return `Catmull-Rom stays within ${number(apart(curves['catmull-rom'][0]!, curves.natural[0]!, times))} of the natural spline and looks as smooth. The second derivative below shows where it differs.`;
+      return `Catmull-Rom stays within ${number(apart(curves['catmull-rom'][0]!, curves.natural[0]!, times))}${unit} of the natural spline and looks as smooth. The second derivative below shows where it differs.`;
     case 'hermite':
     case 'speed':
       return `A given end speed changes the curve mostly near that end. The curve bends ${number(derived.bending.hermite / derived.bending.natural)} times as much as with free ends.`;
@@ -27,7 +28,7 @@ export function curveNotice(state: PlayState, derived: Derived, touched: Touched
       const off = Math.max(
         ...samples[0]!.values.map((v, i) => Math.abs(v - valueAt(curves.natural[0]!, samples[0]!.times[i]!))),
       );
-      return `The ${sampleCount} samples come within ${number(off)} of the natural spline. They need ${sampleCount + times.length} equations, the spline only ${times.length}.`;
+      return `The ${sampleCount} samples come within ${number(off)}${unit} of the natural spline. They need ${sampleCount + times.length} equations, the spline only ${times.length}.`;
     }
     case 'shaped':
     case 'shaping': {

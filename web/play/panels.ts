@@ -122,7 +122,7 @@ export function createCurveControls(events: PanelEvents): Panel {
   const bias = shaping(
     'bias',
     'Bias',
-    'Positive: the slope follows the interval before the key; negative: the interval after it',
+    'Above 0: the slope follows the interval before the key more; below 0: the interval after it',
   );
   const selected = h('p', { class: 'selected-key', 'data-testid': 'selected-key' });
   const shaped = h('div', { class: 'control-group' }, selected, tension.element, bias.element);

@@ -53,7 +53,7 @@ const TIME_DIGITS = 12;
 export const MEASURE_UNITS =
   '# units: time s on the timeline; seconds s from the start as exported; volume m^3; area m^2; ' +
   'bending energy 1/s^4, relative to the mean deformation energy between keys; ' +
-  "sliding: displacement of resting vertices, % of the model's size; plane relative to the distance of keys";
+  "sliding: displacement of resting vertices, % of the model's size; plane: relative to the mean distance between keys";
 
 /** Unit of the columns of bending by edge lengths and angles. */
 export const SHELL_UNITS =

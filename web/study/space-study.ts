@@ -18,7 +18,10 @@ export interface SpaceRow {
   volume: number;
   /** The same for areas. */
   area: number;
-  /** Root mean square over edges and times of the differences from the natural splines of their lengths, in percent. */
+  /**
+   * How far edge lengths deviate from the natural spline of their lengths in the keys, in percent of the splined length
+   * (root mean square over edges and times).
+   */
   lengths: number;
   /** Mean over time of the bending energy of edge lengths and angles, and its largest value. */
   bending: number;

@@ -134,7 +134,7 @@ function createLoop({ onLoopEnd, onBetween }: ClockMenuEvents): Component<ClockM
 /** The zoom of the timeline. */
 function createZoom({ onZoom, onWindow }: ClockMenuEvents): Component<ClockMenuProps> {
   const nearer = button({
-    label: 'Zoom into the timeline',
+    label: 'Zoom in on the timeline',
     testId: 'zoom-in',
     icon: 'plus',
     shortcut: '+',

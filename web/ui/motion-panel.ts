@@ -23,7 +23,7 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
   {
     value: 'difference',
     text: 'By pose difference',
-    hint: 'Intervals proportional to pose difference: constant speed',
+    hint: 'Intervals proportional to pose difference: nearly constant speed',
   },
 ];
 
@@ -165,7 +165,7 @@ function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
     onInput: (value) => events.onTightness(value),
   });
   const auto = button({
-    label: 'Adds tension that keeps slopes within three times those of straight paths',
+    label: 'Adds tension so that no slope exceeds three times the slope of a straight path to the next or previous key',
     testId: 'tightness-auto',
     text: 'Limit overshoot',
     onClick: () => events.onAutoTightness(),

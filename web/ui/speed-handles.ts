@@ -81,7 +81,7 @@ interface SpeedHandleProps extends SpeedHandlesProps {
   width: number;
 }
 
-/** Pixels per unit of speed. At their longest, both handles share the room between the keys equally. */
+/** Pixels per unit of speed. At their longest, the handles are equally long and do not meet. */
 function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): number {
   const room = ((length(range) / length(window)) * width) / (2 * MAX_SPEED + 1);
   return (Math.min(UNIT_PX, room) * MAX_SPEED) / most[end];

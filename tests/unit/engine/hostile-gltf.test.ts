@@ -39,7 +39,7 @@ describe('the decoded size of a compressed file', () => {
   it('is limited in proportion to its bytes', () => {
     expect([roomFor(100), roomFor(1e6), roomFor(1e9)]).toEqual([64 * 2 ** 20, 1024e6, 2 ** 30]);
     expect(size(accessors(5e6), 1000)).not.toThrow();
-    expect(size(accessors(6e6), 1000)).toThrow('a.glb expands to more than the 67 MB allowed for its size');
+    expect(size(accessors(6e6), 1000)).toThrow('a.glb expands to more than the 67 MB allowed for a file of its size');
     expect(size(accessors(5e4, 1000), 1000)).toThrow('expands to more');
     expect(size({ bufferViews: [{ byteLength: 1e6 }], images: new Array(100).fill({ bufferView: 0 }) }, 1000)).toThrow(
       'expands to more',
@@ -76,7 +76,7 @@ describe('the decoded size of a compressed file', () => {
 
 it('files are refused by their size', () => {
   expect(() => checkImportSize(2 ** 30)).not.toThrow();
-  expect(() => checkImportSize(1.9e9)).toThrow('The files have 1.90 GB in total, but at most 1.07 GB');
+  expect(() => checkImportSize(1.9e9)).toThrow('The files are 1.90 GB in total, but at most 1.07 GB');
 });
 
 describe('the memory of a wasm module', () => {

@@ -21,7 +21,7 @@ Status checkPins(const std::vector<Pin>& pins, int vertices, int keys) {
     for (std::size_t i = 0; i < pin.path.size(); ++i)
       if (!std::isfinite(pin.path[i].time) || !pin.path[i].move.allFinite() ||
           (i > 0 && !(pin.path[i].time > pin.path[i - 1].time)))
-        return invalid("The times along a pin's path must increase, and all its numbers must be finite.");
+        return invalid("The times along a pin's path must increase, and its times and offsets must be finite.");
   }
   return {};
 }

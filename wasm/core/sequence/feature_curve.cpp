@@ -59,7 +59,7 @@ double FeatureCurve::meanStep() const {
 
 Result<CoordinateCurve> FeatureCurve::face(int inputFace, const std::vector<double>& times) const {
   if (inputFace < 0 || inputFace >= static_cast<int>(lri_.patchOfInputFace().size()))
-    return Error{ErrorCode::InvalidOption, "There is no face " + grouped(inputFace) + "."};
+    return Error{ErrorCode::InvalidOption, "There is no face " + grouped(inputFace) + " (counted from 0)."};
   CoordinateCurve result;
   result.patch = lri_.patchOfInputFace()[inputFace];
   if (result.patch < 0) return result;
@@ -78,7 +78,7 @@ Result<CoordinateCurve> FeatureCurve::face(int inputFace, const std::vector<doub
 Result<CoordinateCurve> FeatureCurve::patch(int patch, const std::vector<double>& times) const {
   const PatchCoordinates& patches = lri_.patches().coordinates();
   if (patch < 0 || patch >= patches.patches.count)
-    return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + "."};
+    return Error{ErrorCode::InvalidOption, "There is no patch " + grouped(patch) + " (counted from 0)."};
   CoordinateCurve result;
   const std::vector<PatchLink>& links = patches.graph.links();
   for (const PatchLink& link : links)

@@ -152,7 +152,7 @@ class TurnWarnings {
     warnings_.push_back({"open-beyond-keys",
                          where + std::to_string(key + 1) + " rotations of regions are so large that they disagree by " +
                              angleText(sum / total) +
-                             ". Small changes to the keys change the shape there. Add a key if it goes wrong.",
+                             ". Small changes to the keys change the shape there. If it looks wrong, add a key.",
                          static_cast<int>(found.size()), key, faceOf(worst), std::move(found)});
   }
 

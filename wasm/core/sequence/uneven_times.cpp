@@ -92,8 +92,8 @@ Warning warningOf(const Suspect& suspect, const KeySpan& span, double distance, 
                                       std::to_string(span.to + 1) + " " + away + "because this interval is " +
                                       times(suspect.ratio) + " as long as the neighbouring interval."
                                 : std::string(suspect.beyond < 0 ? "Before the first key " : "After the last key ") +
-                                      away + "because the " + (suspect.beyond < 0 ? "first" : "last") +
-                                      " interval is " + times(suspect.ratio) + " shorter than the mean.";
+                                      away + "because the mean interval is " + times(suspect.ratio) +
+                                      " as long as the " + (suspect.beyond < 0 ? "first." : "last.");
   return {"uneven-times",
           where + " Space the keys more evenly (Space keys in the Motion panel; on the command line, --key-times).", 1,
           suspect.beyond < 0 ? span.from : span.to, face};

@@ -120,7 +120,7 @@ void LriSpace::collectWarnings(int wantedGhostFaces) {
                          stats_.joinedComponents});
   if (const int pivots = withReconstructor([](const auto& r) { return r.solverStats().regularisedPivots; }); pivots > 0)
     warnings_.push_back(
-        {"regularised", "The mesh has very thin triangles. The solver had to fix some of their vertices.", pivots});
+        {"regularised", "The mesh has very thin triangles. Some of their vertices may be misplaced.", pivots});
 }
 
 void LriSpace::localFramesAt(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch,

@@ -34,10 +34,10 @@ Status checkSize(const NamedBytes& file, std::uint64_t header, std::uint64_t fra
   // Both are below 2^32, so only the product with the size of a point could overflow.
   const std::uint64_t size = file.bytes.size();
   if (header <= size && frames * points <= (size - header) / pointBytes) return {};
-  return Error{ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " +
-                                             grouped(static_cast<std::int64_t>(frames)) + " frames of " +
-                                             grouped(static_cast<std::int64_t>(points)) + " points but has only " +
-                                             sizeText(size) + ". Copy or export it again."};
+  return Error{ErrorCode::TruncatedFile,
+               where + " is cut off or broken: it declares " + grouped(static_cast<std::int64_t>(frames)) +
+                   " frames of " + grouped(static_cast<std::int64_t>(points)) +
+                   " points, 12 bytes each, but has only " + sizeText(size) + ". Copy or export it again."};
 }
 
 bool increase(const std::vector<double>& times) {

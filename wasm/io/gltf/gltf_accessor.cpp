@@ -116,7 +116,7 @@ struct Reader {
                             type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     if (!isUnsigned) return malformed("has sparse indices of an unknown type");
     if (a.sparse.count < 0 || static_cast<std::uint64_t>(a.sparse.count) > a.count)
-      return malformed("replaces more elements than it has");
+      return malformed("has more sparse indices than elements");
     const auto found =
         elements(a.sparse.indices.bufferView, a.sparse.indices.byteOffset, a.sparse.count, componentBytes(type));
     if (!found) return found.error();

@@ -86,7 +86,7 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   if (times->empty()) return malformed(doc.where, name + " has no times");
   for (std::size_t i = 0; i < times->size(); ++i)
     if (!std::isfinite((*times)[i]) || (i > 0 && !((*times)[i] > (*times)[i - 1])))
-      return malformed(doc.where, "the times of " + name + " do not increase at " + grouped(std::int64_t(i)));
+      return malformed(doc.where, "the times of " + name + " do not increase at index " + grouped(std::int64_t(i)));
   curve.times = std::move(*times);
 
   auto values = readNumbers(doc, sampler.output, components, "the values of " + name);

@@ -86,13 +86,12 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
   std::string first;
   std::map<const std::uint8_t*, int> known;
   for (const json& image : *images) {
-    const std::string name = "image " + std::to_string(out.imageOf.size());
+    const std::string name = out.where + ", image " + std::to_string(out.imageOf.size()) + ",";
     const auto uri = image.find("uri");
     Resource resource;
     std::string why = name + " has no bytes in the file.";
     if (uri != image.end() && uri->is_string()) {
-      auto found =
-          resolveUri(uri->get_ref<const std::string&>(), source.file.name, source.files, out.where + ", " + name + ",");
+      auto found = resolveUri(uri->get_ref<const std::string&>(), source.file.name, source.files, name);
       if (found) resource = std::move(*found);
       else why = found.error().message;
     } else if (image.contains("bufferView")) {
@@ -104,7 +103,7 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
       continue;
     }
     const std::string type = imageType(resource.bytes);
-    if (!resource.bytes.empty() && type.empty()) why = name + " is not a supported image format.";
+    if (!resource.bytes.empty() && type.empty()) why = name + " is not in a supported image format.";
     const bool fits = resource.bytes.size() <= room;
     if (!fits) why = name + " repeats the bytes of other images too often.";
     const bool usable = fits && !type.empty();
@@ -116,8 +115,8 @@ void readImages(const json& doc, const Source& source, GltfDocument& out) {
     out.images.push_back({type, {resource.bytes.begin(), resource.bytes.end()}});
   }
   if (missing == 0) return;
-  const std::string what =
-      missing == 1 ? "An image is ignored: " : grouped(std::int64_t(missing)) + " images are ignored: ";
+  const std::string what = missing == 1 ? "An image is ignored: "
+                                        : grouped(std::int64_t(missing)) + " images are ignored. The first of them: ";
   out.warnings.push_back({"missing-texture", what + first, static_cast<int>(missing)});
 }
 

@@ -105,7 +105,8 @@ struct ShapeReader {
         if (joint[i] >= known && weight[i] == 0) joint[i] = 0;  // unused slots may hold any index
         if (joint[i] >= known)
           return malformed(doc.where, part.name + ": vertex " + grouped(std::int64_t(v)) + " follows joint " +
-                                          grouped(joint[i]) + " of " + grouped(std::int64_t(known)));
+                                          grouped(joint[i]) + ", but its skin has " + grouped(std::int64_t(known)) +
+                                          (known == 1 ? " joint" : " joints"));
         sum += std::abs(weight[i]);
       }
       if (known == 0) return malformed(doc.where, part.name + " has a skin without joints");
@@ -286,7 +287,8 @@ struct ShapeReader {
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
     warn("skipped-primitives", skippedPrimitives, "lines and points are ignored.");
-    warn("leftover-corners", leftoverCorners, "faces with fewer than three different corners are ignored.");
+    warn("leftover-corners", leftoverCorners,
+         "the number of corners in a triangle list is not a multiple of 3. The last one or two are ignored.");
     warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used without its skin.");
     if (!shape.faces.empty()) return {};
     return Error{ErrorCode::NoTriangles, doc.where +

@@ -78,7 +78,7 @@ struct MtlReader {
         mesh.warnings.push_back(
             {"missing-texture",
              "A texture is ignored: " +
-                 (found ? inQuotes(name) + " is not a supported image format." : found.error().message),
+                 (found ? inQuotes(name) + " is not in a supported image format." : found.error().message),
              1});
       return;
     }

@@ -100,9 +100,9 @@ struct PlyReader {
 
   Error cutOff(const PlyElement& element, std::int64_t have) const {
     if (values.stoppedAtComma()) return decimalComma(where);
-    return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) +
-                                          " elements " + inQuotes(element.name) + " but ends in element " +
-                                          grouped(have) + ". Copy or export it again."};
+    return {ErrorCode::TruncatedFile, where + " is cut off or broken: it declares " + grouped(element.count) + " " +
+                                          inQuotes(element.name) + " elements but contains at most " + grouped(have) +
+                                          ". Copy or export it again."};
   }
 
   void reportRow(std::int64_t row) const {
@@ -116,9 +116,8 @@ struct PlyReader {
     for (const PlyProperty& p : element.properties) least += values.least(p.isList ? p.countType : p.type);
     const auto count = static_cast<std::uint64_t>(element.count);
     if (count > mostElements * 4)
-      return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " elements " +
-                                            inQuotes(element.name) +
-                                            ", more than is supported. Simplify the mesh first."};
+      return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " " + inQuotes(element.name) +
+                                            " elements, more than is supported. Simplify the mesh first."};
     if (count * least > values.left())
       return cutOff(element, static_cast<std::int64_t>(values.left() / std::max<std::uint64_t>(least, 1)));
     return {};

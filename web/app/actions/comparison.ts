@@ -38,7 +38,7 @@ export const COMPARISON = {
   nextPlot: { keys: ['a'], shown: 'A', does: 'Presentation: cycle through plots', run: nextPlot },
   turnPage: {
     shown: 'Page Up  Page Down',
-    does: 'Presentation: previous or next key or tour page. Otherwise: ten steps',
+    does: 'Presentation: previous or next key or tour page. Otherwise: as Shift with an arrow key',
     run: jumpKey,
   },
   compare: { run: (context, methods: Method[]) => changeView(context, { compare: methods }) },

@@ -100,7 +100,7 @@ async function autoTightness(context: Context): Promise<void> {
   const { store } = context.session;
   const tension = keySpacing.tension.map((value) => Math.ceil(value * 1000) / 1000);
   if (store.get().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
-    return context.feedback.say('The motion is already within the bound at every key. Nothing was changed.');
+    return context.feedback.say('No key needs a different tension to limit overshoot. Nothing was changed.');
   store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));
 }
 

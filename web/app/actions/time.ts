@@ -23,7 +23,7 @@ export const TIME = {
       if (playing) used(context);
     },
   },
-  step: { shown: '←  →', does: 'Step one frame; Shift: ten', run: step },
+  step: { shown: '←  →', does: 'Step one frame, or 1 % of the range; Shift: ten times as far', run: step },
   goToEnd: { shown: 'Home  End', does: 'First or last key; press again for the end of the extrapolation', run: step },
   previousKey: { keys: ['['], shown: '[', does: 'Previous key', run: (context) => jumpKey(context, -1) },
   nextKey: { keys: [']'], shown: ']', does: 'Next key', run: (context) => jumpKey(context, 1) },
@@ -54,7 +54,7 @@ export const TIME = {
   zoomIn: {
     keys: ['+', '='],
     shown: '+',
-    does: 'Zoom into the timeline; the wheel zooms at the pointer',
+    does: 'Zoom in on the timeline; the mouse wheel zooms around the pointer',
     run: (context) => zoomTime(context, 2),
   },
   zoomOut: { keys: ['-'], shown: '-', does: 'Zoom out of the timeline', run: (context) => zoomTime(context, 0.5) },

@@ -29,7 +29,8 @@ const narrownessOf: GuidePage['ask'] = async (sequence, { stretch }) => {
   const least = (xx + yy) / 2 - Math.hypot((xx - yy) / 2, xy);
   const share = stretch === 'log' ? Math.exp(least) : least;
   const words = share > 0 ? 'it only becomes narrower' : 'it would be inside out';
-  return `Extrapolated linearly, the marked face has ${(100 * share).toFixed(0)} % of its width at ${FAR} s: ${words}.`;
+  const of = stretch === 'log' ? 'logarithmic' : 'linear';
+  return `At ${FAR} s, with ${of} stretch, the marked face has ${(100 * share).toFixed(0)} % of its width in the reference pose: ${words}.`;
 };
 
 const STEPS: readonly Omit<GuidePage, 'link'>[] = [
@@ -40,7 +41,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     panel: 'motion',
     task: 'Drag the time slider, even past both ends.',
     sentence: 'Blue shapes are given. Green ones are interpolated, yellow ones extrapolated.',
-    live: ({ keyTimes, faces }) => `${keyTimes.length} keys of ${grouped(faces)} faces, at ${listed(keyTimes)}.`,
+    live: ({ keyTimes, faces }) => `${keyTimes.length} keys of ${grouped(faces)} faces, at ${listed(keyTimes)} s.`,
     formula: {
       math: '<mrow><mi>s</mi><mo>(</mo><msub><mi>t</mi><mi>j</mi></msub><mo>)</mo><mo>=</mo><msub><mi>s</mi><mi>j</mi></msub></mrow>',
       words: 'At each key’s time, the motion s passes exactly through that key.',
@@ -127,7 +128,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     panel: 'motion',
     state:
       'sample=cactus&boundary=hermite&startSpeed=2&endSpeed=2&between=-0.2,1.2&t=0&loop=bounce&colour=phase&play=1',
-    text: 'Between the keys, nothing is left to choose. At the ends, you decide: “Free” (natural) leaves the ends free, like the ruler, with no bending. “Ease” (Hermite) gives them a speed. “Loop” (periodic) joins the last key to the first.',
+    text: 'Between the keys, nothing is left to choose. At the ends, you decide: “Free” (natural) leaves the ends free, like the ruler, with no bending. “Ease” (Hermite) sets the speed at each end. “Loop” (periodic) joins the last key to the first.',
     task: 'Drag a handle at an end of the timeline. Then choose Free and Loop in the Motion panel.',
     sentence: 'What happens at the ends is a choice: free, a given speed, or a closed loop.',
     formula: {
@@ -160,7 +161,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     plot: 'plane',
     wide: true,
     state: 'sample=cactus&compare=geodesic,linear&between=-0.2,1.2&t=0&loop=bounce&play=1',
-    text: 'Like three points, three shapes span a plane. In this plane, the spline is a smooth curve and the geodesic a polygon. A vertex blend leaves the plane. Points off the curves are shapes too: weighted mixtures of the keys.',
+    text: 'Like three points, three shapes span a plane. In this plane, the spline is a smooth curve, and the geodesic is a line with a corner at each inner key. A vertex blend leaves the plane. Points off the curves are shapes too: weighted mixtures of the keys.',
     task: 'In Analysis, drag the point off the curve, or draw a path.',
     sentence: 'Every mixture of the keys is a shape; a motion is a path among them.',
     formula: {

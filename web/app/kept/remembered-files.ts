@@ -121,8 +121,7 @@ export class RememberedFiles {
   /** Projects of earlier visits: this tab's first, then by last change. Errors are not fatal. */
   async recall(): Promise<readonly ProjectOnShelf[]> {
     const setAside = await within(RECALL_MS, this.readList()).catch(() => 0);
-    if (setAside)
-      this.parts.say('The files remembered by an earlier visit can no longer be read. They were set aside.');
+    if (setAside) this.parts.say('The files remembered by an earlier visit can no longer be read. Open them again.');
     const [ofTab, left] = [readSetting(OF_TAB, 'tab'), readSetting(LEFT)];
     const [own, others] = [this.shelf.filter(({ id }) => id === ofTab), this.shelf.filter(({ id }) => id !== ofTab)];
     return [...own, ...others].map((project) => ({ ...project, opening: project.opening && left !== project.id }));

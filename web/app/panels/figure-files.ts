@@ -8,7 +8,7 @@ import { saveButtons, valuesFrame, valuesTable } from '../../ui/values.ts';
 
 /** Axis labels in files. */
 const AXES: Readonly<Record<Plot, Axes>> = {
-  plane: { x: 'First component, relative to the distance between keys', y: 'Second component' },
+  plane: { x: 'First component, relative to the mean distance between keys', y: 'Second component' },
   ...overTime({ volume: 'Volume (%)', area: 'Area (%)', bending: 'Bending (1/s⁴)', sliding: 'Sliding (%)' }),
   ...overTime({ distance: 'Distance (%)', 'face-rotation': 'Rotation (°)', 'face-stretch': 'Stretch' }),
   ...overTime({ 'patch-angles': 'Angle (°)', 'patch-rotation': 'Rotation (°)', 'patch-stretch': 'Stretch' }),

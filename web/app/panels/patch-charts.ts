@@ -20,7 +20,7 @@ interface Loaded {
 /** `onPair`: the neighbour of the drawn rotation; null without neighbours. */
 export function createPatchCharts(events: ChartEvents, onPair: (patch: number | null) => void): PartCharts {
   const turns = createTurnCharts(events, onPair);
-  const average = 'mean of the two principal stretches, over the area of the patch';
+  const average = 'area-weighted mean of the principal stretches';
   const stretch = createCoordinateChart('patch-stretch', 'Stretch of the patch', average, events);
   const element = h('div', { class: 'group', hidden: true }, turns.element, stretch.element);
   let asked = 0;

@@ -98,7 +98,7 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
   });
   toggle.element.title =
     'The samples with the least total bending for fixed keys, found by minimising over all of them. The spline ' +
-    'gives the same curve in closed form';
+    'finds nearly the same curve from one equation per key';
   const element = h('div', { class: 'plane-tools' }, toggle.element, count, h('span', {}, 'samples'));
 
   const refresh = async (): Promise<void> => {

@@ -178,7 +178,10 @@ export class Animation {
     const at = Math.max(found.info.animation, 0);
     const span = found.info.animations[at]?.moves ? found.info.animations[at] : undefined;
     found.dispose();
-    if (!span) throw new Error(`${fileName(files[0]!.name)} has no animation to compare with.`);
+    if (!span)
+      throw new Error(
+        `${fileName(files[0]!.name)} has no animation to compare with. Choose a file with an animation of this mesh.`,
+      );
     return readReference(engine, files, at, span, keys.info.report.vertices, options, { signal });
   }
 

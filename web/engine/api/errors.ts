@@ -63,10 +63,10 @@ export function outOfMemory(): EngineError {
   );
 }
 
-export function notLoaded(what: string, reason: string): EngineError {
+export function notLoaded(what: string, reason: string, part = 'The computation'): EngineError {
   return engineError(
     'not-loaded',
-    `The computation could not be loaded (${what}: ${reason}). Check the connection and reload the page.`,
+    `${part} could not be loaded (${what}: ${reason}). Check the connection and reload the page.`,
   );
 }
 

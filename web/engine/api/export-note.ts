@@ -31,7 +31,7 @@ function timesText(times: readonly number[]): string | null {
   return times.length > 0 && times.length <= MOST_LISTED ? `times ${times.join(' ')}` : null;
 }
 
-/** The same file with a note; `times`: its frame times, or empty. */
+/** An OBJ or PLY with a note; other files unchanged. `times`: the file's frame times, or empty. */
 export function withNote(format: string, bytes: Uint8Array, times: readonly number[]): Uint8Array {
   if (format !== 'obj' && format !== 'ply') return bytes;
   const said = timesText(times);

@@ -10,7 +10,7 @@ export function checkImportSize(bytes: number): void {
   if (bytes <= MOST_BYTES) return;
   throw new EngineError(
     'too-large',
-    `The files have ${gigabytes(bytes)} in total, but at most ${gigabytes(MOST_BYTES)} can be read at once. ` +
+    `The files are ${gigabytes(bytes)} in total, but at most ${gigabytes(MOST_BYTES)} can be read at once. ` +
       'Simplify the mesh or use fewer keys.',
   );
 }

@@ -5,9 +5,6 @@
 import { extensionOf, fileName, isModel } from './paths.ts';
 
 export interface NumberedSequence {
-  /** Common part of the names before the number. */
-  start: string;
-  extension: string;
   names: string[];
 }
 
@@ -86,11 +83,7 @@ export function inNaturalOrder<T extends { name: string }>(files: readonly T[]):
 export function sequencesIn(names: readonly string[]): NumberedSequence[] {
   return grouped(names.filter(isModel))
     .filter((group) => group.length > 1)
-    .map((group) => ({
-      start: fileName(group[0]!.start),
-      extension: group[0]!.extension,
-      names: group.map(({ name }) => name),
-    }));
+    .map((group) => ({ names: group.map(({ name }) => name) }));
 }
 
 /** Text for a sequence: run_0001.obj to run_0003.obj. */

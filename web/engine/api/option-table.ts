@@ -168,7 +168,7 @@ export const MOTION = {
     formerly: { contact: 'on', anchored: 'on' },
     default: 'off',
     flag: 'hold',
-    help: 'on keeps vertices in place that hardly move between two keys; off (default) makes no correction, as in the paper',
+    help: 'on holds in place the vertices that hardly move between two keys; off (default) holds none, as in the paper',
     page: 'hold',
     undo: 'hold',
   },
@@ -240,8 +240,9 @@ export const MOTION = {
     default: 'off',
     flag: 'own-paths',
     help:
-      'rotate each face on its own path between keys, fading to the path of its patch where the two differ much. absolute ' +
-      'is closer to sampled animations; root takes rotations relative to the largest patch, so rotating a key has no effect',
+      'rotate each face on its own path between keys, fading to the path of its patch where the two differ greatly. ' +
+      'absolute is closer to sampled animations; root takes rotations relative to the largest patch, so rotating a key ' +
+      'has no effect; default: off',
     page: 'ownPaths',
     undo: 'own paths',
   },
@@ -310,10 +311,7 @@ export const PER_KEY = {
     hint: 'Scales the slope at this key. 0: smooth; 1: stops at the key, which removes overshoot',
     slider: [0, 1],
   },
-  /**
-   * A positive value gives the interval before the key more weight in the slope, a negative value the interval after
-   * it.
-   */
+  /** Above 0, the slope follows the interval before the key more; below 0, the interval after it. */
   bias: {
     kind: 'number',
     least: -1,
@@ -322,11 +320,11 @@ export const PER_KEY = {
     flag: 'bias',
     value: 'X,X,...',
     help:
-      'one number per key, -1 to 1; a positive value gives the interval before the key more weight in the slope, a negative ' +
-      'value the interval after it',
+      'one number per key, -1 to 1. Above 0, the slope follows the interval before the key more; below 0, the interval ' +
+      'after it',
     undo: 'bias',
-    label: 'Bias (earlier / later)',
-    hint: 'Positive: the interval before this key has more weight in its slope; negative: the interval after it',
+    label: 'Bias',
+    hint: 'Above 0: the slope follows the interval before this key more; below 0: the interval after it',
     slider: [-1, 1],
   },
   /** Full turns added between the previous key and this one. */
@@ -537,7 +535,7 @@ export const EXPORT = {
     kind: 'choice',
     choices: ['glb', 'obj', 'ply', 'pc2', 'mdd'],
     default: 'glb',
-    help: 'one file with an animation, one file per shape, or a point cache with one OBJ',
+    help: 'glb: one file with an animation; obj, ply: one file per shape; pc2, mdd: a point cache with one OBJ',
   },
   /** Times that replace frames and range, in any order. A GLB also includes the keys between them. */
   times: {
@@ -547,7 +545,7 @@ export const EXPORT = {
     default: null,
     flag: 'at',
     value: 'T,T,...',
-    help: 'times to export. They may be beyond the keys, for example --at=-0.3,1.3',
+    help: 'times to export, in seconds. They may be beyond the keys, for example --at=-0.3,1.3',
   },
   /** Evenly spaced frames over the range. A GLB also includes the keys in the range, to pass through them. */
   frames: {
@@ -558,7 +556,7 @@ export const EXPORT = {
     default: null,
     flag: 'frames',
     value: 'K',
-    help: `number of evenly spaced times; default: ${USUAL_FRAMES}; for a GLB, as few as --tolerance allows`,
+    help: `number of evenly spaced times; default: ${USUAL_FRAMES}, or for a GLB, as few as --tolerance allows`,
   },
   /**
    * Whole frames of the motion's time, or of the exported time if a duration is given. A GLB omits frames within the
@@ -608,7 +606,7 @@ export const EXPORT = {
     default: null,
     flag: 'range',
     value: 'A:B',
-    help: 'time range to export, default: first to last key. It may extend beyond the keys, for example --range=-0.3:1.3',
+    help: 'time range to export, in seconds; default: first to last key. It may extend beyond the keys, for example --range=-0.3:1.3',
   },
   /** Duration of the exported animation in seconds; default: the length of the range. GLB and MDD. */
   duration: {
@@ -618,7 +616,7 @@ export const EXPORT = {
     default: null,
     flag: 'duration',
     value: 'SECONDS',
-    help: 'length of the animation in a GLB or MDD, which then starts at 0; a GLB also has a frame at every key in the range',
+    help: 'length of the animation in a GLB or MDD, in seconds; it then starts at 0, and a GLB also has a frame at every key in the range',
   },
   /** GLB: appends the motion in reverse, which doubles the duration. */
   bounce: {
@@ -636,7 +634,13 @@ export const EXPORT = {
     help: 'export one mixture of the keys in shape space, instead of the motion; one weight per key, sum 1',
   },
   /** Exports only the pose at this time; frames, range and duration are ignored. */
-  pose: { kind: 'number', least: -MOST_TIME, most: MOST_TIME, default: null, help: 'a single pose at this time' },
+  pose: {
+    kind: 'number',
+    least: -MOST_TIME,
+    most: MOST_TIME,
+    default: null,
+    help: 'export only the pose at this time in seconds; frames, range and duration are ignored',
+  },
   inPlace: { kind: 'flag', default: MOTION.inPlace.default, help: MOTION.inPlace.help },
   /** Name of the files, and of the mesh and node in a GLB; null: 'shapespline'. */
   name: {

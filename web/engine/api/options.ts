@@ -136,7 +136,7 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
       : `must be two times, first and last, ${BETWEEN_TIMES}`,
   animation: (v) => (typeof v === 'string' || !wholeFrom(0)(v) ? null : "must be an animation's name or index"),
   sample,
-  faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertices'),
+  faces: (v) => (v instanceof Uint32Array ? null : 'must be a Uint32Array of vertex indices'),
   point: (v) => (Array.isArray(v) && v.length === 3 && v.every(isNumber) ? null : 'must be three numbers'),
   names: (v) => (Array.isArray(v) && v.every((one) => typeof one === 'string') ? null : 'must be an array of names'),
   objects: (v) => (Array.isArray(v) && v.every(isObject) ? null : 'must be the scene.objects of an import'),
@@ -163,11 +163,12 @@ function numberCheck(option: NumberOption): Check {
 }
 
 /** Checks the number of entries. */
-function countCheck({ some, most = Infinity }: OtherOption): Check {
+function countCheck({ kind, some, most = Infinity }: OtherOption): Check {
+  const noun = kind === 'pins' ? 'pins' : 'times';
   return (v) => {
     const count = Array.isArray(v) ? v.length : typeof v === 'number' ? v : 1;
-    if (some && count === 0) return 'must name at least one';
-    return count <= most ? null : `must be at most ${grouped(most)} times, not ${grouped(count)}`;
+    if (some && count === 0) return 'must have at least one entry';
+    return count <= most ? null : `must be at most ${grouped(most)} ${noun}, not ${grouped(count)}`;
   };
 }
 
@@ -322,7 +323,7 @@ export function checkSamples(given: unknown): number {
 /** Checks a face index. Also used for patch indices, which never exceed the number of faces. */
 export function checkFace(given: unknown, faces: number, what = 'face'): number {
   if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) >= faces)
-    throw invalidOption(`A ${what} must be a whole number below ${grouped(faces)}.`);
+    throw invalidOption(`The index of a ${what} must be a whole number from 0 to ${grouped(faces - 1)}.`);
   return given as number;
 }
 

@@ -150,7 +150,7 @@ class Fit {
   private async fitLed(base: Motion, ghost: Ghost): Promise<Fitted> {
     if (ghost.faces.length / 3 > MOST_COARSE)
       throw invalidOption(
-        `The shape cannot be simplified: its coarse mesh still has ${(ghost.faces.length / 3).toLocaleString('en')} ` +
+        `The shape cannot be simplified enough: its coarse mesh still has ${(ghost.faces.length / 3).toLocaleString('en')} ` +
           `faces, and at most ${MOST_COARSE.toLocaleString('en')} can be fitted. Choose another method.`,
       );
     const { info, positions } = this.shape.parts.keys;

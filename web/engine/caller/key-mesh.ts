@@ -9,7 +9,7 @@ import { sharedFloats } from '../wire/shared-floats.ts';
 export function keysOfMesh(mesh: KeyMesh): Omit<KeyData, 'info'> & { info: Omit<KeysInfo, 'report'> } {
   const { faces, poses, scene } = mesh;
   if (!(faces instanceof Uint32Array) || faces.length % 3 > 0)
-    throw invalidOption('faces must be a Uint32Array with three vertices per face.');
+    throw invalidOption('faces must be a Uint32Array with three vertex indices per face.');
   if (!poses.every(({ positions }) => positions instanceof Float32Array && positions.length % 3 === 0))
     throw invalidOption('The positions of a pose must be a Float32Array with three numbers per vertex.');
   return {

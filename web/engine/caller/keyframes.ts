@@ -67,7 +67,7 @@ export class KeyArrays implements Keys {
   private checkKey(key: number): number {
     const { positions } = this.data;
     if (!Number.isInteger(key) || key < 0 || key >= positions.length) {
-      throw invalidOption(`There is no key ${key}: the keys are 0 to ${positions.length - 1}.`);
+      throw invalidOption(`There is no key with index ${key}: the indices are 0 to ${positions.length - 1}.`);
     }
     return key;
   }
@@ -78,8 +78,8 @@ function increasing(times: number[], count: number): number[] {
   const key = times.findIndex((t, i) => i > 0 && !(t > times[i - 1]!));
   if (key > 0) {
     const sentence =
-      `Key ${key + 1} is at time ${times[key]}, not after key ${key} at ${times[key - 1]}: ` +
-      'give the keys increasing times.';
+      `Key ${key + 1} is at time ${times[key]}, not after key ${key} at ${times[key - 1]}. ` +
+      'Key times must increase.';
     throw new EngineError('times-not-increasing', sentence, { key });
   }
   return times;

@@ -19,7 +19,7 @@ export async function compileFrom(
     throw notLoaded(url.href, messageOf(error));
   });
   if (!response.ok) throw otherwise(url, option, `${response.status} ${response.statusText}`.trim());
-  const type = response.headers.get('Content-Type') ?? 'of no type';
+  const type = response.headers.get('Content-Type') ?? 'no content type';
   try {
     if (!type.startsWith('application/wasm'))
       return await WebAssembly.compile(checked(url, option, type, await response.arrayBuffer()));

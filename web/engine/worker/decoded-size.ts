@@ -5,7 +5,8 @@
 import { EngineError } from '../api/errors.ts';
 
 /**
- * Largest ratio of decoded to stored bytes, and the limit for small files. Whole morph targets of zeros need few bytes.
+ * Largest ratio of decoded to stored bytes; the limit for small files and for all files, in bytes. Whole morph targets
+ * of zeros need few bytes.
  */
 const LARGEST_RATIO = 1024;
 const SMALL = 64 * 2 ** 20;
@@ -40,7 +41,7 @@ export function checkDecodedSize(json: unknown, bytes: number, name: string): vo
   const megabytes = Math.round(room / 1e6).toLocaleString('en');
   throw new EngineError(
     'too-large',
-    `${name} expands to more than the ${megabytes} MB allowed for its size. Export the file again, or without compression.`,
+    `${name} expands to more than the ${megabytes} MB allowed for a file of its size. Export the file again, or without compression.`,
     { file: name },
   );
 }

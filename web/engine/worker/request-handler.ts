@@ -65,7 +65,7 @@ export class RequestHandler {
 
   private async startFiles(module: WebAssembly.Module): Promise<WasmFiles> {
     const create = await this.host.createFiles().catch((reason: unknown) => {
-      throw notLoaded("the worker's script for files", messageOf(reason));
+      throw notLoaded('worker script', messageOf(reason), 'The part of shapespline that reads files');
     });
     return WasmFiles.start(create, module);
   }
