@@ -71,10 +71,10 @@ describe('shapespline measure', () => {
       '0.3,1',
       '--shell-bending',
     );
-    const shell = column(read(alike.stdout), 'lri shell bending energy').map(Number);
+    const shell = column(read(alike.stdout), 'lri bending by edge lengths and angles').map(Number);
     (await sequence.shellBending([0.3, 1])).forEach((energy, i) => expect(shell[i]! / energy).toBeCloseTo(1, 5));
-    expect(alike.stdout).toContain('# shell bending energy: ');
-    expect(table.columns).not.toContain('lri shell bending energy');
+    expect(alike.stdout).toContain('# bending by edge lengths and angles: ');
+    expect(table.columns).not.toContain('lri bending by edge lengths and angles');
 
     const written = await runCli(folder, 'measure', file, '--frames', '3', '--output', 'table.csv');
     expect([written.code, written.stdout]).toEqual([0, 'table.csv: 3 rows\n']);

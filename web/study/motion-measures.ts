@@ -57,8 +57,8 @@ export const MEASURE_UNITS =
 
 /** Unit of the columns of bending by edge lengths and angles. */
 export const SHELL_UNITS =
-  '# shell bending energy: of edge lengths and angles between faces, the same for every method; 1/s^4, relative to ' +
-  'the mean squared change between keys';
+  '# bending by edge lengths and angles: squared acceleration of edge lengths and of angles between faces, the same ' +
+  'measure for every method; 1/s^4, relative to the mean squared change between keys';
 
 export function columnsOf(measures: MotionMeasures): Column[] {
   const { method, plain, volume, area, bending, sliding, plane, shell } = measures;
@@ -75,7 +75,7 @@ export function columnsOf(measures: MotionMeasures): Column[] {
           { name: `${name} plane y`, values: part(plane, 1) },
         ]
       : []),
-    ...(shell ? [{ name: `${name} shell bending energy`, values: shell }] : []),
+    ...(shell ? [{ name: `${name} bending by edge lengths and angles`, values: shell }] : []),
   ];
 }
 

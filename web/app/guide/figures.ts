@@ -33,7 +33,7 @@ const LIST: readonly Figure[] = [
     text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys. Beside them it draws curves in shape space.',
     task: 'Compare the rows, then the curves in Analysis: the geodesic turns sharply at the middle key, the spline does not. To see the shapes move, clear Film strip in Display.',
     sentence:
-      'As in the paper, there are three rows with the keys in blue, on a different cactus. The two splines hardly differ.',
+      'As in the paper, there are three rows with the keys in blue, on a different cactus. The two splines hardly differ. The plane shows the curves in LRI space only.',
   },
   {
     number: '2a',

@@ -404,6 +404,6 @@ function meanSquare(values: readonly number[]): number {
 
 function noBlend() {
   return invalidOption(
-    'Mixtures of keys exist only in LRI space. To evaluate one, choose the method lri without keepLengths, or geodesic.',
+    "Fitted motions have no mixtures of keys. Choose a method other than 'lengths' and 'shell', and set keepLengths to 0.",
   );
 }
