@@ -70,7 +70,7 @@ it('a changed motion equals that of an element with these options from the start
   expect(started()).toBe(0);
   expect(await asked()).toBe(before);
   expect(await told(page, 'error')).toEqual([]);
-  // A different encoding needs a worker, so the count can change.
+  // A different encoding starts one worker. This checks the counter.
   await on(page, (shape) => (shape.stretch = 'log'));
   await seek(page, T);
   expect(started()).toBe(1);

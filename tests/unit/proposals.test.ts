@@ -130,7 +130,7 @@ it('proposes own paths where they are closer to the animation, with both errors'
   closer.proposals.follow();
   await closer.rest();
   expect(closer.shown.at(-1)).toBe('Use own paths');
-  const [, off, own] = /animation ([\d.]+) % → ([\d.]+) %/.exec(closer.message())!;
+  const [, off, own] = /from ([\d.]+) % to ([\d.]+) %/.exec(closer.message())!;
   expect(Number(own) / Number(off)).toBeCloseTo(0.5, 2);
   closer.edit({ ownPaths: 'root' });
   closer.proposals.follow();

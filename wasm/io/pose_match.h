@@ -23,8 +23,9 @@ class PoseMatcher {
 
   /// Tries three methods to match a pose with the mesh, in this order:
   /// 1. the same vertices, with faces in any order and polygons cut along other diagonals (sameSurface);
-  /// 2. as 1, after merging consecutive vertices at one position, which exporters such as Blender leave when they sort
-  ///    copies for normals and coordinates by vertex;
+  /// 2. as 1, after merging consecutive vertices at one position. Exporters such as Blender write a copy of a vertex
+  /// for
+  ///    each of its normals and texture coordinates, one after the other;
   /// 3. faces in the same order, whose corners determine the vertices: two corners are one vertex if they coincide in
   ///    the mesh and in the pose. Pairs of triangles may be cut along the other diagonal, as Blender cuts quads.
   /// Method 3 applies to any two lists of equal length. It succeeds if corners that coincide in one list coincide in

@@ -252,14 +252,14 @@ export function exportOptions(args: Arguments, output: string): Partial<ExportOp
   const { format, times, frames, fps, range } = options;
   if (options.blend) return oneBlend(args, output, options);
   if (times && (frames || fps || range))
-    throw new UsageError('give --at, or --range with --frames or --fps, but not both');
+    throw new UsageError('--at cannot be combined with --range, --frames or --fps');
   if (frames && fps) throw new UsageError('give --frames or --fps, not both');
   if (options.tolerance !== undefined && (times || frames) && options.targets !== 'principal')
     throw new UsageError('give --tolerance or the times (--at, --frames), not both');
   const alone = options.format !== 'glb' && GLB_ONLY.find((name) => options[name] !== undefined);
   if (alone) throw new UsageError(`--${alone} requires an output that ends in .glb`);
   if (output.endsWith('/') || times?.length === 1 || HOLD_ALL.includes(format!)) return options;
-  throw new UsageError(`${output} contains one shape: give one --at time, or a folder (ending in /) for several`);
+  throw new UsageError(`${output} can hold only one shape: give one --at time, or a folder (ending in /) for several`);
 }
 
 /** Export options for a single blend, which has no time. */

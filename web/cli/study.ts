@@ -98,7 +98,7 @@ const SPACE_COLUMNS = {
   volume: "largest difference from the natural spline of the keys' volumes, %; empty for open surfaces",
   area: "largest difference from the natural spline of the keys' areas, %",
   'edge lengths':
-    'how far edge lengths deviate from the natural spline of their lengths in the keys, in % of the splined length ' +
+    'how far edge lengths deviate from the natural spline of their lengths in the keys, in % of the length in that spline ' +
     '(root mean square over edges and times)',
   bending:
     'mean over time of the bending energy computed from edge lengths and angles (measure --shell-bending), 1/s^4',

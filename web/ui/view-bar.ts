@@ -39,7 +39,7 @@ export function createViewBar(
   });
   let shownUp: ViewBarProps['up'] = null;
   const stand = button({
-    label: 'Choose the up axis: these files do not specify one',
+    label: 'Switch the up axis: these files do not specify one',
     testId: 'stand-up',
     text: 'Stand up',
     onClick: () => events.onUp(shownUp === 'z' ? 'y' : 'z'),

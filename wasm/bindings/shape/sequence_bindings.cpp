@@ -1,5 +1,5 @@
-// Creates shapes from keyframes, motions from options and times, and frames and measures from times. Calls take a
-// handle and JSON and return JSON. web/engine/wire/calls.ts lists them.
+// Creates shapes from keyframes, motions from options and times, and frames and measures from times. Most calls take a
+// handle and JSON; all return JSON. web/engine/wire/calls.ts lists them.
 #include <malloc.h>
 
 #include "bindings/export.h"

@@ -31,7 +31,7 @@ std::vector<Triangle> sortedSet(const std::vector<Triangle>& faces) {
   return set;
 }
 
-// Describes how equal triangles differ, as an addition to the message. Empty for different triangles.
+// Describes how equal triangles differ, as an addition to the message. Empty if the triangles themselves differ.
 std::string sameTrianglesHint(const std::vector<Triangle>& first, const std::vector<Triangle>& other) {
   bool inPlace = true;
   for (std::size_t f = 0; f < first.size() && inPlace; ++f) inPlace = sorted(first[f]) == sorted(other[f]);

@@ -95,7 +95,8 @@ Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
   if (Status status = checkTime(t); !status) return status;
   if (Status status = shape_->makeSpace(Method::Lri); !status) return status;
   if (!encoded().lri().ghostMotion())
-    return Error{ErrorCode::InvalidOption, "This sequence has no ghost mesh. Create it with ghost faces."};
+    return Error{ErrorCode::InvalidOption,
+                 "This sequence has no ghost mesh. Create the sequence with the option ghostFaces."};
   shape_->evaluator().ghost(encoded(), motion_, t, positions);
   return {};
 }

@@ -9,6 +9,9 @@ namespace shapespline {
 
 namespace {
 
+constexpr const char* onlyGiven =
+    "Save that file in the same folder, change the reference to its name, and give both together.";
+
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -112,8 +115,7 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, const G
   const std::string head = headOf(uri);
   if (head.starts_with("//") || (hasScheme(head) && head.find(':') > 1))
     return Error{ErrorCode::ExternalResource,
-                 where + " refers to " + inQuotes(uri) +
-                     ". Only the given files are read. Save that file in the same folder and give both together."};
+                 where + " refers to " + inQuotes(uri) + ". Only the given files are read. " + onlyGiven};
   const std::string path = percentDecoded(uri);
   const std::string start = headOf(path);
   const bool absolute = start.starts_with('/') || start.starts_with('\\') || hasScheme(start);
@@ -125,8 +127,7 @@ Result<Resource> resolveUri(std::string_view uri, std::string_view from, const G
     }
   if (absolute || leavesItsFolder(path))
     return Error{ErrorCode::ExternalResource,
-                 where + " refers to " + inQuotes(uri) +
-                     ", which is outside the given files. Put it into the same folder and give both together."};
+                 where + " refers to " + inQuotes(uri) + ", which is outside the given files. " + onlyGiven};
   return Error{ErrorCode::MissingResource,
                where + " needs the file " + inQuotes(uri) + ", which was not given. Give both files together."};
 }

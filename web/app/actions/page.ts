@@ -80,7 +80,7 @@ export const PAGE = {
   stepBack: {
     keys: ['escape'],
     shown: 'Esc',
-    does: 'Cancel the running work, go back to the motion, close a message or leave the presentation',
+    does: 'Cancel the running work, hide a blend, close a message, or leave the presentation or the tour',
     run: stepBack,
   },
   openHelp: {

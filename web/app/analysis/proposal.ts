@@ -63,7 +63,7 @@ async function canKeep({ shape, options, keyTimes }: EngineMotion, signal: Abort
 function ownPathsProposal(off: number, own: number): Proposal {
   const percent = (value: number): string => `${value.toFixed(2)} %`;
   return {
-    message: `Own paths of faces: error against the animation ${percent(off)} → ${percent(own)}.`,
+    message: `If each face rotates on its own path, the error against the animation falls from ${percent(off)} to ${percent(own)}.`,
     action: 'Use own paths',
     change: { ownPaths: 'absolute' },
   };

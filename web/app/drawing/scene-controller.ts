@@ -99,7 +99,7 @@ export class SceneController {
     events: ViewerEvents,
     private readonly onNames: (names: readonly FilmLabel[]) => void,
   ) {
-    // The camera for a first key does not belong to the open shape.
+    // While the first key of other files is shown, the camera does not belong to the open shape.
     this.onCamera = (pose) => {
       if (!this.opening) events.onCamera(pose);
     };

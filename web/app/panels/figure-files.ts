@@ -28,7 +28,7 @@ const READ = 24;
 export interface FigureNumbers {
   names: readonly string[];
   rows: readonly (readonly number[])[];
-  /** First values of rows that the table always shows. */
+  /** The rows that the table always shows, by their value in the first column. */
   keep?: readonly number[];
 }
 

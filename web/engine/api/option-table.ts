@@ -271,7 +271,7 @@ export const MOTION = {
     default: 1000,
     flag: 'space-faces',
     value: 'N',
-    help: 'methods lengths and shell, and --keep-lengths: largest number of faces of the fitted mesh; default: 1,000',
+    help: 'largest number of faces of the fitted mesh (methods lengths and shell, and --keep-lengths); default: 1,000',
     page: 'spaceFaces',
     undo: 'fitted mesh',
   },
@@ -308,7 +308,7 @@ export const PER_KEY = {
     help: 'one number per key; 0 keeps the smooth slope, 1 stops at the key',
     undo: 'tension',
     label: 'Tension',
-    hint: 'Scales the slope at this key. 0: smooth; 1: stops at the key, which removes overshoot',
+    hint: 'Reduces the slope at this key. 0: smooth; 1: stops at the key, which removes overshoot',
     slider: [0, 1],
   },
   /** Above 0, the slope follows the interval before the key more; below 0, the interval after it. */

@@ -140,8 +140,8 @@ export function uriError(kind: Exclude<UriTarget['kind'], 'file'>, uri: string, 
   const shown = text.slice(0, LONGEST_QUOTE).join('').replace(NO_TEXT, '?');
   const quoted = `"${shown}${text.length > LONGEST_QUOTE ? '...' : ''}"`;
   const sentence = {
-    external: `${name} refers to ${quoted}. Only the given files are read. Save that file in the same folder and give both together.`,
-    outside: `${name} refers to ${quoted}, which is outside the given files. Put it into the same folder and give both together.`,
+    external: `${name} refers to ${quoted}. Only the given files are read. Save that file in the same folder, change the reference to its name, and give both together.`,
+    outside: `${name} refers to ${quoted}, which is outside the given files. Save that file in the same folder, change the reference to its name, and give both together.`,
     missing: `${name} needs the file ${quoted}, which was not given. Give both files together.`,
   }[kind];
   return new EngineError(kind === 'missing' ? 'missing-resource' : 'external-resource', sentence, { file: name });

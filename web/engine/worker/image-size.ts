@@ -99,7 +99,7 @@ function scaleOf({ width, height }: Size): number {
 function warning(code: string, count: number): Warning {
   const what =
     code === 'large-texture'
-      ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, or more than ${Math.round(MOST_PIXELS_KEPT / 1e6)} million together,`
+      ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, and those that exceed ${Math.round(MOST_PIXELS_KEPT / 1e6)} million in total,`
       : 'textures that are cut off, or in a format that browsers cannot read,';
   return {
     ...NO_PLACE,
