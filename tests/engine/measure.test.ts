@@ -154,7 +154,7 @@ describe('shapespline measure', () => {
 
       expect((await runCli(folder, 'complete', ...KEYS, '--output', 'm.glb')).code).toBe(0);
       const other = await runCli(folder, 'measure', ...KEYS, '--key-times', '0,0.5,1', '--against', 'm.glb');
-      expect(other.stderr).toMatch(/the keys run from 0 to 1, and the animation from 0 to 2/);
+      expect(other.stderr).toMatch(/the keys run from 0 to 1 s, and the animation from 0 to 2 s/);
       expect((await runCli(folder, 'measure', ...KEYS, '--against-up', 'z')).code).toBe(2);
     });
 

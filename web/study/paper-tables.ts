@@ -150,5 +150,5 @@ async function shellCosts(
 
 function noteOf(coarse: number, samples: number, shapes: number): string {
   const fewer = samples < shapes ? ` instead of ${shapes}` : '';
-  return `[2] on ${coarse} faces, at ${samples + 1} times${fewer}`;
+  return `[2] on ${coarse} faces at ${samples + 1} times${fewer}`;
 }
