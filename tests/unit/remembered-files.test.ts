@@ -8,8 +8,8 @@ import type { Workspace } from '../../web/app/session/workspace.ts';
 import type { AppState } from '../../web/model/state.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 
-const shelf = vi.hoisted(() => new Map<string, { remembered: StoredProject; version: number; opening: boolean }>());
-vi.mock('../../web/app/kept/project-shelf.ts', () => ({
+const shelf = new Map<string, { remembered: StoredProject; version: number; opening: boolean }>();
+const storage = {
   newProjectId: () => 'other',
   async keepProject(id: string, remembered: StoredProject) {
     shelf.set(id, { remembered, version: 1, opening: false });
@@ -25,13 +25,16 @@ vi.mock('../../web/app/kept/project-shelf.ts', () => ({
     Object.assign(shelf.get(id)!, { opening });
   },
   forgetProject: async (id: string) => void shelf.delete(id),
-  readShelf: async () => ({ projects: [...shelf.keys()].map((id) => ({ id, names: [id] })), setAside: 0 }),
+  readShelf: async () => ({
+    projects: [...shelf].map(([id, { opening }]) => ({ id, names: [id], changed: 0, opening })),
+    setAside: 0,
+  }),
   readProject: async (id: string) => shelf.get(id) ?? null,
-}));
+};
 
 const settings = new Map<string, string>();
 const ofTab = new Map<string, string>();
-const storage = (words: Map<string, string>) => ({
+const settingsIn = (words: Map<string, string>) => ({
   getItem: (key: string) => words.get(key) ?? null,
   setItem: (key: string, value: string) => words.set(key, value),
   removeItem: (key: string) => words.delete(key),
@@ -42,8 +45,8 @@ beforeEach(() => {
   vi.useFakeTimers();
   vi.stubGlobal('BroadcastChannel', undefined);
   vi.stubGlobal('window', Object.assign(new EventTarget(), { setTimeout, clearTimeout }));
-  vi.stubGlobal('localStorage', storage(settings));
-  vi.stubGlobal('sessionStorage', storage(ofTab));
+  vi.stubGlobal('localStorage', settingsIn(settings));
+  vi.stubGlobal('sessionStorage', settingsIn(ofTab));
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -61,7 +64,7 @@ function visit(time = 0): { store: Store; remembered: RememberedFiles } {
   const workspace = { options: {}, pool: { count: 2, imported: 2, keys }, input } as unknown as Workspace;
   const say = (text: string): void => void said.push(text);
   const onError = (error: unknown): void => void said.push(String(error));
-  const remembered = new RememberedFiles({ store, workspace, say, onError, onChange: () => undefined });
+  const remembered = new RememberedFiles({ store, workspace, say, onError, storage, onChange: () => undefined });
   store.subscribe(() => remembered.follow());
   return { store, remembered };
 }

@@ -6,15 +6,7 @@ import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import { LastState, notedState } from './last-state.ts';
-import {
-  forgetProject,
-  keepProject,
-  markOpening,
-  newProjectId,
-  readProject,
-  readShelf,
-  updateProject,
-} from './project-shelf.ts';
+import * as browserShelf from './project-shelf.ts';
 import type { ProjectOnShelf, StoredProject } from './project-shelf.ts';
 import { bytesOf, currentSnapshot } from './snapshot.ts';
 
@@ -25,7 +17,11 @@ export interface RememberedFilesParts {
   onChange(remembered: boolean, shelf: readonly ProjectOnShelf[]): void;
   say(text: string): void;
   onError(error: unknown): void;
+  /** Where projects are stored: this browser, unless given. */
+  storage?: ProjectStorage;
 }
+
+type ProjectStorage = Omit<typeof browserShelf, 'readRecord' | 'areFiles'>;
 
 /** This visit's knowledge of a stored project. */
 interface Kept {
@@ -79,7 +75,10 @@ export class RememberedFiles {
   private told = false;
   private telling = 0;
 
+  private readonly storage: ProjectStorage;
+
   constructor(private readonly parts: RememberedFilesParts) {
+    this.storage = parts.storage ?? browserShelf;
     this.tabs?.addEventListener('message', ({ data }: MessageEvent<{ forgotten?: unknown } | null>) => {
       if (typeof data?.forgotten !== 'string') return;
       if (this.own === data.forgotten && this.isKept) this.parts.say('Another tab has deleted the remembered files.');
@@ -132,7 +131,7 @@ export class RememberedFiles {
    * the visit ends first, the project is marked. The next visit does not open a marked project by itself.
    */
   async reopen(id: string, open: (remembered: StoredProject) => Promise<boolean | null>): Promise<boolean> {
-    const project = await readProject(id);
+    const project = await this.storage.readProject(id);
     if (!project) {
       this.giveUp(id);
       throw new Error('These files are no longer stored, or cannot be read. Open them again.');
@@ -141,7 +140,7 @@ export class RememberedFiles {
     const leave = (): void => writeSetting(LEFT, id);
     writeSetting(LEFT, null);
     window.addEventListener('pagehide', leave);
-    await markOpening(id, true).catch(() => undefined);
+    await this.storage.markOpening(id, true).catch(() => undefined);
     this.dropped.delete(id);
     const { files, poses, state } = remembered;
     const kept = { version, poses: poses.length, files, state: null };
@@ -153,7 +152,7 @@ export class RememberedFiles {
       this.kept.set(id, { ...kept, state: last ? null : JSON.stringify(this.parts.store.get()) });
       this.setNewest(id);
     }
-    if (opened !== false) await markOpening(id, false).catch(() => undefined);
+    if (opened !== false) await this.storage.markOpening(id, false).catch(() => undefined);
     window.removeEventListener('pagehide', leave);
     this.tellChange();
     return opened === true;
@@ -165,7 +164,7 @@ export class RememberedFiles {
     window.clearTimeout(this.telling);
     await this.saving;
     await this.readList();
-    for (const { id } of this.shelf) await forgetProject(id);
+    for (const { id } of this.shelf) await this.storage.forgetProject(id);
     this.kept.clear();
     this.dropped.clear();
     this.shelf = [];
@@ -221,7 +220,7 @@ export class RememberedFiles {
 
   /** Resolves to the number of unreadable projects. */
   private async readList(): Promise<number> {
-    const { projects, setAside } = await readShelf();
+    const { projects, setAside } = await this.storage.readShelf();
     this.shelf = projects;
     this.tellChange();
     return setAside;
@@ -239,7 +238,7 @@ export class RememberedFiles {
     writeSetting(UNWANTED, 'yes');
     this.lastState.forget();
     await this.saving;
-    await forgetProject(id);
+    await this.storage.forgetProject(id);
     this.tabs?.postMessage({ forgotten: id });
     this.parts.say('Forgotten. Files are no longer remembered.');
   }
@@ -290,14 +289,14 @@ export class RememberedFiles {
       this.setNewest(id);
     };
     if (before?.files !== files) {
-      const version = await keepProject(id, { files, ...changing });
-      if (this.dropped.has(id)) return forgetProject(id);
+      const version = await this.storage.keepProject(id, { files, ...changing });
+      if (this.dropped.has(id)) return this.storage.forgetProject(id);
       wrote(version);
       await this.readList();
       return;
     }
     if (before.state === text && this.newest === id) return;
-    const version = await updateProject(id, before.version, changing);
+    const version = await this.storage.updateProject(id, before.version, changing);
     if (version === null) return this.branch(id);
     wrote(version);
     this.lastState.written(id, text);
@@ -307,7 +306,7 @@ export class RememberedFiles {
   private async branch(id: string): Promise<void> {
     if (this.dropped.has(id)) return;
     this.kept.delete(id);
-    const other = newProjectId();
+    const other = this.storage.newProjectId();
     this.parts.store.set({ project: other });
     this.parts.say('Another tab also changed these files. Both versions were kept.');
     await this.write(other);
