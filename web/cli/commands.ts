@@ -2,6 +2,7 @@
 import { version } from '../../package.json';
 import type { Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { errorText } from '../engine/api/error-text.ts';
+import { OWN_METHOD } from '../engine/api/methods.ts';
 import { ENCODING, SHAPES } from '../engine/api/option-table.ts';
 import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
@@ -10,7 +11,7 @@ import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions } from '..
 import { UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
 import { writeOutputs, type Output } from './output.ts';
-import { exportOptions, importOptions, sequenceOptions } from './settings.ts';
+import { checkFit, exportOptions, importOptions, sequenceOptions, withProject } from './settings.ts';
 
 /** Milliseconds of each stage, in order. */
 class Timings {
@@ -77,11 +78,10 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     const timings = new Timings();
     const inputs = await timings.time('read', readInputs(args.files));
     const keys = await timings.time('import', engine.importKeyframes(inputs, options.import));
+    const given = withProject(keys.info.project, options.sequence);
+    checkFit(args, given, [given.method ?? OWN_METHOD]);
     const tangents = await readTangents(engine, args, keys, options.import);
-    const sequence = await timings.time(
-      'build',
-      engine.createSequence(keys, { ...keys.info.project, ...options.sequence, ...tangents }),
-    );
+    const sequence = await timings.time('build', engine.createSequence(keys, { ...given, ...tangents }));
     const plan = await timings.time('plan', sequence.planExport(options.export));
     if (plan.bytes > LARGE) say(`writing ${output}, about ${Math.round(plan.bytes / 1e6)} MB`);
     const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];

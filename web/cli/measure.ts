@@ -11,7 +11,15 @@ import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { doubtsOfPlace, doubtsOfTime } from './doubts.ts';
 import { readInputs } from './input.ts';
 import { writeOutputs } from './output.ts';
-import { againstOptions, importOptions, measuredMethods, measuredTimes, sequenceOptions } from './settings.ts';
+import {
+  againstOptions,
+  checkFit,
+  importOptions,
+  measuredMethods,
+  measuredTimes,
+  sequenceOptions,
+  withProject,
+} from './settings.ts';
 import { noFrames, readTruth } from './truth.ts';
 import type { Truth } from './truth.ts';
 
@@ -38,7 +46,9 @@ export async function measure(args: Arguments): Promise<Measured> {
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);
-    const wholly = checkSequenceOptions({ ...keys.info.project, ...options });
+    const all = withProject(keys.info.project, options);
+    checkFit(args, all, methods);
+    const wholly = checkSequenceOptions(all);
     const shape = await engine.encode(keys, encodingOf(wholly));
     const motionBy = (method: Method): Promise<Motion> => shape.motion({ ...motionOf(wholly), method });
     const sequence = await motionBy(methods[0]!);

@@ -205,6 +205,27 @@ export function importOptions(args: Arguments): ImportOptions {
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
+  checkTogether(options);
+  return options;
+}
+
+/** The given options, and those of the project for the rest. Refuses options that cannot be combined. */
+export function withProject(
+  project: Partial<SequenceOptions> | null,
+  options: Partial<SequenceOptions>,
+): Partial<SequenceOptions> {
+  const all = { ...project, ...options };
+  try {
+    checkTogether(all);
+  } catch (error) {
+    const { message } = error as UsageError;
+    throw new UsageError(`${message} (the file is a project, which sets the options that are not given)`);
+  }
+  return all;
+}
+
+/** Refuses options that cannot be combined, by the names of their flags. */
+function checkTogether(options: Partial<SequenceOptions>): void {
   const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
   if (METHOD[method].curve === 'fitted') checkFitted(options, method);
   checkKept(options);
@@ -217,13 +238,28 @@ export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   if (ownPaths !== 'off' && method !== OWN_METHOD) throw new UsageError(`--own-paths requires --method ${OWN_METHOD}`);
   if (ownPaths !== 'off' && turns.length > 0) throw new UsageError('--own-paths cannot be combined with --turns');
   if (!METHOD[method].turns && turns.length > 0) throw new UsageError('--turns requires --method lri or geodesic');
-  return options;
 }
 
-/** Refuses flags that methods with fitted shapes do not support, unless a later check does. */
-function checkFitted({ boundary, tension, bias }: Partial<SequenceOptions>, method: Method): void {
-  const flag = boundary && boundary !== 'natural' ? 'boundary' : tension ? 'tension' : bias ? 'bias' : null;
+/** Refuses flags that methods with fitted shapes do not support. */
+function checkFitted({ boundary, tension = [], bias = [] }: Partial<SequenceOptions>, method: Method): void {
+  const isSet = (values: readonly number[]): boolean => values.some((value) => value !== 0);
+  const natural = (boundary ?? 'natural') === 'natural';
+  const flag = !natural ? 'boundary' : isSet(tension) ? 'tension' : isSet(bias) ? 'bias' : null;
   if (flag) throw new UsageError(`--method ${method} has natural ends, no tension and no bias: leave out --${flag}`);
+}
+
+/** Refuses flags of fitted shapes for methods that fit none, and mixtures of keys for those that do. */
+export function checkFit(args: Arguments, options: Partial<SequenceOptions>, methods: readonly Method[]): void {
+  const fitting = methods.find((method) => METHOD[method].curve === 'fitted');
+  const kept = (options.keepLengths ?? 0) > 0;
+  if (args.values.has('space-faces') && !fitting && !kept)
+    throw new UsageError('--space-faces requires --method lengths or shell, or --keep-lengths');
+  if (args.values.has('space-samples') && !fitting)
+    throw new UsageError('--space-samples requires --method lengths or shell');
+  if (args.values.has('blend') && (fitting || kept))
+    throw new UsageError(
+      `--blend mixes keys, which ${kept ? '--keep-lengths' : `--method ${fitting}`} does not support`,
+    );
 }
 
 /** Flags that motions with kept lengths do not take. */

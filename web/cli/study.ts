@@ -17,7 +17,7 @@ import { readInputs } from './input.ts';
 import { comparedTimes, doubtsOf } from './measure.ts';
 import type { Measured } from './measure.ts';
 import { writeOutputs } from './output.ts';
-import { againstOptions, importOptions, measuredMethods, sequenceOptions } from './settings.ts';
+import { againstOptions, importOptions, measuredMethods, sequenceOptions, withProject } from './settings.ts';
 import { readTruth } from './truth.ts';
 import * as read from './values.ts';
 
@@ -37,7 +37,7 @@ export function studyGhost(args: Arguments): Promise<Measured> {
   return run(args, async (_, engine, keys) => {
     const { faces } = keys.info.report;
     const [first, last] = [keys.info.times[0]!, keys.info.times.at(-1)!];
-    const options = { ...keys.info.project, ...sequenceOptions(args) };
+    const options = withProject(keys.info.project, sequenceOptions(args));
     const found = await studyGhosts(engine, keys, options, { times: studyTimes(first, last), sizes });
     const refused = sizes.filter((size) => size >= faces);
     return {

@@ -1,7 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../../../web/engine/api/option-table.ts';
 import { parseArguments, UsageError } from '../../../web/cli/arguments.ts';
-import { COMPLETE, exportOptions, HELP, importOptions, sequenceOptions } from '../../../web/cli/settings.ts';
+import {
+  checkFit,
+  COMPLETE,
+  exportOptions,
+  HELP,
+  importOptions,
+  sequenceOptions,
+  withProject,
+} from '../../../web/cli/settings.ts';
 
 const parse = (...words: string[]) => parseArguments(words, COMPLETE);
 
@@ -149,6 +157,31 @@ describe('the values of options', () => {
       expect(() => sequenceOptions(parse('--keep-lengths=1', other))).toThrow(/--keep-lengths/);
     expect(() => sequenceOptions(parse('--keep-lengths=4'))).toThrow(/from 0 to 3/);
     expect(sequenceOptions(parse('--keep-lengths=3', '--tension=0,1'))).toEqual({ keepLengths: 3, tension: [0, 1] });
+  });
+
+  it('are checked together with the project of the file, by the names of their flags', () => {
+    const project = { keepLengths: 2, tension: [0, 0], bias: [0, 0], turns: [], pins: [] };
+    expect(() => withProject(project, { boundary: 'periodic' })).toThrow(
+      '--keep-lengths requires --boundary natural (the file is a project, which sets the options that are not given)',
+    );
+    expect(() => withProject({ method: 'shell', tension: [0, 1] }, {})).toThrow(/leave out --tension/);
+    expect(withProject({ ...project, method: 'shell', keepLengths: 0 }, { spaceFaces: 500 })).toMatchObject({
+      method: 'shell',
+      spaceFaces: 500,
+    });
+    expect(withProject(null, { hold: 'on' })).toEqual({ hold: 'on' });
+  });
+
+  it('refuse flags of fitted shapes where none are fitted, and mixtures of keys where some are', () => {
+    expect(() => checkFit(parse('--space-faces=500'), {}, ['lri', 'rimd'])).toThrow(/--space-faces requires/);
+    expect(() => checkFit(parse('--space-samples=12'), { keepLengths: 1 }, ['lri'])).toThrow(
+      /--space-samples requires/,
+    );
+    expect(() => checkFit(parse('--blend=0.5,0.5'), {}, ['shell'])).toThrow('--method shell does not support');
+    expect(() => checkFit(parse('--blend=0.5,0.5'), { keepLengths: 1 }, ['lri'])).toThrow(/--keep-lengths does not/);
+    checkFit(parse('--space-faces=500'), { keepLengths: 1 }, ['lri']);
+    checkFit(parse('--space-faces=500', '--space-samples=12'), {}, ['lri', 'lengths']);
+    checkFit(parse('--blend=0.5,0.5'), {}, ['lri']);
   });
 
   it('refuse full turns with methods that do not support them', () => {
