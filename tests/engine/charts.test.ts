@@ -61,10 +61,10 @@ async function opened(names: string[], options: ImportOptions = {}, method: Meth
 
 describe.skipIf(!hasData)('charts of real keys with large turns', () => {
   it.each([
-    ['lion, nine keys', lion, {}],
+    ['lion, nine keys @all', lion, {}],
     ['cat', cats, {}],
-    ['low-poly cat', lowpoly, {}],
-    ['soldier', ['skin/Soldier.glb'], { animation: 1, sample: 6 }],
+    ['low-poly cat @all', lowpoly, {}],
+    ['soldier @all', ['skin/Soldier.glb'], { animation: 1, sample: 6 }],
   ] as const)('%s: faces, patches and the plane go on without a jump', async (_, names, options) => {
     const { sequence, from, to, reference } = await opened([...names], options);
     const patchOf = await sequence.patches();

@@ -359,7 +359,7 @@ describe('an animated GLB', () => {
 });
 
 describe('the largest animation', () => {
-  it('opens again, and a larger one is refused at once', async () => {
+  it('opens again, and a larger one is refused at once @all', async () => {
     const box = bar(1, 1);
     const sequence = await engine.createSequence(
       await engine.importKeyframes(poseFiles(box, [box.positions, bent(box, 30)])),

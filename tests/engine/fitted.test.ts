@@ -181,7 +181,7 @@ describe('lengths', () => {
   });
 
   it.skipIf(!hasData)(
-    'lowers the bending energy of a walk where it can, and says where not',
+    'lowers the bending energy of a walk where it can, and says where not @all',
     async () => {
       const keys = await engine.importKeyframes([dataFile('skin/CesiumMan.glb')], { sample: 8 });
       const [lengths, shell] = [

@@ -62,7 +62,7 @@ it('is in the table of the command line, with the sliding of resting vertices', 
   expect(largest[1]).toBeLessThan(0.6 * largest[0]!);
 });
 
-it.skipIf(!hasData)('reduces the error against a captured walk, on the command line', async () => {
+it.skipIf(!hasData)('reduces the error against a captured walk, on the command line @all', async () => {
   const man = dataFile('skin/CesiumMan.glb');
   const folder = await folderOf([{ ...man, name: 'man.glb' }]);
   const errors: number[] = [];

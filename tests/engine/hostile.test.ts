@@ -73,7 +73,7 @@ async function refused(what: string, name: string, content: Uint8Array | string,
 }
 
 describe('memory is bounded by the file:', () => {
-  it('an OBJ of 100 MB', { timeout: 120_000 }, async () => {
+  it('an OBJ of 100 MB @all', { timeout: 120_000 }, async () => {
     const line = 'v 0.123456789 0.123456789 0.123456789\n';
     const faces = 'f 1 2 3\n'.repeat(1_000_000);
     const text = line.repeat(Math.ceil((100 * MB - faces.length) / line.length)) + faces;
@@ -99,7 +99,7 @@ describe('memory is bounded by the file:', () => {
       /limit of 250,000 objects/,
     ));
 
-  it('the longest allowed chain of nodes', () => {
+  it('the longest allowed chain of nodes @all', () => {
     const nodes = Array.from({ length: 240_000 }, (_, i) => `{"children":[${i + 1}]}`).join();
     return refused(
       '240,000 nodes in a chain',

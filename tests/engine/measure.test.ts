@@ -106,7 +106,7 @@ describe('shapespline measure', () => {
 
     it.each([
       ['as they are', []],
-      ['z up, with another unit, at other times', ['--up', 'z', '--unit', '0.01', '--key-times', '3,3.5,7']],
+      ['z up, with another unit, at other times @all', ['--up', 'z', '--unit', '0.01', '--key-times', '3,3.5,7']],
     ])('the error is nothing: keys %s', { timeout: 300_000 }, async (_, options) => {
       const folder = await folderOf(KEYS.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
       for (const [output, args, against] of [

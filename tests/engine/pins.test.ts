@@ -105,7 +105,7 @@ it('that move keys are not in a file with principal targets', async () => {
   sequence.dispose();
 });
 
-it.skipIf(!hasData)('hold a foot, on the command line', async () => {
+it.skipIf(!hasData)('hold a foot, on the command line @all', async () => {
   const folder = await folderOf([{ ...dataFile('skin/CesiumMan.glb'), name: 'man.glb' }]);
   const table = async (...words: string[]): Promise<string> => {
     const { code, stdout, stderr } = await runCli(

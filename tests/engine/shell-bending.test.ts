@@ -20,7 +20,7 @@ const times = Array.from({ length: 49 }, (_, i) => i / 48);
 const mean = (values: readonly number[]): number => values.reduce((sum, one) => sum + one / values.length, 0);
 
 describe('bending by edge lengths and angles', () => {
-  it('of the cactus: the geodesic peaks at the middle key; no method bends less than the spline of shells', async () => {
+  it('of the cactus: the geodesic peaks at the middle key; no method bends less than the spline of shells @all', async () => {
     const keys = await importCactus();
     expect(keys.info.report.faces).toBeGreaterThan(1000);
     const shape = await engine.encode(keys);

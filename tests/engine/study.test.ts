@@ -135,7 +135,7 @@ describe('study spaces', () => {
     }
   });
 
-  it('gives the same errors as measure, and a row with a note for a refused method', async () => {
+  it('gives the same errors as measure, and a row with a note for a refused method @all', async () => {
     const folder = await folderOf([await rigFile('rig.glb')]);
     const words = ['rig.glb', '--sample', '0,0.5,1,1.5,2', '--methods', 'lri,lengths', '--against', 'rig.glb'];
     const { rows } = await study(folder, 'spaces', ...words, '--space-samples', '4');
@@ -155,7 +155,7 @@ describe('study spaces', () => {
 });
 
 describe('study tables', () => {
-  it("gives the paper's costs next to measured costs for a cactus", async () => {
+  it("gives the paper's costs next to measured costs for a cactus @all", async () => {
     const folder = await folderOf([await sample('cactus.glb')]);
     const { rows } = await study(folder, 'tables', 'cactus.glb', ...KEY_TIMES);
     expect(rows.map((row) => [row['table'], row['source'], row['shapes'], row['full'] !== ''].join())).toEqual([

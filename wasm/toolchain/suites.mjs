@@ -78,27 +78,34 @@ function wasm(words, folder) {
   });
 }
 
-function countVitest(report) {
+/** Counts the tests of a report. Tests marked `@all` do not count as skipped if they were excluded. */
+const countVitest = (all) => (report) => {
   const brokenFiles = report.testResults.filter(
     (file) => file.status === 'failed' && file.assertionResults.length === 0,
+  );
+  const tests = report.testResults.flatMap(({ name, assertionResults }) =>
+    assertionResults.map((test) => ({ ...test, file: path.basename(name) })),
   );
   return {
     passed: report.numPassedTests,
     failed: report.numFailedTests + brokenFiles.length,
-    skipped: report.numPendingTests + report.numTodoTests,
+    skipped: tests.filter(({ status, fullName }) => !RAN.includes(status) && (all || !fullName.includes('@all')))
+      .length,
     names: [
       ...brokenFiles.map(({ name }) => path.basename(name)),
-      ...report.testResults.flatMap(({ name, assertionResults }) =>
-        assertionResults
-          .filter(({ status }) => status === 'failed')
-          .map(({ fullName }) => `${path.basename(name)}: ${fullName}`),
-      ),
+      ...tests.filter(({ status }) => status === 'failed').map(({ file, fullName }) => `${file}: ${fullName}`),
     ],
   };
-}
+};
+const RAN = ['passed', 'failed'];
+
+// Excluded from plain `npm test`: tests marked `@all`.
+const NOT_SLOW = '--grep-invert=@all';
+const allOf = (words) => (words.includes(NOT_SLOW) ? '' : '1');
 
 const vitest = (project) => async (words) => {
   step(`${project} tests`);
+  const all = allOf(words);
   const args = (report) => [
     bin('vitest/vitest.mjs'),
     'run',
@@ -109,9 +116,9 @@ const vitest = (project) => async (words) => {
     '--reporter=default',
     '--reporter=json',
     `--outputFile.json=${report}`,
-    ...words,
+    ...words.filter((word) => word !== NOT_SLOW),
   ];
-  return runReported(project, node, args, { count: countVitest });
+  return runReported(project, node, args, { count: countVitest(all), env: { SHAPESPLINE_ALL: all } });
 };
 
 const specsOf = ({ suites = [], specs = [] }) => [...specs, ...suites.flatMap(specsOf)];
@@ -130,9 +137,6 @@ function countPlaywright({ suites, stats, errors }) {
   };
 }
 
-// Excluded from plain `npm test`, and by the configuration unless SHAPESPLINE_ALL is set.
-const NOT_SLOW = '--grep-invert=@all';
-
 async function endToEnd(words) {
   step('end-to-end tests in Chromium, on the development server and on the built page');
   const args = () => [
@@ -148,7 +152,7 @@ async function endToEnd(words) {
     SHAPESPLINE_DEV_PORT: String(await freePort()),
     SHAPESPLINE_BUILT_PORT: String(await freePort()),
     SHAPESPLINE_ISOLATED_PORT: String(await freePort()),
-    SHAPESPLINE_ALL: words.includes(NOT_SLOW) ? '' : '1',
+    SHAPESPLINE_ALL: allOf(words),
   };
   return runReported('e2e', node, args, { count: countPlaywright, env });
 }
@@ -177,6 +181,7 @@ export const suites = {
     files: ['tests/engine', '.test.ts'],
     requirements: forWasm,
     steps: [wasmModule, nodeBundle],
+    words: [NOT_SLOW],
   },
   tools: {
     run: vitest('tools'),
