@@ -1,5 +1,6 @@
 /** Every figure of the panels can be enlarged, read as numbers and saved. */
 import { readFileSync } from 'node:fs';
+import { exported, type as typeInto } from './exporting.ts';
 import { type App, expect, test } from './support.ts';
 
 test.use({ sharpness: 1 });
@@ -108,7 +109,7 @@ test('values are read and saved as SVG, PNG and CSV: of the motion, a face and a
   await app.expectNoProblems();
 });
 
-// Only the page connects the choice, the motions, their worker and the plot.
+// Only the page connects the choice, the motions, their worker, the plot, its files and the exported table.
 test('bending is measured by edge lengths and angles on request, again after an edit, and not after Cancel', async ({
   app,
 }) => {
@@ -119,6 +120,7 @@ test('bending is measured by edge lengths and angles on request, again after an 
   // Until then, the choice of the closed shape is hidden.
   await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
   await expect(plot.locator('path.curve')).toHaveCount(2);
+  await expect(app.by('bending-working'), 'shown during the analysis').toContainText('Measuring the motion');
   await expect(unit).not.toContainText('edge lengths');
   await app.by('bending-shell').press(' ');
   await app.by('bending-cancel').press('Enter');
@@ -132,6 +134,18 @@ test('bending is measured by edge lengths and angles on request, again after an 
   await app.by('bending-values').locator('summary').press('Enter');
   const [head] = (await saved(app, 'bending-csv')).bytes.toString().split('\n');
   expect(head).toContain('"Geodesic (LRI), by edge lengths and angles"');
+  const svg = (await saved(app, 'bending-svg')).bytes.toString();
+  expect(svg.match(/<path[^>]+stroke="rgb\(/g)).toHaveLength(2);
+  expect(wordsOf(svg).join(' ')).toContain('of edge lengths and angles');
+  const table = await exported(app, async () => {
+    await app.by('export-kind-numbers').check();
+    await typeInto(app, 'export-frames', '4');
+  });
+  const rows = table.bytes.toString().trim().split('\n').slice(-5);
+  for (const method of ['lri', 'geodesic']) {
+    const column = rows[0]!.split(',').indexOf(`${method} bending by edge lengths and angles`);
+    for (const row of rows.slice(1)) expect(parseFloat(row.split(',')[column]!), method).toBeGreaterThanOrEqual(0);
+  }
 
   const drawn = (): Promise<string | null> => plot.locator('path.curve').first().getAttribute('d');
   const before = await drawn();

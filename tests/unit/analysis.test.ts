@@ -1,7 +1,9 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { AnalysisCache } from '../../web/app/analysis/analysis-cache.ts';
 import { analysisInput, relativeToFirstKey } from '../../web/app/analysis/analysis.ts';
 import { computeShapePlanes, mostSpeeds } from '../../web/app/analysis/shape-plane.ts';
+import type { CallOptions } from '../../web/engine/api/api.ts';
+import { untilAborted } from '../../web/engine/api/errors.ts';
 import type { RunningMotion } from '../../web/playback/frame-set.ts';
 import type { Method } from '../../web/engine/api/types.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -13,8 +15,9 @@ function running(method: Method, asked: string[], ghost = 0): RunningMotion {
   const sequence = {
     options: { method, keepLengths: 0 },
     range: [0, 1] as const,
-    measures: async (times: number[]) => {
+    measures: async (times: number[], call?: CallOptions) => {
       asked.push(method);
+      call?.onProgress?.({ stage: 'evaluating', fraction: 0.5 });
       return { volume: times.map(() => 2), area: times.map(() => 3) };
     },
     bendingEnergy: async (times: number[]) => times.map(() => 4),
@@ -31,6 +34,7 @@ function running(method: Method, asked: string[], ghost = 0): RunningMotion {
 function setUp(...methods: Method[]) {
   const asked: string[] = [];
   const heard: string[] = [];
+  const working: (number | null)[] = [];
   const errors: unknown[] = [];
   let shape = {};
   const sequences = methods.map((method) => running(method, asked));
@@ -42,15 +46,15 @@ function setUp(...methods: Method[]) {
   cache.observe({
     onChange: (isOther) => heard.push(isOther ? 'other shape' : 'change'),
     onStale: () => heard.push('stale'),
+    onWorking: (fraction) => working.push(fraction),
     onFresh: () => heard.push('fresh'),
   });
   const openOther = (): void => {
     shape = {};
     cache.invalidate();
   };
-  cache.invalidate();
   heard.length = 0;
-  return { cache, asked, heard, errors, sequences, openOther };
+  return { cache, asked, heard, working, errors, sequences, openOther };
 }
 
 describe('the analysis', () => {
@@ -61,8 +65,10 @@ describe('the analysis', () => {
     expect(motions.map(({ plane }) => plane !== null)).toEqual([true, false]);
   });
 
-  it('distinguishes motions of another shape from changes of the same shape', () => {
+  it('distinguishes motions of another shape from changes of the same shape', async () => {
     const { cache, heard, openOther } = setUp('lri');
+    await cache.get(); // of a shape that was just opened
+    heard.length = 0;
     cache.invalidate();
     openOther();
     cache.invalidate();
@@ -86,6 +92,7 @@ describe('the analysis', () => {
       cache.observe({
         onChange: () => heard.push('change'),
         onStale: () => heard.push('stale'),
+        onWorking: () => undefined,
         onFresh: () => heard.push('fresh'),
       });
     observe();
@@ -103,6 +110,25 @@ describe('the analysis', () => {
     await first;
     expect(heard).toEqual(['change', 'stale']);
     expect(cache.stale).toBe(true);
+  });
+
+  it('reports its progress over all motions, and its end', async () => {
+    const { cache, working } = setUp('lri', 'linear');
+    await cache.get();
+    expect(working).toEqual([0, 0.25, 0.5, null]);
+  });
+
+  it('is given up when the motions change, without an error', async () => {
+    const { cache, errors, sequences } = setUp('lri');
+    const begun = vi.fn();
+    Object.assign(sequences[0]!.sequence, {
+      measures: (_: number[], { signal }: CallOptions) => untilAborted(signal, new Promise<never>(begun)),
+    });
+    const first = cache.refresh();
+    await vi.waitFor(() => expect(begun).toHaveBeenCalled());
+    cache.invalidate();
+    expect(await first).toBeNull();
+    expect(errors).toEqual([]);
   });
 
   it('is null if nothing is open, and after a reported failure', async () => {

@@ -30,6 +30,12 @@ it('vertices that are split along an edge are one, unless they part in another k
   // Exporters may round the copies differently.
   const rounded = (angle: number): Float32Array => splitAt(angle).map((value, i) => value + (i % 2) * 1e-7);
   expect(await foldsFrom([0, 100], apart.faces, rounded)).toBe(true);
+  // Wherever the edge lies, also across a border between the cells of the search.
+  for (let step = 0; step < 40; step += 1) {
+    const across = (angle: number): Float32Array =>
+      splitAt(angle).map((value, i) => value + (i % 3 === 0 && i > 0 ? 1e-6 * (step + Number(i >= 9)) : 0));
+    expect(await foldsFrom([0, 100], apart.faces, across), `moved by ${step} µm`).toBe(true);
+  }
   const parting = (angle: number): Float32Array =>
     splitAt(angle).map((value, i) => (i >= 9 && i % 3 === 0 ? value + angle : value));
   expect(await foldsFrom([0, 100], apart.faces, parting)).toBe(false);

@@ -1,6 +1,6 @@
 /** Volume, area, bending energy and shape plane of a motion over time, and a table for several motions. */
 import { METHOD } from '../engine/api/methods.ts';
-import type { Motion } from '../engine/api/api.ts';
+import type { CallOptions, Motion } from '../engine/api/api.ts';
 import type { Method } from '../engine/api/types.ts';
 
 /** Identifies a measured motion; `plain`: without holding, as published. */
@@ -26,9 +26,14 @@ export interface MotionMeasures extends MotionName {
   plane: number[] | null;
 }
 
-export async function measureMotion(sequence: Motion, name: MotionName, times: number[]): Promise<MotionMeasures> {
+export async function measureMotion(
+  sequence: Motion,
+  name: MotionName,
+  times: number[],
+  call?: CallOptions,
+): Promise<MotionMeasures> {
   const { method, plain } = name;
-  const { volume, area, sliding } = await sequence.measures(times);
+  const { volume, area, sliding } = await sequence.measures(times, call);
   const plane = METHOD[method].space === 'lri' ? (await sequence.shapePlane(times)).curve : null;
   const [start, end] = sequence.range;
   const none = NO_BENDING / (end - start) ** 4;

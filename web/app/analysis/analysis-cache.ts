@@ -1,5 +1,7 @@
 /** The newest analysis, computed on demand and shared by all callers. */
+import { isCancelled } from '../../engine/api/errors.ts';
 import type { Analysis, AnalysisInput } from './analysis.ts';
+import type { Progress } from '../../engine/api/types.ts';
 import type { Session } from '../session/session.ts';
 import { analyse, analysisInput } from './analysis.ts';
 
@@ -8,6 +10,8 @@ export interface AnalysisObserver {
   onChange(isOther: boolean): void;
   /** The analysis is out of date, and no new one is being computed. */
   onStale(): void;
+  /** The computed share of an analysis, in [0, 1]; null when it has ended. */
+  onWorking(fraction: number | null): void;
   /** A new analysis of the current motions. */
   onFresh(analysis: Analysis): void;
 }
@@ -18,6 +22,7 @@ export class AnalysisCache {
   private running: Promise<Analysis | null> | null = null;
   private observer: AnalysisObserver | null = null;
   private of: unknown = null;
+  private abort = new AbortController();
 
   /** `input` returns the motions to analyse, or null if nothing is open; `shape` returns their shape. */
   constructor(
@@ -39,6 +44,7 @@ export class AnalysisCache {
 
   invalidate(): void {
     this.outOfDate = true;
+    this.abort.abort();
     const isOther = this.of !== this.shape();
     this.of = this.shape();
     this.observer?.onChange(isOther);
@@ -64,14 +70,21 @@ export class AnalysisCache {
     const input = this.input();
     if (!input || input.sequences.length === 0) return null;
     this.outOfDate = false;
+    this.of = this.shape();
+    this.abort = new AbortController();
+    const { signal } = this.abort;
+    this.observer?.onWorking(0);
     try {
-      const analysis = await analyse(input);
+      const onProgress = ({ fraction }: Progress): void => this.observer?.onWorking(fraction);
+      const analysis = await analyse(input, { signal, onProgress });
       this.analysis = analysis;
       if (!this.outOfDate) this.observer?.onFresh(analysis);
       return analysis;
     } catch (error) {
-      this.onError(error);
+      if (!signal.aborted || !isCancelled(error)) this.onError(error);
       return null;
+    } finally {
+      this.observer?.onWorking(null);
     }
   }
 }

@@ -1,4 +1,5 @@
 /** Volume, area, bending energy and shape plane of the shown motions over time. */
+import type { CallOptions } from '../../engine/api/api.ts';
 import { endTangents, referenceKey } from '../../model/state.ts';
 import type { Doc } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
@@ -40,10 +41,22 @@ const BUDGET_MS = 1200;
 const LEAST_TIMES = 13;
 const MOST_TIMES = 97;
 
-export async function analyse({ sequences, keyTimes, range, ms }: AnalysisInput): Promise<Analysis> {
+export async function analyse(
+  { sequences, keyTimes, range, ms }: AnalysisInput,
+  { signal, onProgress }: Required<CallOptions>,
+): Promise<Analysis> {
   const affordable = BUDGET_MS / Math.max(ms * sequences.length, 0.1);
   const times = plottedTimes(range, keyTimes, Math.round(Math.min(Math.max(affordable, LEAST_TIMES), MOST_TIMES)));
-  const motions = await Promise.all(sequences.map((running) => measureMotion(running.sequence, running, times)));
+  const done = sequences.map(() => 0);
+  const motions = await Promise.all(
+    sequences.map((running, index) => {
+      const report: typeof onProgress = ({ stage, fraction }) => {
+        done[index] = fraction;
+        onProgress({ stage, fraction: done.reduce((sum, share) => sum + share, 0) / done.length });
+      };
+      return measureMotion(running.sequence, running, times, { signal, onProgress: report });
+    }),
+  );
   return { times, keyTimes, range, motions };
 }
 

@@ -1,6 +1,6 @@
 /**
  * Joins the copies of vertices at seams and in flat shaded files: vertices at the same place in every key. The engine
- * does the same with more care (wasm/core/mesh/weld.h); here a missed copy only hides an edge.
+ * does the same with more care (wasm/core/mesh/weld.h), but has no call for its result.
  */
 export interface KeyShapes {
   /** Number of keys, and their positions. */
@@ -10,36 +10,42 @@ export interface KeyShapes {
   pause(): Promise<void>;
 }
 
-/** Cells per side of the first key's box. Three of these numbers fit in one exact integer. */
+/** Cells along the longest side of the first key's box. Three of their numbers fit in one exact integer. */
 const CELLS = 100_000;
 /** Copies are this close, as a share of the size. */
 const CLOSE = 1e-6;
 /** Vertices between two pauses. */
-const AT_ONCE = 500;
+const AT_ONCE = 200;
 
 /** For each vertex, the first vertex at its place. */
 export async function joinVertices({ keys, key, pause }: KeyShapes): Promise<Uint32Array> {
-  const first = key(0);
-  const vertexOf = new Uint32Array(first.length / 3);
-  const { low, size } = boxOf(first);
-  const known = new Map<number, number>();
+  const poses = Array.from({ length: keys }, (_, k) => key(k));
+  const { low, size } = boxOf(poses[0]!);
+  const vertexOf = new Uint32Array(poses[0]!.length / 3);
+  /** The places in each cell and close to it, by their first vertices. */
+  const known = new Map<number, number[]>();
   for (let v = 0; v < vertexOf.length; v += 1) {
     if (v % AT_ONCE === 0) await pause();
-    const place = (axis: number): number => Math.round(((first[3 * v + axis]! - low[axis]!) / size) * CELLS);
-    const cell = [0, 1, 2].reduce((sum, axis) => sum * (CELLS + 1) + place(axis), 0);
-    const there = known.get(cell);
-    if (there === undefined) known.set(cell, v);
+    const place = low.map((lowest, axis) => ((poses[0]![3 * v + axis]! - lowest) / size) * CELLS);
+    const others = known.get(cellsWithin(place, 0)[0]!) ?? [];
+    const there = others.find((other) => poses.every((positions) => apart(positions, v, other) <= CLOSE * size));
     vertexOf[v] = there ?? v;
-  }
-  for (let k = 0; k < keys; k += 1) {
-    const positions = key(k);
-    for (let v = 0; v < vertexOf.length; v += 1) {
-      if (v % AT_ONCE === 0) await pause();
-      const other = vertexOf[v]!;
-      if (other !== v && apart(positions, v, other) > CLOSE * size) vertexOf[v] = v;
-    }
+    if (there !== undefined) continue;
+    for (const cell of cellsWithin(place, CLOSE * CELLS)) known.set(cell, [...(known.get(cell) ?? []), v]);
   }
   return vertexOf;
+}
+
+/** Numbers of the cells within this distance, in cells, of a place: up to 8 at a corner. */
+function cellsWithin(place: readonly number[], distance: number): number[] {
+  let cells = [0];
+  for (const at of place) {
+    // The lowest place has neighbours below 0.
+    const [from, to] = [Math.floor(at - distance) + 1, Math.floor(at + distance) + 1];
+    const along = (one: number): number[] => cells.map((cell) => cell * (CELLS + 3) + one);
+    cells = from === to ? along(from) : [...along(from), ...along(to)];
+  }
+  return cells;
 }
 
 function apart(positions: Float32Array, v: number, w: number): number {

@@ -79,6 +79,7 @@ export function createAnalysisPanel(
       if (visible) plane.refresh();
     },
     onStale: computeSoon,
+    onWorking: charts.setWorking,
     onFresh(analysis) {
       delete element.dataset['stale'];
       charts.draw(analysis);

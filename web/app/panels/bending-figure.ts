@@ -1,7 +1,7 @@
 /** Bending energy of the shown motions: of each in its own coordinates, or of all by edge lengths and angles. */
 import { METHOD } from '../../engine/api/methods.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
-import type { Method } from '../../engine/api/types.ts';
+import type { Method, Progress } from '../../engine/api/types.ts';
 import { logFloor } from '../../plots/scale.ts';
 import { checkbox } from '../../ui/controls.ts';
 import { h, setAttribute } from '../../ui/dom.ts';
@@ -21,6 +21,8 @@ export interface BendingFigure {
   draw(analysis: Analysis): void;
   /** The motions have changed since the last drawing. */
   outdate(): void;
+  /** The computed share of the next analysis; null if none is being computed. */
+  setWorking(fraction: number | null): void;
   setCursor(t: number): void;
 }
 
@@ -30,6 +32,8 @@ const BENDING_UNIT = 'Relative to the mean deformation energy between keys';
 const CHOICE = 'By edge lengths and angles';
 const CHOICE_HINT =
   'Measures all methods in the same way: by edge lengths and the angles between faces, as for a thin shell, on a coarse mesh';
+const WORK = 'Measuring the motion';
+const SHELL_WORK = 'Measuring edge lengths and angles';
 /** Added to the names of a table's columns. */
 const MEASURE = 'by edge lengths and angles';
 const LEAST_BENDING = 1;
@@ -40,11 +44,13 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: B
   const toggle = checkbox(CHOICE, 'bending-shell', (on) => choose(on));
   toggle.element.title = CHOICE_HINT;
   const working = createWorkingLine('bending', 'Stop measuring', () => choose(false));
-  figure.element.querySelector('details')!.before(h('div', { class: 'plane-tools' }, toggle.element), working.element);
+  working.element.classList.add('card', 'over-plot');
+  figure.element.querySelector('details')!.before(working.element, h('div', { class: 'plane-tools' }, toggle.element));
   /** The current motions and their analysis; null if it is out of date. */
   let known: { analysis: Analysis; of: AnalysisInput } | null = null;
   let byShell = false;
   let abort: AbortController | null = null;
+  let analysing = false;
   let cursor = 0;
 
   const choose = (on: boolean): void => {
@@ -53,25 +59,31 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: B
     events.onShellBending(on);
     void show();
   };
-  const setWorking = (now: AbortController | null): void => {
+  const showWork = (): void => {
+    working.show(analysing || abort !== null, byShell);
+    setAttribute(figure.element, 'data-stale', abort !== null);
+  };
+  const measuring = (now: AbortController | null): void => {
     abort?.abort();
     abort = now;
-    working.show(now !== null);
-    setAttribute(figure.element, 'data-stale', now !== null);
+    showWork();
   };
+  const report = (stage: string, fraction: number): void => working.update({ stage, fraction });
   const redraw = (data: ChartData): void => {
     figure.draw(data);
     figure.setCursor(cursor);
   };
   const show = async (): Promise<void> => {
-    setWorking(null);
+    measuring(null);
     if (!known) return;
     const { analysis, of } = known;
     if (!byShell) return redraw(ownData(analysis));
     const own = new AbortController();
-    setWorking(own);
+    report(SHELL_WORK, 0);
+    measuring(own);
     try {
-      const call = { signal: own.signal, onProgress: working.update };
+      const onProgress = ({ fraction }: Progress): void => report(SHELL_WORK, fraction);
+      const call = { signal: own.signal, onProgress };
       const energies = await shellBendings(of, analysis.times, call);
       if (!own.signal.aborted) redraw(shellData(analysis, energies));
     } catch (error) {
@@ -79,7 +91,7 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: B
       choose(false);
       events.onError(error);
     } finally {
-      if (abort === own) setWorking(null);
+      if (abort === own) measuring(null);
     }
   };
   return {
@@ -90,8 +102,13 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: B
       void show();
     },
     outdate() {
-      setWorking(null);
+      measuring(null);
       known = null;
+    },
+    setWorking(fraction) {
+      analysing = fraction !== null;
+      if (fraction !== null) report(WORK, fraction);
+      showWork();
     },
     setCursor(t) {
       cursor = t;

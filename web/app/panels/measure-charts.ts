@@ -17,6 +17,8 @@ export interface MeasureCharts {
   draw(analysis: Analysis): void;
   /** The motions have changed since the last drawing. */
   outdate(): void;
+  /** The computed share of the next analysis; null if none is being computed. */
+  setWorking(fraction: number | null): void;
   setCursor(t: number): void;
 }
 
@@ -54,6 +56,7 @@ export function createMeasureCharts(input: () => AnalysisInput | null, events: B
       legend.replaceChildren(...motions.map((motion) => legendEntry(lineStyle(motion), motionWords(motion).label)));
     },
     outdate: bending.outdate,
+    setWorking: bending.setWorking,
     setCursor(t) {
       for (const one of charts) one.setCursor(t);
     },

@@ -1,11 +1,12 @@
-/** Progress of a measurement on request, with a cancel button. */
+/** Progress of a measurement, with a cancel button. */
 import type { Progress } from '../../engine/api/types.ts';
 import { button } from '../../ui/controls.ts';
 import { h, setHidden, setStyle, setText } from '../../ui/dom.ts';
 
 export interface WorkingLine {
   element: HTMLElement;
-  show(working: boolean): void;
+  /** `stoppable`: with the cancel button. */
+  show(working: boolean, stoppable?: boolean): void;
   update(progress: Progress): void;
 }
 
@@ -22,7 +23,10 @@ export function createWorkingLine(name: string, cancelLabel: string, onCancel: (
   );
   return {
     element,
-    show: (working) => setHidden(element, !working),
+    show(working, stoppable = true) {
+      setHidden(element, !working);
+      setHidden(cancel, !stoppable);
+    },
     update({ stage: now, fraction }) {
       setText(stage, now);
       setStyle(bar, 'width', `${(100 * fraction).toFixed(1)}%`);
