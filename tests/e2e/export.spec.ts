@@ -6,7 +6,9 @@ import { unzip } from '../unzip.ts';
 const namesIn = async (zip: Buffer): Promise<string[]> =>
   (await unzip(new Blob([new Uint8Array(zip)]))).map(({ name }) => name);
 
-test('an animation is saved as OBJ, PC2 and MDD in a zip, or as keys and in-betweens for Blender', async ({ app }) => {
+test('an animation is saved as OBJ, PC2 and MDD in a zip, or as keys and in-betweens for Blender', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open();
   const zipped = async (choose: () => Promise<void>): Promise<string[]> => {
     const { download, bytes } = await exported(app, choose);

@@ -97,7 +97,7 @@ test('the first key of a large file is shown until its motion is ready', async (
   await app.expectNoProblems();
 });
 
-test('the open shape is dimmed and paused until then, and returns on Cancel', async ({ app }) => {
+test('the open shape is dimmed and paused until then, and returns on Cancel', { tag: '@all' }, async ({ app }) => {
   const letGo = await held(app);
   await app.open({ hash: '#sample=cactus&play=1' });
   const [before, vertices] = [await camera(app), (await app.positions()).length];

@@ -69,7 +69,7 @@ test('the drawn silhouette matches the engine’s vertices', async ({ app }) => 
   expect(Math.min(wrong.verticesOnShape, wrong.shapeNearVertices)).toBeLessThan(0.9);
 });
 
-test('the look changes the image, but not the shape', async ({ app }) => {
+test('the look changes the image, but not the shape', { tag: '@all' }, async ({ app }) => {
   await app.open();
   await app.setTime(0.3);
   const positions = await app.positions();
@@ -90,9 +90,9 @@ test('the look changes the image, but not the shape', async ({ app }) => {
   await app.expectNoProblems();
 });
 
-test('onion skins are behind the shape, in the chosen number, with different colours before and after', async ({
-  app,
-}) => {
+test('onion skins are behind the shape, in the chosen number, with different colours before and after', {
+  tag: '@all',
+}, async ({ app }) => {
   await app.open({ hash: `${COLOURED}&t=0.5` });
   await app.by('look-toggle').click();
   const alone = decode(await app.picture());
@@ -231,7 +231,7 @@ test('standard views, fit, orbit, pan and zoom move one camera', async ({ app })
   expect((await app.state()).time).toBe(0);
 });
 
-test('dark and light themes differ, and the choice is stored', async ({ app }) => {
+test('dark and light themes differ, and the choice is stored', { tag: '@all' }, async ({ app }) => {
   await app.open();
   const background = (): Promise<string> =>
     app.page.evaluate(() => getComputedStyle(document.querySelector('.deck')!).backgroundColor);
@@ -252,7 +252,7 @@ test('dark and light themes differ, and the choice is stored', async ({ app }) =
 test.describe('with a lost graphics context', () => {
   test.use({ fresh: true });
 
-  test('a restored graphics context shows the same image', async ({ app }) => {
+  test('a restored graphics context shows the same image', { tag: '@all' }, async ({ app }) => {
     await app.open();
     await app.setTime(0.3);
     const before = await app.picture();

@@ -272,7 +272,9 @@ test('it plays until the first touch, unless the user prefers reduced motion', a
   expect(play.problems).toEqual([]);
 });
 
-test('axe finds nothing, in the light theme on a phone and in the dark one on a screen', async ({ page }) => {
+test('axe finds nothing, in the light theme on a phone and in the dark one on a screen', { tag: '@all' }, async ({
+  page,
+}) => {
   const play = new Playground(page);
   const over = (): Promise<number> => page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   await page.setViewportSize({ width: 320, height: 900 });

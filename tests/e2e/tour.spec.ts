@@ -333,7 +333,7 @@ async function expectBesideShape(app: App): Promise<void> {
   expect(next.y + next.height).toBeLessThanOrEqual(guide.y + guide.height);
 }
 
-test('at 360 px, buttons and keys lead from the first step to the last', async ({ app }) => {
+test('at 360 px, buttons and keys lead from the first step to the last', { tag: '@all' }, async ({ app }) => {
   test.slow();
   const [width, height] = [360, 740];
   await app.page.setViewportSize({ width, height });

@@ -303,7 +303,9 @@ test.describe('with code that is loaded on demand', () => {
   });
 });
 
-test('a turntable rotates once in the duration shown by the dialog, and restores the view', async ({ app }) => {
+test('a turntable rotates once in the duration shown by the dialog, and restores the view', { tag: '@all' }, async ({
+  app,
+}) => {
   await app.open();
   const camera = await app.page.evaluate(() => window.__shapespline!.state.view.camera);
   const text = await stated(app, async () => {

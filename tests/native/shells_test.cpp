@@ -238,6 +238,38 @@ TEST_CASE("shells: if a fit does not converge, its interval is that of LRI space
   CHECK(found.shapes[4] != samples[4].start);
 }
 
+TEST_CASE("shells: a fit that flattens a triangle is none, because its angles jump") {
+  const Shape shape = sheet(3);
+  std::vector<Positions> keys(2, shape.positions);
+  Positions middle;
+  for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+    const double phase = 3.0 * static_cast<double>(v);
+    keys[0][v] += 0.1 * Vec3(std::cos(phase), std::cos(phase + 1), std::cos(phase + 2));
+    keys[1][v] += 0.3 * Vec3(std::sin(phase + 1), std::sin(phase + 2), std::sin(phase + 3));
+    middle.push_back((keys[0][v] + keys[1][v]) / 2);
+  }
+  const ShellMetric metric(shape.faces, keys);
+  const std::vector<ShellMeasures> measures = metric.measuresOfKeys(keys);
+  ShellMeasures target;
+  for (std::size_t m = 0; m < measures[0].size(); ++m) target.push_back((measures[0][m] + measures[1][m]) / 2);
+  auto system = ShellSystem::create(metric);
+  REQUIRE(system.ok());
+  const auto fit = fitShape(*system, target, middle, 1);
+  REQUIRE(fit);
+  const auto least = [&](const Positions& at) {
+    double area = 1;
+    for (const Triangle& face : shape.faces) area = std::min(area, surfaceArea(at, {face}));
+    return area;
+  };
+  CHECK(least(middle) > 0.005);
+  CHECK(least(*fit) < 1e-5);
+  const auto found = shellShapes(shape.faces, keys, {{0, {1, 0}, {}, 0}, {0.5, {0.5, 0.5}, middle}, {1, {0, 1}, {}, 1}},
+                                 ShellMethod::Lengths);
+  REQUIRE(found.ok());
+  CHECK(found->failed == std::vector<int>{1});
+  CHECK(found->shapes[1] == middle);
+}
+
 TEST_CASE("shells: the spline goes on where a mean is not found, and its shapes stay") {
   const Keyframes k = rolledSheet(5);
   const std::vector<ShellSample> samples = samplesOf(k, 12);

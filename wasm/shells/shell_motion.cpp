@@ -5,6 +5,7 @@
 
 #include "core/base/centroid.h"
 #include "core/base/union_find.h"
+#include "core/mesh/measures.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/weld.h"
 #include "core/rotation/rigid_fit.h"
@@ -14,6 +15,8 @@
 namespace shapespline {
 
 namespace {
+
+constexpr double flat = 1e-3;  // a triangle with a smaller share of its least area in the keys counts as collapsed
 
 std::vector<std::vector<int>> componentsOf(const std::vector<Triangle>& faces, int vertices) {
   UnionFind sets(vertices);
@@ -65,6 +68,14 @@ Welded weldedOf(const std::vector<Triangle>& faces, const std::vector<Positions>
   return welded;
 }
 
+// The angles of a triangle without area jump, so such a fit is far from its neighbours in time.
+bool collapses(const Positions& shape, const Welded& mesh) {
+  return std::ranges::any_of(mesh.faces, [&](const Triangle& face) {
+    const double area = surfaceArea(shape, {face});
+    return std::ranges::all_of(mesh.keys, [&](const Positions& key) { return area < flat * surfaceArea(key, {face}); });
+  });
+}
+
 // Fits every sample. If one fit in an interval fails, all its samples keep their starts, because the motion would jump
 // between a fitted shape and a start.
 ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
@@ -80,7 +91,7 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
       continue;
     }
     auto shape = fitShape(system, blendOf(measures, samples[s].weights), mesh.starts[s], mesh.size);
-    if (shape) {
+    if (shape && !collapses(*shape, mesh)) {
       moveOnto(*shape, mesh.starts[s], components);
       found.shapes[s] = std::move(*shape);
       continue;

@@ -25,7 +25,7 @@ enum class ShellMethod {
 
 struct ShellShapes {
   std::vector<Positions> shapes;  ///< one per sample
-  std::vector<int> failed;        ///< intervals whose fits did not converge, by their last key; they keep their starts
+  std::vector<int> failed;        ///< intervals without a fit at some sample, by their last key; they keep their starts
   /// intervals where Spline could not lower the bending energy, by their last key; their shapes are those of Lengths
   std::vector<int> stiff;
   int factors = 0;

@@ -259,7 +259,7 @@ class Fit {
 
 interface Fitted {
   shapes: Float32Array[];
-  /** Intervals whose fits did not converge, by the index of their last key. */
+  /** Intervals without a fit, by the index of their last key. */
   failed: number[];
   /** Intervals where the bending energy could not be lowered, by the index of their last key. */
   stiff: number[];

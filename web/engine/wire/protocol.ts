@@ -144,8 +144,8 @@ export interface ShellCalls {
       samples: { time: number; weights: number[]; start: Float32Array | null; key: number }[];
     };
     /**
-     * `failed`: intervals whose fits did not converge, by their last key. `stiff`: those where the bending energy could
-     * not be lowered.
+     * `failed`: intervals without a fit, by their last key. `stiff`: those where the bending energy could not be
+     * lowered.
      */
     result: { shapes: Float32Array[]; failed: number[]; stiff: number[] };
   };
