@@ -46,7 +46,8 @@ export async function measure(args: Arguments): Promise<Measured> {
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);
-    const all = withProject(keys.info.project, options);
+    // A project's own method is not measured unless it is requested.
+    const all = withProject(keys.info.project, { ...options, method: methods[0]! });
     checkFit(args, all, methods);
     const wholly = checkSequenceOptions(all);
     const shape = await engine.encode(keys, encodingOf(wholly));

@@ -218,6 +218,7 @@ export function withProject(
   try {
     checkTogether(all);
   } catch (error) {
+    if (!project) throw error;
     const { message } = error as UsageError;
     throw new UsageError(`${message} (the file is a project, which sets the options that are not given)`);
   }

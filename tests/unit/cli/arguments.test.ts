@@ -170,6 +170,8 @@ describe('the values of options', () => {
       spaceFaces: 500,
     });
     expect(withProject(null, { hold: 'on' })).toEqual({ hold: 'on' });
+    expect(() => withProject(null, { hold: 'on', method: 'linear' })).toThrow(/requires --method lri$/);
+    expect(withProject({ method: 'shell' }, { hold: 'on', method: 'lri' })).toMatchObject({ hold: 'on' });
   });
 
   it('refuse flags of fitted shapes where none are fitted, and mixtures of keys where some are', () => {
