@@ -26,8 +26,6 @@ export default defineConfig({
   test: {
     environment: 'node',
     pool: 'forks',
-    // Files share a process. One process per file takes three times as long for the unit tests.
-    isolate: false,
     poolOptions: { forks: { maxForks: 2, minForks: 1 } },
     projects: [
       // A few unit tests read the whole repository, which takes long beside other processes.
