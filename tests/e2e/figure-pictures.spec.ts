@@ -65,7 +65,7 @@ async function pictureOf(app: App, { link, panel, part, beside }: GuidePage): Pr
     await ready?.(app);
     await expect(app.by('speed-curve')).toBeVisible();
     // Plots above the visible plot, and their legend, are loaded later.
-    if (panel === 'analysis') await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
+    if (panel === 'analysis') await app.analysed();
     if (part) await app.by(part).evaluate((one) => one.scrollIntoView());
   }
   await app.page.addStyleTag({ content: MEASURED });

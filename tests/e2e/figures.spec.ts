@@ -118,7 +118,7 @@ test('bending is measured by edge lengths and angles on request, again after an 
   const unit = plot.locator('.unit');
   await plot.scrollIntoViewIfNeeded();
   // Until then, the choice of the closed shape is hidden.
-  await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
+  await app.analysed();
   await expect(plot.locator('path.curve')).toHaveCount(2);
   await expect(app.by('bending-working'), 'shown during the analysis').toContainText('Measuring the motion');
   await expect(unit).not.toContainText('edge lengths');

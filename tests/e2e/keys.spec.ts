@@ -225,6 +225,7 @@ test('the plots follow the motion and the cursor', async ({ app }) => {
   await expect(app.by('plot-plane').locator('circle.key')).toHaveCount((await app.state()).doc.keys.length);
   const plot = app.by('plot-volume').locator('svg.plot');
   await plot.scrollIntoViewIfNeeded();
+  await app.analysed();
   await plot.click({ position: { x: 60, y: 40 } });
   expect((await app.state()).time).not.toBe(0.8);
   // The value of the curve is next to the title.
@@ -235,7 +236,7 @@ test('a plot shows the values of all curves at the mouse, or at the cursor moved
   await app.open({ hash: '#sample=cactus&compare=linear' });
   const plot = app.by('plot-volume').locator('svg.plot');
   await plot.scrollIntoViewIfNeeded();
-  await expect(app.by('plot-volume-value')).toHaveText(/^[\d.]+ \/ [\d.]+$/);
+  await app.analysed();
   const lines = plot.locator('.read-out text');
   const time = async (): Promise<number> => parseFloat(await lines.first().innerHTML());
   await expect(lines).toHaveCount(0);

@@ -64,7 +64,7 @@ async function complete(app: App): Promise<void> {
   await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('sample=cactus');
   // Charts are drawn once they are visible.
   await app.by('plot-bending').scrollIntoViewIfNeeded();
-  await expect(app.by('panel-analysis')).not.toHaveAttribute('data-stale');
+  await app.analysed();
   await expect(app.by('plot-bending').locator('path.curve')).toHaveCount(1);
   await app.page.locator('.side').evaluate((side) => side.scrollTo(0, 0));
   await app.nextFrame();

@@ -16,7 +16,7 @@ async function openPlane(app: App, hash = '#sample=cactus'): Promise<void> {
   await app.open({ hash });
   await app.setTime(0.25);
   await app.by('plot-plane').scrollIntoViewIfNeeded();
-  await expect(app.by('plot-plane').locator('path.curve.lri')).toBeVisible();
+  await app.analysed();
 }
 
 async function drag(app: App, dx: number, dy: number): Promise<void> {

@@ -158,6 +158,11 @@ export class App {
     return this.page.evaluate(() => window.__shapespline!.settled());
   }
 
+  /** All plots of the panel show the motion. Until then, text above a plot can still appear and move it. */
+  async analysed(): Promise<void> {
+    await expect(this.by('panel-analysis')).not.toHaveAttribute('data-stale');
+  }
+
   /** The page shows a choice with the next frame; until then its controls show the old one. */
   nextFrame(): Promise<void> {
     return this.page.evaluate(

@@ -107,24 +107,26 @@ const allOf = (words) => (words.includes(NOT_SLOW) ? '' : '1');
 // for the unit tests.
 const SHARED = '--no-isolate';
 
-const vitest = (project, ...flags) => async (words) => {
-  step(`${project} tests`);
-  const all = allOf(words);
-  const args = (report) => [
-    bin('vitest/vitest.mjs'),
-    'run',
-    '--config',
-    'tests/vitest.config.ts',
-    '--project',
-    project,
-    ...flags,
-    '--reporter=default',
-    '--reporter=json',
-    `--outputFile.json=${report}`,
-    ...words.filter((word) => word !== NOT_SLOW),
-  ];
-  return runReported(project, node, args, { count: countVitest(all), env: { SHAPESPLINE_ALL: all } });
-};
+const vitest =
+  (project, ...flags) =>
+  async (words) => {
+    step(`${project} tests`);
+    const all = allOf(words);
+    const args = (report) => [
+      bin('vitest/vitest.mjs'),
+      'run',
+      '--config',
+      'tests/vitest.config.ts',
+      '--project',
+      project,
+      ...flags,
+      '--reporter=default',
+      '--reporter=json',
+      `--outputFile.json=${report}`,
+      ...words.filter((word) => word !== NOT_SLOW),
+    ];
+    return runReported(project, node, args, { count: countVitest(all), env: { SHAPESPLINE_ALL: all } });
+  };
 
 const specsOf = ({ suites = [], specs = [] }) => [...specs, ...suites.flatMap(specsOf)];
 
