@@ -64,7 +64,8 @@ export function createShapePlaneFigure(
   let known: FigureNumbers | null = null;
   const redrawn = addFigureTools(element, { plot: 'plane', title, numbers: () => known, onEnlarge, onError });
 
-  const refresh = oneAfterTheOther(async () => {
+  const setBusy = (busy: boolean): void => element.setAttribute('aria-busy', `${busy}`);
+  const refresh = oneAfterTheOther(setBusy, onError, async () => {
     const asked = input();
     if (!asked) return;
     const computed = await computeShapePlanes(asked);
@@ -77,7 +78,7 @@ export function createShapePlaneFigure(
     redrawn();
     offCurve.setShapes(knownShapes(main));
     await curves.show(asked);
-  }, onError);
+  });
 
   return {
     element,
@@ -122,18 +123,24 @@ function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']) {
 }
 
 /** Repeats the work once if it was called again in the meantime. */
-function oneAfterTheOther(work: () => Promise<void>, onError: (error: unknown) => void): () => Promise<void> {
+function oneAfterTheOther(
+  setBusy: (busy: boolean) => void,
+  onError: (error: unknown) => void,
+  work: () => Promise<void>,
+): () => Promise<void> {
   let stale = false;
   let running = false;
   return async () => {
     stale = true;
     if (running) return;
     running = true;
+    setBusy(true);
     while (stale) {
       stale = false;
       await work().catch(onError);
     }
     running = false;
+    setBusy(false);
   };
 }
 
