@@ -60,6 +60,26 @@ describe('lengths', () => {
     expect(lengths).toBeLessThan(0.001);
   });
 
+  it('has a curve in the plane of the keys, through the keys and outside the plane between them', async () => {
+    const { keys } = await importSheet(14);
+    const times = [0, 0.5, 1];
+    const spline = await engine.createSequence(keys);
+    const expected = await spline.shapePlane(times);
+    const [x, y, u, v] = expected.keys as [number, number, number, number];
+    for (const options of [{ method: 'lengths' }, { method: 'shell', inPlace: true }, { keepLengths: 1 }] as const) {
+      const sequence = await engine.createSequence(keys, { ...options, spaceSamples: 6 });
+      const { keys: points, curve, distance } = await sequence.shapePlane(times);
+      expect(points).toEqual(expected.keys);
+      for (const i of [0, 1, 4, 5]) expect(curve[i]).toBeCloseTo(expected.curve[i]!, 3);
+      expect(distance[1]).toBeGreaterThan(0.02);
+      expect(distance[1]).toBeGreaterThan(3 * Math.max(distance[0]!, distance[2]!));
+      expect(Math.hypot(curve[2]! - (x + u) / 2, curve[3]! - (y + v) / 2)).toBeLessThan(0.2 * Math.hypot(u - x, v - y));
+      expect((await sequence.shapePlane([])).curve).toEqual([]);
+      sequence.dispose();
+    }
+    spline.dispose();
+  });
+
   it('transfers the motion of a coarse mesh to a larger shape', async () => {
     const { keys, poses } = await bendKeys(engine, bar(4, 40));
     const options = { method: 'lengths', spaceFaces: 200, spaceSamples: 6 } as const;

@@ -39,6 +39,28 @@ TEST_CASE("shape plane: a vertex blend passes through the keys and leaves their 
   }
 }
 
+TEST_CASE("shape plane: a shape of another motion has the place that its own motion gives it") {
+  for (const int ghostFaces : {0, 60}) {
+    CAPTURE(ghostFaces);
+    EncodingOptions encoding = doublePrecision();
+    encoding.ghostFaces = ghostFaces;
+    Sequence ours = moved(Method::Lri, encoding);
+    for (const Method method : {Method::CubicVertex, Method::RotationStrain}) {
+      if (ghostFaces > 0 && method == Method::RotationStrain) continue;
+      Sequence other = moved(method, encoding);
+      for (const double t : {0.3, 0.5 * other.range().second}) {
+        Positions shape;
+        REQUIRE(other.evaluate(t, shape).ok());
+        const ShapePlane given = ours.featureCurve()->planeWith(t, shape), own = other.featureCurve()->plane({t});
+        CHECK(given.keys == own.keys);
+        REQUIRE(given.curve.size() == 2);
+        for (const int axis : {0, 1}) CHECK(given.curve[axis] == doctest::Approx(own.curve[axis]).epsilon(1e-9));
+        CHECK(given.distance.at(0) == doctest::Approx(own.distance.at(0)).epsilon(1e-9));
+      }
+    }
+  }
+}
+
 TEST_CASE("shape plane: the weights are those of the motion") {
   Sequence s = moved(Method::Lri);
   const std::vector<double> times = {-0.5, 0, 0.3, 2};

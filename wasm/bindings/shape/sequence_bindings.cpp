@@ -151,10 +151,13 @@ EXPORT const char* shapespline_measure(int handle, const char* request) {
   });
 }
 
-/// {times} -> {keys, tangents, curve, distance, weights, explained}: feature_curve.h.
+/// {times, shape} -> {keys, tangents, curve, distance, weights, explained}: feature_curve.h. shape: another motion's
+/// shape at the only time, 3n floats, or null.
 EXPORT const char* shapespline_plane(int handle, const char* request) {
   return askCurve(handle, request, [](const FeatureCurve& curve, const Json& json) -> Result<Json> {
-    const ShapePlane plane = curve.plane(numbersOf(json, "times"));
+    const std::vector<double> times = numbersOf(json, "times");
+    const auto shape = elements<float>(json.at("shape"));
+    const ShapePlane plane = shape.empty() ? curve.plane(times) : curve.planeWith(times.at(0), positionsFrom(shape));
     return Json{{"keys", plane.keys},         {"tangents", plane.tangents}, {"curve", plane.curve},
                 {"distance", plane.distance}, {"weights", plane.weights},   {"explained", plane.explained}};
   });

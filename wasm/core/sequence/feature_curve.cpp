@@ -27,7 +27,8 @@ Eigen::VectorXd FeatureCurve::poseWeightsAt(const Curve& curve, double t) const 
   return Eigen::Map<const Eigen::VectorXd>(w.column.data(), static_cast<Eigen::Index>(w.column.size()));
 }
 
-ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
+template <class ProductsAt>
+ShapePlane FeatureCurve::planeOf(const std::vector<double>& times, const ProductsAt& products) const {
   const PrincipalPlane plane(gram_, shape_.keys);
   ShapePlane result;
   result.explained = plane.explained();
@@ -37,7 +38,7 @@ ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
   const double step = meanStep();
   for (double t : times) {
     const Eigen::VectorXd weights = poseWeightsAt(t);
-    const ShapeProducts at = motion_.inLri() ? plane.productsOf(weights) : productsAt(t, weights);
+    const ShapeProducts at = products(plane, t, weights);
     append(result.curve, plane.project(at));
     result.distance.push_back(step > 0 ? plane.distance(at) / step : 0);
     result.weights.insert(result.weights.end(), weights.begin(), weights.end());
@@ -45,10 +46,22 @@ ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
   return result;
 }
 
-ShapeProducts FeatureCurve::productsAt(double t, const Eigen::VectorXd& weights) const {
-  Positions positions;
-  shapeAt_(t, positions);
-  return lri_.productsOf(positions, weights);
+ShapePlane FeatureCurve::plane(const std::vector<double>& times) const {
+  return planeOf(times, [&](const PrincipalPlane& plane, double t, const Eigen::VectorXd& weights) {
+    if (motion_.inLri()) return plane.productsOf(weights);
+    Positions positions;
+    shapeAt_(t, positions);
+    return lri_.productsOf(positions, weights);
+  });
+}
+
+ShapePlane FeatureCurve::planeWith(double t, const Positions& positions) const {
+  const std::vector<int>& weldedOf = encoded_.input().welding.weldedOfRaw;
+  Positions welded(shape_.poses.front().size());
+  for (std::size_t v = 0; v < positions.size(); ++v) welded[weldedOf[v]] = positions[v];
+  return planeOf({t}, [&](const PrincipalPlane&, double, const Eigen::VectorXd& weights) {
+    return lri_.productsOf(welded, weights);
+  });
 }
 
 double FeatureCurve::meanStep() const {

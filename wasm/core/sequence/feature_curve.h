@@ -82,6 +82,10 @@ class FeatureCurve {
   /// Shapes of other spaces are encoded first, at about the cost of one frame each.
   ShapePlane plane(const std::vector<double>& times) const;
 
+  /// The plane with another motion's shape at t as its only point. The weights at t determine the representatives of its
+  /// rotations and its mean position. positions: one per input vertex.
+  ShapePlane planeWith(double t, const Positions& positions) const;
+
   /// The minimisation over K samples that the splines solve in closed form. With tensions, biases or a linear method,
   /// the curve is not its limit. Error: InvalidOption (too few or too many samples).
   Result<DiscretePath> discretePath(int samples) const;
@@ -103,7 +107,9 @@ class FeatureCurve {
 
  private:
   Eigen::MatrixXd ownGram() const;
-  ShapeProducts productsAt(double t, const Eigen::VectorXd& weights) const;
+  // products: ShapeProducts of the shape at a time, which has these weights.
+  template <class ProductsAt>
+  ShapePlane planeOf(const std::vector<double>& times, const ProductsAt& products) const;
   double squaredLength(const Eigen::VectorXd& poseWeights) const;
   double squaredDistance(int key, int other) const;
   double overshoot(const Eigen::VectorXd& poseWeights, double t) const;

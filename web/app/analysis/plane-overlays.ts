@@ -1,11 +1,11 @@
 /**
  * Additional curves in the shape plane: the discretised minimisation that the spline solves in closed form (the paper's
- * third curve in Fig. 2b), and vertex blends, which leave the plane.
+ * third curve in Fig. 2b), and motions that leave the plane.
  */
-import { METHOD, isFitted } from '../../engine/api/methods.ts';
 import type { Motion } from '../../engine/api/api.ts';
 import type { Method } from '../../engine/api/types.ts';
 import type { AnalysisInput } from './analysis.ts';
+import { inPlane } from './shape-plane.ts';
 
 export interface MinimisedCurve {
   /** The curve's points, 2 numbers per sample. */
@@ -17,7 +17,7 @@ export interface MinimisedCurve {
   off: number;
 }
 
-export interface BlendCurve {
+export interface OutsideCurve {
   method: Method;
   /** The curve's points, 2 numbers per point. */
   points: number[];
@@ -46,15 +46,15 @@ const BUDGET_MS = 1200;
 const MOST_POINTS = 49;
 const LEAST_POINTS = 13;
 
-/** Vertex blends among the motions, over the range of the keys. */
-export async function blendCurves({ sequences, range, ms }: AnalysisInput): Promise<BlendCurve[]> {
+/** The motions outside the plane, over the plotted range. Their shapes are encoded one by one. */
+export async function outsideCurves({ sequences, range, ms }: AnalysisInput): Promise<OutsideCurve[]> {
   const affordable = BUDGET_MS / Math.max(ms * ENCODE_FRAMES, 0.1);
   const count = Math.round(Math.min(Math.max(affordable, LEAST_POINTS), MOST_POINTS));
   const times = Array.from({ length: count }, (_, i) => range[0] + ((range[1] - range[0]) * i) / (count - 1));
-  const curves: BlendCurve[] = [];
-  for (const { method, sequence } of sequences) {
-    // Fitted shapes have a plane of their own.
-    if (METHOD[method].space === 'lri' || isFitted(sequence.options)) continue;
+  const curves: OutsideCurve[] = [];
+  for (const one of sequences) {
+    if (inPlane(one)) continue;
+    const { method, sequence } = one;
     const { curve, distance } = await sequence.shapePlane(times);
     curves.push({ method, points: curve, off: Math.max(...distance) });
   }

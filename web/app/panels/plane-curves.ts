@@ -1,5 +1,5 @@
 /** Additional curves of the shape plane, with their text. */
-import { METHOD, OWN_METHOD } from '../../engine/api/methods.ts';
+import { OWN_METHOD } from '../../engine/api/methods.ts';
 import type { Motion } from '../../engine/api/api.ts';
 import { EngineError } from '../../engine/api/errors.ts';
 import type { PlaneOverlay } from '../../plots/shape-plane.ts';
@@ -8,8 +8,8 @@ import { h, setField, setHidden, setText } from '../../ui/dom.ts';
 import { METHOD_WORDS } from '../../model/method-words.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import { inPlane } from '../analysis/shape-plane.ts';
-import { blendCurves, minimisedCurve } from '../analysis/plane-overlays.ts';
-import type { BlendCurve, MinimisedCurve } from '../analysis/plane-overlays.ts';
+import { minimisedCurve, outsideCurves } from '../analysis/plane-overlays.ts';
+import type { MinimisedCurve, OutsideCurve } from '../analysis/plane-overlays.ts';
 
 export interface PlaneCurves {
   element: HTMLElement;
@@ -24,13 +24,13 @@ export interface PlaneCurvesEvents {
 
 const SAMPLES = 24;
 const MOST_SAMPLES = 400;
-/** Vertex blends are slow, so they wait for a pause between edits. */
+/** Motions outside the plane are slow to encode, so they wait for a pause between edits. */
 const REST_MS = 300;
 const percent = (share: number): string => `${Number((100 * share).toPrecision(2))}\u00a0%`;
 
 export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): PlaneCurves {
   let input: AnalysisInput | null = null;
-  let blends: BlendCurve[] = [];
+  let outside: OutsideCurve[] = [];
   let least = NONE;
   let timer = 0;
   const note = h('p', { class: 'plane-note', 'data-testid': 'plane-notes' });
@@ -41,15 +41,15 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
   const element = h('div', { class: 'group' }, minimised.element, note);
 
   const draw = (): void => {
-    onOverlays([...blends.map(blendOverlay), ...least.overlays]);
-    const sentences = [...least.sentences, ...blends.map(blendWords)];
+    onOverlays([...outside.map(outsideOverlay), ...least.overlays]);
+    const sentences = [...least.sentences, ...outside.map(outsideWords)];
     setHidden(note, sentences.length === 0);
     setText(note, sentences.join(' '));
   };
-  const refreshBlends = async (of: AnalysisInput): Promise<void> => {
-    const found = await blendCurves(of);
+  const refreshOutside = async (of: AnalysisInput): Promise<void> => {
+    const found = await outsideCurves(of);
     if (input !== of) return;
-    blends = found;
+    outside = found;
     draw();
   };
 
@@ -57,11 +57,11 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
     element,
     async show(next) {
       input = next;
-      blends = [];
+      outside = [];
       window.clearTimeout(timer);
       await minimised.show(next);
-      if (next.sequences.some(({ method }) => METHOD[method].space !== 'lri'))
-        timer = window.setTimeout(() => void refreshBlends(next).catch(onError), REST_MS);
+      if (!next.sequences.every(inPlane))
+        timer = window.setTimeout(() => void refreshOutside(next).catch(onError), REST_MS);
     },
   };
 }
@@ -130,7 +130,7 @@ async function leastBending(spline: Motion, samples: number, onError: (error: un
   }
 }
 
-function blendOverlay({ method, points }: BlendCurve): PlaneOverlay {
+function outsideOverlay({ method, points }: OutsideCurve): PlaneOverlay {
   return { label: METHOD_WORDS[method].label, points, style: method, marked: false };
 }
 
@@ -142,6 +142,6 @@ function minimisedWords({ energy, splineEnergy, off }: MinimisedCurve, samples: 
   );
 }
 
-function blendWords({ method, off }: BlendCurve): string {
+function outsideWords({ method, off }: OutsideCurve): string {
   return `${METHOD_WORDS[method].label}: up to ${percent(off)} of the mean distance between keys away from this plane.`;
 }

@@ -6,7 +6,7 @@
 import type { CallOptions, Motion, Sequence } from '../api/api.ts';
 import { invalidOption, untilAborted } from '../api/errors.ts';
 import { METHOD } from '../api/methods.ts';
-import { notUpdated } from '../api/options.ts';
+import { checkTimes, notUpdated } from '../api/options.ts';
 import { partOf } from '../api/progress.ts';
 import {
   NO_PLACE,
@@ -328,12 +328,7 @@ export class FittedMotion extends MotionClient implements Sequence {
 
   /** The spacing of the user's keys in LRI space, not of the fitted keys. */
   override async keySpacing(): Promise<KeySpacing> {
-    const plain = await this.outer.motion({ method: 'lri', keyTimes: [...this.own.keyTimes] });
-    try {
-      return await plain.keySpacing();
-    } finally {
-      plain.dispose();
-    }
+    return this.withPlain((plain) => plain.keySpacing());
   }
 
   /** Relative to the deformation between the user's keys, as for other methods. */
@@ -347,12 +342,29 @@ export class FittedMotion extends MotionClient implements Sequence {
     return energies.map((energy) => (Number.isFinite(scale) ? scale * energy : energy));
   }
 
-  /** The plane of the fitted shapes, in which the user's keys have no weights. */
+  /** The plane of the user's keys in LRI space. The motion leaves it, and its shapes have no weights. */
   override async shapePlane(times: number[]): Promise<ShapePlane> {
-    const plane = await super.shapePlane(times);
-    const all = this.spec.keyTimes.map((time, i) => ({ time, point: plane.keys.slice(2 * i, 2 * i + 2) }));
-    const keys = all.filter(({ time }) => this.keyTimes.includes(time)).flatMap(({ point }) => point);
-    return { ...plane, keys, weights: [] };
+    return this.withPlain(async (plain) => {
+      const plane = await plain.shapePlane([]);
+      for (const t of checkTimes(times)) {
+        const frame = await this.batch(() => this.frame(t, this.spec));
+        const { curve, distance } = await plain.shapePlaneWith(t, frame.positions);
+        frame.release();
+        plane.curve.push(...curve);
+        plane.distance.push(...distance);
+      }
+      return plane;
+    });
+  }
+
+  /** Runs `ask` with the spline in LRI space through the user's keys. */
+  private async withPlain<T>(ask: (plain: MotionClient) => Promise<T>): Promise<T> {
+    const plain = await this.outer.motion({ method: 'lri', keyTimes: [...this.own.keyTimes] });
+    try {
+      return await ask(plain);
+    } finally {
+      plain.dispose();
+    }
   }
 
   protected override get keysShape(): ShapeClient {

@@ -130,7 +130,12 @@ export class MotionClient implements Motion {
   }
 
   async shapePlane(times: number[]): Promise<ShapePlane> {
-    return this.ask('plane', { times: checkTimes(times) });
+    return this.ask('plane', { times: checkTimes(times), shape: null });
+  }
+
+  /** The plane with the shape of another motion at t as its only point. */
+  async shapePlaneWith(t: number, shape: Float32Array): Promise<ShapePlane> {
+    return this.ask('plane', { times: [t], shape });
   }
 
   async discretePath(samples: number): Promise<DiscretePath> {
@@ -246,7 +251,7 @@ export class MotionClient implements Motion {
     this.shown = null;
   }
 
-  private async frame(t: number, motion: MotionSpec): Promise<Frame> {
+  protected async frame(t: number, motion: MotionSpec): Promise<Frame> {
     const { buffers, transfer } = this.spare();
     return this.pool.frame(t, await this.shape.ask('evaluate', { motion, t, buffers }, { transfer }));
   }
@@ -262,7 +267,7 @@ export class MotionClient implements Motion {
     return { buffers, transfer: transfer as ArrayBuffer[] };
   }
 
-  private batch<T>(work: () => Promise<T>): Promise<T> {
+  protected batch<T>(work: () => Promise<T>): Promise<T> {
     return this.shape.scheduler.run(urgency.batch, work);
   }
 

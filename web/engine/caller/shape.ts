@@ -1,5 +1,5 @@
 /** A shape on the caller's side: its worker, its request queue, and the data to encode it again. */
-import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
+import type { CallOptions, MotionChange, Shape } from '../api/api.ts';
 import { cancelled, disposed, untilAborted } from '../api/errors.ts';
 import { METHOD, isFitted } from '../api/methods.ts';
 import { checkCall, checkUpdate } from '../api/options.ts';
@@ -56,7 +56,7 @@ export class ShapeClient implements Shape {
     return this.parts.encoding;
   }
 
-  async motion(change: MotionChange = {}, call?: CallOptions): Promise<Motion> {
+  async motion(change: MotionChange = {}, call?: CallOptions): Promise<MotionClient> {
     checkCall(call);
     const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
     const spec = this.spec(motion, keyTimes ?? this.parts.keys.info.times);

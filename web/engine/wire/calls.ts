@@ -38,7 +38,8 @@ const ofShape = <Asked extends object, Answer>(symbol: string): Question<'shape'
 });
 
 export const QUESTIONS = {
-  plane: ofMotion<{ times: number[] }, ShapePlane>('_shapespline_plane'),
+  /** `shape`: positions of another motion's shape at the only time, which is placed in the plane instead. */
+  plane: ofMotion<{ times: number[]; shape: Float32Array | null }, ShapePlane>('_shapespline_plane'),
   discretePath: ofMotion<{ samples: number }, DiscretePath>('_shapespline_discrete_path'),
   faceCurve: ofMotion<{ face: number; times: number[] }, FaceCurve>('_shapespline_face_curve'),
   patchCurve: ofMotion<{ patch: number; times: number[] }, PatchCurve>('_shapespline_patch_curve'),
