@@ -33,7 +33,7 @@ const LIST: readonly Figure[] = [
     text: 'The paper completes three poses of a cactus by geodesics, by a spline in shell space and by its own spline, which also goes beyond the keys. Beside them it draws curves in shape space.',
     task: 'Compare the rows, then the curves in Analysis: the geodesic turns sharply at the middle key, the spline does not. To see the shapes move, clear Film strip in Display.',
     sentence:
-      'As in the paper, there are three rows with the keys in blue, on a different cactus. The two splines hardly differ. The plane shows the curves in LRI space only.',
+      'As in the paper, there are three rows with the keys in blue, on a different cactus. The two splines hardly differ, and their curves in the plane coincide.',
   },
   {
     number: '2a',
@@ -58,7 +58,7 @@ const LIST: readonly Figure[] = [
     press: 'minimised',
     task: 'Enlarge the shape plane in Analysis, and change the number of samples of the minimiser.',
     sentence:
-      'As in the paper, the minimiser coincides with the spline. Vertex blends are drawn as well, with their distance from the plane.',
+      'As in the paper, the minimiser coincides with the spline. Motions of other spaces are drawn as well, with their distance from the plane.',
   },
   {
     number: '3',

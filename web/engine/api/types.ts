@@ -356,7 +356,7 @@ export interface ShapePlane {
   curve: number[];
   /** Distance of each point of the curve from the plane, relative to the mean distance between keys. */
   distance: number[];
-  /** For each point of the curve: weights of the keys, then of the tangent poses; sum 1. */
+  /** For each point of the curve: weights of the keys, then of the tangent poses; sum 1. Empty for fitted motions. */
   weights: number[];
   /** Share of the keys' variance in the plane, in [0, 1]. */
   explained: number;
