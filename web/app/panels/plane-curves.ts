@@ -46,10 +46,14 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
     setHidden(note, sentences.length === 0);
     setText(note, sentences.join(' '));
   };
+  const setBusy = (busy: boolean): void => element.setAttribute('aria-busy', `${busy}`);
   const refreshOutside = async (of: AnalysisInput): Promise<void> => {
-    const found = await outsideCurves(of);
-    if (input !== of) return;
-    outside = found;
+    try {
+      const found = await outsideCurves(of);
+      if (input === of) outside = found;
+    } finally {
+      if (input === of) setBusy(false);
+    }
     draw();
   };
 
@@ -59,9 +63,10 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
       input = next;
       outside = [];
       window.clearTimeout(timer);
+      const leaves = !next.sequences.every(inPlane);
+      setBusy(leaves);
       await minimised.show(next);
-      if (!next.sequences.every(inPlane))
-        timer = window.setTimeout(() => void refreshOutside(next).catch(onError), REST_MS);
+      if (leaves) timer = window.setTimeout(() => void refreshOutside(next).catch(onError), REST_MS);
     },
   };
 }
