@@ -115,6 +115,20 @@ it('the next visit opens the state stored when the page was closed', async () =>
   expect(shelf.get('mine')?.opening).toBe(false);
 });
 
+it('the next visit also opens a state whose writing had begun when the page was closed', async () => {
+  const { store, remembered } = visit();
+  remembered.follow();
+  await vi.advanceTimersByTimeAsync(500);
+  vi.spyOn(storage, 'updateProject').mockReturnValueOnce(new Promise(() => undefined));
+  store.set({ time: 0.25 });
+  await vi.advanceTimersByTimeAsync(500);
+  remembered.flush();
+  expect(timeOf('mine')).toBe(0);
+  const open = vi.fn(async (_: StoredProject) => true);
+  await visit().remembered.reopen('mine', open);
+  expect(open.mock.calls[0]![0].state.time).toBe(0.25);
+});
+
 it('a reloaded tab opens its own files first, and a new tab the last changed ones', async () => {
   shelf.set('of another tab', { remembered: {} as StoredProject, version: 1, opening: false });
   const { remembered } = visit();

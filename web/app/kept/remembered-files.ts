@@ -71,6 +71,8 @@ export class RememberedFiles {
   private waiting: string | null = null;
   private timer = 0;
   private saving: Promise<void> = Promise.resolve();
+  /** Number of writes that have not ended. */
+  private writes = 0;
   /** The user has been informed that files are stored. */
   private told = false;
   private telling = 0;
@@ -105,10 +107,10 @@ export class RememberedFiles {
     this.timer = window.setTimeout(() => this.keep(id), atOnce ? 0 : SAVE_DELAY_MS);
   }
 
-  /** The page may close: notes pending changes synchronously, then writes them. */
+  /** The page may close: notes changes that are not written yet synchronously, then writes them. */
   flush(): void {
     const { waiting: id } = this;
-    if (!this.timer || id === null) return;
+    if (id === null || (!this.timer && this.writes === 0)) return;
     this.stopWaiting();
     const state = this.parts.store.get();
     const before = this.kept.get(id);
@@ -266,6 +268,7 @@ export class RememberedFiles {
 
   /** Writes in sequence, so newer states are never overwritten by older ones. */
   private writeInTurn(id: string): Promise<void> {
+    this.writes++;
     this.saving = this.saving
       .then(() => this.write(id))
       .catch(() => {
@@ -274,7 +277,8 @@ export class RememberedFiles {
         this.kept.delete(id);
         this.tellChange();
         this.parts.onError(new Error(lost ? NOT_WRITTEN : NO_ROOM));
-      });
+      })
+      .finally(() => void this.writes--);
     return this.saving;
   }
 
