@@ -82,8 +82,8 @@ class FeatureCurve {
   /// Shapes of other spaces are encoded first, at about the cost of one frame each.
   ShapePlane plane(const std::vector<double>& times) const;
 
-  /// The plane with another motion's shape at t as its only point. The weights at t determine the representatives of its
-  /// rotations and its mean position. positions: one per input vertex.
+  /// The plane with another motion's shape at t as its only point. The weights at t determine the representatives of
+  /// its rotations and its mean position. positions: one per input vertex.
   ShapePlane planeWith(double t, const Positions& positions) const;
 
   /// The minimisation over K samples that the splines solve in closed form. With tensions, biases or a linear method,
