@@ -107,7 +107,7 @@ const LIST: readonly Figure[] = [
     state: 'sample=cactus&ghostFaces=250&ghostSizes=1&between=0,1&t=0.25&loop=bounce&play=1',
     panel: 'shape',
     part: 'panel-ghost',
-    text: 'The paper colours a centaur by its distance from the motion without a ghost, for four ghost sizes.',
+    text: 'The paper colours a centaur by its distance from the motion without a ghost, for ghost meshes of ten sizes.',
     task: 'Drag the time slider, and compare the colours. Then choose another size in Shape, Ghost mesh.',
     sentence:
       'As in the paper, the error falls as the ghost gets finer. Three sizes are shown beside the motion without a ghost.',
