@@ -27,7 +27,14 @@ const PLAYGROUND = 'figure=2a';
 
 /** The time shown by each stored figure, and a test that its content is complete. */
 const MOMENTS: Readonly<Record<string, { t: number; ready?(app: App): Promise<void> }>> = {
-  'figure=1': { t: 0.56, ready: (app) => expect(app.by('film-labels').locator('span')).not.toHaveCount(0) },
+  'figure=1': {
+    t: 0.56,
+    async ready(app) {
+      await expect(app.by('film-labels').locator('span')).not.toHaveCount(0);
+      // The picture cannot show this curve, because it coincides with another.
+      await expect(app.by('plot-plane').locator('path.curve.shell')).toHaveCount(1);
+    },
+  },
   'figure=2a': { t: 0.4 },
   'figure=2b': {
     t: 0.7,
