@@ -65,6 +65,27 @@ it('fetches nothing until it is near the view, and neither computes nor draws ou
   );
 });
 
+it('loads out of view as soon as `loading` is set to "eager", also after changes', async () => {
+  const page = await openElements(`<i id="gap"></i><shape-spline id="a" src="${KEYS}"></shape-spline>`);
+  await on(page, (shape) => new Promise((done) => setTimeout(done, 300, shape)));
+  expect(await on(page, (shape) => (shape.loading = 'eager'))).toBe('eager');
+  await when(page, 'load');
+  // Lazy again: another source waits until it is eager.
+  await on(page, async (shape) => {
+    shape.loading = 'lazy';
+    await null;
+    shape.src = 'pose-1.glb pose-0.glb';
+    await new Promise((done) => setTimeout(done, 300));
+  });
+  expect(await told(page, 'load')).toHaveLength(1);
+  await on(page, (shape) => shape.setAttribute('loading', 'eager'));
+  await when(page, 'load', 'a', 2);
+  await on(page, (shape, keys) => (shape.src = keys), KEYS);
+  await when(page, 'load', 'a', 3);
+  await on(page, (shape) => (shape.controls = true));
+  expect(await told(page, 'load')).toHaveLength(3);
+});
+
 it('reports loading, playing, seeking and keys, each with its detail, and lets no event bubble', async () => {
   const page = await openElements(ONE);
   expect(await when(page, 'load')).toEqual({

@@ -353,9 +353,8 @@ export class ShapeSplineElement extends Base {
       this.#view?.setSeen(false);
     }
     this.#page();
-    if (again) {
-      if (this.#near || this.loading === 'eager') void this.#load();
-    } else if (this.#view && this.#sequence) {
+    if (this.#near || this.loading === 'eager') void this.#load();
+    if (!again && this.#view && this.#sequence) {
       this.#settings(this.#view);
       this.#begin();
     }
