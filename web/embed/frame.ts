@@ -43,7 +43,8 @@ export class Frame {
     for (const part of [this.message, this.progress]) setHidden(part, true);
     for (const part of [this.viewport, this.controls]) leaveScrolling(part);
     root.addEventListener('keydown', (event) => events.onKey(event as KeyboardEvent));
-    const to = (at: MouseEvent): void => events.onSeek(this.timeAt(at.clientX));
+    // Offsets are in the timeline's own pixels, also in a container that the page rotates or scales.
+    const to = (at: MouseEvent): void => events.onSeek(this.timeAt(at.offsetX));
     this.timeline.addEventListener('pointerdown', (event) => {
       // A touch may become a scroll, so it counts only after a sideways move or on release.
       if (event.pointerType !== 'touch') to(event);
@@ -140,10 +141,11 @@ export class Frame {
   }
 
   private timeAt(x: number): number {
-    const { left, width } = this.timeline.getBoundingClientRect();
+    const { clientWidth, currentCSSZoom = 1 } = this.timeline as HTMLElement & { currentCSSZoom?: number };
+    const width = Math.max(clientWidth * currentCSSZoom, 1);
     const span = length(this.range);
-    const t = this.range[0] + clamp((x - left) / Math.max(width, 1), 0, 1) * span;
-    return snap(t, this.keys, (SNAP / Math.max(width, 1)) * span);
+    const t = this.range[0] + clamp(x / width, 0, 1) * span;
+    return snap(t, this.keys, (SNAP / width) * span);
   }
 }
 

@@ -27,7 +27,8 @@ const CSS = `
 [part=play] svg { inline-size: 100%; fill: none; stroke: currentColor; stroke-width: 1.6; }
 [part=timeline] { position: relative; flex: 1; block-size: 44px; direction: ltr; cursor: pointer; touch-action: pan-y; }
 [part=timeline]::before { content: ''; position: absolute; inset: 21px 0; background: currentColor; opacity: 0.35; }
-[part=key], [part=thumb] { position: absolute; inset-block-start: 50%; translate: -50% -50%; border-radius: 50%; }
+[part=key], [part=thumb] { position: absolute; inset-block-start: 50%; translate: -50% -50%; border-radius: 50%;
+  pointer-events: none; }
 [part=key] { inline-size: 10px; block-size: 10px; background: var(--key); }
 [part=thumb] { inline-size: 18px; block-size: 18px; background: currentColor; }
 @media (forced-colors: active) {

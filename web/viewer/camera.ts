@@ -4,6 +4,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraPose, ViewName } from '../model/camera.ts';
 import { FIELD_OF_VIEW, NO_INSETS, directionOf, fittedPose, setLens } from './fit.ts';
 import type { Extent, Insets } from './fit.ts';
+import { measureInOwnPixels } from './own-pixels.ts';
 
 const TURN_MS = 180;
 
@@ -23,6 +24,7 @@ export class CameraRig {
     private readonly onUserMove: () => void,
   ) {
     this.controls = new OrbitControls(this.camera, element);
+    measureInOwnPixels(this.controls, element);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', this.onChange);
