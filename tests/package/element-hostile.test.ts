@@ -341,6 +341,66 @@ it('a second copy of the script changes nothing and gives a warning', async () =
   await seek(page, 0.5);
 });
 
+/** Adds enumerable methods to arrays, and replaces built-in ones, as Prototype 1.6 does. */
+function asPrototype(): void {
+  const arrays = Array.prototype as unknown as Record<string, unknown> & { toArray(): unknown[] };
+  const stringify = JSON.stringify;
+  Object.assign(arrays, {
+    each: Array.prototype.forEach,
+    toArray: function (this: unknown[]) {
+      return this.slice(0);
+    },
+    toJSON: function (this: unknown[]) {
+      return `[${this.map((item) => stringify(item)).join(', ')}]`;
+    },
+    find: function (this: unknown[], matches: (item: unknown, index: number) => boolean) {
+      for (let i = 0; i < this.length; i += 1) if (matches(this[i], i)) return this[i];
+      return undefined;
+    },
+  });
+  Object.assign(arrays, { entries: arrays.toArray, size: () => 0, first: () => undefined, inspect: () => '' });
+  Array.from = ((list: { length?: number; [index: number]: unknown }) => {
+    if ('toArray' in Object(list)) return (list as { toArray?: () => unknown[] }).toArray!();
+    const copy: unknown[] = new Array(list.length || 0);
+    for (let i = 0; i < copy.length; i += 1) copy[i] = list[i];
+    return copy;
+  }) as never;
+  Function.prototype.bind = function (this: (...given: unknown[]) => unknown, context: unknown, ...first: unknown[]) {
+    return (...given: unknown[]) => this.apply(context, [...first, ...given]);
+  } as never;
+}
+
+/** As MooTools 1.4 does. */
+function asMooTools(): void {
+  Array.from = ((item: unknown) => (Array.isArray(item) ? item : item === null ? [] : [item])) as never;
+  for (const name of ['clean', 'invoke', 'associate', 'link', 'append', 'getLast', 'combine', 'erase', 'pick'])
+    Object.assign(Array.prototype, { [name]: () => 'a method of MooTools' });
+  Object.assign(Function.prototype, { extend: () => null, implement: () => null, pass: () => null });
+  Object.assign(Element.prototype, { set: () => null, get: () => null, getElements: () => [] });
+  Object.assign(globalThis, { Event: class DomEvent {}, Request: class {} });
+}
+
+/** The JSON of the GLB that the element exports. */
+async function exportedOn(before?: () => void): Promise<{ animations: unknown[] }> {
+  const page = await openElements(shown(KEYS, 'compare="linear lengths" controls ghost colour="patches"'), { before });
+  await when(page, 'load');
+  await seek(page, 0.5);
+  expect(await page.locator('#a [part=name]').count()).toBe(3);
+  expect(await page.locator('#a [part=key]').count()).toBe(2);
+  const text = await on(page, async (shape) => {
+    const bytes = await (await shape.exportGLB()).arrayBuffer();
+    return new TextDecoder().decode(new Uint8Array(bytes, 20, new DataView(bytes).getUint32(12, true)));
+  });
+  return JSON.parse(text) as { animations: unknown[] };
+}
+
+it('shows, compares and exports the same on pages with Prototype or MooTools', async () => {
+  const usual = await exportedOn();
+  expect(usual.animations).toHaveLength(1);
+  expect(await exportedOn(asPrototype)).toEqual(usual);
+  expect(await exportedOn(asMooTools)).toEqual(usual);
+});
+
 it('a lost graphics context shows the poster, and the shape again when it is back', async () => {
   const page = await openElements(ONE);
   await when(page, 'load');

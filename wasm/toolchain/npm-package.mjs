@@ -25,6 +25,12 @@ const packaged = {
     ),
 };
 
+/** Scripts on pages use their own versions of functions that old libraries replace. */
+const ownBuiltins = {
+  define: { 'Array.from': 'arrayFrom', 'JSON.stringify': 'stringify' },
+  inject: [source('engine/packaged/builtins.ts')],
+};
+
 /** Node modules that scripts import only when running in Node; empty in a browser. */
 const nothingOfNode = {
   name: 'nothing-of-node',
@@ -82,6 +88,7 @@ async function scripts(element) {
   const made = await Promise.all([
     build({
       ...forBrowsers,
+      ...ownBuiltins,
       outdir,
       entryPoints: entries([['index', 'engine/index.ts'], ...(element ? elementEntries : [])]),
       // All entries share one engine, so `configure` applies to all of them.
@@ -105,7 +112,7 @@ async function scripts(element) {
   ]);
   if (element) {
     const worker = withText('inlined-worker', readFileSync(inPackage('worker.js'), 'utf8'));
-    made.push(await alone('cdn', 'embed/cdn.ts', { plugins: [worker, ...forBrowsers.plugins] }));
+    made.push(await alone('cdn', 'embed/cdn.ts', { ...ownBuiltins, plugins: [worker, ...forBrowsers.plugins] }));
   }
   return made.flatMap(({ metafile }) => Object.keys(metafile.inputs));
 }

@@ -24,12 +24,12 @@ export function extentOf(poses: Iterable<Float32Array>): Extent {
     const vertices = positions.length / 3;
     const step = Math.max(1, Math.floor(vertices / POINTS_PER_POSE));
     for (let v = 0; v < vertices; v += step) push(points, positions, v);
-    for (const [index, v] of extremes(positions).entries()) {
+    extremes(positions).forEach((v, index) => {
       push(points, positions, v);
       const axis = Math.floor(index / 2) as 0 | 1 | 2;
       min[axis] = Math.min(min[axis], positions[3 * v + axis]!);
       max[axis] = Math.max(max[axis], positions[3 * v + axis]!);
-    }
+    });
   }
   return { bounds: { min, max, foot: footOf(points, min[1], max[1]) }, points: Float32Array.from(points) };
 }
@@ -39,9 +39,9 @@ function footOf(points: number[], floor: number, top: number): Bounds['foot'] {
   const high = [-Infinity, -Infinity];
   for (let i = 0; i < points.length; i += 3) {
     if (points[i + 1]! > floor + TOUCHES * (top - floor)) continue;
-    for (const [k, value] of [points[i]!, points[i + 2]!].entries()) {
-      low[k] = Math.min(low[k]!, value);
-      high[k] = Math.max(high[k]!, value);
+    for (const k of [0, 1]) {
+      low[k] = Math.min(low[k]!, points[i + 2 * k]!);
+      high[k] = Math.max(high[k]!, points[i + 2 * k]!);
     }
   }
   const [x, z] = [(low[0]! + high[0]!) / 2, (low[1]! + high[1]!) / 2];

@@ -96,8 +96,7 @@ export class Shape {
     this.geometry.setAttribute('position', this.position);
     this.geometry.setAttribute('normal', this.normal);
     if (topology.uv) this.geometry.setAttribute('uv', topology.uv);
-    for (const [index, group] of topology.scene.groups.entries())
-      this.geometry.addGroup(group.start * 3, group.count * 3, index);
+    topology.scene.groups.forEach(({ start, count }, index) => this.geometry.addGroup(start * 3, count * 3, index));
     this.mesh = new Mesh(this.geometry, this.plain);
     studio.install(this.plain, this.rim);
     this.mesh.frustumCulled = false;

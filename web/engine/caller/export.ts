@@ -192,12 +192,13 @@ async function* writePoses(job: Job): AsyncGenerator<ExportedFile, void, undefin
   const { source, options, frames, call } = job;
   const { signal } = call;
   const many = frames.times.length > 1;
-  for (const [index, t] of frames.times.entries()) {
+  let written = 0;
+  for (const t of frames.times) {
     const frame = await untilAborted(signal, source.frame(t));
     const bytes = withNote(options.format, await writePose(job, frame), options.blend ? [] : [t]);
     frame.release();
-    report(job, index + 1);
-    const name = many || options.pose === null ? String(index).padStart(4, '0') : stemOf(options);
+    const name = many || options.pose === null ? String(written).padStart(4, '0') : stemOf(options);
+    report(job, ++written);
     yield { name: `${name}.${options.format}`, bytes };
   }
   if (options.format === 'obj') yield* materialFiles(stemOf(options), source.keys.info.scene);
@@ -222,12 +223,13 @@ async function* writePointCache(job: Job): AsyncGenerator<ExportedFile, void, un
   const { source, options, frames, call } = job;
   const cache = new PointCache(options.format as 'pc2' | 'mdd', frames, source.keys.positions[0]!.length / 3);
   let obj: Uint8Array | null = null;
-  for (const [index, t] of frames.times.entries()) {
+  let written = 0;
+  for (const t of frames.times) {
     const frame = await untilAborted(call.signal, source.frame(t));
     obj ??= await writePose(job, frame);
     cache.add(frame.positions);
     frame.release();
-    report(job, index + 1);
+    report(job, ++written);
   }
   yield { name: `${stemOf(options)}.${options.format}`, bytes: cache.bytes };
   yield { name: `${stemOf(options)}.obj`, bytes: withNote('obj', obj!, frames.times) };

@@ -20,11 +20,11 @@ export function fitTimes(
   const counts =
     METHOD[method].curve === 'fitted' ? shareOut(lengths, spaceSamples) : lengths.map(() => keepLengths + 1);
   const times: FitTime[] = [{ time: keyTimes[0]!, key: 0 }];
-  for (const [i, count] of counts.entries()) {
+  counts.forEach((count, i) => {
     const start = keyTimes[i]!;
     for (let j = 1; j < count; ++j) times.push({ time: start + (lengths[i]! * j) / count, key: -1 });
     times.push({ time: keyTimes[i + 1]!, key: i + 1 });
-  }
+  });
   return times;
 }
 

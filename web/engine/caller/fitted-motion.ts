@@ -162,13 +162,14 @@ class Fit {
     const leader = { faces: ghost.faces, vertexOf: ghost.ghostVertexOf, faceOf: ghost.ghostFaceOf };
     await this.worker.call('leadShape', { faces: info.faces, keys: [...positions], leader });
     const led: Float32Array[] = [];
-    for (const [i, { time, key }] of this.times.entries()) {
+    for (const { time, key } of this.times) {
       if (key >= 0) {
         led.push(positions[key]!);
         continue;
       }
       const shape = await this.frameAt(base, time);
-      led.push((await this.worker.call('follow', { shape, from: starts[i]!, to: shapes[i]! })).positions);
+      const [from, to] = [starts[led.length]!, shapes[led.length]!];
+      led.push((await this.worker.call('follow', { shape, from, to })).positions);
     }
     return { shapes: led, failed, stiff };
   }

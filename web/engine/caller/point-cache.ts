@@ -37,7 +37,7 @@ export class PointCache {
     } else {
       this.view.setInt32(0, samples);
       this.view.setInt32(4, points);
-      for (const [index, second] of seconds.entries()) this.view.setFloat32(8 + 4 * index, second);
+      seconds.forEach((second, index) => this.view.setFloat32(8 + 4 * index, second));
     }
   }
 
