@@ -31,7 +31,7 @@ const noFrames = "frame-ancestors 'self'";
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
-  "worker-src 'self'",
+  "worker-src 'self' data:",
   "connect-src 'self'",
   "frame-src 'self'",
   "img-src 'self' blob: data:",

@@ -5,9 +5,17 @@ import wasmUrl from '../../build/wasm/shapespline.wasm?url';
 import filesUrl from '../../build/wasm/shapespline_files.wasm?url';
 import shellsUrl from '../../build/wasm/shapespline_shells.wasm?url';
 import threadsUrl from '../../build/wasm/shapespline_threads.wasm?url';
+import workerUrl from './worker/engine.worker.ts?worker&url';
 import { notLoaded } from './api/errors.ts';
 import type { BrowserFiles } from './caller/browser-files.ts';
 import { PatientWorker } from './caller/patient-worker.ts';
+
+/** A frame sandboxed without allow-same-origin has no origin. Its worker cannot start from a host, but import from it. */
+function workerAddress(): string {
+  const { href } = new URL(workerUrl, import.meta.url);
+  if (globalThis.origin !== 'null') return href;
+  return `data:text/javascript,${encodeURIComponent(`import ${JSON.stringify(href)};`)}`;
+}
 
 export const files: BrowserFiles = {
   wasm: () => new URL(wasmUrl, import.meta.url),
@@ -17,9 +25,6 @@ export const files: BrowserFiles = {
   // The worker knows its own URLs.
   forWorker: () => ({}),
   startWorker: (name, loaded) =>
-    new PatientWorker(
-      [() => new Worker(new URL('./worker/engine.worker.ts', import.meta.url), { type: 'module', name })],
-      loaded,
-    ),
+    new PatientWorker([() => new Worker(workerAddress(), { type: 'module', name })], loaded),
   notStarted: (silent) => notLoaded('worker script', silent ? 'it does not respond' : 'it did not start'),
 };

@@ -1,5 +1,6 @@
 /**
- * Starts the service worker of a built page. If it cannot run (no https, forbidden storage), the page works without it.
+ * Starts the service worker of a built page. If it cannot run (no https, forbidden storage, a sandboxed frame), the page
+ * works without it.
  */
 
 /** Shortest time between two checks for a newer build when a page becomes visible again. */
@@ -19,8 +20,8 @@ export function registerServiceWorker(
   { onNewVersion, onRepaired }: OfflineEvents,
   after: Promise<unknown> = Promise.resolve(),
 ): void {
-  if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
-  const { serviceWorker } = navigator;
+  const serviceWorker = import.meta.env.PROD && serviceWorkerOfPage();
+  if (!serviceWorker) return;
   let repaired = false;
   serviceWorker.addEventListener('message', ({ data, ports }: MessageEvent<{ type?: string }>) => {
     if (data.type === 'which script') ports[0]?.postMessage(ownScript());
@@ -34,6 +35,15 @@ export function registerServiceWorker(
     .then(() => serviceWorker.register(new URL('./sw.js', document.baseURI)))
     .then((registration) => follow(registration, onNewVersion))
     .catch(() => undefined);
+}
+
+/** A frame sandboxed without allow-same-origin throws when it is asked. */
+function serviceWorkerOfPage(): ServiceWorkerContainer | undefined {
+  try {
+    return navigator.serviceWorker;
+  } catch {
+    return undefined;
+  }
 }
 
 const loaded = (): Promise<unknown> =>

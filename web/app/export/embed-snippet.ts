@@ -34,10 +34,16 @@ export const embedPage = (title: string, snippet: string): string => `<!doctype 
 <style>
 html, body { height: 100%; margin: 0; }
 shape-spline { display: block; width: 100%; height: 100%; }
+shape-spline:not(:defined) { height: 0; }
+shape-spline:defined ~ p { display: none; }
+p { padding: 24px; animation: late 4s; }
+@keyframes late { 0%, 100% { visibility: hidden; } }
 </style>
 </head>
 <body>
 ${snippet}
+<p>If the shape does not appear, its script cannot run here. This page needs JavaScript and a web server: a browser runs
+no modules from a file.</p>
 </body>
 </html>
 `;
