@@ -83,6 +83,8 @@ export interface Shape {
   components(): Promise<Int32Array>;
   /** The ghost mesh, or null without one. */
   ghost(): Promise<Ghost | null>;
+  /** Renames the keys, one name per key. Later exports of its motions have these names. */
+  rename(names: string[]): void;
   /** Ends its motions as well. Idempotent. */
   dispose(): void;
 }
