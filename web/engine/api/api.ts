@@ -147,7 +147,7 @@ export interface Motion {
 }
 
 /** A shape with one changeable motion. */
-export interface Sequence extends Motion, Omit<Shape, 'options' | 'motion'> {
+export interface Sequence extends Motion, Omit<Shape, 'options' | 'motion' | 'rename'> {
   /** Replaces the motion by a new one of the same shape. */
   update(change: MotionChange): Promise<void>;
   /** Also disposes of the shape. Idempotent. */
