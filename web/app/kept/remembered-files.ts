@@ -127,6 +127,12 @@ export class RememberedFiles {
     this.keep(id);
   }
 
+  /** Resolves when all changes are stored, or could not be. */
+  async settle(): Promise<void> {
+    this.flush();
+    await within(RECALL_MS, this.saving);
+  }
+
   /** Notes content that is not stored, unless its poses or its files are not stored either. */
   private note(id: string, { state, options, poses }: Snapshot): void {
     const before = this.kept.get(id);
