@@ -10,13 +10,14 @@ import { EMPTY_STATE } from '../../web/model/state.ts';
 
 const shelf = new Map<string, { remembered: StoredProject; version: number; opening: boolean }>();
 let projects = 0;
-let versions = 0;
+let versions = -9;
 const storage = {
   newProjectId: () => `other${++projects > 1 ? projects : ''}`,
   async keepProject(id: string, remembered: StoredProject, known: number | null) {
     const project = shelf.get(id);
     if (project && project.version !== known) return null;
-    const version = project ? project.version + 1 : (versions += 1);
+    versions += 10;
+    const version = project ? project.version + 1 : versions;
     shelf.set(id, { remembered, version, opening: false });
     return version;
   },
@@ -58,7 +59,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
   vi.restoreAllMocks();
   for (const kept of [shelf, settings, ofTab]) kept.clear();
-  [projects, versions] = [0, 0];
+  [projects, versions] = [0, -9];
   said.length = 0;
 });
 
@@ -234,6 +235,14 @@ it.each(['hidden', 'closed'])(
     expect([shelf.size, settings.size]).toEqual([2, 0]);
   },
 );
+
+it('a tab that is reloaded while it stores its own version opens that version', async () => {
+  const [one, two] = await tabs(2);
+  await two!.edit(0.9);
+  vi.spyOn(storage, 'keepProject').mockReturnValueOnce(new Promise(() => undefined));
+  await one!.edit(0.1);
+  expect(ofTab.get('shapespline.project-of-tab')).toBe('other');
+});
 
 it('all tabs can close at the same time', async () => {
   const [one, two, three] = await tabs(3);

@@ -107,8 +107,8 @@ function abort(transaction: IDBTransaction): void {
 }
 
 /**
- * Writes a project with its files and resolves to its version; null if another tab has written since `known`. Removes the
- * oldest project if there are too many.
+ * Writes a project with its files and resolves to its version; null if another tab has written since `known`. Removes
+ * the oldest project if there are too many.
  */
 export function keepProject(
   id: string,

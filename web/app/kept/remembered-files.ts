@@ -385,6 +385,8 @@ export class RememberedFiles {
       const other = this.storage.newProjectId();
       this.stopWaiting();
       this.waiting = other;
+      // A reload of this tab opens its own version, even if the page closes before the write ends.
+      this.setNewest(other);
       this.parts.store.set({ project: other });
       this.take(other);
       await this.write(other);
