@@ -22,26 +22,29 @@ function targetsOf(glb: Uint8Array): string[] {
   return meshes[0]!.extras.targetNames.map((name) => name.replace(/ t=.*/, '')).filter((name) => !/^t=/.test(name));
 }
 
-it.each(['lri', 'lengths'] as const)('renamed and moved keys have their new names in an export of %s', async (method) => {
-  await withEngine(async (engine) => {
-    const keys = await engine.importKeyframes([pose('a.obj', 1), pose('b.obj', 1.2), pose('c.obj', 1.1)]);
-    const pool = new PosePool(keys);
-    const onRefused = (error: unknown): never => {
-      throw error;
-    };
-    const set = new SequenceSet(engine, pool, { onProgress: () => undefined, onReady: () => undefined, onRefused });
-    const doc = setMotion(renameKey(documentFromImport(keys.info, pool), 2, ''), { method });
-    const view = { ...DEFAULT_VIEW, compare: ['linear' as const] };
-    for (const next of [doc, retimeKey(renameKey(doc, 1, 'SMILE'), 2, 3)]) {
-      set.want(sequencePlan(next, view));
-      await set.idle();
-    }
-    expect(set.all.length).toBe(2);
-    for (const { sequence } of set.all) {
-      const [glb] = await sequence.export({ format: 'glb' });
-      expect(targetsOf(glb!.bytes)).toEqual(expect.arrayContaining(['SMILE', '3 s']));
-      expect(targetsOf(glb!.bytes)).not.toContain('b');
-    }
-    set.dispose();
-  });
-});
+it.each(['lri', 'lengths'] as const)(
+  'renamed and moved keys have their new names in an export of %s',
+  async (method) => {
+    await withEngine(async (engine) => {
+      const keys = await engine.importKeyframes([pose('a.obj', 1), pose('b.obj', 1.2), pose('c.obj', 1.1)]);
+      const pool = new PosePool(keys);
+      const onRefused = (error: unknown): never => {
+        throw error;
+      };
+      const set = new SequenceSet(engine, pool, { onProgress: () => undefined, onReady: () => undefined, onRefused });
+      const doc = setMotion(renameKey(documentFromImport(keys.info, pool), 2, ''), { method });
+      const view = { ...DEFAULT_VIEW, compare: ['linear' as const] };
+      for (const next of [doc, retimeKey(renameKey(doc, 1, 'SMILE'), 2, 3)]) {
+        set.want(sequencePlan(next, view));
+        await set.idle();
+      }
+      expect(set.all.length).toBe(2);
+      for (const { sequence } of set.all) {
+        const [glb] = await sequence.export({ format: 'glb' });
+        expect(targetsOf(glb!.bytes)).toEqual(expect.arrayContaining(['SMILE', '3 s']));
+        expect(targetsOf(glb!.bytes)).not.toContain('b');
+      }
+      set.dispose();
+    });
+  },
+);
