@@ -216,6 +216,43 @@ test('damaged files in the cache are fetched again, with a message', { tag: '@al
     await open(app, url);
     await app.settled();
     await expect(app.by('toast')).not.toContainText('damaged');
+    // Pages come from the network first, which replaces their copy.
+    const page = (): Promise<string> =>
+      app.page.evaluate(async () => (await caches.match(location.href))?.text() ?? '');
+    const whole = await page();
+    expect(whole).toContain('<title>shapespline');
+    for (const damaged of ['', null]) {
+      await app.page.evaluate(async (text) => {
+        const cache = await caches.open((await caches.keys())[0]!);
+        if (text === null) await cache.delete(location.href);
+        else await cache.put(location.href, new Response(text, { headers: { 'content-type': 'text/html' } }));
+      }, damaged);
+      expect(await page()).toBe('');
+      await open(app, url);
+      await expect.poll(page).toBe(whole);
+    }
+  } finally {
+    host.close();
+  }
+});
+
+test('a page whose files are gone offers to reload, with its edits', { tag: '@all' }, async ({ app }, info) => {
+  test.skip(info.project.name === 'dev', 'only a build has a digest in the names of its files');
+  const host = new Host();
+  try {
+    await app.page.addInitScript(() => delete (Navigator.prototype as { serviceWorker?: unknown }).serviceWorker);
+    await open(app, await host.listen());
+    const first = await entry(app);
+    await app.by('boundary-hermite').check();
+    await app.settled();
+    host.deploy('D');
+    // The export dialog is loaded on first use.
+    await app.by('export').click();
+    await expect(app.by('error-message')).toContainText('There is a new version of this page. Reload it');
+    await app.by('error-retry').click();
+    await expect.poll(() => entry(app).catch(() => first)).not.toBe(first);
+    await app.started();
+    expect((await app.state()).doc.motion.boundary).toBe('hermite');
   } finally {
     host.close();
   }

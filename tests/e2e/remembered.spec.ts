@@ -240,6 +240,20 @@ test.describe('two tabs', () => {
       expect(project.state.source.names).toEqual([name]);
       expect(files?.map((file) => file.name)).toEqual([name]);
     }
+
+    // Deleting everything waits until both tabs have closed the storage; then they store their files again.
+    const deleted = await app.page.evaluate(
+      () =>
+        new Promise<string>((resolve) => {
+          const request = indexedDB.deleteDatabase('shapespline');
+          request.onsuccess = () => resolve('deleted');
+          request.onblocked = () => resolve('blocked');
+        }),
+    );
+    expect(deleted).toBe('deleted');
+    await expect.poll(() => keptTime(app.page, 'twisted-bar.glb')).toBe(0.7);
+    await expect.poll(() => keptTime(app.page, 'cactus.glb')).toBe(0.3);
+    await isRemembered(app);
   });
 
   test('that change the same files store both versions', { tag: '@all' }, async ({ app, context }) => {

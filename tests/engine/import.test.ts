@@ -219,3 +219,17 @@ describe('importing', () => {
       expect(await refused(good, options)).toBe('unknown-animation');
   });
 });
+
+it.each(['NFC', 'NFD'])(
+  'finds companions whose accents are composed in another way than in the model: %s',
+  async (form) => {
+    const [given, other] = [form, form === 'NFC' ? 'NFD' : 'NFC'].map((one) => 'Gr\u00f6\u00dfe'.normalize(one));
+    const file = (name: string, content: string): InputFile => ({ name, bytes: new TextEncoder().encode(content) });
+    const pose = (name: string, z: number): InputFile =>
+      file(`${given}/${name}.obj`, `mtllib ${other}/${other}.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 ${z}\nusemtl red\nf 1 2 3\n`);
+    const library = file(`${given}/${given}/${given}.mtl`, 'newmtl red\nKd 1 0 0\n');
+    const { info } = await testEngine().importKeyframes([pose('a', 0), pose('b', 1), library]);
+    expect([info.warnings, info.names]).toEqual([[], ['a', 'b']]);
+    expect(info.scene.materials).toMatchObject([{ name: 'red', baseColor: [1, 0, 0, 1] }]);
+  },
+);

@@ -116,6 +116,7 @@ it('a rotation is a step of the history, unless it is automatic', async () => {
   await opener.reorient({ up: 'z', unit: 1 }, null);
   expect(store.undoLabel()).toBe('time');
   await opener.reorient({ up: 'y', unit: 1 });
-  expect([store.undoLabel(), store.undoTurn()]).toEqual(['lay the shape down', { up: 'z', unit: 1 }]);
+  const { label, turn } = store.history().past.at(-1)!;
+  expect([label, turn?.before]).toEqual(['lay the shape down', { up: 'z', unit: 1 }]);
   expect([store.get().doc.keys[1]!.time, onRead.mock.calls.length]).toEqual([2, 2]);
 });

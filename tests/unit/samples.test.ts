@@ -2,7 +2,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { expect, it, vi } from 'vitest';
-import { fetchSample } from '../../web/app/sources/samples.ts';
+import { fetchSample, fetchSamples } from '../../web/app/sources/samples.ts';
 import type { Sample } from '../../web/app/sources/samples.ts';
 
 const folder = path.resolve(import.meta.dirname, '../../public/samples');
@@ -32,5 +32,18 @@ it('a sample that cannot be loaded is named, with advice', async () => {
   await expect(fetchSample(hand, new AbortController().signal)).rejects.toThrow(
     'The sample could not be fetched: samples/hand.glb. Check the connection and try again.',
   );
+  vi.unstubAllGlobals();
+});
+
+it('a web page instead of a sample or the list is named, with advice', async () => {
+  vi.stubGlobal('document', { baseURI: 'http://localhost/' });
+  const answer = (type: string) => () =>
+    Promise.resolve(new Response('<!doctype html>', { headers: { 'content-type': type } }));
+  vi.stubGlobal('fetch', answer('text/html; charset=utf-8'));
+  await expect(fetchSamples()).rejects.toThrow(
+    "samples/samples.json returned a web page. Check that the page's folder is complete.",
+  );
+  vi.stubGlobal('fetch', answer('application/json'));
+  await expect(fetchSamples()).rejects.toThrow(/^The list of samples cannot be read: .*folder is complete\.$/);
   vi.unstubAllGlobals();
 });

@@ -29,6 +29,7 @@ function fakeEngine() {
   const makeShape = (): Shape =>
     ({
       ...disposable(),
+      rename: () => undefined,
       motion: async ({ method, boundary, keyTimes }: MotionChange) => {
         if (keyTimes?.includes(99)) throw new EngineError('invalid-option', 'Refused.');
         log.push(`move ${method} ${boundary} ${keyTimes?.join()}`);

@@ -98,7 +98,11 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   listenToWindow(context);
   const visit = createVisit({ context, offers, onGuide: openGuide });
   const onNewVersion = (reload: () => void): void =>
-    offers.newVersion.offer({ message: 'A new version of this page is ready.', action: 'Reload', onAccept: reload });
+    offers.newVersion.offer({
+      message: 'A new version of this page is ready.',
+      action: 'Reload',
+      onAccept: () => void ways.remembered.settle().then(reload),
+    });
   registerServiceWorker({ onNewVersion, onRepaired: feedback.say }, visit.begin());
   void display.scene.viewer.firstSeen.then(redraw);
   applyLook(context);

@@ -5,7 +5,7 @@ import { withPlaces } from './drawing/warning-places.ts';
 import type { Session, SessionEvents } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 
-/** The only subscriber of the state. It passes each change to the parts concerned. */
+/** Passes each change of the state to the parts concerned. */
 export function followState(context: Context, onOpened: () => void, redraw: () => void): void {
   const { session, display, viewState, takeFiles, link, remembered } = context;
   const { store } = session;

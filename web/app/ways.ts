@@ -35,6 +35,9 @@ export interface WaysParts {
   onGuide(fragment: string | null): void;
 }
 
+const NOT_ITS_KEYS =
+  'The keys are not from this animation, so it cannot be shown beside the motion. Choose its keys first.';
+
 export function createWays(parts: WaysParts): Ways {
   const { session, viewState, feedback } = parts;
   const { engine, store, workspace } = session;
@@ -78,11 +81,16 @@ export function createWays(parts: WaysParts): Ways {
     const { ExportController } = await import('./export/export-controller.ts');
     return new ExportController({ ...parts, titleOf });
   });
+  let asked = 0;
   const showOriginal = async (shown: boolean): Promise<void> => {
     const { display, analysis } = parts;
+    const ask = ++asked;
     viewState.change({ original: shown });
     const reference = shown ? await (await animation.get()).reference() : null;
+    // The user has unticked the box, or opened other files.
+    if (ask !== asked || viewState.get().original !== shown) return;
     const { info } = workspace;
+    if (shown && !reference && info && info.animation < 0) say(NOT_ITS_KEYS);
     display.scene.setOriginal(reference && info && originalOf(reference, info.faces));
     viewState.change({ original: reference !== null });
     analysis.invalidate();

@@ -188,7 +188,10 @@ async function readBeside(gltf: string, uri: string, total: Total): Promise<Uint
   if (isExternal(uri)) return null;
   try {
     const folder = await realpath(path.dirname(gltf));
-    const found = await realpath(path.resolve(folder, decodedUri(uri).replaceAll('\\', '/')));
+    const wanted = decodedUri(uri).replaceAll('\\', '/');
+    // macOS decomposes accents in file names, and other systems do not.
+    const spellings = [wanted, wanted.normalize('NFC'), wanted.normalize('NFD')];
+    const found = await Promise.any(spellings.map((one) => realpath(path.resolve(folder, one))));
     return isBelow(folder, found) ? await readRegular(found, total) : null;
   } catch (error) {
     if (error instanceof EngineError) throw error;

@@ -51,6 +51,22 @@ const loaded = (): Promise<unknown> =>
     ? Promise.resolve()
     : new Promise((resolve) => window.addEventListener('load', resolve, { once: true }));
 
+const PAGE_MS = 2000;
+
+/** Whether the host now has another build of this page, so files of this build may be gone. */
+export async function isReplaced(): Promise<boolean> {
+  const own = ownScript().split('/').at(-1);
+  try {
+    const { pathname } = new URL(document.baseURI);
+    const response = await fetch(pathname, { cache: 'no-cache', signal: AbortSignal.timeout(PAGE_MS) });
+    const page = response.ok ? await response.text() : '';
+    // Networks may answer with a page of their own.
+    return Boolean(own) && page.includes('<title>shapespline') && !page.includes(own!);
+  } catch {
+    return false;
+  }
+}
+
 const ownScript = (): string => document.querySelector<HTMLScriptElement>('script[type="module"][src]')?.src ?? '';
 
 function follow(registration: ServiceWorkerRegistration, onNewVersion: (reload: () => void) => void): void {

@@ -55,7 +55,7 @@ async function fill() {
 }
 
 // Files with a digest in their name never change: they come from any cached build. Others are fetched first, so a new
-// build appears immediately.
+// build appears immediately, and replace a damaged copy.
 async function responseTo(event, url) {
   const named = url.pathname.includes('/assets/');
   const { kept, damaged } = named ? await match(url.href) : {};
@@ -63,7 +63,7 @@ async function responseTo(event, url) {
   try {
     // The damaged copy may come from the browser's own cache.
     const response = await fetch(event.request, damaged ? { cache: 'reload' } : {});
-    if (named && LISTED.has(url.href)) event.waitUntil(keepUsed(url.href, response.clone()));
+    if (LISTED.has(url.href)) event.waitUntil(keepUsed(url.href, response.clone()));
     if (damaged) event.waitUntil(tellOfRepair(event));
     return response;
   } catch (error) {
@@ -81,8 +81,10 @@ async function tellOfRepair({ clientId }) {
 }
 
 async function keepUsed(href, response) {
-  const listed = await isListed(href, response).catch(() => false);
-  if (listed) await (await caches.open(CACHE)).put(href, response).catch(() => undefined);
+  const cache = await caches.open(CACHE);
+  const isWhole = (copy) => copy && isListed(href, copy).catch(() => false);
+  if (await isWhole(await cache.match(href))) await response.body?.cancel();
+  else if (await isWhole(response)) await cache.put(href, response).catch(() => undefined);
 }
 
 const ownCaches = async () => (await caches.keys()).filter((name) => name.startsWith(OURS));

@@ -1,11 +1,19 @@
 /** Replaces zips among picked files by their models and companion files, as from a folder. Zips are untrusted input. */
 import type { Entry } from '@zip.js/zip.js';
-import { extensionOf, isMeantInFolder } from '../engine/api/paths.ts';
+import { bytesText } from '../engine/api/bytes-text.ts';
+import { extensionOf, fileName, isMeantInFolder, nameKey } from '../engine/api/paths.ts';
 import type { PickedFile } from './dropped-files.ts';
 
 const MOST_FILES = 20_000;
-/** Limit for all files of one zip, compressed and unpacked. */
-const MOST_BYTES = 1e9;
+/**
+ * Limits for the unpacked files of one zip: relative to its size, for small zips, and for all. Models shrink to a half
+ * or a tenth. A zip of zeros can be a thousand times smaller, so a small one could fill the memory.
+ */
+const LARGEST_RATIO = 100;
+const SMALL = 64e6;
+const LARGEST = 1e9;
+/** Unpacking pauses after this time, so the page can respond. */
+const SLICE_MS = 12;
 
 /** The files, with each zip replaced by its contents. The library is loaded with the first zip. */
 export async function unzipped(picked: PickedFile[]): Promise<PickedFile[]> {
@@ -24,28 +32,47 @@ async function filesIn({ name, file }: PickedFile): Promise<PickedFile[]> {
     throw new Error(`There is no model in ${name}. A zip can contain glTF, OBJ, PLY or OFF files.`);
   if (meant.length > MOST_FILES)
     throw new Error(`${name} has more than ${MOST_FILES.toLocaleString('en')} files. Unpack it and drop the poses.`);
-  let left = MOST_BYTES;
+  checkNames(name, meant);
+  const most = Math.min(Math.max(SMALL, LARGEST_RATIO * file.size), LARGEST);
+  const tooLarge = new Error(
+    `${name} has more than ${bytesText(most)} when unpacked, the limit for a zip of its size. Unpack it and drop the poses.`,
+  );
+  if (meant.reduce((sum, { uncompressedSize }) => sum + uncompressedSize, 0) > most) throw tooLarge;
+  let left = most;
   const files: PickedFile[] = [];
   for (const entry of meant) {
-    const unpacked = await unpack(name, entry, left);
+    const unpacked = await unpack(name, entry, left, tooLarge);
     left -= unpacked.size;
     files.push({ name: `${name}/${entry.filename}`, file: unpacked });
   }
   return files;
 }
 
+/** Programs that unpack such a zip ask which file to keep. */
+function checkNames(zip: string, entries: readonly Entry[]): void {
+  const names = new Set<string>();
+  for (const { filename } of entries) {
+    if (names.has(nameKey(filename)))
+      throw new Error(
+        `${zip} contains two files named ${fileName(filename)}. Unpack it, rename one of them, and drop the files.`,
+      );
+    names.add(nameKey(filename));
+  }
+}
+
 /** A zip's stated sizes may be false, so the unpacked bytes are counted. */
-async function unpack(zip: string, entry: Entry, most: number): Promise<File> {
+async function unpack(zip: string, entry: Entry, most: number, tooLarge: Error): Promise<File> {
   const parts: BlobPart[] = [];
   let bytes = 0;
-  const tooLarge = new Error(
-    `${zip} has more than ${MOST_BYTES / 1e9} GB when unpacked. Unpack it and drop the poses.`,
-  );
+  let until = performance.now() + SLICE_MS;
   const target = new WritableStream<Uint8Array<ArrayBuffer>>({
-    write(part) {
+    async write(part) {
       bytes += part.length;
       if (bytes > most) throw tooLarge;
       parts.push(part);
+      if (performance.now() < until) return;
+      await new Promise((resolve) => setTimeout(resolve, 0));
+      until = performance.now() + SLICE_MS;
     },
   });
   if (entry.directory) return new File([], entry.filename);

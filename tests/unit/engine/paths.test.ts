@@ -6,6 +6,7 @@ import {
   isMeantInFolder,
   isModel,
   modelName,
+  withSpellings,
   withoutLeftovers,
   resolveUri,
   resourceUris,
@@ -87,4 +88,17 @@ describe('a URI in a file', () => {
     });
     for (const json of [null, 3, 'x', { buffers: {} }]) expect(resourceUris(json)).toEqual({ buffers: [], images: [] });
   });
+});
+
+it('companions get composed and decomposed names, and models composed ones', () => {
+  const [composed, decomposed] = ['Gr\u00f6\u00dfe', 'Gro\u0308\u00dfe'];
+  const names = (...given: string[]): string[] =>
+    withSpellings(given.map((name) => ({ name }))).map(({ name }) => name);
+  expect(names('a.bin', `${decomposed}.obj`)).toEqual(['a.bin', `${composed}.obj`]);
+  for (const form of [composed, decomposed])
+    expect(names(`${form}/${form}.PNG`)).toEqual([
+      `${composed}/${composed}.PNG`,
+      `${decomposed}/${decomposed}.PNG`,
+      `${composed}/${decomposed}.PNG`,
+    ]);
 });

@@ -92,6 +92,7 @@ export const PAGE = {
   },
   cancel: { run: cancel },
   closeError: { run: closeError },
+  reload: { run: ({ remembered }) => remembered.settle().then(() => location.reload()) },
   singleKeys: { run: ({ viewState }, singleKeys: boolean) => viewState.change({ singleKeys }) },
   planExport: { run: planExport },
   savePage: { run: (context) => runExport(context, { ...DEFAULT_REQUEST, page: true }) },

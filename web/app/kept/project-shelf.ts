@@ -60,7 +60,20 @@ const FILES = 'files ';
 const SET_ASIDE = 'set aside ';
 const KEPT_PROJECTS = 6;
 
-const shelf = createStore('shapespline', 'remembered');
+let shelf = createStore('shapespline', 'remembered');
+const whenDeleted: (() => void)[] = [];
+
+/** Calls `listener` when another tab has deleted all projects. */
+export function onDeleted(listener: () => void): void {
+  whenDeleted.push(listener);
+}
+
+/** Another tab deletes the storage or needs a newer version of it. It waits until this connection is closed. */
+function giveWay(this: IDBDatabase, { newVersion }: IDBVersionChangeEvent): void {
+  this.close();
+  shelf = createStore('shapespline', 'remembered');
+  if (newVersion === null) for (const listener of whenDeleted) listener();
+}
 
 const stored = (store: IDBObjectStore, key: string): Promise<unknown> => promisifyRequest<unknown>(store.get(key));
 
@@ -70,6 +83,7 @@ const projectOn = async (store: IDBObjectStore, id: string): Promise<ProjectReco
 /** Does all of the work or none; resolves when it is on disk. */
 function atomically<T>(work: (store: IDBObjectStore) => T | Promise<T>): Promise<T> {
   return shelf('readwrite', async (store) => {
+    store.transaction.db.onversionchange = giveWay;
     const written = promisifyRequest<void>(store.transaction as never);
     // The transaction may fail while the work is waiting; then the work fails too.
     written.catch(() => undefined);
@@ -92,10 +106,20 @@ function abort(transaction: IDBTransaction): void {
   }
 }
 
-/** Writes a project with its files and resolves to its version. Removes the oldest project if there are too many. */
-export function keepProject(id: string, { files, ...changing }: StoredProject): Promise<number> {
+/**
+ * Writes a project with its files and resolves to its version; null if another tab has written since `known`. Removes
+ * the oldest project if there are too many.
+ */
+export function keepProject(
+  id: string,
+  { files, ...changing }: StoredProject,
+  known: number | null,
+): Promise<number | null> {
   return atomically(async (store) => {
-    const version = ((await projectOn(store, id))?.version ?? 0) + 1;
+    const before = (await projectOn(store, id))?.version;
+    if (before !== undefined && before !== known) return null;
+    // Differs from all versions of a project that was removed and is written again.
+    const version = (before ?? Date.now()) + 1;
     store.put(recordOf(id, version, changing), PROJECT + id);
     store.put(files, FILES + id);
     const { projects } = await readAll(store);

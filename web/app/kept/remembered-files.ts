@@ -5,10 +5,11 @@ import type { InputFile } from '../../engine/api/types.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
-import { LastState, notedState } from './last-state.ts';
+import { LastStates, contentText } from './last-state.ts';
 import * as browserShelf from './project-shelf.ts';
 import type { ProjectOnShelf, StoredProject } from './project-shelf.ts';
 import { bytesOf, currentSnapshot } from './snapshot.ts';
+import type { Snapshot } from './snapshot.ts';
 
 export interface RememberedFilesParts {
   store: Store;
@@ -21,7 +22,8 @@ export interface RememberedFilesParts {
   storage?: ProjectStorage;
 }
 
-type ProjectStorage = Omit<typeof browserShelf, 'readRecord' | 'areFiles'>;
+type ProjectStorage = Omit<typeof browserShelf, 'readRecord' | 'areFiles' | 'onDeleted'> &
+  Partial<Pick<typeof browserShelf, 'onDeleted'>>;
 
 /** This visit's knowledge of a stored project. */
 interface Kept {
@@ -29,8 +31,8 @@ interface Kept {
   /** Number of poses that are not from the files. */
   poses: number;
   files: InputFile[];
-  /** The stored state as text; null if unknown. */
-  state: string | null;
+  /** The stored content as text; null if unknown. */
+  content: string | null;
 }
 
 /** Marks a page closed during opening, so opening is not blamed for its end. */
@@ -52,6 +54,7 @@ const TELL_DELAY_MS = 4000;
 const KEPT = 'These files are remembered on this computer for your next visit. They never leave your computer.';
 const NO_ROOM =
   'This browser cannot store these files: it has no room for them, or this is a private window. Export a GLB to save the project.';
+const BOTH_KEPT = 'Another tab also changed these files. Both versions were kept.';
 const NOT_WRITTEN =
   'The last change could not be stored: this browser has no room for it. The previous version is kept. Export a GLB to save the project.';
 
@@ -61,7 +64,9 @@ export class RememberedFiles {
   private readonly kept = new Map<string, Kept>();
   /** Projects that are not written: forgotten by the user, or without room. */
   private readonly dropped = new Set<string>();
-  private readonly lastState = new LastState();
+  private readonly lastStates = new LastStates();
+  /** The last content of projects that is or was not stored. Other files may be open by the time it is written. */
+  private readonly contents = new Map<string, Snapshot>();
   private shelf: readonly ProjectOnShelf[] = [];
   /** The last reported state. */
   private shown: { remembered: boolean; shelf: readonly ProjectOnShelf[] } | null = null;
@@ -73,6 +78,8 @@ export class RememberedFiles {
   private saving: Promise<void> = Promise.resolve();
   /** Number of writes that have not ended. */
   private writes = 0;
+  /** The content that is being written. */
+  private writing: { id: string; content: string } | null = null;
   /** The user has been informed that files are stored. */
   private told = false;
   private telling = 0;
@@ -86,6 +93,7 @@ export class RememberedFiles {
       if (this.own === data.forgotten && this.isKept) this.parts.say('Another tab has deleted the remembered files.');
       this.giveUp(data.forgotten);
     });
+    this.storage.onDeleted?.(() => this.storeAgain());
   }
 
   /** Starts storing the open files and all later ones, or removes all files and stops storing. */
@@ -98,11 +106,13 @@ export class RememberedFiles {
   follow(): void {
     const id = this.own;
     this.tellChange();
-    if (id !== this.waiting) this.stopWaiting();
+    if (id !== this.waiting) this.leave();
+    if (id === null || this.dropped.has(id) || !this.isWanted) return;
+    this.take(id);
     // A new pose is written immediately, because leaving the page would lose it.
-    const atOnce = id !== null && this.isKept && this.kept.get(id)!.poses !== this.added;
+    const atOnce = this.isKept && this.kept.get(id)!.poses !== this.added;
     if (atOnce) this.stopWaiting();
-    if (this.timer || id === null || this.dropped.has(id) || !this.isWanted) return;
+    if (this.timer) return;
     this.waiting = id;
     this.timer = window.setTimeout(() => this.keep(id), atOnce ? 0 : SAVE_DELAY_MS);
   }
@@ -112,11 +122,24 @@ export class RememberedFiles {
     const { waiting: id } = this;
     if (id === null || (!this.timer && this.writes === 0)) return;
     this.stopWaiting();
-    const state = this.parts.store.get();
-    const before = this.kept.get(id);
-    if (before && state.project === id && before.poses === this.added)
-      this.lastState.note({ id, version: before.version, poses: before.poses, state });
+    if (this.own === id) this.take(id);
+    for (const [project, snapshot] of this.contents) this.note(project, snapshot);
     this.keep(id);
+  }
+
+  /** Resolves when all changes are stored, or could not be. */
+  async settle(): Promise<void> {
+    this.flush();
+    await within(RECALL_MS, this.saving);
+  }
+
+  /** Notes content that is not stored, unless its poses or its files are not stored either. */
+  private note(id: string, { state, options, poses }: Snapshot): void {
+    const before = this.kept.get(id);
+    const writing = this.writing?.id === id ? this.writing.content : null;
+    const { version = null, poses: stored = poses.length, content = null } = before ?? {};
+    if ((!before && !writing) || stored !== poses.length || content === contentText({ state, options })) return;
+    this.lastStates.note(id, { version, writing, poses: stored, state, options });
   }
 
   /** Projects of earlier visits: this tab's first, then by last change. Errors are not fatal. */
@@ -133,6 +156,8 @@ export class RememberedFiles {
    * the visit ends first, the project is marked. The next visit does not open a marked project by itself.
    */
   async reopen(id: string, open: (remembered: StoredProject) => Promise<boolean | null>): Promise<boolean> {
+    this.leave();
+    if (this.contents.has(id)) await this.saving;
     const project = await this.storage.readProject(id);
     if (!project) {
       this.giveUp(id);
@@ -144,16 +169,20 @@ export class RememberedFiles {
     window.addEventListener('pagehide', leave);
     await this.storage.markOpening(id, true).catch(() => undefined);
     this.dropped.delete(id);
-    const { files, poses, state } = remembered;
-    const kept = { version, poses: poses.length, files, state: null };
+    const { files, poses } = remembered;
+    const kept = { version, poses: poses.length, files, content: null };
     this.kept.set(id, kept);
     this.told = true;
-    const last = notedState(id, version, poses.length);
-    const opened = await open({ ...remembered, state: { ...(last ?? state), project: id } });
+    const { last, others } = this.lastStates.left(id, version, remembered);
+    const start = last ?? remembered;
+    const opened = await open({ ...start, state: { ...start.state, project: id } });
     if (opened) {
-      this.kept.set(id, { ...kept, state: last ? null : JSON.stringify(this.parts.store.get()) });
+      const now = last ? null : currentSnapshot(this.parts.store, this.parts.workspace);
+      this.kept.set(id, { ...kept, content: now && contentText(now) });
       this.setNewest(id);
     }
+    for (const { project: other, note } of opened ? others : [])
+      if (this.lastStates.claim(note)) await this.storeBeside(other).catch(() => this.lastStates.putBack(note));
     if (opened !== false) await this.storage.markOpening(id, false).catch(() => undefined);
     window.removeEventListener('pagehide', leave);
     this.tellChange();
@@ -167,12 +196,11 @@ export class RememberedFiles {
     await this.saving;
     await this.readList();
     for (const { id } of this.shelf) await this.storage.forgetProject(id);
-    this.kept.clear();
-    this.dropped.clear();
+    for (const known of [this.kept, this.dropped, this.contents]) known.clear();
     this.shelf = [];
     this.told = false;
     this.setNewest(null);
-    this.lastState.forget();
+    this.lastStates.forget();
     for (const key of [LEFT, UNWANTED]) writeSetting(key, null);
     this.tellChange();
   }
@@ -198,7 +226,17 @@ export class RememberedFiles {
   }
 
   private get isKept(): boolean {
-    return this.kept.has(this.own ?? '');
+    return this.isStored(this.own ?? '');
+  }
+
+  private isStored(id: string): boolean {
+    return this.kept.has(id) && !this.dropped.has(id);
+  }
+
+  /** Takes the open content of this project for the next write. */
+  private take(id: string): void {
+    const snapshot = currentSnapshot(this.parts.store, this.parts.workspace);
+    if (snapshot) this.contents.set(id, snapshot);
   }
 
   private get isWanted(): boolean {
@@ -230,6 +268,7 @@ export class RememberedFiles {
 
   private giveUp(id: string): void {
     this.kept.delete(id);
+    this.contents.delete(id);
     this.dropped.add(id);
     this.shelf = this.shelf.filter((project) => project.id !== id);
     this.tellChange();
@@ -238,7 +277,7 @@ export class RememberedFiles {
   private async forget(id: string): Promise<void> {
     this.giveUp(id);
     writeSetting(UNWANTED, 'yes');
-    this.lastState.forget();
+    this.lastStates.forget(id);
     await this.saving;
     await this.storage.forgetProject(id);
     this.tabs?.postMessage({ forgotten: id });
@@ -248,17 +287,35 @@ export class RememberedFiles {
   private async remember(id: string): Promise<void> {
     this.dropped.delete(id);
     writeSetting(UNWANTED, null);
+    this.take(id);
     await this.writeInTurn(id);
-    if (this.kept.has(id)) this.parts.say('Remembered on this computer: the next visit starts with these files.');
+    if (this.isStored(id)) this.parts.say('Remembered on this computer: the next visit starts with these files.');
   }
 
   private keep(id: string): void {
     this.timer = 0;
     void this.writeInTurn(id).then(() => {
-      if (this.told || !this.kept.has(id)) return;
+      if (this.told || !this.isStored(id)) return;
       this.told = true;
       this.telling = window.setTimeout(() => this.own === id && this.parts.say(KEPT), TELL_DELAY_MS);
     });
+  }
+
+  /** Other files are open now: writes the last change of those before. */
+  private leave(): void {
+    const { timer, waiting } = this;
+    this.stopWaiting();
+    if (timer && waiting !== null) this.keep(waiting);
+  }
+
+  /** Another tab has deleted everything. */
+  private storeAgain(): void {
+    const id = this.own;
+    const kept = this.kept.get(id ?? '');
+    if (id === null || !kept) return;
+    kept.content = null;
+    this.take(id);
+    this.keep(id);
   }
 
   private stopWaiting(): void {
@@ -274,7 +331,6 @@ export class RememberedFiles {
       .catch(() => {
         const lost = this.kept.has(id);
         this.dropped.add(id);
-        this.kept.delete(id);
         this.tellChange();
         this.parts.onError(new Error(lost ? NOT_WRITTEN : NO_ROOM));
       })
@@ -283,37 +339,70 @@ export class RememberedFiles {
   }
 
   private async write(id: string): Promise<void> {
-    const snapshot = currentSnapshot(this.parts.store, this.parts.workspace);
-    if (!snapshot || this.own !== id || this.dropped.has(id)) return;
-    const { files, history: _, ...changing } = snapshot;
-    const text = JSON.stringify(snapshot.state);
-    const before = this.kept.get(id);
-    const wrote = (version: number): void => {
-      this.kept.set(id, { version, poses: snapshot.poses.length, files, state: text });
-      this.setNewest(id);
-    };
-    if (before?.files !== files) {
-      const version = await this.storage.keepProject(id, { files, ...changing });
+    const snapshot = this.contents.get(id);
+    if (!snapshot || this.dropped.has(id)) return;
+    const [noted, content, before] = [this.lastStates.of(id), contentText(snapshot), this.kept.get(id)];
+    const isStored = before?.files === snapshot.files && before.content === content;
+    if (!isStored || (this.own === id && this.newest !== id)) {
+      this.writing = { id, content };
+      const version = await this.store(id, snapshot, before).finally(() => (this.writing = null));
       if (this.dropped.has(id)) return this.storage.forgetProject(id);
-      wrote(version);
-      await this.readList();
-      return;
+      if (version === null) return this.branch(id);
+      const { files, poses } = snapshot;
+      this.kept.set(id, { version, poses: poses.length, files, content });
+      if (this.own === id) this.setNewest(id);
+      if (before?.files !== files) await this.readList();
     }
-    if (before.state === text && this.newest === id) return;
+    this.lastStates.written(id, noted);
+    if (this.own !== id && this.contents.get(id) === snapshot) this.contents.delete(id);
+  }
+
+  /** Resolves to the new version; null if another tab has written something else since. */
+  private async store(id: string, snapshot: Snapshot, before: Kept | undefined): Promise<number | null> {
+    const { history: _, ...project } = snapshot;
+    const { files, ...changing } = project;
+    if (before?.files !== files) return this.storage.keepProject(id, project, before?.version ?? null);
     const version = await this.storage.updateProject(id, before.version, changing);
-    if (version === null) return this.branch(id);
-    wrote(version);
-    this.lastState.written(id, text);
+    if (version !== null) return version;
+    const now = await this.storage.readProject(id);
+    const { poses } = changing;
+    if (now) {
+      const { remembered } = now;
+      return contentText(remembered) === contentText(project) && remembered.poses.length === poses.length
+        ? now.version
+        : null;
+    }
+    if (readSetting(UNWANTED) === null) return this.storage.keepProject(id, project, null);
+    this.giveUp(id);
+    return null;
   }
 
   /** Writes a copy with a new id if another tab has written since, so both versions remain. */
   private async branch(id: string): Promise<void> {
-    if (this.dropped.has(id)) return;
-    this.kept.delete(id);
-    const other = this.storage.newProjectId();
-    this.parts.store.set({ project: other });
-    this.parts.say('Another tab also changed these files. Both versions were kept.');
-    await this.write(other);
+    const snapshot = this.contents.get(id)!;
+    if (this.own !== id) await this.storeBeside(snapshot);
+    else {
+      const other = this.storage.newProjectId();
+      this.stopWaiting();
+      this.waiting = other;
+      // A reload of this tab opens its own version, even if the page closes before the write ends.
+      this.setNewest(other);
+      this.parts.store.set({ project: other });
+      this.take(other);
+      await this.write(other);
+      this.parts.say(BOTH_KEPT);
+    }
+    if (this.contents.get(id) === snapshot) this.contents.delete(id);
+    this.lastStates.written(id, this.lastStates.of(id));
+  }
+
+  /** Stores a project that is not open, beside the version of another tab. */
+  private async storeBeside({ files, options, poses, offset, state }: StoredProject): Promise<void> {
+    const id = this.storage.newProjectId();
+    const project = { files, options, poses, ...(offset && { offset }), state: { ...state, project: id } };
+    await this.storage.keepProject(id, project, null);
+    await this.readList();
+    this.parts.say(BOTH_KEPT);
   }
 }
 

@@ -55,7 +55,7 @@ export function createStage(context: Context, commands: Commands, connect: Conne
       disabled,
     })),
   ];
-  const error = createErrorMessage(commands.closeError, () => location.reload());
+  const error = createErrorMessage(commands.closeError, commands.reload);
   return {
     labels: connect(createTileLabels(), ({ state: { view } }) => ({
       labels: scene.shownLabels,

@@ -115,6 +115,8 @@ export class SequenceSet {
       );
       disposeMotions(this.motions, motions);
       disposeAll(new Map([...this.shapes].filter(([key]) => !variants.has(key))));
+      // New names alone do not encode again.
+      for (const { shape } of shapes.values()) shape.rename(plan.names);
       this.shapes = shapes;
       this.motions = motions;
     } finally {

@@ -2,23 +2,31 @@
 import type { AppState, Doc } from '../../model/state.ts';
 import type { ShownMotions } from './sequence-plan.ts';
 import { showsOtherMotions } from './state-changes.ts';
-import type { Store } from './store.ts';
+import type { History, Store } from './store.ts';
 
 export class ServedDocument {
-  private served: { doc: Doc; view: ShownMotions } | null = null;
+  private served: { doc: Doc; view: ShownMotions; history: History } | null = null;
 
-  constructor(private readonly store: Store) {}
+  constructor(private readonly store: Store) {
+    // Undoing a turn of the files changes the history, but not the document.
+    store.subscribe(() => this.follow());
+  }
 
-  /** The sequences match this state now. */
-  note({ doc, view: { compare, ghostDifference, ghostSizes } }: AppState): void {
-    this.served = { doc, view: { compare, ghostDifference, ghostSizes } };
+  /** The sequences match this state now; `history` led to it. */
+  note({ doc, view: { compare, ghostDifference, ghostSizes } }: AppState, history = this.store.history()): void {
+    this.served = { doc, view: { compare, ghostDifference, ghostSizes }, history };
+    this.follow();
   }
 
   goBack(): void {
     if (!this.served) return;
-    const { doc, view } = this.served;
+    const { doc, view, history } = this.served;
     const before = this.store.get();
     if (showsOtherMotions(before.view, view)) this.store.set({ view: { ...before.view, ...view } });
-    if (before.doc !== doc) this.store.revert(doc);
+    if (before.doc !== doc) this.store.revert(doc, history);
+  }
+
+  private follow(): void {
+    if (this.served?.doc === this.store.get().doc) this.served.history = this.store.history();
   }
 }

@@ -5,6 +5,7 @@ import { EMPTY_STATE } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { motionRange } from './motion-range.ts';
 import { sequencePlan } from './sequence-plan.ts';
+import type { SequencePlan } from './sequence-plan.ts';
 import { ServedDocument } from './served-document.ts';
 import { createStore } from './store.ts';
 import type { Store } from './store.ts';
@@ -50,11 +51,14 @@ export function createSession(started: StartedEngine, events: SessionEvents): Se
   const { engine } = started;
   started.onLost = () => void restart.tryAgain();
   const served = new ServedDocument(store);
+  /** The state and history of each requested plan. Edits may follow before its motions are made. */
+  const asked = new WeakMap<SequencePlan, Parameters<typeof served.note>>();
   const workspace = new Workspace(engine, {
     ...events,
     onProgress: onWorking,
-    onReady() {
-      served.note(store.get());
+    onReady(plan) {
+      const [state, history] = asked.get(plan) ?? [store.get(), store.history()];
+      served.note(state, history);
       onServed();
     },
     onRefused(error) {
@@ -71,7 +75,9 @@ export function createSession(started: StartedEngine, events: SessionEvents): Se
     range: () => motionRange(store.get().doc, workspace.range),
     serve() {
       const { doc, view } = store.get();
-      workspace.want(sequencePlan(doc, view));
+      const plan = sequencePlan(doc, view);
+      asked.set(plan, [store.get(), store.history()]);
+      workspace.want(plan);
     },
     cancel() {
       workspace.cancel();

@@ -19,20 +19,18 @@ export interface Store {
   turned(label: string, turn: Turn): void;
   /** Reports that a pointer was pressed or released. A drag is one undo step, however long it takes. */
   hold(down: boolean): void;
-  /** Replaces the document without an undo step, for refused edits. */
-  revert(doc: Doc): void;
+  /** Returns to an earlier document and its history, for refused edits. */
+  revert(doc: Doc, history: History): void;
   /** A new import: replaces the state and the history. */
   reset(state: AppState, history?: History): void;
-  /** The current undo and redo steps. */
+  /** The current undo and redo steps. The lists do not change later. */
   history(): History;
-  undo(): void;
-  redo(): void;
+  /** `step`: the step whose files were read, by default the last one. Edits made meanwhile stay. */
+  undo(step?: Step): void;
+  redo(step?: Step): void;
   /** Label of the next edit to undo or redo, or null. */
   undoLabel(): string | null;
   redoLabel(): string | null;
-  /** The orientation that the files need for the next undo or redo step; null if unchanged. */
-  undoTurn(): Orientation | null;
-  redoTurn(): Orientation | null;
   subscribe(listener: (state: AppState) => void): () => void;
 }
 
@@ -42,7 +40,7 @@ export interface Turn {
   after: Orientation;
 }
 
-interface Step {
+export interface Step {
   label: string;
   doc: Doc;
   turn?: Turn;
@@ -55,12 +53,13 @@ export interface History {
 }
 
 const NO_HISTORY: History = { past: [], future: [] };
+const NOT_MERGED = { merge: '', at: -Infinity };
 
 export function createStore(initial: AppState, now: () => number = () => performance.now()): Store {
   let state = initial;
-  let past: Step[] = [];
-  let future: Step[] = [];
-  let last = { merge: '', at: -Infinity };
+  let past: readonly Step[] = [];
+  let future: readonly Step[] = [];
+  let last = NOT_MERGED;
   let held = false;
   const listeners = new Set<(state: AppState) => void>();
 
@@ -69,12 +68,11 @@ export function createStore(initial: AppState, now: () => number = () => perform
     for (const listener of listeners) listener(state);
   };
 
-  const step = (from: Step[], to: Step[]): void => {
-    const target = from.pop();
-    if (!target) return;
-    to.push({ ...target, doc: state.doc });
-    last = { merge: '', at: -Infinity };
-    publish({ ...state, doc: target.doc });
+  const go = (doc: Doc, history: History): void => {
+    // Merging needs the step of the first edit.
+    if (history.past.at(-1) !== past.at(-1)) last = NOT_MERGED;
+    ({ past, future } = history);
+    publish({ ...state, doc });
   };
 
   const remember = (step: Step): void => {
@@ -96,27 +94,36 @@ export function createStore(initial: AppState, now: () => number = () => perform
     },
     turned(label, turn) {
       remember({ label, doc: state.doc, turn });
-      last = { merge: '', at: -Infinity };
+      last = NOT_MERGED;
       publish({ ...state });
     },
     hold(down) {
-      if (down && !held) last = { merge: '', at: -Infinity };
+      if (down && !held) last = NOT_MERGED;
       held = down;
     },
     history: () => ({ past, future }),
-    revert: (doc) => publish({ ...state, doc }),
+    revert: go,
     reset(next, history = NO_HISTORY) {
-      past = [...history.past];
-      future = [...history.future];
-      last = { merge: '', at: -Infinity };
+      ({ past, future } = history);
+      last = NOT_MERGED;
       publish(next);
     },
-    undo: () => step(past, future),
-    redo: () => step(future, past),
+    undo(step = past.at(-1)) {
+      if (!step) return;
+      const left = past.filter((one) => one !== step);
+      // Below later edits, only a turn of the files can be undone. It has not changed the document.
+      if (step === past.at(-1)) go(step.doc, { past: left, future: [...future, { ...step, doc: state.doc }] });
+      else go(state.doc, { past: left, future });
+    },
+    redo(step = future.at(-1)) {
+      if (!step) return;
+      const done = [...past, { ...step, doc: state.doc }];
+      // A later edit has removed the steps to redo.
+      if (step === future.at(-1)) go(step.doc, { past: done, future: future.slice(0, -1) });
+      else go(state.doc, { past: done, future });
+    },
     undoLabel: () => past.at(-1)?.label ?? null,
     redoLabel: () => future.at(-1)?.label ?? null,
-    undoTurn: () => past.at(-1)?.turn?.before ?? null,
-    redoTurn: () => future.at(-1)?.turn?.after ?? null,
     subscribe(listener) {
       listeners.add(listener);
       return () => listeners.delete(listener);

@@ -19,6 +19,7 @@ export interface Sample {
 }
 
 const FOLDER = 'samples/';
+const INCOMPLETE = "Check that the page's folder is complete.";
 
 /** Samples made in the page. */
 const MADE: readonly Sample[] = [
@@ -60,7 +61,9 @@ const MADE: readonly Sample[] = [
 
 export async function fetchSamples(): Promise<Sample[]> {
   const response = await request(`${FOLDER}samples.json`);
-  const list: unknown = await response.json();
+  const list: unknown = await response.json().catch((cause: unknown) => {
+    throw new Error(`The list of samples cannot be read: ${FOLDER}samples.json is damaged. ${INCOMPLETE}`, { cause });
+  });
   return [...(Array.isArray(list) ? list.flatMap(readSample) : []), ...MADE];
 }
 
@@ -88,11 +91,10 @@ async function request(path: string, signal?: AbortSignal): Promise<Response> {
   const response = await fetch(new URL(path, document.baseURI), signal ? { signal } : {}).catch((cause: unknown) => {
     throw new Error(`The sample could not be fetched: ${path}. Check the connection and try again.`, { cause });
   });
-  if (!response.ok)
-    throw new Error(
-      `The sample could not be fetched: ${path} returned status ${response.status}. Check that the page's folder is complete.`,
-    );
-  return response;
+  const isPage = response.headers.get('content-type')?.includes('text/html');
+  if (response.ok && !isPage) return response;
+  const what = response.ok ? 'a web page' : `status ${response.status}`;
+  throw new Error(`The sample could not be fetched: ${path} returned ${what}. ${INCOMPLETE}`);
 }
 
 function readSample(entry: unknown): Sample[] {

@@ -1,8 +1,9 @@
 /** Messages about work: progress, results and errors. */
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { Progress } from '../../engine/api/types.ts';
+import { isReplaced } from '../../offline/register.ts';
 import { createToast } from '../../ui/messages.ts';
-import type { ToastAction } from '../../ui/messages.ts';
+import type { ErrorMessage, ToastAction } from '../../ui/messages.ts';
 import { errorMessageOf } from './error-message.ts';
 import type { ViewStateHolder } from './view-state.ts';
 
@@ -19,6 +20,9 @@ export interface Feedback {
   onError(error: unknown): void;
 }
 
+const REPLACED =
+  'There is a new version of this page. Reload it to go on. Remembered files and samples keep your edits.';
+
 export function createFeedback(viewState: ViewStateHolder): Feedback {
   const toast = createToast();
   return {
@@ -29,7 +33,12 @@ export function createFeedback(viewState: ViewStateHolder): Feedback {
     onStart: () => viewState.change({ errorMessage: null }),
     onWorking: (working) => viewState.change({ working }),
     onError(error) {
-      if (!isCancelled(error)) viewState.change({ errorMessage: errorMessageOf(error) });
+      if (isCancelled(error)) return;
+      const message = errorMessageOf(error);
+      const show = (errorMessage: ErrorMessage): void => viewState.change({ errorMessage });
+      // The host may have replaced the files that this page has not loaded yet.
+      if (message.retry) void isReplaced().then((is) => show(is ? { ...message, message: REPLACED } : message));
+      else show(message);
     },
   };
 }

@@ -83,6 +83,8 @@ export interface Shape {
   components(): Promise<Int32Array>;
   /** The ghost mesh, or null without one. */
   ghost(): Promise<Ghost | null>;
+  /** Renames the keys, one name per key. Later exports of its motions have these names. */
+  rename(names: string[]): void;
   /** Ends its motions as well. Idempotent. */
   dispose(): void;
 }
@@ -145,7 +147,7 @@ export interface Motion {
 }
 
 /** A shape with one changeable motion. */
-export interface Sequence extends Motion, Omit<Shape, 'options' | 'motion'> {
+export interface Sequence extends Motion, Omit<Shape, 'options' | 'motion' | 'rename'> {
   /** Replaces the motion by a new one of the same shape. */
   update(change: MotionChange): Promise<void>;
   /** Also disposes of the shape. Idempotent. */

@@ -44,6 +44,26 @@ export const isModel = (path: string): boolean => MODELS.includes(extensionOf(pa
 export const isMeantInFolder = (path: string): boolean =>
   !fileName(path).startsWith('.') && !isLeftover(path) && MEANT.includes(extensionOf(path));
 
+/**
+ * The files with composed names (NFC). macOS decomposes accents, and models refer to companions in either form, so
+ * companions also get decomposed names. Their bytes are shared.
+ */
+export function withSpellings<T extends { name: string }>(files: readonly T[]): T[] {
+  const composed = files.map((file) => ({ ...file, name: file.name.normalize('NFC') }));
+  const names = new Set(composed.map(({ name }) => name));
+  const others = composed.flatMap((file) => {
+    if (!COMPANIONS.includes(extensionOf(file.name))) return [];
+    // A model in a composed folder may refer to a decomposed name.
+    const parts = file.name.split(/(?<=[/\\])/);
+    const spellings = parts.map((_, i) => parts.slice(0, i).join('') + parts.slice(i).join('').normalize('NFD'));
+    return [...new Set(spellings)].filter((name) => !names.has(name)).map((name) => ({ ...file, name }));
+  });
+  return [...composed, ...others];
+}
+
+/** Equal for names of one file, however it is spelled. */
+export const nameKey = (path: string): string => normalised(path.normalize('NFC'));
+
 /** A model's name without folders and extension, as the user knows it. */
 export function modelName(path: string): string {
   const name = fileName(path);

@@ -4,7 +4,7 @@ import { cancelled, disposed, invalidOption } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeyArrays } from './keyframes.ts';
-import { withoutLeftovers } from '../api/paths.ts';
+import { withSpellings, withoutLeftovers } from '../api/paths.ts';
 import { isFitted } from '../api/methods.ts';
 import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
@@ -69,8 +69,9 @@ export class EngineClient implements Engine {
     checkCall(call);
     const checked = checkImportOptions(options);
     checkFiles(given);
-    const files = withoutLeftovers(given);
-    checkImportSize(bytesOf(files));
+    const meant = withoutLeftovers(given);
+    checkImportSize(bytesOf(meant));
+    const files = withSpellings(meant);
     if (mayBeLarge(files)) void this.platform.threaded?.(); // Loads it in parallel with reading the keys.
     const imported = await this.inFilesWorker(call, mayBeLarge(files), (client) =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),

@@ -9,6 +9,7 @@ import type { CoreCallName, KeyData, MotionSpec, MotionState, RequestOf, ResultO
 import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
 import type { ExportSource } from './export-source.ts';
 import type { FittedMotion } from './fitted-motion.ts';
+import { KeyArrays } from './keyframes.ts';
 import { MotionClient } from './motion.ts';
 import { orderBeside } from './order-beside.ts';
 import { Scheduler, urgency } from './scheduler.ts';
@@ -101,6 +102,12 @@ export class ShapeClient implements Shape {
   async ghost(): Promise<Ghost | null> {
     const ghost = await this.question('ghost', () => ({}));
     return ghost.faces.length > 0 ? ghost : null;
+  }
+
+  rename(names: string[]): void {
+    this.checkAlive();
+    const { times } = this.parts.keys.info;
+    this.parts.keys = new KeyArrays(this.parts.keys).arrange([...times.keys()], times, names).data;
   }
 
   dispose(): void {
