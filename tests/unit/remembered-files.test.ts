@@ -70,7 +70,8 @@ function visit(id = 'mine', onDeleted?: (listener: () => void) => void) {
   const input = [{ name: 'mine.glb', bytes: new Uint8Array(1) }];
   const positions = (): Float32Array => new Float32Array(3);
   const keys = { info: { names: [], offset: [0, 0, 0] }, positions };
-  const workspace = { options: {} as ImportOptions, pool: { count: 2, imported: 2, keys }, input };
+  const pool = { count: 2, imported: 2, keys };
+  const workspace = { options: {} as ImportOptions, pool, input, aheadOfState: false };
   let closed = false;
   const ofVisit = Object.fromEntries(
     Object.keys(storage).map((name) => [
@@ -244,6 +245,23 @@ it('a tab that is reloaded while it stores its own version opens that version', 
   expect(ofTab.get('shapespline.project-of-tab')).toBe('other');
 });
 
+it.each(['after', 'before'])('a version is kept once if the page closes just %s it is stored', async (when) => {
+  const [one, two] = await tabs(2);
+  await two!.edit(0.9);
+  const keep = storage.keepProject;
+  vi.spyOn(storage, 'keepProject').mockImplementationOnce(async (...args) => {
+    if (when === 'after') await keep(...args);
+    one!.close();
+    return new Promise(() => undefined);
+  });
+  one!.store.set({ time: 0.1 });
+  one!.remembered.flush();
+  await vi.advanceTimersByTimeAsync(1000);
+  await opened();
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(times()).toEqual([0.1, 0.9]);
+});
+
 it('all tabs can close at the same time', async () => {
   const [one, two, three] = await tabs(3);
   const elsewhere = visit('yours');
@@ -307,6 +325,22 @@ it.each([0.4, 1])('an edit %s s before other files are opened is stored, also du
   store.set({ project: null });
   await vi.advanceTimersByTimeAsync(9000);
   expect([times(), remembered.unsaved]).toEqual([[0.5, 0.7], false]);
+});
+
+it('the state of one project is never stored with the files of the next, which are open first', async () => {
+  const { store, workspace, edit, remembered } = visit();
+  await edit(0);
+  store.set({ time: 0.5 });
+  const { input } = workspace;
+  Object.assign(workspace, { input: [{ name: 'b.glb', bytes: new Uint8Array(1) }], aheadOfState: true });
+  // The camera is fitted to the next files.
+  store.set({ view: { ...store.get().view } });
+  remembered.flush();
+  workspace.aheadOfState = false;
+  store.reset({ ...store.get(), project: 'yours' });
+  await vi.advanceTimersByTimeAsync(2000);
+  expect([timeOf('mine'), shelf.get('mine')!.remembered.files]).toEqual([0.5, input]);
+  expect(shelf.get('yours')!.remembered.files).toEqual(workspace.input);
 });
 
 it('an edit just before a project is opened from the list is there', async () => {

@@ -9,6 +9,8 @@ interface LastState extends Pick<Changing, 'state' | 'options'> {
   version: number | null;
   /** The content that the tab was writing at that time, as text; null for none. */
   writing: string | null;
+  /** The project that the tab was writing this state to, because another tab had changed this one. */
+  copy: string | undefined;
   /** Number of poses, which are not part of the note. */
   poses: number;
 }

@@ -78,6 +78,8 @@ export class RememberedFiles {
   private saving: Promise<void> = Promise.resolve();
   /** Number of writes that have not ended. */
   private writes = 0;
+  /** The new projects of those that another tab has changed. */
+  private readonly copies = new Map<string, string>();
   /** The content that is being written. */
   private writing: { id: string; content: string } | null = null;
   /** The user has been informed that files are stored. */
@@ -139,7 +141,7 @@ export class RememberedFiles {
     const writing = this.writing?.id === id ? this.writing.content : null;
     const { version = null, poses: stored = poses.length, content = null } = before ?? {};
     if ((!before && !writing) || stored !== poses.length || content === contentText({ state, options })) return;
-    this.lastStates.note(id, { version, writing, poses: stored, state, options });
+    this.lastStates.note(id, { version, writing, copy: this.copies.get(id), poses: stored, state, options });
   }
 
   /** Projects of earlier visits: this tab's first, then by last change. Errors are not fatal. */
@@ -181,8 +183,10 @@ export class RememberedFiles {
       this.kept.set(id, { ...kept, content: now && contentText(now) });
       this.setNewest(id);
     }
+    if (opened && others.length > 0) await this.readList().catch(() => undefined);
     for (const { project: other, note } of opened ? others : [])
-      if (this.lastStates.claim(note)) await this.storeBeside(other).catch(() => this.lastStates.putBack(note));
+      if (this.lastStates.claim(note) && !this.shelf.some((one) => one.id === note.copy))
+        await this.storeBeside(other).catch(() => this.lastStates.putBack(note));
     if (opened !== false) await this.storage.markOpening(id, false).catch(() => undefined);
     window.removeEventListener('pagehide', leave);
     this.tellChange();
@@ -383,6 +387,8 @@ export class RememberedFiles {
     if (this.own !== id) await this.storeBeside(snapshot);
     else {
       const other = this.storage.newProjectId();
+      this.copies.set(id, other);
+      if (this.lastStates.of(id)) this.note(id, snapshot);
       this.stopWaiting();
       this.waiting = other;
       // A reload of this tab opens its own version, even if the page closes before the write ends.

@@ -9,10 +9,10 @@ export interface Snapshot extends StoredProject {
   history: History;
 }
 
-/** A snapshot of the open content; null if nothing is open. */
+/** A snapshot of the open content; null if nothing is open, or if state and files do not belong together. */
 export function currentSnapshot(store: Store, workspace: Workspace): Snapshot | null {
-  const { options, pool, input } = workspace;
-  if (!pool) return null;
+  const { options, pool, input, aheadOfState } = workspace;
+  if (!pool || aheadOfState) return null;
   const { offset } = pool.keys.info;
   return { files: input, options, poses: addedPoses(pool), offset, state: store.get(), history: store.history() };
 }

@@ -72,6 +72,8 @@ const NOTHING_RUNNING: readonly RunningMotion[] = [];
 const UNIT_RANGE: Range = [0, 1];
 
 export class Workspace {
+  /** Content was opened that is not in the state yet. Whoever opens it resets this with the state. */
+  aheadOfState = false;
   private current: Current | null = null;
   private opening: AbortController | null = null;
 
@@ -161,6 +163,7 @@ export class Workspace {
       if (this.current) leave();
       this.close();
       this.current = { info, set, pool, input, options };
+      this.aheadOfState = true;
       return opening;
     } catch (error) {
       keys?.dispose();

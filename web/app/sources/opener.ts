@@ -215,6 +215,7 @@ export class Opener {
       picked,
       stays,
     });
+    workspace.aheadOfState = false;
     if (turn) {
       store.set({ view: state.view });
       if (step) store.turned(orientationStep(turn.before, turn.after), turn);
