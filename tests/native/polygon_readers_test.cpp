@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gltf_maker.h"
 #include "io/polygon/polygon_mesh.h"
@@ -344,6 +345,61 @@ TEST_CASE("concave polygons are covered without overlap") {
     sum += area(p, f);
   }
   CHECK(sum == doctest::Approx(7 + 4));
+}
+
+TEST_CASE("a hole joined to its polygon by a bridge stays open") {
+  // A square with holes of `sides` corners each, which bridges join to corners of the square, from any first corner.
+  const auto check = [](int holes, int sides, int start, bool ownVertices) {
+    CAPTURE(holes);
+    CAPTURE(sides);
+    CAPTURE(start);
+    std::vector<Vec3> points{{0, 0, 0}, {12, 0, 0}, {12, 12, 0}, {0, 12, 0}};
+    std::vector<int> outline;
+    double hole = 0;
+    for (int h = 0; h < 4; ++h) {
+      outline.push_back(h);
+      if (h >= holes) continue;
+      const Vec3 middle = Vec3(6, 6, 0) + 0.5 * (points[h] - Vec3(6, 6, 0));
+      const int first = static_cast<int>(points.size());
+      const double outwards = std::atan2(points[h].y() - 6, points[h].x() - 6);
+      for (int i = 0; i <= sides; ++i) {
+        const double angle = outwards - 2 * std::numbers::pi * i / sides;
+        if (i < sides || ownVertices) points.push_back(middle + Vec3(std::cos(angle), std::sin(angle), 0));
+        outline.push_back(ownVertices || i < sides ? first + i : first);
+      }
+      if (ownVertices) points.back() = points[first];
+      if (ownVertices) points.push_back(points[h]);
+      outline.push_back(ownVertices ? static_cast<int>(points.size()) - 1 : h);
+      hole += 0.5 * sides * std::sin(2 * std::numbers::pi / sides);
+    }
+    std::rotate(outline.begin(), outline.begin() + start % outline.size(), outline.end());
+    const auto pose = [&](double bend) {
+      std::string text;
+      for (const Vec3& p : points)
+        text += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+                std::to_string(bend * p.x() * p.x()) + "\n";
+      text += "f";
+      for (int v : outline) text += " " + std::to_string(v + 1);
+      return bytesOf(text + "\n");
+    };
+    ImportOptions options;
+    const Import import = imported(Files().add("a.obj", pose(0)).add("b.obj", pose(0.1)));
+    const Positions& p = import.keyframes.keys[0].positions;
+    double covered = 0;
+    for (const Triangle& f : import.keyframes.faces) {
+      CHECK((p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]).z() > -1e-5);
+      covered += area(p, f);
+    }
+    CHECK(covered == doctest::Approx(144 - hole).epsilon(1e-5));
+    // Added poses get the same triangles.
+    options.like = import.keyframes.faces;
+    CHECK(imported(Files().add("a.obj", pose(0.2)).add("b.obj", pose(0.1)), options).keyframes.faces == options.like);
+  };
+  for (int holes = 1; holes <= 4; ++holes)
+    for (int sides : {3, 4, 5, 6})
+      for (int start = 0; start < 12; ++start) check(holes, sides, start, false), check(holes, sides, start, true);
+  check(1, 64, 0, false);
+  check(4, 100, 3, true);
 }
 
 TEST_CASE("up axis and unit have no effect on glTF, with a warning") {
