@@ -231,6 +231,34 @@ TEST_CASE("a file of another kind among poses is omitted with a warning, unless 
   CHECK(says(imported(many), "left-out-file", "30 more such files"));
 }
 
+TEST_CASE("a mesh is recognised by its content, whatever its name") {
+  const std::string ply =
+      "ply \r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\nproperty float z\r\n"
+      "element face 1\r\nproperty list uchar int vertex_indices\r\nend_header\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 "
+      "2\r\n";
+  const std::string obj = "# OBJ\n\nmtllib a.mtl\no a\n" + squareObj() + "s off\nf 1 2 \\\n 3 4\n";
+  const std::string off = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string& text : {ply, obj, off})
+    for (const char* name : {"a", "a.txt", "a.download", "a.glb", "a.obj.txt", "a.PLY.txt"}) {
+      CAPTURE(name);
+      const Import import = imported(Files().add(name, bytesOf(text)).add("b", bytesOf(text)));
+      CHECK(import.keyframes.keyCount() == 2);
+      const bool isOther = std::string(name).size() > 1 && !std::string(name).ends_with("download");
+      CHECK(says(import, "other-extension", "Rename it") == isOther);
+    }
+  const Import notes = imported(twoSquares()
+                                    .add("notes.txt", bytesOf("OFF we go\nv 1 2 3\n"))
+                                    .add("a.txt", bytesOf("{\"a\": 1}"))
+                                    .add("v.txt", bytesOf("v 0 0 0\nI made this\n")));
+  CHECK(notes.keyframes.keyCount() == 2);
+  CHECK(!says(notes, "left-out-file"));
+  checkRefused("broken.glb.txt", bytesOf("glb"), "is not a supported 3D file");
+  const std::string address = "a/" + std::string(5'000, 'x') + ".glb";
+  const auto refused = Files().add(address, bytesOf("x")).import();
+  REQUIRE(!refused.ok());
+  CHECK(refused.error().message.size() < 250);
+}
+
 TEST_CASE("numbers in names can be negative; all names together determine whether a hyphen is a sign") {
   std::ifstream file(SHAPESPLINE_SOURCE_DIR "/tests/numbered-names.json");
   for (const auto& one : nlohmann::json::parse(file)) {
