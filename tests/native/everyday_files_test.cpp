@@ -344,7 +344,7 @@ TEST_CASE("numbers in names can be negative; all names together determine whethe
   std::ifstream file(SHAPESPLINE_SOURCE_DIR "/tests/numbered-names.json");
   for (const auto& one : nlohmann::json::parse(file)) {
     std::vector<NamedBytes> files;
-    for (const auto& name : one.at("order")) files.push_back({name.get<std::string>(), {}});
+    for (const auto& name : one.at("names")) files.push_back({name.get<std::string>(), {}});
     CAPTURE(files[0].name);
     std::vector<MeshFile> meshes;
     for (const NamedBytes& named : files)
@@ -354,6 +354,7 @@ TEST_CASE("numbers in names can be negative; all names together determine whethe
     for (std::size_t i = 0; series && i < files.size(); ++i) {
       const double frame = one.at("frames")[i], first = one.at("frames")[0];
       CHECK(series->seconds[i] == doctest::Approx((frame - first) / 24.0));
+      CHECK(series->meshes[i].file->name == one.at("order")[i].get<std::string>());
     }
     CHECK(sequencesAmong(meshes).empty() == (one.value("sequences", 1) < 2));
   }

@@ -105,7 +105,7 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
                            const StageProgress& progress) {
   const auto series = numberedFiles(meshes);
   const bool many = series && meshes.size() > mostOwnKeys && options.keyTimes.empty() && options.like.empty();
-  if (series && (many || options.animationAsked())) return importSeries(meshes, *series, files, options, progress);
+  if (series && (many || options.animationAsked())) return importSeries(*series, files, options, progress);
   if (!options.animationAsked()) {
     auto import = importPoses(meshes, files, options, progress);
     if (import && showsActions(*import)) return orByActions(std::move(*import), meshes, files, options, progress);

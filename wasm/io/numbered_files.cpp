@@ -132,13 +132,16 @@ std::optional<NumberedFiles> numberedFiles(const std::vector<MeshFile>& meshes) 
   const FileKind kind = meshes[0].kind;
   if (meshes.size() < 2 || (kind != FileKind::Obj && kind != FileKind::Ply)) return {};
   const std::vector<std::optional<Numbered>> files = framesOf(meshes);
-  NumberedFiles out;
+  std::map<double, MeshFile> byNumber;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (meshes[i].kind != kind || !files[i] || files[i]->sequence != files[0]->sequence) return {};
-    if (i > 0 && files[i]->number <= files[i - 1]->number) return {};
-    out.seconds.push_back((files[i]->number - files[0]->number) / framesPerSecond);
+    if (!byNumber.emplace(files[i]->number, meshes[i]).second) return {};
   }
-  out.name = nameOf(files[0]->sequence);
+  NumberedFiles out{nameOf(files[0]->sequence), {}, {}};
+  for (const auto& [number, mesh] : byNumber) {
+    out.meshes.push_back(mesh);
+    out.seconds.push_back((number - byNumber.begin()->first) / framesPerSecond);
+  }
   return out;
 }
 

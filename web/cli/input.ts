@@ -94,7 +94,10 @@ async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<st
   const images = await Promise.all(
     near.map(async (library) => {
       const text = (await readBeside(name, library, total)) ?? new Uint8Array(0);
-      return namedIn(text, 'map_kd').map((image) => besideOrNear(library, withoutOptions(image)));
+      return namedIn(text, 'map_kd').flatMap((image) => {
+        const path = besideOrNear(library, withoutOptions(image));
+        return [path, fileName(path)];
+      });
     }),
   );
   return [...near, ...images.flat()];
