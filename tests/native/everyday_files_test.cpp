@@ -99,6 +99,9 @@ TEST_CASE("OBJ: a line continues after a backslash, with any spaces and line end
     CHECK(facesOf("a.obj", bytesOf("v " + end + "0 0 0\nv 1 0" + end + " 0\nv 1 1 0\nv 0 1 0\n" + faceLine)).size() ==
           2);
   }
+  for (const std::string end : {"\\", "\\\n", "\\ \r\n", "\\\n\n"})
+    CHECK(facesOf("a.obj", bytesOf(squareObj() + "f 1 2 3\nf 1 3 4 " + end)) ==
+          std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
   // A backslash at the end of a comment does not continue the line.
   CHECK(facesOf("a.obj", bytesOf("# from C:\\shapes\\\n" + squareObj() + faceLine)).size() == 2);
 }
@@ -131,6 +134,81 @@ TEST_CASE("OBJ: a line names several material libraries, whose names may contain
   Files missing = Files().add("a.obj", bytesOf("mtllib a.mtl not there.mtl\n" + squareObj() + faceLine));
   missing.add("b.obj", bytesOf(squareObj(1) + faceLine)).add("a.mtl", bytesOf("newmtl red\n"));
   CHECK(says(imported(missing), "missing-materials", "\"not there.mtl\""));
+}
+
+// A file, and itself as the second key, with its materials.
+Import withMaterials(const std::string& obj, const std::string& mtl, const std::string& image = "skin.png") {
+  return imported(Files()
+                      .add("a.obj", bytesOf(obj))
+                      .add("b.obj", bytesOf(obj))
+                      .add("a.mtl", bytesOf(mtl))
+                      .add(image, bytesOf("\x89PNG\r\n\x1a\n")));
+}
+
+TEST_CASE("MTL: d takes precedence over Tr, and Tr 1 alone is opaque with a warning") {
+  const std::string obj = "mtllib a.mtl\nusemtl skin\n" + squareObj() + faceLine;
+  const auto alpha = [&](const std::string& statements, bool warned = false) {
+    CAPTURE(statements);
+    const Import import = withMaterials(obj, "newmtl other\nd 0.25\nnewmtl skin\n" + statements + "newmtl last\n");
+    CHECK(says(import, "unclear-opacity", "a.mtl: Tr 1 without d") == warned);
+    const Material& skin = import.scene.materials.at(import.scene.groups.at(0).material);
+    CHECK((skin.alphaMode == Material::Alpha::Blend) == (skin.baseColor[3] < 1));
+    return skin.baseColor[3];
+  };
+  for (const char* opaque : {"d 1\nTr 1\n", "Tr 1\nd 1\n", "d 1\nTr 0\n", "d 1.0\nTr 0.3\n", "Tr 0\n", "", "d nan\n"})
+    CHECK(alpha(opaque) == 1);
+  for (const char* unclear : {"Tr 1\n", "Tr 1.000000\n", "TR 1\n"}) CHECK(alpha(unclear, true) == 1);
+  CHECK(alpha("Tr 0.3\n") == 0.7f);
+  CHECK(alpha("Tr 0\nd 0.4\n") == 0.4f);
+  CHECK(alpha("d 0.4\nTr 1\n") == 0.4f);
+  CHECK(alpha("d 0\n") == 0);
+  CHECK(alpha("d -halo 0.6\n") == 0.6f);
+}
+
+TEST_CASE("OBJ: a library is read wherever the file names it") {
+  const std::string vertices = squareObj(), face = "usemtl red\n" + faceLine;
+  for (const std::string& obj :
+       {"usemtl red\nmtllib ./a.mtl\n" + vertices + faceLine, vertices + face + "mtllib a.mtl\n",
+        "usemtl none\n" + vertices + face + "mtllib a.mtl", "MTLLIB a.mtl\n" + vertices + "USEMTL red\n" + faceLine}) {
+    CAPTURE(obj);
+    const Import import = withMaterials(obj, "newmtl blue\nnewmtl red\nKd 1 0 0\n");
+    REQUIRE(import.scene.groups.size() == 1);
+    CHECK(import.scene.groups[0].material == 1);
+    CHECK(import.scene.groups[0].name == "");
+  }
+}
+
+TEST_CASE("OBJ and MTL: keywords in any case; an image replaces black") {
+  const std::string obj =
+      "MtlLib a.mtl\nUSEMTL skin\nV 0 0 0\nV 1 0 0\nV 1 1 0\nVT 0 0\nVN 0 0 1\nF 1/1/1 2/1/1 3/1/1\nL 1 2\n";
+  const auto skin = [&](const std::string& statements) {
+    const Import import = withMaterials(obj, "NEWMTL skin\n" + statements);
+    CHECK(import.keyframes.normals.size() == 3);
+    CHECK(says(import, "skipped-primitives"));
+    return import.scene.materials.at(import.scene.groups.at(0).material);
+  };
+  const Material shown = skin("kd 1 0 0\nMAP_KD -CLAMP ON skin.png\nD 0.5\n");
+  CHECK(shown.baseColor == std::array<float, 4>{1, 0, 0, 0.5f});
+  CHECK(shown.baseColorImage == 0);
+  CHECK(shown.wrapS == Material::Wrap::Clamp);
+  const std::array<float, 4> white{1, 1, 1, 1}, black{0, 0, 0, 1};
+  CHECK(skin("Kd 0 0 0\nmap_Kd skin.png\n").baseColor == white);
+  CHECK(skin("map_Kd skin.png\nKd 0.00 0.00 0.00\n").baseColor == white);
+  CHECK(skin("Kd 0 0 0\n").baseColor == black);
+  CHECK(skin("map_Kd skin.png\nKd 0 0 1\n").baseColor[2] == 1);
+}
+
+TEST_CASE("MTL: paths of another computer lead to the file beside it") {
+  const std::string obj = squareObj() + faceLine;
+  for (const std::string path : {"C:\\Users\\me\\my tex\\skin.png", "D:/tex/skin.png", "/home/me/skin.png",
+                                 "\\\\server\\tex\\skin.png", "../../skin.png", "file:///C:/tex/skin.png"}) {
+    CAPTURE(path);
+    const Import import = withMaterials("mtllib C:\\my mats\\a.mtl\n" + obj, "newmtl a\nmap_Kd " + path + "\n");
+    CHECK(import.scene.materials.at(0).baseColorImage == 0);
+    CHECK(!says(import, "missing-texture"));
+  }
+  const Import missing = withMaterials("mtllib a.mtl\n" + obj, "newmtl a\nmap_Kd C:\\tex\\other.png\n");
+  CHECK(says(missing, "missing-texture", "needs the file \"other.png\""));
 }
 
 TEST_CASE("PLY: strips of triangles, restarted at -1, every other triangle turned") {
@@ -171,7 +249,8 @@ TEST_CASE("text in UTF-16 is refused with advice, with and without a byte order 
 }
 
 TEST_CASE("decimal commas are refused with the line and advice") {
-  const std::string says = "a number has a decimal comma. Export the file with decimal points";
+  const std::string says =
+      "a number has a decimal comma or is followed by a comma. Export the file with decimal points";
   checkRefused("a.obj", bytesOf("v 0,5 1,2 3\n"), "line 1: " + says);
   checkRefused("a.obj", bytesOf("v 0 0 0\nv 1 2 3,5e-2\n"), "line 2: " + says);
   checkRefused("a.obj", bytesOf("v 0 0 0 0,5 1 1\n"), says);
@@ -183,7 +262,9 @@ TEST_CASE("decimal commas are refused with the line and advice") {
   checkRefused("a.ply", bytesOf("ply\nformat ascii 1.0\n" + header + "0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), says);
   checkRefused("a.ply", bytesOf("ply\nformat ascii 1.0\n" + header + "0 0 0\n1 0 -1,5\n0 1 0\n3 0 1 2\n"), says);
   checkRefused("a.off", bytesOf("OFF\n3 1 0\n0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n"), "line 4: " + says);
-  checkRefused("a.obj", bytesOf("v 1, 2, 3\n"), "a vertex needs three numbers");
+  for (const char* vertex :
+       {"v 1, 2, 3\n", "v 1, 0 2, 5 3, 0\n", "v 1 , 0 2 , 5 3 , 0\n", "v 1 2,\t5 0\n", "v 1,234.5 0 0\n"})
+    checkRefused("a.obj", bytesOf(vertex), "line 1: " + says);
   Files files = Files().add("a.obj", bytesOf("mtllib a.mtl\n" + squareObj() + faceLine));
   files.add("b.obj", bytesOf(squareObj(1) + faceLine)).add("a.mtl", bytesOf("newmtl red\nKd 0,8 0 0\n"));
   CHECK(everyday_files_test::says(imported(files), "missing-materials", "decimal comma"));
@@ -231,11 +312,39 @@ TEST_CASE("a file of another kind among poses is omitted with a warning, unless 
   CHECK(says(imported(many), "left-out-file", "30 more such files"));
 }
 
+TEST_CASE("a mesh is recognised by its content, whatever its name") {
+  const std::string ply =
+      "ply \r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\nproperty float z\r\n"
+      "element face 1\r\nproperty list uchar int vertex_indices\r\nend_header\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 "
+      "2\r\n";
+  const std::string obj = "# OBJ\n\nmtllib a.mtl\no a\n" + squareObj() + "s off\nf 1 2 \\\n 3 4\n";
+  const std::string off = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string& text : {ply, obj, off})
+    for (const char* name : {"a", "a.txt", "a.download", "a.glb", "a.obj.txt", "a.PLY.txt"}) {
+      CAPTURE(name);
+      const Import import = imported(Files().add(name, bytesOf(text)).add("b", bytesOf(text)));
+      CHECK(import.keyframes.keyCount() == 2);
+      const bool isOther = std::string(name).size() > 1 && !std::string(name).ends_with("download");
+      CHECK(says(import, "other-extension", "Rename it") == isOther);
+    }
+  const Import notes = imported(twoSquares()
+                                    .add("notes.txt", bytesOf("OFF we go\nv 1 2 3\n"))
+                                    .add("a.txt", bytesOf("{\"a\": 1}"))
+                                    .add("v.txt", bytesOf("v 0 0 0\nI made this\n")));
+  CHECK(notes.keyframes.keyCount() == 2);
+  CHECK(!says(notes, "left-out-file"));
+  checkRefused("broken.glb.txt", bytesOf("glb"), "is not a supported 3D file");
+  const std::string address = "a/" + std::string(5'000, 'x') + ".glb";
+  const auto refused = Files().add(address, bytesOf("x")).import();
+  REQUIRE(!refused.ok());
+  CHECK(refused.error().message.size() < 250);
+}
+
 TEST_CASE("numbers in names can be negative; all names together determine whether a hyphen is a sign") {
   std::ifstream file(SHAPESPLINE_SOURCE_DIR "/tests/numbered-names.json");
   for (const auto& one : nlohmann::json::parse(file)) {
     std::vector<NamedBytes> files;
-    for (const auto& name : one.at("order")) files.push_back({name.get<std::string>(), {}});
+    for (const auto& name : one.at("names")) files.push_back({name.get<std::string>(), {}});
     CAPTURE(files[0].name);
     std::vector<MeshFile> meshes;
     for (const NamedBytes& named : files)
@@ -245,6 +354,7 @@ TEST_CASE("numbers in names can be negative; all names together determine whethe
     for (std::size_t i = 0; series && i < files.size(); ++i) {
       const double frame = one.at("frames")[i], first = one.at("frames")[0];
       CHECK(series->seconds[i] == doctest::Approx((frame - first) / 24.0));
+      CHECK(series->meshes[i].file->name == one.at("order")[i].get<std::string>());
     }
     CHECK(sequencesAmong(meshes).empty() == (one.value("sequences", 1) < 2));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gltf_maker.h"
 #include "io/polygon/polygon_mesh.h"
@@ -258,6 +259,88 @@ TEST_CASE("OBJ and PLY: vertex colours") {
   CHECK(ply.scene.colors[4] == 0);
 }
 
+TEST_CASE("vertex colours with any names and ranges") {
+  const auto ply = [](const std::string& types, const std::string& numbers) {
+    return twice("a.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
+                     types + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " + numbers +
+                     "\n1 0 0 " + numbers + "\n0 1 0 " + numbers + "\n3 0 1 2\n")
+        .scene.colors;
+  };
+  const auto properties = [](const std::string& type, const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += "property " + type + " " + name + "\n";
+    return text;
+  };
+  const auto check = [](const std::vector<float>& colors, float alpha = 1) {
+    REQUIRE(colors.size() == 12);
+    CHECK(colors[0] == 0);
+    CHECK(colors[1] == doctest::Approx(0.0512695));  // 64 of 255
+    CHECK(colors[2] == 1);
+    CHECK(colors[11] == doctest::Approx(alpha));
+  };
+  const std::vector<std::string> rgb{"red", "green", "blue"};
+  for (const char* type : {"uchar", "float", "double", "int", "uint", "ushort"})
+    check(ply(properties(type, rgb), "0 64 255"));
+  check(ply(properties("float", rgb), "0 0.25098 1"));
+  check(ply(properties("ushort", rgb), "0 16448 65535"));
+  check(ply(properties("uchar", {"r", "g", "b", "a"}), "0 64 255 51"), 0.2f);
+  check(ply(properties("float", {"diffuse_red", "diffuse_green", "diffuse_blue", "alpha"}), "0 64 255 0.2"), 0.2f);
+  check(ply(properties("uchar", {"Red", "Green", "Blue"}), "0 64 255"));
+
+  for (const char* head : {"COFF", "OFF"})
+    for (const char* color : {"0 64 255", "0 64 255 255", "0 0.25098 1 1"}) {
+      const std::string c = color;
+      check(twice("a.off", std::string(head) + "\n3 1 0\n0 0 0 " + c + "\n1 0 0 " + c + "\n0 1 0 " + c + "\n3 0 1 2\n")
+                .scene.colors);
+    }
+  const Import both = twice(
+      "a.off",
+      "STCNOFF\n3 1 0\n0 0 0 0 0 1 0 64 255 .5 .5\n1 0 0 0 0 1 0 64 255 0 0\n0 1 0 0 0 1 0 64 255 1 0\n3 0 1 2\n");
+  check(both.scene.colors);
+  CHECK(both.keyframes.normals.at(2) == Vec3::UnitZ());
+
+  check(twice("a.obj", "v 0 0 0 0 64 255\nv 1 0 0 0 64 255\nv 0 1 0 \nf 1 2 3\n").scene.colors);
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  check(twice("a.obj", vertices + "#MRGB ff0040ffff0040FF\n#mrgb 000040ff\nf 1 2 3\n").scene.colors);
+}
+
+TEST_CASE("colours of faces are left out with a warning, unless vertices have colours") {
+  const auto warned = [](const Import& import) {
+    return import.warnings.size() == 1 && import.warnings[0].code == "face-colors";
+  };
+  const auto ply = [](const std::string& ofVertices, const std::string& number) {
+    return twice("a.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
+                     ofVertices +
+                     "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+                     "property uchar green\nproperty uchar blue\nend_header\n0 0 0" +
+                     number + "\n1 0 0" + number + "\n0 1 0" + number + "\n3 0 1 2 9 9 9\n");
+  };
+  CHECK(warned(ply("", "")));
+  CHECK(ply("property uchar red\nproperty uchar green\nproperty uchar blue\n", " 1 2 3").warnings.empty());
+  CHECK(warned(twice("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n")));
+  CHECK(twice("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n").warnings.empty());
+}
+
+TEST_CASE("a vertex without faces does not need finite coordinates") {
+  const auto check = [](const std::string& name, const std::string& text) {
+    CAPTURE(text);
+    const Import import = twice(name, text);
+    CHECK(import.keyframes.vertexCount() == 4);
+    for (const Vec3& p : import.keyframes.keys[1].positions) CHECK(p.norm() < 2);
+  };
+  for (const std::string number : {"nan", "-nan(ind)", "inf", "1.#QNAN", "-1.#IND"}) {
+    check("a.obj", "v 0 0 0\nv " + number + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 4\n");
+    if (number.find('#') == std::string::npos)  // starts a comment in OFF
+      check("a.off", "OFF\n4 1 0\n0 0 0\n0 " + number + " 0\n1 0 0\n0 1 0\n3 0 2 3\n");
+    check("a.ply",
+          "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n0 0 " +
+              number + "\n1 0 0\n0 1 0\n3 0 2 3\n");
+  }
+}
+
 TEST_CASE("PLY: binary in both orders, other elements and properties, every type") {
   for (bool big : {false, true}) {
     std::string head = std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
@@ -344,6 +427,61 @@ TEST_CASE("concave polygons are covered without overlap") {
     sum += area(p, f);
   }
   CHECK(sum == doctest::Approx(7 + 4));
+}
+
+TEST_CASE("a hole joined to its polygon by a bridge stays open") {
+  // A square with holes of `sides` corners each, which bridges join to corners of the square, from any first corner.
+  const auto check = [](int holes, int sides, int start, bool ownVertices) {
+    CAPTURE(holes);
+    CAPTURE(sides);
+    CAPTURE(start);
+    std::vector<Vec3> points{{0, 0, 0}, {12, 0, 0}, {12, 12, 0}, {0, 12, 0}};
+    std::vector<int> outline;
+    double hole = 0;
+    for (int h = 0; h < 4; ++h) {
+      outline.push_back(h);
+      if (h >= holes) continue;
+      const Vec3 middle = Vec3(6, 6, 0) + 0.5 * (points[h] - Vec3(6, 6, 0));
+      const int first = static_cast<int>(points.size());
+      const double outwards = std::atan2(points[h].y() - 6, points[h].x() - 6);
+      for (int i = 0; i <= sides; ++i) {
+        const double angle = outwards - 2 * std::numbers::pi * i / sides;
+        if (i < sides || ownVertices) points.push_back(middle + Vec3(std::cos(angle), std::sin(angle), 0));
+        outline.push_back(ownVertices || i < sides ? first + i : first);
+      }
+      if (ownVertices) points.back() = points[first];
+      if (ownVertices) points.push_back(points[h]);
+      outline.push_back(ownVertices ? static_cast<int>(points.size()) - 1 : h);
+      hole += 0.5 * sides * std::sin(2 * std::numbers::pi / sides);
+    }
+    std::rotate(outline.begin(), outline.begin() + start % outline.size(), outline.end());
+    const auto pose = [&](double bend) {
+      std::string text;
+      for (const Vec3& p : points)
+        text += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+                std::to_string(bend * p.x() * p.x()) + "\n";
+      text += "f";
+      for (int v : outline) text += " " + std::to_string(v + 1);
+      return bytesOf(text + "\n");
+    };
+    ImportOptions options;
+    const Import import = imported(Files().add("a.obj", pose(0)).add("b.obj", pose(0.1)));
+    const Positions& p = import.keyframes.keys[0].positions;
+    double covered = 0;
+    for (const Triangle& f : import.keyframes.faces) {
+      CHECK((p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]).z() > -1e-5);
+      covered += area(p, f);
+    }
+    CHECK(covered == doctest::Approx(144 - hole).epsilon(1e-5));
+    // Added poses get the same triangles.
+    options.like = import.keyframes.faces;
+    CHECK(imported(Files().add("a.obj", pose(0.2)).add("b.obj", pose(0.1)), options).keyframes.faces == options.like);
+  };
+  for (int holes = 1; holes <= 4; ++holes)
+    for (int sides : {3, 4, 5, 6})
+      for (int start = 0; start < 12; ++start) check(holes, sides, start, false), check(holes, sides, start, true);
+  check(1, 64, 0, false);
+  check(4, 100, 3, true);
 }
 
 TEST_CASE("up axis and unit have no effect on glTF, with a warning") {

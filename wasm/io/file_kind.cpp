@@ -8,6 +8,7 @@
 #include "io/base/byte_text.h"
 #include "io/cache/point_cache.h"
 #include "io/gltf/glb_container.h"
+#include "io/polygon/text_reader.h"
 
 namespace shapespline {
 
@@ -121,22 +122,68 @@ std::string somethingElse(std::string_view text, std::string_view extension) {
   return sentence.append(format->advice);
 }
 
-std::optional<FileKind> kindByContent(std::span<const std::uint8_t> bytes, std::string_view text) {
+// Whether the first lines have only keywords of OBJ, and a vertex.
+bool isObj(std::string_view text) {
+  static constexpr std::array keywords{"v",      "vt",  "vn",   "vp",    "f",      "l",      "p",
+                                       "o",      "g",   "s",    "mg",    "mtllib", "usemtl", "usemap",
+                                       "cstype", "deg", "curv", "curv2", "surf",   "parm",   "end"};
+  constexpr std::size_t looked = 1 << 16;
+  const bool isCut = text.size() > looked;
+  text = text.substr(0, looked);
+  LineReader lines({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  bool hasVertex = false, continues = false;
+  for (std::string_view line; lines.next(line) && !(isCut && lines.rest().empty());) {
+    const bool isContinued = std::exchange(continues, line.ends_with('\\'));
+    const std::string word = lowerCase(takeWord(line));
+    if (isContinued || word.empty() || word.starts_with('#')) continue;
+    if (std::find(keywords.begin(), keywords.end(), word) == keywords.end()) return false;
+    hasVertex |= word == "v";
+  }
+  return hasVertex;
+}
+
+bool isOff(std::string_view text) {
+  const std::string_view word = takeWord(text);
+  if (!word.ends_with("OFF") || word.find_first_not_of("STCN4nOFF") != std::string_view::npos) return false;
+  const std::string_view next = takeWord(text);
+  return next.empty() || next.starts_with('#') || next == "BINARY" || (next[0] >= '0' && next[0] <= '9');
+}
+
+// `named`: the name is that of a glTF file. Other JSON is glTF only if it says so.
+std::optional<FileKind> kindByContent(std::span<const std::uint8_t> bytes, std::string_view text, bool named) {
   if (isPc2(bytes)) return FileKind::Pc2;
-  if (isGlb(bytes) || text.starts_with('{')) return FileKind::Gltf;
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return FileKind::Ply;
-  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
-  if (word.size() <= 6 && word.ends_with("OFF")) return FileKind::Off;
+  if (isGlb(bytes)) return FileKind::Gltf;
+  if (text.starts_with('{') && (named || text.find("\"asset\"") != std::string_view::npos)) return FileKind::Gltf;
+  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  if (isOff(line)) return FileKind::Off;
+  if (takeWord(line) == "ply" && takeWord(line).empty() && text.size() > 3) return FileKind::Ply;
+  if (isObj(text)) return FileKind::Obj;
   return std::nullopt;
 }
 
+bool isGltfName(std::string_view extension) { return extension == "glb" || extension == "gltf"; }
+
 }  // namespace
 
-bool isCompanion(std::string_view name) {
+bool isCompanion(const NamedBytes& file) {
   static constexpr std::array extensions{"bin", "png", "jpg", "jpeg", "webp", "ktx", "ktx2", "basis", "dds",     "gif",
                                          "bmp", "tga", "tif", "tiff", "hdr",  "mtl", "txt",  "md",    "ds_store"};
+  const std::string extension = extensionOf(file.name);
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) return false;
+  // A mesh may have got another extension: walk.glb.txt.
+  if (isMeshName(std::string_view(file.name).substr(0, file.name.size() - extension.size() - 1))) return false;
+  return extension != "txt" || !kindByContent(file.bytes, textOf(file.bytes), false);
+}
+
+std::string otherExtension(std::string_view name, FileKind kind) {
+  static constexpr std::pair<std::string_view, std::string_view> formats[] = {
+      {"glTF", "glb"}, {"OBJ", "obj"}, {"PLY", "ply"}, {"OFF", "off"}, {"PC2", "pc2"}, {"MDD", "mdd"}};
+  const auto& [format, usual] = formats[static_cast<int>(kind)];
   const std::string extension = extensionOf(name);
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+  const bool fits = extension == usual || (kind == FileKind::Gltf && isGltfName(extension));
+  if (fits || !(extension == "txt" || isMeshName(name))) return "";
+  return std::string(" is read as ").append(format).append(", although its name ends in .").append(extension) +
+         ". Rename it to end in ." + std::string(usual) + ".";
 }
 
 bool isMeshName(std::string_view name) {
@@ -150,7 +197,7 @@ Result<FileKind> fileKind(const NamedBytes& file, const std::string& where) {
   if (isUtf16(file.bytes)) return Error{ErrorCode::NotRecognised, where + utf16};
   const std::string extension = extensionOf(file.name);
   const std::string_view text = textOf(file.bytes);
-  if (const auto kind = kindByContent(file.bytes, text)) return *kind;
+  if (const auto kind = kindByContent(file.bytes, text, isGltfName(extension))) return *kind;
   if (const std::string what = somethingElse(text, extension); !what.empty())
     return Error{ErrorCode::NotRecognised, where + what};
   if (extension == "obj") return FileKind::Obj;

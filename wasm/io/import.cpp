@@ -27,17 +27,22 @@ namespace {
 struct FoundFiles {
   std::vector<MeshFile> meshes;
   std::vector<Error> others;  // errors for files of other kinds in the selection
+  std::vector<Warning> warnings;
 };
 
 Result<FoundFiles> findMeshes(std::span<const NamedBytes> files) {
   FoundFiles found;
   for (const NamedBytes& file : files) {
-    if (isCompanion(file.name)) continue;
+    if (isCompanion(file)) continue;
     const int key = static_cast<int>(found.meshes.size());
     const bool isNamed = isMeshName(file.name);
     const auto kind = fileKind(file, isNamed ? placeName(file, key, files.size()) : std::string(baseName(file.name)));
     if (kind) {
       found.meshes.push_back({&file, *kind});
+      const std::string other = otherExtension(file.name, *kind);
+      if (!other.empty() && found.warnings.empty())
+        found.warnings.push_back({"other-extension", placeName(file, key, 1) + other, 0});
+      if (!other.empty()) ++found.warnings[0].count;
       continue;
     }
     Error error = kind.error();
@@ -100,7 +105,7 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
                            const StageProgress& progress) {
   const auto series = numberedFiles(meshes);
   const bool many = series && meshes.size() > mostOwnKeys && options.keyTimes.empty() && options.like.empty();
-  if (series && (many || options.animationAsked())) return importSeries(meshes, *series, files, options, progress);
+  if (series && (many || options.animationAsked())) return importSeries(*series, files, options, progress);
   if (!options.animationAsked()) {
     auto import = importPoses(meshes, files, options, progress);
     if (import && showsActions(*import)) return orByActions(std::move(*import), meshes, files, options, progress);
@@ -208,6 +213,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   auto keys = likeTheMesh(std::move(*read), options);
   if (!keys) return keys;
   warnOfOthers(found->others, keys->warnings);
+  keys->warnings.insert(keys->warnings.end(), found->warnings.begin(), found->warnings.end());
   checkOrientation(meshes, options, keys->warnings);
   if (Status times = setTimes(keys->keyframes, options.keyTimes); !times) return times.error();
   if (Status valid = validate(keys->keyframes); !valid) return withFile(valid.error(), meshes, keys->keyframes);

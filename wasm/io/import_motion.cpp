@@ -100,8 +100,9 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const Given
   return std::move(*out);
 }
 
-Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedFiles& series, const GivenFiles& files,
-                            const ImportOptions& options, const StageProgress& progress) {
+Result<Import> importSeries(const NumberedFiles& series, const GivenFiles& files, const ImportOptions& options,
+                            const StageProgress& progress) {
+  const std::vector<MeshFile>& meshes = series.meshes;
   Import out;
   PoseReader reader{files, options};
   const std::string first = placeName(*meshes[0].file, 0, meshes.size());

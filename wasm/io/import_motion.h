@@ -19,8 +19,8 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const Given
                                 const StageProgress& progress);
 
 /// Reads the frames of a numbered series of files, each file on demand. Errors: as above.
-Result<Import> importSeries(const std::vector<MeshFile>& meshes, const NumberedFiles& series, const GivenFiles& files,
-                            const ImportOptions& options, const StageProgress& progress);
+Result<Import> importSeries(const NumberedFiles& series, const GivenFiles& files, const ImportOptions& options,
+                            const StageProgress& progress);
 
 /// Reads a mesh, and its vertices over time from a PC2 or MDD file. Errors: those of the readers, and
 /// VertexCountMismatch.

@@ -135,7 +135,9 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& 
 }  // namespace
 
 std::string placeName(const NamedBytes& file, int key, std::size_t keys) {
-  const std::string name(baseName(file.name));
+  constexpr std::size_t longest = 120;  // of a URL, for example
+  std::string name(baseName(file.name));
+  if (name.size() > longest) name = "..." + name.substr(name.size() - longest);
   return keys > 1 ? name + " (key " + std::to_string(key + 1) + ")" : name;
 }
 

@@ -10,13 +10,14 @@
 namespace shapespline {
 
 struct NumberedFiles {
-  std::string name;             ///< common start of the file names
-  std::vector<double> seconds;  ///< time of each file, starting at 0, at framesPerSecond
+  std::string name;              ///< common start of the file names
+  std::vector<MeshFile> meshes;  ///< in the order of their numbers
+  std::vector<double> seconds;   ///< time of each file, starting at 0, at framesPerSecond
 };
 
-/// Recognises two or more OBJ or PLY files of one kind, in increasing order, whose names differ only in the number
-/// before the extension: walk0001.obj, walk0002.obj. Numbers may be negative: all names together decide whether a
-/// hyphen is a sign. web/engine/api/numbered-names.ts orders files by the same rule; both pass
+/// Recognises two or more OBJ or PLY files of one kind, in any order, whose names differ only in one number:
+/// walk0001.obj, walk0002.obj, or walk (1).obj. Numbers may be negative: all names together decide whether a hyphen is
+/// a sign. web/engine/api/numbered-names.ts orders files by the same rule; both pass
 /// tests/numbered-names.json.
 std::optional<NumberedFiles> numberedFiles(const std::vector<MeshFile>& meshes);
 

@@ -27,6 +27,7 @@ Result<PoseFile> PoseReader::read(const MeshFile& mesh, const std::string& where
   if (mesh.kind == FileKind::Gltf) return readGltfPose(*mesh.file, files, options, where, onProgress);
   auto polygons = readPolygons(mesh, files, options, where, partOf(onProgress, 0, 0.8));
   if (!polygons) return polygons.error();
+  placeUnused(*polygons);
   const double rounding = options.unit * storedRounding(polygons->positions);
   if (polygons->offset != Vec3::Zero())
     for (Vec3& p : polygons->positions) p += polygons->offset;

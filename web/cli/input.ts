@@ -9,10 +9,12 @@ import { parseGltf } from '../engine/api/gltf-json.ts';
 import { checkImportSize } from '../engine/api/import-size.ts';
 import { inNaturalOrder, sequenceText, sequencesIn } from '../engine/api/numbered-names.ts';
 import {
+  CACHES,
   COMPANIONS,
   beside,
   decodedUri,
   extensionOf,
+  fileName,
   isExternal,
   isMeantInFolder,
   resourceUris,
@@ -68,7 +70,8 @@ export async function readInputs(given: string[]): Promise<InputFile[]> {
   for (const name of await withoutFolders(given)) {
     const file = { name: toSlashes(name), bytes: await read(name, total) };
     files.push(file);
-    const named = extensionOf(name) === 'obj' ? await librariesOf(file, total) : urisOf(file.bytes);
+    const named =
+      urisOf(file.bytes) ?? (NO_LIBRARIES.includes(extensionOf(name)) ? [] : await librariesOf(file, total));
     for (const uri of named) {
       const resource = nameBeside(name, uri);
       if (files.some((other) => other.name === resource)) continue;
@@ -79,21 +82,32 @@ export async function readInputs(given: string[]): Promise<InputFile[]> {
   return files;
 }
 
-/** The material libraries that an OBJ names before its first face, and their images, relative to the OBJ. */
+/** Extensions of files that name no material libraries. An OBJ may have any other extension. */
+const NO_LIBRARIES = ['glb', 'ply', 'off', ...CACHES, ...COMPANIONS];
+
+/** The material libraries that an OBJ names, and their images, relative to the OBJ. */
 async function librariesOf({ name, bytes }: InputFile, total: Total): Promise<string[]> {
   const libraries: string[] = [];
-  for (const text of namedIn(bytes.subarray(0, OBJ_HEAD), 'mtllib'))
+  for (const text of namedIn(bytes, 'mtllib'))
     libraries.push(...(await libraryNames(text, async (one) => (await readBeside(name, one, total)) !== null)));
+  const near = libraries.map((library) => besideOrNear('', library));
   const images = await Promise.all(
-    libraries.map(async (library) => {
+    near.map(async (library) => {
       const text = (await readBeside(name, library, total)) ?? new Uint8Array(0);
-      return namedIn(text, 'map_Kd').map((image) => beside(library, withoutOptions(image)));
+      return namedIn(text, 'map_kd').flatMap((image) => {
+        const path = besideOrNear(library, withoutOptions(image));
+        return [path, fileName(path)];
+      });
     }),
   );
-  return [...libraries, ...images.flat()];
+  return [...near, ...images.flat()];
 }
 
-const OBJ_HEAD = 1 << 16;
+/** A path relative to the file `from`. Paths of another computer, such as C:\\a.png, are reduced to the file's name. */
+function besideOrNear(from: string, name: string): string {
+  const path = beside(from, name);
+  return isExternal(name) || path.startsWith('../') ? beside(from, fileName(name)) : path;
+}
 
 /** Longest name, in words. */
 const MOST_WORDS = 8;
@@ -115,24 +129,46 @@ export async function libraryNames(text: string, isFile: (name: string) => Promi
   return names;
 }
 
+const [LF, CR] = [10, 13];
+/** Limit for a line that continues on others. */
+const MOST_PARTS = 256;
+
 /**
- * The names after a keyword, without duplicates. Reads line by line, because a pattern would backtrack over the spaces
- * of a long line.
+ * The names after a keyword in any case, without duplicates. Decodes only lines with its first letter, because a file
+ * may be large, and uses no pattern that would backtrack over the spaces of a long line.
  */
 export function namedIn(bytes: Uint8Array, keyword: string): string[] {
-  const lines = new TextDecoder().decode(bytes).replace(CONTINUED, ' ').split('\n');
-  const named = lines
-    .map((line) => line.trim())
-    .filter((line) => line.startsWith(keyword) && /[ \t]/.test(line.charAt(keyword.length)))
-    .map((line) => line.slice(keyword.length).trim());
-  return [...new Set(named)];
+  const named = new Set<string>();
+  const letter = keyword.charCodeAt(0);
+  const endOf = (start: number): number => {
+    let end = start;
+    while (end < bytes.length && bytes[end] !== LF && bytes[end] !== CR) end += 1;
+    return end;
+  };
+  const decoder = new TextDecoder();
+  const text = (start: number, end: number): string => decoder.decode(bytes.subarray(start, end)).trim();
+  for (let at = bytes[0] === 0xef ? 3 : 0; at < bytes.length; at += 1) {
+    if (bytes[at]! <= 32) continue;
+    let end = endOf(at);
+    if ((bytes[at]! | 32) === letter) {
+      const parts = [text(at, end)];
+      // The line continues on the next one that is not empty.
+      while (parts.at(-1)!.endsWith('\\') && end < bytes.length && parts.length < MOST_PARTS) {
+        const start = end + 1;
+        end = endOf(start);
+        if (end > start) parts.push(text(start, end));
+      }
+      const line = parts.map((part) => part.replace(/\\$/, '')).join(' ');
+      const rest = line.slice(keyword.length);
+      if (line.slice(0, keyword.length).toLowerCase() === keyword && /^[ \t]/.test(rest)) named.add(rest.trim());
+    }
+    at = end;
+  }
+  return [...named];
 }
 
-/** A line that continues on the next one. */
-const CONTINUED = /\\[ \t]{0,100}\r?\n/g;
-
 const OPTION = /-\w+[ \t]+/y;
-const OPTION_VALUE = /(?:[-+]?[.\d][^ \t]*|on|off)[ \t]+/y;
+const OPTION_VALUE = /(?:[-+]?[.\d][^ \t]*|on|off)[ \t]+/iy;
 
 /** An image's name without preceding options such as -s 1 1 1 and -clamp on. */
 export function withoutOptions(text: string): string {
@@ -173,9 +209,9 @@ async function readRegular(name: string, total: Total): Promise<Uint8Array> {
   }
 }
 
-/** URIs of the buffers and images of a .gltf; the engine reports invalid JSON. */
-function urisOf(bytes: Uint8Array): string[] {
-  if (!/^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return [];
+/** URIs of the buffers and images of a .gltf; null for other files. The engine reports invalid JSON. */
+function urisOf(bytes: Uint8Array): string[] | null {
+  if (!/^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return null;
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
   return [...new Set([...buffers, ...images])];
 }

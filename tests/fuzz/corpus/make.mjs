@@ -235,6 +235,8 @@ const obj = {
   'whole-polygons': 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv 0 0 1\nf 1 2 3 4 5\nf 1 2 6\nf 2 3 4 6\n',
   'whole-everything': `# c\nmtllib a.mtl\no x\ng y\ns 1\n${v}vt 0 0\nvt 1 0\nvn 0 0 1\nusemtl red\nf 1/1/1 2/2/1 3/1/1\nf -1//1 -2//1 \\\n-3//1\nl 1 2\np 1\nusemtl blue\nf 1/1 2/2 4/1\n`,
   'whole-colours': 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1e0\nf 1 2 3\n',
+  'whole-paint': v + '#MRGB ff0040ffff0040ff\n' + f,
+  'whole-hole': 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5\n',
   'index-past-end': v + 'f 1 2 9\n',
   'index-zero': v + 'f 0 1 2\n',
   'index-before-start': v + 'f -9 1 2\n',
@@ -272,6 +274,8 @@ const ply = {
   'whole-more': 'ply\nformat ascii 1.0\ncomment c\nobj_info o\nelement extra 1\nproperty list uchar double q\nelement vertex 3\nproperty double x\nproperty double y\n' +
     'property double z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float s\nproperty float t\n' +
     'element face 1\nproperty uchar k\nproperty list uchar uint vertex_index\nend_header\n2 1 2\n0 0 0 0 0 1 255 0 0 0 0\n1 0 0 0 0 1 0 255 0 1 0\n0 1 0 0 0 1 0 0 255 0 1\n7 3 0 1 2\n',
+  'whole-colours': 'ply \nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float diffuse_red\n' +
+    'property float g\nproperty float b\nproperty ushort a\nelement face 1\nproperty list uchar uint vertex_index\nproperty uchar red\nend_header\n0 0 0 255 0 9 1\n1 0 0 0 64 0 1\n0 1 0 0 0 64 1\n3 0 1 2 9\n',
   'cut-in-header': 'ply\nformat ascii 1.0\nelement ver',
   'cut-in-vertices': plyBinary(true).subarray(0, plyHead('binary_little_endian').length + 20),
   'cut-in-faces': plyBinary(false).subarray(0, -3),

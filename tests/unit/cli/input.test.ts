@@ -1,5 +1,8 @@
-import { describe, expect, it } from 'vitest';
-import { isBelow, libraryNames, namedIn, withoutOptions } from '../../../web/cli/input.ts';
+import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { describe, expect, it, onTestFinished } from 'vitest';
+import { isBelow, libraryNames, namedIn, readInputs, withoutOptions } from '../../../web/cli/input.ts';
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
@@ -7,6 +10,22 @@ describe('files named by an OBJ and its materials', () => {
   it('are the rest of a line after its keyword, each once', () => {
     const text = 'mtllib a.mtl\r\n# mtllib no.mtl\nmtllibs no.mtl\n\tmtllib\tb c.mtl  \nmtllib a.mtl\nmtllib\nmtllib  ';
     expect(namedIn(bytes(text), 'mtllib')).toEqual(['a.mtl', 'b c.mtl']);
+    expect(namedIn(bytes('\ufeffMTLLIB a.mtl\rv 0 0 0\r\tMtlLib b.mtl'), 'mtllib')).toEqual(['a.mtl', 'b.mtl']);
+  });
+
+  it.each([
+    ['a.obj', 'mtllib C:\\mats\\my a.mtl', 'my a.mtl', 'Map_Kd -s 1 1 1 D:\\tex\\skin.png'],
+    ['a.OBJ', 'MTLLIB ./my a.mtl', 'my a.mtl', 'map_kd /home/me/skin.png'],
+    ['a', 'mtllib ../my a.mtl', 'my a.mtl', 'map_Kd ..\\..\\skin.png'],
+    ['a.obj.txt', 'mtllib a.mtl', 'a.mtl', 'map_Kd skin.png'],
+  ])('are read beside %s, also from its end: %s', async (name, library, file, image) => {
+    const folder = await mkdtemp(path.join(tmpdir(), 'input-'));
+    onTestFinished(() => rm(folder, { recursive: true }));
+    await writeFile(path.join(folder, name), `${'v 0 0 0\n'.repeat(20_000)}f 1 2 3\n${library}`);
+    await writeFile(path.join(folder, file), `newmtl a\n${image}\n`);
+    await writeFile(path.join(folder, 'skin.png'), '');
+    const read = await readInputs([path.join(folder, name)]);
+    expect(read.map((one) => path.basename(one.name))).toEqual([name, file, 'skin.png']);
   });
 
   it.each([
@@ -40,8 +59,9 @@ describe('files named by an OBJ and its materials', () => {
   it('are found quickly, also in long lines of spaces, options and numbers', () => {
     const long = 300_000;
     expect(namedIn(bytes(`mtllib ${' '.repeat(long)}x`), 'mtllib')).toEqual(['x']);
-    expect(namedIn(bytes(`map_Kd${' '.repeat(long)}`), 'map_Kd')).toEqual([]);
-    expect(namedIn(bytes(`${' '.repeat(long)}map_Kd`), 'map_Kd')).toEqual([]);
+    expect(namedIn(bytes(`map_Kd${' '.repeat(long)}`), 'map_kd')).toEqual([]);
+    expect(namedIn(bytes(`${' '.repeat(long)}map_Kd`), 'map_kd')).toEqual([]);
+    expect(namedIn(bytes('mtllib \\\n'.repeat(long)), 'mtllib').length).toBeGreaterThan(0);
     expect(withoutOptions(`-s ${'1 '.repeat(long)}x`)).toBe('x');
     expect(withoutOptions(`-s ${'1 '.repeat(long)}-`)).toBe('-');
     expect(withoutOptions(`${'-s '.repeat(long)}`)).toBe('');

@@ -45,6 +45,7 @@ describe('paths', () => {
     const names = (of: string[]): string[] => withoutLeftovers(of.map(file)).map(({ name }) => name);
     expect(names([...left, 'a.obj', 'thumbs.obj', 'a.blend'])).toEqual(['a.obj', 'thumbs.obj', 'a.blend']);
     expect(names(['Thumbs.db'])).toEqual(['Thumbs.db']);
+    expect(['a.glb.txt', 'a.txt', 'a.obj.TXT'].filter(isModel)).toEqual(['a.glb.txt', 'a.obj.TXT']);
     expect(['.hidden.obj', 'notes.txt', 'a.PLY', 'a.mdd', 'a.mtl'].filter(isMeantInFolder)).toEqual([
       'a.PLY',
       'a.mdd',

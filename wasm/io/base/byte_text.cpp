@@ -49,14 +49,18 @@ std::string_view baseName(std::string_view path) {
   return slash == std::string_view::npos ? path : path.substr(slash + 1);
 }
 
+std::string lowerCase(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
 std::string extensionOf(std::string_view path) {
   const std::string_view name = baseName(path);
   const std::size_t dot = name.rfind('.');
   if (dot == std::string_view::npos) return "";
-  std::string extension(name.substr(dot + 1));
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
+  return lowerCase(name.substr(dot + 1));
 }
 
 bool isUtf16(std::span<const std::uint8_t> bytes) {

@@ -14,6 +14,9 @@ std::string sizeText(std::uint64_t bytes);
 /// The part of a path after its last slash.
 std::string_view baseName(std::string_view path);
 
+/// With A to Z in lower case.
+std::string lowerCase(std::string_view text);
+
 /// The lower-case extension without its dot, or "".
 std::string extensionOf(std::string_view path);
 

@@ -2,7 +2,9 @@
 // each key's geometry, so two keys can get different triangles.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "core/base/format.h"
@@ -14,15 +16,11 @@
 #include "io/polygon/corner_coordinates.h"
 #include "io/polygon/polygon_readers.h"
 #include "io/polygon/text_reader.h"
+#include "io/polygon/vertex_colors.h"
 
 namespace shapespline {
 
 namespace {
-
-float linear(double srgb) {
-  const double c = srgb >= 0 ? std::min(srgb, 1.0) : 0;
-  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-}
 
 // A longer list of warnings would not help.
 constexpr std::size_t mostWarnings = 100;
@@ -40,6 +38,13 @@ void warnOfMaterials(const std::string& why, PolygonMesh& mesh) {
     mesh.warnings.push_back({"missing-materials", "Materials are ignored: " + why, 1});
 }
 
+// Paths of another computer, such as C:\\textures\\a.png, are reduced to the name of the file.
+std::string_view nearName(std::string_view name, const std::string& from, const GivenFiles& files,
+                          const std::string& where) {
+  const auto found = resolveUri(name, from, files, where);
+  return !found && found.error().code == ErrorCode::ExternalResource ? baseName(name) : name;
+}
+
 // The materials of an MTL file: colour, opacity and colour texture.
 struct MtlReader {
   std::string from;  // path of the MTL file; image names are relative to it
@@ -49,6 +54,11 @@ struct MtlReader {
   std::map<std::string, int, std::less<>>& materialOf;
   std::map<std::string, int, std::less<>>& imageOf;  // image index by name; -1 if missing
   std::map<const std::uint8_t*, int>& imageAt;       // image index by bytes, because one file may have many names
+  Material* current = nullptr;
+  // Statements of the current material, which may come in any order.
+  std::optional<double> opacity{}, transparency{};
+  bool hasImage = false, hasCommas = false;
+  int unclear = 0;  // materials that state Tr 1 without d
 
   void readImage(std::string_view text, Material& material) {
     std::string_view name = trimmed(text);
@@ -58,15 +68,17 @@ struct MtlReader {
       while (takeNumber(name, number)) {
       }
       name = trimmed(name);
-      if (!name.starts_with("on ") && !name.starts_with("off ")) continue;
-      const bool on = takeWord(name) == "on";
-      if (option == "-clamp" && on) material.wrapS = material.wrapT = Material::Wrap::Clamp;
+      std::string_view rest = name;
+      const std::string value = lowerCase(takeWord(rest));
+      if ((value != "on" && value != "off") || trimmed(rest).empty()) continue;
+      name = rest;
+      if (lowerCase(option) == "-clamp" && value == "on") material.wrapS = material.wrapT = Material::Wrap::Clamp;
       name = trimmed(name);
     }
     const auto [known, isNew] = imageOf.try_emplace(std::string(name), -1);
     material.baseColorImage = known->second;
     if (!isNew) return;
-    const auto found = resolveUri(name, from, files, where);
+    const auto found = resolveUri(nearName(name, from, files, where), from, files, where);
     const bool isFile = found && found->owned.empty();
     if (const auto same = isFile ? imageAt.find(found->bytes.data()) : imageAt.end(); same != imageAt.end()) {
       material.baseColorImage = known->second = same->second;
@@ -87,39 +99,65 @@ struct MtlReader {
     mesh.scene.images.push_back({type, {found->bytes.begin(), found->bytes.end()}});
   }
 
+  void readStatement(const std::string& word, std::string_view text) {
+    double value;
+    if (word == "kd") {
+      hasCommas |= hasDecimalComma(text);
+      for (int c = 0; c < 3 && takeNumber(text, value); ++c) current->baseColor[c] = linearColor(value);
+    } else if (word == "d" || word == "tr") {
+      std::string_view rest = text;
+      if (lowerCase(takeWord(rest)) == "-halo") text = rest;
+      if (takeNumber(text, value) && std::isfinite(value)) (word == "d" ? opacity : transparency) = value;
+    } else if (word == "map_kd") {
+      readImage(text, *current);
+      hasImage = true;
+    }
+  }
+
+  // `d` takes precedence over `Tr`. Some programs write Tr 1 for opaque materials.
+  void finishMaterial() {
+    if (!current) return;
+    const bool isUnclear = !opacity && transparency && *transparency >= 1;
+    unclear += isUnclear;
+    const double alpha = isUnclear ? 1 : opacity.value_or(1 - transparency.value_or(0));
+    auto& color = current->baseColor;
+    if (alpha < 1) current->alphaMode = Material::Alpha::Blend, color[3] = static_cast<float>(std::max(alpha, 0.0));
+    // Programs that show an image instead of the colour write black.
+    if (hasImage && color[0] == 0 && color[1] == 0 && color[2] == 0) color = {1, 1, 1, color[3]};
+    opacity = transparency = {};
+    hasImage = false;
+    current = nullptr;
+  }
+
   void read(std::span<const std::uint8_t> bytes) {
     if (isUtf16(bytes)) return warnOfMaterials(std::string(baseName(from)) + utf16, mesh);
     LineReader lines(bytes);
-    bool hasCommas = false;
-    Material* current = nullptr;
     for (std::string_view line; lines.next(line);) {
-      const std::string_view word = takeWord(line);
-      if (word == "newmtl") {
-        current = nullptr;
-        if (mesh.scene.materials.size() >= mostMaterials) continue;
-        const std::string name = asUtf8(trimmed(line));
-        materialOf[name] = static_cast<int>(mesh.scene.materials.size());
-        current = &mesh.scene.materials.emplace_back();
-        current->name = name;
+      const std::string word = lowerCase(takeWord(line));
+      if (word != "newmtl") {
+        if (current) readStatement(word, line);
         continue;
       }
-      if (!current) continue;
-      double value;
-      if (word == "Kd") {
-        hasCommas |= hasDecimalComma(line);
-        for (int c = 0; c < 3 && takeNumber(line, value); ++c) current->baseColor[c] = linear(value);
-      } else if ((word == "d" || word == "Tr") && takeNumber(line, value)) {
-        const double opacity = word == "d" ? value : 1 - value;
-        if (opacity < 1)
-          current->alphaMode = Material::Alpha::Blend,
-          current->baseColor[3] = static_cast<float>(std::max(opacity, 0.0));
-      } else if (word == "map_Kd") {
-        readImage(line, *current);
-      }
+      finishMaterial();
+      if (mesh.scene.materials.size() >= mostMaterials) continue;
+      const std::string name = asUtf8(trimmed(line));
+      materialOf[name] = static_cast<int>(mesh.scene.materials.size());
+      current = &mesh.scene.materials.emplace_back();
+      current->name = name;
     }
+    finishMaterial();
     if (hasCommas) warnOfMaterials(decimalComma(std::string(baseName(from))).message, mesh);
+    if (unclear > 0)
+      mesh.warnings.push_back({"unclear-opacity",
+                               std::string(baseName(from)) +
+                                   ": Tr 1 without d is read as opaque, because some programs mean that. For an "
+                                   "invisible material, write d 0.",
+                               unclear});
   }
 };
+
+// Colour of a vertex without one: white.
+const Vec3 noColor = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
 // Material name for polygons without one.
 constexpr const char* unnamed = "default";
@@ -145,6 +183,7 @@ struct ObjReader {
   std::set<std::string, std::less<>> libraries;  // names of libraries already read
   std::set<const std::uint8_t*> librariesAt;
   std::vector<NamedRun> objects{}, groups{};
+  std::vector<Vec3> paint{};  // colours of ZBrush, one per vertex
   std::int64_t line = 0;
   int leftOut = 0;
 
@@ -163,7 +202,7 @@ struct ObjReader {
                    where + " has more than " + grouped(mostElements) + " vertices. Simplify the mesh first."};
     mesh.positions.emplace_back(value);
     if (count == 6) {
-      colors.resize(mesh.positions.size() - 1, Vec3::Ones());
+      colors.resize(mesh.positions.size() - 1, noColor);
       colors.emplace_back(value + 3);
     }
     return {};
@@ -291,7 +330,6 @@ struct ObjReader {
 
   // `vertexOf` is -1 for removed vertices.
   void keepVertices(std::vector<int>& vertexOf) {
-    if (!colors.empty()) colors.resize(mesh.positions.size(), Vec3::Ones());
     int count = 0;
     for (std::size_t v = 0; v < vertexOf.size(); ++v) {
       if (vertexOf[v] < 0) continue;
@@ -304,7 +342,11 @@ struct ObjReader {
     for (int& corner : mesh.corners) corner = vertexOf[corner];
   }
 
-  bool isFile(std::string_view name) const { return bool(resolveUri(name, file.name, files, where)); }
+  Result<Resource> find(std::string_view name) const {
+    return resolveUri(nearName(name, file.name, files, where), file.name, files, where);
+  }
+
+  bool isFile(std::string_view name) const { return bool(find(name)); }
 
   // In "./a.mtl ./b.mtl", isFile alone would accept the whole text because of the last name, b.mtl.
   bool beginsWithLibrary(std::string_view text) const {
@@ -331,11 +373,11 @@ struct ObjReader {
 
   void readLibrary(std::string_view name) {
     if (libraries.size() >= mostLibraries || !libraries.emplace(name).second) return;
-    const auto found = resolveUri(name, file.name, files, where);
+    const auto found = find(name);
     const std::string folder = file.name.substr(0, file.name.size() - baseName(file.name).size());
     if (found && !librariesAt.insert(found->bytes.data()).second) return;
-    if (found)
-      return MtlReader{folder + std::string(name), files, where, mesh, materialOf, imageOf, imageAt}.read(found->bytes);
+    const std::string from = folder + std::string(nearName(name, file.name, files, where));
+    if (found) return MtlReader{from, files, where, mesh, materialOf, imageOf, imageAt}.read(found->bytes);
     warnOfMaterials(found.error().message, mesh);
   }
 
@@ -347,12 +389,23 @@ struct ObjReader {
       mesh.offset = offset;
   }
 
+  // Reads the colours that ZBrush writes: 8 hexadecimal digits per vertex for mask, red, green and blue.
+  void readPaint(std::string_view text) {
+    for (text = trimmed(text); text.size() >= 8 && paint.size() < mostElements; text.remove_prefix(8)) {
+      std::uint32_t number = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + 8, number, 16);
+      if (error != std::errc() || end != text.data() + 8) return;
+      paint.emplace_back(number >> 16 & 255, number >> 8 & 255, number & 255);
+    }
+  }
+
   Status readLine(std::string_view text) {
-    const std::string_view word = takeWord(text);
+    const std::string word = lowerCase(takeWord(text));
     double value;
     if (word == "v") return readVertex(text);
     if (word == "f") return readFace(text);
     if (word == "#") readComment(text);
+    if (word == "#mrgb") readPaint(text);
     if (word == "vt") {
       Coordinate coordinate{};
       for (int c = 0; c < 2 && takeNumber(text, value); ++c) coordinate[c] = static_cast<float>(value);
@@ -392,7 +445,7 @@ struct ObjReader {
       if (!read) return read;
       joined.clear();
     }
-    return {};
+    return readLine(joined);  // the last line may end with a backslash
   }
 
   // A vertex's normal is the mean of its corners' normals. Requires a normal at every corner.
@@ -426,13 +479,20 @@ struct ObjReader {
 
   void keepColors() {
     if (colors.empty()) return;
-    colors.resize(mesh.positions.size(), Vec3::Ones());
+    const bool isPaint = !paint.empty();
+    std::vector<float> numbers;
     for (const Vec3& color : colors)
-      for (int c = 0; c < 4; ++c) mesh.scene.colors.push_back(c < 3 ? linear(color[c]) : 1);
+      for (int c = 0; c < 4; ++c) numbers.push_back(c < 3 ? static_cast<float>(color[c]) : 1);
+    setColors(mesh, std::move(numbers), isPaint ? ColorType::Byte : ColorType::Any, ColorType::Any);
   }
 
   void finishGroups() {
     auto& groups = mesh.scene.groups;
+    for (MaterialGroup& group : groups) {  // a library may come after its use
+      if (group.name.empty()) continue;
+      if (const auto it = materialOf.find(group.name); it != materialOf.end())
+        group.material = it->second, group.name.clear();
+    }
     if (groups.empty() || groups[0].start > 0) groups.insert(groups.begin(), {0, 0, -1});
     for (std::size_t g = 0; g < groups.size(); ++g)
       groups[g].count = (g + 1 < groups.size() ? groups[g + 1].start : mesh.polygonCount()) - groups[g].start;
@@ -441,6 +501,9 @@ struct ObjReader {
   Result<PolygonMesh> read() {
     if (Status lines = readLines(); !lines) return lines.error();
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
+    if (!colors.empty()) paint.clear();
+    else colors = paint;
+    if (!colors.empty()) colors.resize(mesh.positions.size(), noColor);
     if (Status taken = takeObjects(); !taken) return taken.error();
     reportFraction(onProgress, 0.92);
     keepNormals();
@@ -470,10 +533,9 @@ Status checkPolygons(const PolygonMesh& mesh, const std::string& where) {
 }
 
 Error decimalComma(const std::string& place) {
-  return {
-      ErrorCode::MalformedFile,
-      place +
-          ": a number has a decimal comma. Export the file with decimal points, or replace the commas with points."};
+  return {ErrorCode::MalformedFile, place +
+                                        ": a number has a decimal comma or is followed by a comma. Export the file "
+                                        "with decimal points, and with spaces between the numbers."};
 }
 
 void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {

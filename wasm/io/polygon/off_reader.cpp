@@ -1,10 +1,12 @@
 // Object File Format (Geomview).
 #include <algorithm>
+#include <limits>
 
 #include "core/base/format.h"
 #include "io/base/limits.h"
 #include "io/polygon/polygon_readers.h"
 #include "io/polygon/text_reader.h"
+#include "io/polygon/vertex_colors.h"
 
 namespace shapespline {
 
@@ -16,8 +18,9 @@ struct OffReader {
   const std::string& where;
   const FractionReport& onProgress;
   PolygonMesh mesh;
-  bool hasNormals = false;
+  bool hasNormals = false, hasCoordinates = false, hasFaceColors = false;
   int leftOut = 0;
+  std::vector<float> colors{};  // as in the file, 4 per vertex
 
   Error malformed(const std::string& what) const {
     return {ErrorCode::MalformedFile,
@@ -51,7 +54,9 @@ struct OffReader {
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
       return Error{ErrorCode::Unsupported,
                    where + " has points with more than three dimensions, which are not supported. Export it in 3D."};
-    hasNormals = keyword.substr(0, keyword.size() - 3).find('N') != std::string_view::npos;
+    const std::string_view kinds = keyword.substr(0, keyword.size() - 3);
+    hasNormals = kinds.find('N') != std::string_view::npos;
+    hasCoordinates = kinds.starts_with("ST");
     std::string_view rest = line;
     if (takeWord(rest) == "BINARY")
       return Error{ErrorCode::Unsupported,
@@ -79,7 +84,19 @@ struct OffReader {
                                      : malformed("a vertex needs " + std::to_string(wanted) + " numbers");
     mesh.positions.emplace_back(value);
     if (hasNormals) mesh.normals.push_back(Vec3(value + 3).normalized());
+    readColor(line);
     return {};
+  }
+
+  // Reads 3 or 4 numbers. Some programs write them without the keyword COFF.
+  void readColor(std::string_view line) {
+    double value[6];
+    int count = 0;
+    while (count < 6 && takeNumber(line, value[count])) ++count;
+    if (hasCoordinates) count -= 2;  // at the end of the line
+    if (count < 3) return;
+    colors.resize(4 * mesh.positions.size(), std::numeric_limits<float>::quiet_NaN());
+    for (int c = 0; c < std::min(count, 4); ++c) colors[colors.size() - 4 + c] = static_cast<float>(value[c]);
   }
 
   Status readFace(std::string_view line) {
@@ -102,6 +119,9 @@ struct OffReader {
     }
     if (corners >= 3) mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
     else mesh.corners.resize(start), ++leftOut;
+    int further = 0;
+    while (further < 3 && takeNumber(line, number)) ++further;
+    hasFaceColors |= further == 3;
     return {};
   }
 
@@ -122,6 +142,8 @@ struct OffReader {
     if (Status polygons = checkPolygons(mesh, where); !polygons) return polygons.error();
     mesh.scene.groups = {{0, mesh.polygonCount(), -1}};
     warnOfLeftOut(mesh, leftOut, where);
+    if (!colors.empty()) setColors(mesh, std::move(colors), ColorType::Any, ColorType::Any);
+    if (hasFaceColors) warnOfFaceColors(mesh, where);
     return std::move(mesh);
   }
 };

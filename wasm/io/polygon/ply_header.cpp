@@ -87,7 +87,8 @@ struct HeaderReader {
   Result<PlyHeader> read() {
     bool hasFormat = false;
     std::string_view line;
-    lines.next(line);  // skips "ply", checked before
+    while (lines.next(line) && takeWord(line).empty()) {  // skips up to "ply", checked before
+    }
     while (lines.next(line)) {
       const std::string_view word = takeWord(line);
       Status status;

@@ -2,7 +2,6 @@
 // header declares.
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 #include "core/base/format.h"
@@ -10,6 +9,7 @@
 #include "io/base/limits.h"
 #include "io/polygon/ply_header.h"
 #include "io/polygon/polygon_readers.h"
+#include "io/polygon/vertex_colors.h"
 
 namespace shapespline {
 
@@ -81,13 +81,39 @@ class ValueReader {
 enum Slot { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, slotCount };
 
 int slotOf(const std::string& name) {
-  static constexpr std::pair<std::string_view, Slot> propertyNames[] = {
-      {"x", X},     {"y", Y},         {"z", Z},       {"nx", NormalX}, {"ny", NormalY},  {"nz", NormalZ},
-      {"u", U},     {"v", V},         {"s", U},       {"t", V},        {"texture_u", U}, {"texture_v", V},
-      {"red", Red}, {"green", Green}, {"blue", Blue}, {"alpha", Alpha}};
+  static constexpr std::pair<std::string_view, Slot> propertyNames[] = {{"x", X},
+                                                                        {"y", Y},
+                                                                        {"z", Z},
+                                                                        {"nx", NormalX},
+                                                                        {"ny", NormalY},
+                                                                        {"nz", NormalZ},
+                                                                        {"u", U},
+                                                                        {"v", V},
+                                                                        {"s", U},
+                                                                        {"t", V},
+                                                                        {"texture_u", U},
+                                                                        {"texture_v", V},
+                                                                        {"red", Red},
+                                                                        {"green", Green},
+                                                                        {"blue", Blue},
+                                                                        {"alpha", Alpha},
+                                                                        {"r", Red},
+                                                                        {"g", Green},
+                                                                        {"b", Blue},
+                                                                        {"a", Alpha},
+                                                                        {"diffuse_red", Red},
+                                                                        {"diffuse_green", Green},
+                                                                        {"diffuse_blue", Blue},
+                                                                        {"diffuse_alpha", Alpha}};
+  const std::string lower = lowerCase(name);
   for (const auto& [text, slot] : propertyNames)
-    if (text == name) return slot;
+    if (text == lower) return slot;
   return -1;
+}
+
+ColorType colorTypeOf(PlyType type) {
+  if (type == PlyType::Int8 || type == PlyType::UInt8) return ColorType::Byte;
+  return type == PlyType::Float32 || type == PlyType::Float64 ? ColorType::Any : ColorType::Integer;
 }
 
 struct PlyReader {
@@ -97,6 +123,7 @@ struct PlyReader {
   PolygonMesh mesh;
   std::size_t size = values.left();  // measured before reading
   int leftOut = 0;
+  std::vector<float> colors{};  // as in the file, 4 per vertex
 
   Error cutOff(const PlyElement& element, std::int64_t have) const {
     if (values.stoppedAtComma()) return decimalComma(where);
@@ -141,17 +168,6 @@ struct PlyReader {
     return true;
   }
 
-  // Integer colours range up to the largest value of their type and are sRGB by convention.
-  static double colorOf(const PlyProperty& p, double value) {
-    if (p.type == PlyType::UInt8) return value / 255;
-    return p.type == PlyType::UInt16 ? value / 65535 : value;
-  }
-
-  static float linear(double srgb) {
-    const double c = srgb >= 0 ? std::min(srgb, 1.0) : 0;
-    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-  }
-
   void addVertex(const double* slot, const bool* has) {
     mesh.positions.emplace_back(slot + X);
     if (has[NormalX] && has[NormalY] && has[NormalZ]) mesh.normals.push_back(Vec3(slot + NormalX).normalized());
@@ -161,8 +177,7 @@ struct PlyReader {
       mesh.scene.uvs.push_back(finite(1 - slot[V]));  // PLY counts v from below
     }
     if (!has[Red] || !has[Green] || !has[Blue]) return;
-    for (int c = Red; c <= Blue; ++c) mesh.scene.colors.push_back(linear(slot[c]));
-    mesh.scene.colors.push_back(has[Alpha] ? static_cast<float>(slot[Alpha] >= 0 ? std::min(slot[Alpha], 1.0) : 0) : 1);
+    for (int c = Red; c <= Alpha; ++c) colors.push_back(c < Alpha || has[Alpha] ? static_cast<float>(slot[c]) : 1);
   }
 
   Status readVertices(const PlyElement& element) {
@@ -170,9 +185,12 @@ struct PlyReader {
       return Error{ErrorCode::MalformedFile, where + " declares its vertices twice. Export the file again."};
     bool has[slotCount] = {};
     std::vector<int> slots;
+    ColorType rgb = ColorType::Any, opacity = ColorType::Any;
     for (const PlyProperty& p : element.properties) {
       slots.push_back(p.isList ? -1 : slotOf(p.name));
       if (slots.back() >= 0) has[slots.back()] = true;
+      if (slots.back() == Red) rgb = colorTypeOf(p.type);
+      if (slots.back() == Alpha) opacity = colorTypeOf(p.type);
     }
     if (!has[X] || !has[Y] || !has[Z])
       return Error{ErrorCode::MalformedFile,
@@ -187,12 +205,13 @@ struct PlyReader {
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& p = element.properties[k];
         const bool read = readProperty(p, [&](double value) {
-          if (slots[k] >= 0) slot[slots[k]] = slots[k] >= Red ? colorOf(p, value) : value;
+          if (slots[k] >= 0) slot[slots[k]] = value;
         });
         if (!read) return cutOff(element, i);
       }
       addVertex(slot, has);
     }
+    if (!colors.empty()) setColors(mesh, std::move(colors), rgb, opacity);
     return {};
   }
 
@@ -208,6 +227,8 @@ struct PlyReader {
   static bool isCorners(const PlyProperty& p) {
     return p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
   }
+
+  static bool isFaceColor(const PlyProperty& p) { return !p.isList && slotOf(p.name) == Red; }
 
   static int vertexOf(double value) { return value >= 0 && value < 0x7fffffff ? static_cast<int>(value) : -1; }
 
@@ -299,6 +320,9 @@ struct PlyReader {
     mesh.scene.groups = {{0, mesh.polygonCount(), -1}};
     mesh.writtenZUp = header.byBlender;
     warnOfLeftOut(mesh, leftOut, where);
+    for (const PlyElement& element : header.elements)
+      if (element.name == "face" && std::any_of(element.properties.begin(), element.properties.end(), isFaceColor))
+        warnOfFaceColors(mesh, where);
     return std::move(mesh);
   }
 };

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace shapespline {
 
 namespace {
 
-// Larger polygons are cut into fans, because finding ears takes cubic time.
-constexpr int mostEarCorners = 32;
+// Limit for the search of ears, which takes quadratic time. Larger polygons are cut into fans.
+constexpr int mostEarCorners = 512;
+// From this size on, convex polygons are cut into fans.
+constexpr int manyCorners = 33;
 
 struct Polygon {
   const PolygonMesh& mesh;
@@ -39,31 +42,68 @@ void cutQuad(const Polygon& p, PolygonCuts& cuts) {
   else cuts.insert(cuts.end(), {{0, 1, 2}, {0, 2, 3}});
 }
 
-bool isEar(const Polygon& p, const std::vector<int>& ring, int a, int b, int c) {
-  if (!(p.area(a, b, c) > 0)) return false;
-  return std::none_of(ring.begin(), ring.end(), [&](int q) {
-    return q != a && q != b && q != c && p.area(a, b, q) >= 0 && p.area(b, c, q) >= 0 && p.area(c, a, q) >= 0;
-  });
-}
+// The corners that are not cut yet, in cyclic order.
+struct Ring {
+  const Polygon& polygon;
+  std::vector<int> corners;
+
+  int size() const { return static_cast<int>(corners.size()); }
+  int at(int i) const { return corners[(i + size()) % size()]; }
+  const Vec3& point(int i) const { return polygon.point(at(i)); }
+  double area(int i) const { return polygon.area(at(i - 1), at(i), at(i + 1)); }
+
+  // Whether corner q prevents cutting the ear at corner i. A hole is joined to the outline by a bridge, so several
+  // corners may be at one point. At the ear's tip, such a corner's sides may enter the ear.
+  bool blocks(int q, int i) const {
+    const int a = at(i - 1), b = at(i), c = at(i + 1);
+    if (!(polygon.area(c, a, at(q)) >= 0)) return false;
+    const Vec3& p = point(q);
+    if (p == point(i - 1) || p == point(i + 1)) return false;
+    const auto enters = [&](int corner) { return polygon.area(a, b, corner) > 0 && polygon.area(b, c, corner) > 0; };
+    if (p == point(i)) return enters(at(q - 1)) || enters(at(q + 1));
+    return polygon.area(a, b, at(q)) >= 0 && polygon.area(b, c, at(q)) >= 0;
+  }
+
+  bool isEar(int i) const {
+    if (!(area(i) > 0)) return false;
+    for (int q = i + 2; q < i - 1 + size(); ++q)
+      if (blocks(q, i)) return false;
+    return true;
+  }
+};
 
 // Repeatedly cuts the ear with the shortest diagonal.
 void cutEars(const Polygon& p, PolygonCuts& cuts) {
-  std::vector<int> ring(p.size);
-  std::iota(ring.begin(), ring.end(), 0);
+  Ring ring{p, std::vector<int>(p.size)};
+  std::iota(ring.corners.begin(), ring.corners.end(), 0);
+  std::vector<char> isEar(p.size);
+  for (int i = 0; i < p.size; ++i) isEar[i] = ring.isEar(i);
   while (ring.size() > 3) {
-    const int n = static_cast<int>(ring.size());
     int best = -1;
     double shortest = 0;
-    for (int i = 0; i < n; ++i) {
-      const int a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
-      const double length = p.diagonal(a, c);
-      if ((best < 0 || length < shortest) && isEar(p, ring, a, b, c)) best = i, shortest = length;
+    for (int i = 0; i < ring.size(); ++i) {
+      if (!isEar[i]) continue;
+      const double length = p.diagonal(ring.at(i - 1), ring.at(i + 1));
+      if (best < 0 || length < shortest) best = i, shortest = length;
     }
-    if (best < 0) best = 1;  // for self-intersecting or flat polygons, any cut works if all keys share it
-    cuts.push_back({ring[(best + n - 1) % n], ring[best], ring[(best + 1) % n]});
-    ring.erase(ring.begin() + best);
+    // For self-intersecting or flat polygons, any cut works if all keys share it. The flattest one covers least.
+    if (best < 0) {
+      best = 1;
+      for (int i = 0; i < ring.size(); ++i)
+        if (std::abs(ring.area(i)) < std::abs(ring.area(best))) best = i;
+    }
+    cuts.push_back({ring.at(best - 1), ring.at(best), ring.at(best + 1)});
+    ring.corners.erase(ring.corners.begin() + best);
+    isEar.erase(isEar.begin() + best);
+    for (int i : {best - 1, best}) isEar[(i + ring.size()) % ring.size()] = ring.isEar(i);
   }
-  cuts.push_back({ring[0], ring[1], ring[2]});
+  cuts.push_back({ring.at(0), ring.at(1), ring.at(2)});
+}
+
+bool isConvex(const Polygon& p) {
+  for (int c = 0; c < p.size; ++c)
+    if (!(p.area(c, (c + 1) % p.size, (c + 2) % p.size) > 0)) return false;
+  return true;
 }
 
 void cutFan(int size, PolygonCuts& cuts) {
@@ -115,6 +155,13 @@ int trianglesBefore(const PolygonMesh& mesh, int polygon) { return mesh.firstCor
 
 }  // namespace
 
+void placeUnused(PolygonMesh& mesh) {
+  std::vector<char> isUsed(mesh.positions.size(), 0);
+  for (int corner : mesh.corners) isUsed[corner] = 1;
+  for (std::size_t v = 0; v < isUsed.size(); ++v)
+    if (!isUsed[v] && !mesh.positions[v].allFinite()) mesh.positions[v] = mesh.positions[mesh.corners[0]];
+}
+
 PolygonCuts cutPolygons(const PolygonMesh& mesh) {
   PolygonCuts cuts;
   cuts.reserve(mesh.corners.size() - 2 * mesh.ends.size());
@@ -122,7 +169,8 @@ PolygonCuts cutPolygons(const PolygonMesh& mesh) {
     const int size = mesh.ends[i] - mesh.firstCorner(i);
     if (size == 3) cuts.push_back({0, 1, 2});
     else if (size == 4) cutQuad(Polygon(mesh, i), cuts);
-    else if (size <= mostEarCorners) cutEars(Polygon(mesh, i), cuts);
+    else if (size <= mostEarCorners && !(size >= manyCorners && isConvex(Polygon(mesh, i))))
+      cutEars(Polygon(mesh, i), cuts);
     else cutFan(size, cuts);
   }
   return cuts;
@@ -142,8 +190,12 @@ PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>
     for (int t = 0; t < size - 2; ++t) {
       const Triangle& triangle = triangles[cuts.size()];
       Triangle cut;
-      for (int c = 0; c < 3; ++c) cut[c] = static_cast<int>(std::find(first, last, triangle[c]) - first);
-      if (std::max({cut[0], cut[1], cut[2]}) == size) return cutPolygons(mesh);
+      // Searches from the end, because `fits` looks for the last corner, and corners may share a vertex.
+      for (int c = 0; c < 3; ++c)
+        cut[c] = static_cast<int>(
+                     std::find(std::reverse_iterator(last), std::reverse_iterator(first), triangle[c]).base() - first) -
+                 1;
+      if (std::min({cut[0], cut[1], cut[2]}) < 0) return cutPolygons(mesh);
       cuts.push_back(cut);
     }
   }

@@ -28,6 +28,9 @@ struct PolygonMesh {
   int firstCorner(int polygon) const { return polygon == 0 ? 0 : ends[polygon - 1]; }
 };
 
+/// Moves vertices without faces to a used vertex if they are not finite. They have no effect on the shape.
+void placeUnused(PolygonMesh& mesh);
+
 /// The triangles of every polygon in sequence, as corner numbers within the polygon.
 using PolygonCuts = std::vector<Triangle>;
 

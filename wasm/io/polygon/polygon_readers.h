@@ -29,7 +29,7 @@ Result<PolygonMesh> readOff(const NamedBytes& file, const std::string& where, co
 /// Checks that every corner refers to a vertex and that a face exists. Every reader ends with this check.
 Status checkPolygons(const PolygonMesh& mesh, const std::string& where);
 
-/// Error for a number with a decimal comma. `place`: the file, and the line if known.
+/// Error for a number with a comma. `place`: the file, and the line if known.
 Error decimalComma(const std::string& place);
 
 /// Warns if faces with fewer than three corners were omitted.

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string>
 
 namespace shapespline {
@@ -19,6 +20,10 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool slowNumber(std::string_view word, double& value) {
   char buffer[128];
   if (word.empty() || word.size() >= sizeof buffer) return false;
+  if (word.find(".#") != std::string_view::npos) {  // 1.#QNAN and -1.#IND, as older Windows programs write NaN
+    value = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
   std::memcpy(buffer, word.data(), word.size());
   buffer[word.size()] = 0;
   char* end = nullptr;
@@ -89,13 +94,10 @@ bool takeNumber(std::string_view& text, double& value) {
 }
 
 bool hasDecimalComma(std::string_view text) {
-  const std::string_view word = takeWord(text);
-  const std::size_t comma = word.find(',');
-  if (comma == std::string_view::npos || comma + 1 == word.size() || word.size() > 64) return false;
-  std::string pointed(word);
-  pointed[comma] = '.';
+  std::string word(takeWord(text).substr(0, 64));
+  if (std::erase(word, ',') == 0) return false;
   double value;
-  return parseNumber(pointed, value);
+  return word.empty() || parseNumber(word, value);
 }
 
 bool takeInteger(std::string_view& text, std::int64_t& value) {

@@ -44,7 +44,7 @@ bool takeNumber(std::string_view& text, double& value);
 /// Reads a whole number at the very front of `text`, up to the first non-digit.
 bool takeInteger(std::string_view& text, std::int64_t& value);
 
-/// Whether the next word is a number with a decimal comma.
+/// Whether the next word is a number with commas, or a comma.
 bool hasDecimalComma(std::string_view text);
 
 /// Parses a word that must be one number.

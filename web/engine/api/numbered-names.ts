@@ -8,28 +8,46 @@ export interface NumberedSequence {
   names: string[];
 }
 
+/** A number in a name. */
 interface Numbered {
-  name: string;
   /** Index among the names. */
   place: number;
   /** Part before the number and its sign. */
   start: string;
-  extension: string;
+  /** Part after the number, with the extension in lower case. */
+  end: string;
   number: number;
 }
 
 const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
 
-const NUMBER_AT_END = /^(.*?)(\d+)\.[^./\\]*$/s;
-const FRACTION_AT_END = /^(.*?)(\d+\.\d+)\.[^./\\]*$/s;
 const MOST = 1e9;
+/** Most numbers of a name that are compared, from the end. */
+const MOST_NUMBERS = 8;
 
-const sequenceOf = ({ start, extension }: Pick<Numbered, 'start' | 'extension'>): string => `${start}\0${extension}`;
+const sequenceOf = ({ start, end }: Pick<Numbered, 'start' | 'end'>): string => `${start}\0${end}`;
 
-function numberAt(pattern: RegExp, name: string, place: number): Numbered | null {
-  const [, start = '', digits = ''] = pattern.exec(name) ?? [];
-  const number = Number(digits);
-  return digits === '' || number > MOST ? null : { name, place, start, extension: extensionOf(name), number };
+/** Reads the numbers of a name from the end: numbers that could be the frame, and fractional frames. */
+function numbersIn(name: string, place: number): { whole: Numbered[]; fractions: Numbered[] } {
+  const folder = name.length - fileName(name).length;
+  const dot = name.lastIndexOf('.');
+  const stem = dot >= folder ? name.slice(0, dot) : name;
+  const digits = [...stem.slice(folder).matchAll(/\d+/g)]
+    .map(({ 0: text, index }) => ({ from: folder + index, to: folder + index + text.length }))
+    .reverse()
+    .slice(0, MOST_NUMBERS);
+  const numberAt = (from: number, to: number): Numbered[] => {
+    const number = Number(stem.slice(from, to));
+    const end = `${stem.slice(to)}.${extensionOf(name)}`;
+    return number > MOST ? [] : [{ place, start: name.slice(0, from), end, number }];
+  };
+  return {
+    whole: digits.flatMap(({ from, to }) => numberAt(from, to)),
+    fractions: digits.flatMap(({ from, to }, index) => {
+      const before = digits[index + 1];
+      return before?.to === from - 1 && name[from - 1] === '.' ? numberAt(before.from, to) : [];
+    }),
+  };
 }
 
 /**
@@ -44,16 +62,24 @@ function withSign(file: Numbered, unsigned: ReadonlySet<string>): Numbered {
   return isSign ? { ...file, start, number: sign === '-' ? -file.number : file.number } : file;
 }
 
-/** Fractional frames: between sim.1 and sim.2, sim.1.25 is frame 1.25, not frame 25 of a sequence sim.1. */
+/**
+ * The frame of each name: the number in which most names differ, or the last one. Fractional frames: between sim.1 and
+ * sim.2, sim.1.25 is frame 1.25, not frame 25 of a sequence sim.1.
+ */
 function numbered(names: readonly string[]): Numbered[] {
-  const files = names.flatMap((name, place) => numberAt(NUMBER_AT_END, name, place) ?? []);
-  const unsigned = new Set(files.map(sequenceOf));
-  const whole = files.map((file) => withSign(file, unsigned));
-  const known = new Set(whole.map(sequenceOf));
-  return whole.map((file) => {
-    const read = numberAt(FRACTION_AT_END, file.name, file.place);
-    const fraction = read && withSign(read, unsigned);
-    return fraction && known.has(sequenceOf(fraction)) ? fraction : file;
+  const read = names.map(numbersIn);
+  const unsigned = new Set(read.flatMap(({ whole }) => whole.map(sequenceOf)));
+  const signed = read.map(({ whole, fractions }) => ({
+    whole: whole.map((one) => withSign(one, unsigned)),
+    fractions: fractions.map((one) => withSign(one, unsigned)),
+  }));
+  const counts = new Map<string, number>();
+  const countOf = (one: Numbered): number => counts.get(sequenceOf(one)) ?? 0;
+  for (const one of signed.flatMap(({ whole }) => whole)) counts.set(sequenceOf(one), countOf(one) + 1);
+  return signed.flatMap(({ whole, fractions }) => {
+    const fraction = fractions.find((one) => countOf(one) > 0);
+    const most = Math.max(...whole.map(countOf));
+    return fraction ?? whole.find((one) => countOf(one) === most) ?? [];
   });
 }
 
@@ -81,9 +107,10 @@ export function inNaturalOrder<T extends { name: string }>(files: readonly T[]):
 
 /** Numbered sequences of at least two models each, in natural order. */
 export function sequencesIn(names: readonly string[]): NumberedSequence[] {
-  return grouped(names.filter(isModel))
+  const models = names.filter(isModel);
+  return grouped(models)
     .filter((group) => group.length > 1)
-    .map((group) => ({ names: group.map(({ name }) => name) }));
+    .map((group) => ({ names: group.map(({ place }) => models[place]!) }));
 }
 
 /** Text for a sequence: run_0001.obj to run_0003.obj. */

@@ -38,11 +38,14 @@ export function withoutLeftovers<T extends { name: string }>(files: readonly T[]
   return meant.length > 0 ? meant : [...files];
 }
 
-export const isModel = (path: string): boolean => MODELS.includes(extensionOf(path)) && !isLeftover(path);
+/** The extension without a .txt after it, which some programs append: walk.glb.txt. */
+const innerExtension = (path: string): string => extensionOf(path.replace(/\.txt$/i, ''));
+
+export const isModel = (path: string): boolean => MODELS.includes(innerExtension(path)) && !isLeftover(path);
 
 /** Whether a file of a given folder belongs to the input: a model, its motion, or a companion. Hidden files do not. */
 export const isMeantInFolder = (path: string): boolean =>
-  !fileName(path).startsWith('.') && !isLeftover(path) && MEANT.includes(extensionOf(path));
+  !fileName(path).startsWith('.') && !isLeftover(path) && MEANT.includes(innerExtension(path));
 
 /**
  * The files with composed names (NFC). macOS decomposes accents, and models refer to companions in either form, so

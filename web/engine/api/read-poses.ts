@@ -1,7 +1,7 @@
 /** Poses of the keys' mesh from separate files: end tangents, added keys. */
 import type { Engine, Keys } from './api.ts';
 import { EngineError, vertexCountMismatch } from './errors.ts';
-import { fileName, isModel } from './paths.ts';
+import { COMPANIONS, extensionOf, fileName, isModel } from './paths.ts';
 import type { ImportOptions, InputFile, KeysInfo } from './types.ts';
 
 export interface Pose {
@@ -63,7 +63,10 @@ async function importAny(
     const poses = await engine.importKeyframes(files, options);
     return { poses, count: poses.info.times.length };
   } catch (error) {
-    const [single, ...others] = files.filter(({ name }) => isModel(name));
+    // A model's name may have no extension, or another one.
+    const models = files.filter(({ name }) => isModel(name));
+    const unnamed = files.filter(({ name }) => !COMPANIONS.includes(extensionOf(name)));
+    const [single, ...others] = models.length > 0 ? models : unnamed;
     const tooFew = error instanceof EngineError && error.code === 'too-few-keys';
     if (!tooFew || !single || others.length > 0) throw error;
     return { poses: await engine.importKeyframes([...files, { ...single }], options), count: 1 };
