@@ -9,7 +9,8 @@ import { draco } from './support/compress.ts';
 import { testEngine } from './support/engines.ts';
 import { glbParts, gltfInside, poseFiles } from './support/glb.ts';
 import { bar, largestDistance } from './support/shapes.ts';
-import { threePoser } from './support/three-poser.ts';
+import type { Mesh, MeshStandardMaterial } from 'three';
+import { threePoser, threeScene } from './support/three-poser.ts';
 
 const engine = testEngine();
 const corpus = path.resolve(import.meta.dirname, '../fuzz/corpus/gltf');
@@ -107,6 +108,64 @@ describe('animations', () => {
     const poses = await readPoses(engine, [one], keys);
     const poser = await threePoser(one.bytes, 0);
     expect(poses.map(({ positions }) => largestDistance(positions, poser.positionsAt(0)) < 1e-5)).toEqual([true]);
+  });
+});
+
+describe('animations of several objects', () => {
+  it('play together, as three.js plays both, unless one of them is chosen', async () => {
+    const file = field('actions.glb');
+    for (const [animation, played] of [[undefined, [0, 1]], ['all', [0, 1]], [0, [0]], ['BallAction', [1]]] as const) {
+      const keys = await engine.importKeyframes([file], { sample: 3, ...(animation === undefined ? {} : { animation }) });
+      const poser = await threePoser(file.bytes, ...played);
+      for (const [key, t] of keys.info.times.entries())
+        expect(largestDistance(keys.positions(key), poser.positionsAt(t))).toBeLessThan(1e-5);
+    }
+    const { stdout } = await runCli(await folderOf([file]), 'inspect', file.name);
+    expect(JSON.parse(stdout)).toMatchObject({
+      animation: 'ArmAction + BallAction',
+      together: ['ArmAction', 'BallAction'],
+      warnings: [],
+    });
+  });
+
+  it('are read although an animation that is not used is broken', async () => {
+    const file = field('camera-times.glb');
+    const keys = await engine.importKeyframes([file]);
+    const poser = await threePoser(file.bytes, 0);
+    expect(keys.info.warnings).toEqual([]);
+    for (const [key, t] of keys.info.times.entries())
+      expect(largestDistance(keys.positions(key), poser.positionsAt(t))).toBeLessThan(1e-5);
+  });
+
+  it('without a mesh move the bones of the file with the mesh, as three.js applies them by name', async () => {
+    const [character, walk] = [field('character.glb'), field('walk-only.glb')];
+    const keys = await engine.importKeyframes([character, walk], { sample: 3 });
+    const { animations } = await threeScene(walk.bytes);
+    const poser = await threePoser(character.bytes, ...animations);
+    for (const [key, t] of keys.info.times.entries())
+      expect(largestDistance(keys.positions(key), poser.positionsAt(t))).toBeLessThan(1e-5);
+  });
+});
+
+describe('files of other programs', () => {
+  it('with KHR_meshopt_compression are read as three.js reads them', async () => {
+    const file = field('khr-meshopt.glb');
+    const keys = await engine.importKeyframes([file]);
+    const poser = await threePoser(file.bytes, 0);
+    for (const [key, t] of keys.info.times.entries())
+      expect(largestDistance(keys.positions(key), poser.positionsAt(t))).toBeLessThan(1e-5);
+  });
+
+  it('with materials of specular colour and glossiness keep their colour in exports', async () => {
+    const files = [field('specgloss-a.glb'), field('specgloss-b.glb')];
+    const folder = await folderOf(files);
+    await runCli(folder, 'complete', ...files.map(({ name }) => name), '--output', 'm.glb');
+    const { scene } = await threeScene(readFileSync(path.join(folder, 'm.glb')));
+    const { color, metalness, roughness } = (scene.getObjectByProperty('isMesh', true) as Mesh)
+      .material as MeshStandardMaterial;
+    expect([...color.toArray(), metalness, roughness].map((value) => Number(value.toFixed(3)))).toEqual([
+      0.1, 0.3, 0.8, 0, 0.8,
+    ]);
   });
 });
 

@@ -340,6 +340,26 @@ TEST_CASE("a mesh is recognised by its content, whatever its name") {
   CHECK(refused.error().message.size() < 250);
 }
 
+TEST_CASE("a pose much larger or smaller than the others is named in a warning") {
+  const auto square = [](double size) {
+    std::string text;
+    for (const char* corner : {"0 0", "1 0", "1 1", "0 1"}) {
+      const double x = corner[0] - '0', y = corner[2] - '0';
+      text += "v " + std::to_string(size * x) + " " + std::to_string(size * y) + " 0\n";
+    }
+    return bytesOf(text + faceLine);
+  };
+  const auto read = [&](const std::vector<double>& sizes) {
+    Files files;
+    for (std::size_t k = 0; k < sizes.size(); ++k) files.add(std::string(1, static_cast<char>('a' + k)) + ".obj", square(sizes[k]));
+    return imported(files);
+  };
+  CHECK(says(read({1, 100}), "sizes-differ", "b.obj (key 2) is 100 times larger than a.obj (key 1)"));
+  CHECK(says(read({100, 1, 1}), "sizes-differ", "a.obj (key 1) is 100 times larger than b.obj (key 2)"));
+  CHECK(says(read({1, 1, 0.001, 1}), "sizes-differ", "c.obj (key 3) is 1,000 times smaller than a.obj (key 1)"));
+  CHECK(!says(read({1, 15}), "sizes-differ"));
+}
+
 TEST_CASE("numbers in names can be negative; all names together determine whether a hyphen is a sign") {
   std::ifstream file(SHAPESPLINE_SOURCE_DIR "/tests/numbered-names.json");
   for (const auto& one : nlohmann::json::parse(file)) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "gltf_maker.h"
 
@@ -88,6 +89,43 @@ TEST_CASE("linear, step and cubic samplers") {
   CHECK(at("CUBICSPLINE", 3) == doctest::Approx(8));
 }
 
+TEST_CASE("equal times are a cut: the earlier value before, the later value from then on, one key there") {
+  const auto warningsOf = [](const Import& import) {
+    return std::count_if(import.warnings.begin(), import.warnings.end(),
+                         [](const Warning& warning) { return warning.code == "animation-cut"; });
+  };
+  const auto at = [&](const std::vector<float>& times, const Positions& values, const char* interpolation, double t) {
+    GltfMaker file = boxFile();
+    file.animation("move", 0, "translation", file.scalars(times), file.vectors(values), interpolation);
+    const Import import = sampled(file, {t, t + 100});
+    CHECK(import.animations[0].keys == 3);
+    CHECK(warningsOf(import) == 1);
+    return import.keyframes.keys[0].positions[0].x();
+  };
+  const Vec3 o = Vec3::Zero();
+  const Positions two = {{0, 0, 0}, {2, 0, 0}, {6, 0, 0}, {8, 0, 0}};
+  const Positions three = {{0, 0, 0}, {2, 0, 0}, {90, 0, 0}, {6, 0, 0}, {8, 0, 0}};
+  Positions cubic;
+  for (const Vec3& value : two) cubic.insert(cubic.end(), {o, value, o});
+  for (const auto& [times, values, interpolation] :
+       {std::tuple(std::vector<float>{0, 1, 1, 2}, two, "LINEAR"), {{0, 1, 1, 1, 2}, three, "LINEAR"},
+        {{0, 1, 1, 2}, cubic, "CUBICSPLINE"}, {{0, 1, 1, 1, 2}, three, "STEP"}}) {
+    CAPTURE(interpolation);
+    CHECK(at(times, values, interpolation, 1 - 1e-7) == doctest::Approx(interpolation[0] == 'S' ? 0 : 2));
+    CHECK(at(times, values, interpolation, 1) == doctest::Approx(6));
+    CHECK(at(times, values, interpolation, 2) == doctest::Approx(8));
+  }
+  // The key times of morph weights are keys: one at the cut.
+  GltfMaker morph = morphFile({0, 1});
+  morph.animation("cut", 0, "weights", morph.scalars({0, 0.5f, 0.5f, 1}), morph.scalars({0, 0.25f, 1, 0.5f}));
+  auto import = Files().add("m.glb", morph.glb()).import();
+  REQUIRE(import.ok());
+  REQUIRE(import->keyframes.keyCount() == 3);
+  CHECK(import->keyframes.keys[1].time == 0.5);
+  CHECK(distance(import->keyframes.keys[1].positions, boxPose(1)) < floatError);
+  CHECK(warningsOf(*import) == 1);
+}
+
 TEST_CASE("rotations are interpolated on the sphere, along the shorter arc, also from normalised integers") {
   GltfMaker maker = boxFile();
   const int times = maker.scalars({0, 1});
@@ -115,6 +153,36 @@ TEST_CASE("a skin: joints count, the mesh node's own transform does not") {
   const Eigen::Affine3d tip = Eigen::Translation3d(0, 0, 2) * Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX());
   CHECK(distance(import.keyframes.keys[0].positions, boxPose()) < floatError);
   CHECK(distance(import.keyframes.keys[1].positions, skinnedByHand(Eigen::Affine3d::Identity(), tip)) < floatError);
+}
+
+TEST_CASE("an animation of a file without a mesh moves the bones with its names") {
+  const GltfMaker character = skinnedFile();
+  GltfMaker walk;
+  const float h = std::sqrt(0.5f);
+  const int tip = walk.node({{"name", "tip"}});
+  walk.animation("walk", tip, "rotation", walk.scalars({0, 2}),
+                 walk.accessor(std::vector<float>{0, 0, 0, 1, h, 0, 0, h}, "VEC4", 4, glFloat32));
+  const Eigen::Affine3d turned = Eigen::Translation3d(0, 0, 2) * Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX());
+  const Positions expected = skinnedByHand(Eigen::Affine3d::Identity(), turned);
+  ImportOptions some, named;
+  some.sampleCount = 3, some.sampleAsked = true;
+  named.animation = std::string("walk");
+  for (const ImportOptions& options : {ImportOptions(), some, named}) {
+    const Files files = Files().add("walk.glb", walk.glb()).add("character.glb", character.glb());
+    const auto import = files.import(options);
+    REQUIRE_MESSAGE(import.ok(), (import.ok() ? "" : import.error().message));
+    CHECK(import->animations[0].name == "walk");
+    CHECK(distance(import->keyframes.keys.back().positions, expected) < floatError);
+  }
+  const auto alone = Files().add("walk.glb", walk.glb()).import();
+  REQUIRE(!alone.ok());
+  CHECK(alone.error().message ==
+        "walk.glb has an animation but no mesh. Open it together with the GLB of its character, or export both as one "
+        "GLB (with skin).");
+  walk.doc["nodes"][0]["name"] = "Hips";
+  const auto other = Files().add("walk.glb", walk.glb()).add("character.glb", character.glb()).import();
+  REQUIRE(!other.ok());
+  CHECK(other.error().message.find("bones that character.glb does not have: \"Hips\"") != std::string::npos);
 }
 
 TEST_CASE("skin, node transform and morph weights move together") {

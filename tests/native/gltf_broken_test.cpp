@@ -2,7 +2,9 @@
 // the file. The repaired file imports.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <limits>
 
@@ -425,7 +427,7 @@ TEST_CASE("animations that do not fit") {
     CHECK(result.error().message.find(says) != std::string::npos);
   };
   CHECK(Files().add("good.glb", animated({0, 1}, 6, none).glb()).import().ok());
-  refused(animated({0, 0}, 6, none), ErrorCode::MalformedFile, "do not increase");
+  refused(animated({0, 0}, 6, none), ErrorCode::TooFewKeys, "one pose");
   refused(animated({1, 0}, 6, none), ErrorCode::MalformedFile, "do not increase");
   refused(animated({0, std::numeric_limits<float>::quiet_NaN()}, 6, none), ErrorCode::MalformedFile, "do not increase");
   refused(animated({0, 1}, 3, none), ErrorCode::MalformedFile, "fewer values than times");
@@ -436,7 +438,7 @@ TEST_CASE("animations that do not fit") {
   };
   refused(animated({0, 1}, 6, channel(4, 0, "translation")), ErrorCode::MalformedFile, "sampler 4");
   refused(animated({0, 1}, 6, channel(0, 9, "translation")), ErrorCode::MalformedFile, "node 9");
-  refused(animated({0, 1}, 6, channel(0, 0, "weights")), ErrorCode::MalformedFile, "no morph targets");
+  refused(animated({0, 1}, 6, channel(0, 0, "weights")), ErrorCode::TooFewKeys, "only one pose");
   refused(animated({0, 1}, 6, channel(0, 0, "rotation")), ErrorCode::MalformedFile, "4 components");
   GltfMaker maker = animated({0, 1}, 6, none);
   maker.doc["animations"][0]["samplers"][0]["interpolation"] = "BEZIER";
@@ -446,6 +448,80 @@ TEST_CASE("animations that do not fit") {
   nothing.doc["nodes"][0].erase("mesh");
   refused(nothing, ErrorCode::NoTriangles, "no mesh");
   refused(boxFile(), ErrorCode::TooFewKeys, "only one pose");
+}
+
+namespace {
+
+// A sound animation of the box, and one of `node` with these changes: of a camera last, and of the box first.
+// Accessors in the changes are 0: decreasing times, 1: times that are not finite, 2: four values.
+GltfMaker withBroken(int node, json sampler, const json& channel) {
+  GltfMaker maker = boxFile();
+  maker.node({{"name", "camera"}});
+  const int times = maker.scalars({0, 1}), values = maker.vectors({{0, 0, 0}, {1, 0, 0}});
+  const int start = maker.scalars({0, 1, 0.5f, 2});
+  maker.scalars({0, NAN, 1, 2});
+  maker.vectors(Positions(4, Vec3::Zero()));
+  for (auto& [name, value] : sampler.items())
+    if (value.is_number() && value >= 0) value = start + value.get<int>();
+  maker.animation("bad", node, "translation", times, values);
+  maker.doc["animations"][0]["samplers"][0].merge_patch(sampler);
+  maker.doc["animations"][0]["channels"][0].merge_patch(channel);
+  maker.animation("good", 0, "translation", times, values);
+  if (node != 0) std::swap(maker.doc["animations"][0], maker.doc["animations"][1]);
+  return maker;
+}
+
+}  // namespace
+
+TEST_CASE("an animation that is not used does not refuse the file, however broken") {
+  const std::vector<std::pair<json, json>> faults = {
+      {{{"input", 0}, {"output", 2}}, json::object()},      // decreasing times
+      {{{"input", 1}, {"output", 2}}, json::object()},      // times that are not finite
+      {{{"input", 77}}, json::object()},                    // no such accessor
+      {{{"input", -1}}, json::object()},                    // a negative index
+      {{{"input", nullptr}}, json::object()},               // no times
+      {{{"interpolation", "BEZIER"}}, json::object()},      // an unknown interpolation
+      {json::object(), {{"sampler", 9}}},                   // no such sampler
+      {json::object(), {{"target", {{"path", "weights"}}}}},  // no morph targets
+  };
+  for (const auto& [sampler, channel] : faults) {
+    CAPTURE(sampler.dump() + channel.dump());
+    // Of a camera: nobody needs it.
+    auto result = Files().add("a.glb", withBroken(1, sampler, channel).glb()).import();
+    REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+    CHECK(result->keyframes.keys.back().positions[0].x() == doctest::Approx(1));
+    if (!channel.empty() && channel.contains("target")) continue;  // weights do not move a mesh without morph targets
+    // Of the mesh and first in the file: it is the default, so another one must be chosen.
+    const GltfMaker first = withBroken(0, sampler, channel);
+    result = Files().add("a.glb", first.glb()).import();
+    REQUIRE(!result.ok());
+    CHECK(result.error().message.find("\"good\"") != std::string::npos);
+    ImportOptions options;
+    options.animation = std::string("good");
+    result = Files().add("a.glb", first.glb()).import(options);
+    REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+    CHECK(std::any_of(result->warnings.begin(), result->warnings.end(),
+                      [](const Warning& warning) { return warning.code == "broken-animation"; }));
+    options.animation = std::string("bad");
+    CHECK(Files().add("a.glb", first.glb()).import(options).error().code == ErrorCode::MalformedFile);
+  }
+}
+
+TEST_CASE("broken parts that the scene does not show do not refuse the file") {
+  const auto imports = [](const char* collection, const json& part) {
+    GltfMaker maker = boxFile();
+    maker.add(collection, part);
+    const auto result = Files().add("a.glb", maker.glb()).add("b.glb", boxFile(1).glb()).import();
+    CHECK_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
+  };
+  imports("meshes", {{"primitives", {{{"attributes", 3}}}}});
+  imports("meshes", {{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 99}}}}});
+  imports("materials", {{"emissiveFactor", {1, 2}}});
+  imports("materials", {{"normalTexture", {{"index", -4}}}});
+  imports("accessors", {{"count", -1}});
+  imports("accessors", {{"bufferView", 9}, {"count", 1}, {"componentType", 5126}, {"type", "VEC3"}});
+  imports("bufferViews", {{"buffer", 0}, {"byteLength", 4}, {"byteStride", 3}});
+  imports("skins", {{"joints", {70}}});
 }
 
 TEST_CASE("morph targets that do not fit") {
@@ -483,7 +559,7 @@ TEST_CASE("URIs lead only to the given files") {
 }
 
 TEST_CASE("extensions that change the geometry are refused by name") {
-  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "ACME_secret"}) {
+  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "ACME_secret"}) {
     GltfMaker maker = boxFile();
     maker.doc["extensionsUsed"] = maker.doc["extensionsRequired"] = {name};
     checkRefused(maker, ErrorCode::Unsupported, name);

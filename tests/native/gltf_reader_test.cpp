@@ -196,6 +196,76 @@ TEST_CASE("a mirroring node reverses its faces") {
   CHECK(import.keyframes.faces[0] == Triangle{f[0], f[2], f[1]});
 }
 
+namespace {
+
+// Whether the normals of the first key point to the same side as the faces.
+bool normalsFitFaces(const Import& import) {
+  const Keyframes& keys = import.keyframes;
+  REQUIRE(keys.normals.size() == keys.keys[0].positions.size());
+  return std::all_of(keys.faces.begin(), keys.faces.end(), [&](const Triangle& f) {
+    const Positions& p = keys.keys[0].positions;
+    const Vec3 outwards = (p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]);
+    return std::all_of(f.begin(), f.end(), [&](int v) { return keys.normals[v].dot(outwards) > 0; });
+  });
+}
+
+// The box with normals that point away from its centre.
+GltfMaker boxWithNormals() {
+  GltfMaker maker = boxFile();
+  Positions normals;
+  for (const Vec3& p : boxPose()) normals.push_back((p - Vec3(0.5, 0.5, 1)).normalized());
+  maker.doc["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = maker.vectors(normals);
+  return maker;
+}
+
+}  // namespace
+
+TEST_CASE("normals of mirrored nodes, copies and skins point outwards, like the faces") {
+  const GltfMaker box = boxWithNormals();
+  CHECK(normalsFitFaces(imported(two(box, box))));
+  GltfMaker node = box;
+  node.doc["nodes"][0]["scale"] = {-1, 2, 1};
+  CHECK(normalsFitFaces(imported(two(node, node))));
+  GltfMaker matrix = box;
+  matrix.doc["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0.5, 0, -1, 0, 0, 0, 0, 1};
+  CHECK(normalsFitFaces(imported(two(matrix, matrix))));
+  GltfMaker copies = box;
+  copies.doc["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] =
+      copies.vectors({{1, 1, 1}, {1, -1, 1}, {-1, -1, -1}});
+  CHECK(normalsFitFaces(imported(two(copies, copies))));
+  GltfMaker skin = box;
+  json& attributes = skin.doc["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = skin.accessor(std::vector<std::uint8_t>(32, 0), "VEC4", 4, glUInt8);
+  attributes["WEIGHTS_0"] = skin.accessor(std::vector<float>(32, 0.25f), "VEC4", 4, glFloat32);
+  skin.add("skins", {{"joints", {skin.node({{"name", "bone"}, {"scale", {1, 1, -3}}})}}});
+  skin.doc["nodes"][0]["skin"] = 0;
+  CHECK(normalsFitFaces(imported(two(skin, skin))));
+}
+
+TEST_CASE("materials of specular colour and glossiness become metallic and rough") {
+  GltfMaker maker = boxFile();
+  maker.doc["meshes"][0]["primitives"][0]["material"] = 0;
+  maker.doc["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
+      maker.accessor(std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1}, "VEC2", 2, glFloat32);
+  maker.doc["images"] = {{{"uri", dataUri({0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 1, 2, 3, 4})}}};
+  maker.doc["textures"] = {{{"source", 0}}};
+  const json old = {{"diffuseFactor", {0.1, 0.3, 0.8, 0.5}},
+                    {"diffuseTexture", {{"index", 0}, {"texCoord", 1}}},
+                    {"glossinessFactor", 0.25},
+                    {"specularGlossinessTexture", {{"index", 0}}}};
+  maker.doc["materials"] = {{{"extensions", {{"KHR_materials_pbrSpecularGlossiness", old}}},
+                             {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}, {"metallicFactor", 1}}}}};
+  const Import import = imported(two(maker, maker));
+  const Material& material = import.scene.materials[0];
+  CHECK(material.baseColor[2] == doctest::Approx(0.8));
+  CHECK(material.baseColor[3] == doctest::Approx(0.5));
+  CHECK(material.roughness == doctest::Approx(0.75));
+  CHECK(material.metallic == 0);
+  CHECK(material.baseColorImage == 0);
+  CHECK(import.scene.uvs.size() == 16);
+  CHECK(import.warnings[0].code == "missing-texture");
+}
+
 TEST_CASE("primitives that share their vertices share them here too") {
   GltfMaker maker;
   const int positions = maker.vectors(boxPose());

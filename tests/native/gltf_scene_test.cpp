@@ -264,6 +264,40 @@ TEST_CASE("morph targets of several meshes are joined by name, and by index with
   CHECK(bends(imported(twice)) == std::vector<std::pair<double, double>>{{0, 0}, {1, 4}, {2, 8}});
 }
 
+TEST_CASE("names of morph targets in the primitive, in the targets or in the accessors join them too") {
+  const auto move = [](const char* place) {
+    GltfMaker maker;
+    for (const auto& [x, targets] : {std::pair(0, Targets{{"jaw", 1}, {"blink", 2}}), {9, Targets{{"blink", 4}}}}) {
+      addMorphMesh(maker, x, targets, false);
+      json& primitive = maker.doc["meshes"].back()["primitives"][0];
+      for (std::size_t t = 0; t < targets.size(); ++t) {
+        json& target = primitive["targets"][t];
+        const std::string& name = targets[t].first;
+        if (place[0] == 'a') maker.doc["accessors"][target["POSITION"].get<int>()]["name"] = name;
+        else if (place[0] == 'p') primitive["extras"]["targetNames"].push_back(name);
+        else target[place] = {{"name", name}};
+      }
+    }
+    return maker;
+  };
+  for (const char* place : {"primitive", "extra", "extras", "accessor"}) {
+    CAPTURE(place);
+    const Import import = imported(move(place));
+    CHECK(names(import) == std::vector<std::string>{"base", "jaw", "blink"});
+    CHECK(bends(import) == std::vector<std::pair<double, double>>{{0, 0}, {1, 0}, {2, 4}});
+  }
+  // The mesh's own names come first, and those of the primitive fill gaps.
+  GltfMaker both = move("primitive");
+  both.doc["meshes"][1]["extras"]["targetNames"] = {"jaw"};
+  CHECK(bends(imported(both)) == std::vector<std::pair<double, double>>{{0, 0}, {1, 4}, {2, 0}});
+  both.doc["meshes"][1]["extras"]["targetNames"] = {""};
+  CHECK(bends(imported(both)) == std::vector<std::pair<double, double>>{{0, 0}, {1, 0}, {2, 4}});
+  // Names of accessors mean nothing if the program names all accessors.
+  GltfMaker numbered = move("accessor");
+  for (json& accessor : numbered.doc["accessors"]) accessor["name"] = "a" + std::to_string(&accessor - &numbered.doc["accessors"][0]);
+  CHECK(bends(imported(numbered)) == std::vector<std::pair<double, double>>{{0, 0}, {1, 4}, {2, 0}});
+}
+
 TEST_CASE("each node's weights drive its own targets") {
   GltfMaker maker;
   addMorphMesh(maker, 0, {{"bend", 1}, {"twist", 2}}, true);

@@ -125,6 +125,19 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
                    grouped(std::int64_t(meshes.size())) + " files is a key. Omit the animation and the samples."};
 }
 
+// Animations in files without a mesh move the bones of the only file with a mesh.
+Result<Import> readWithMotions(const std::vector<MeshFile>& meshes, const GivenFiles& files,
+                               const ImportOptions& options, const StageProgress& progress) {
+  auto import = readSeveral(meshes, files, options, progress);
+  if (import || !areAll(meshes, FileKind::Gltf)) return import;
+  const ErrorCode code = import.error().code;
+  if (code != ErrorCode::NoTriangles && code != ErrorCode::UnknownAnimation) return import;
+  std::vector<const NamedBytes*> motions, shapes;
+  for (const MeshFile& mesh : meshes) (isMotionOnly(*mesh.file, files) ? motions : shapes).push_back(mesh.file);
+  if (motions.empty() || shapes.size() != 1) return import;
+  return readGltfKeys(*shapes[0], files, options, placeName(*shapes[0], 0, 1), progress, motions);
+}
+
 // Maps added poses to the vertices of the mesh.
 Result<Import> likeTheMesh(Import&& import, const ImportOptions& options) {
   if (options.likePose.empty()) return std::move(import);
@@ -161,7 +174,7 @@ Result<Import> readKeys(const std::vector<MeshFile>& meshes, const GivenFiles& f
                                                       : "No mesh in these files. Use glTF, OBJ, PLY or OFF."};
   if (std::any_of(meshes.begin(), meshes.end(), [](const MeshFile& mesh) { return isCache(mesh.kind); }))
     return readCaches(meshes, files, options, progress);
-  if (meshes.size() > 1) return readSeveral(meshes, files, options, progress);
+  if (meshes.size() > 1) return readWithMotions(meshes, files, options, progress);
   if (meshes[0].kind != FileKind::Gltf) return onePoseOnly(meshes[0], files, options);
   auto import = readGltfKeys(*meshes[0].file, files, options, placeName(*meshes[0].file, 0, 1), progress);
   return import;

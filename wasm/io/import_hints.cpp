@@ -136,6 +136,35 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
   }
 }
 
+void warnOfSizes(const std::vector<std::string>& where, Import& import) {
+  constexpr double suspicious = 20;  // less than the ratio of millimetres to inches
+  const std::vector<Key>& keys = import.keyframes.keys;
+  std::vector<double> sizes;
+  for (const Key& key : keys) {
+    const Positions* one = &key.positions;
+    const double size = boundingDiagonal({&one, 1});
+    sizes.push_back(std::isfinite(size) ? size : 0);
+  }
+  // Compares with a key of middle size: the first key if it is one.
+  std::vector<double> sorted = sizes;
+  std::sort(sorted.begin(), sorted.end());
+  const double middle = sorted[(sorted.size() - 1) / 2];
+  const auto usual = [&](double size) { return size < suspicious * middle && middle < suspicious * size; };
+  const std::size_t like = std::find_if(sizes.begin(), sizes.end(), usual) - sizes.begin();
+  int count = 0, first = -1;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    if (sizes[k] > 0 && middle > 0 && !usual(sizes[k]) && ++count == 1) first = static_cast<int>(k);
+  if (count == 0) return;
+  const bool larger = sizes[first] > middle;
+  const double ratio = larger ? sizes[first] / sizes[like] : sizes[like] / sizes[first];
+  import.warnings.push_back({"sizes-differ",
+                             where[first] + " is " + grouped(std::llround(std::min(ratio, 1e15))) + " times " +
+                                 (larger ? "larger" : "smaller") + " than " + where[like] +
+                                 (count > 1 ? ", and other keys differ as much" : "") +
+                                 ". If they are in different units, export all poses in the same unit.",
+                             count, first});
+}
+
 bool allSame(const Keyframes& keyframes) {
   const std::vector<Key>& keys = keyframes.keys;
   return std::all_of(keys.begin(), keys.end(),

@@ -82,7 +82,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& 
   ImportOptions unfiltered = options;
   unfiltered.objects.clear();
   PoseReader reader{files, options}, everything{files, unfiltered};
-  std::vector<std::string> actions;
+  std::vector<std::string> actions, places;
   facts = {static_cast<int>(meshes.size()), 0, 0, 0, areAll(meshes, FileKind::Gltf), false};
   std::vector<AnimationInfo> animations;
   bool writtenZUp = false;
@@ -109,6 +109,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& 
     if (j == 0) animations = std::move(pose->animations);
     if (j == 0) writtenZUp = pose->writtenZUp;
     actions.push_back(pose->action);
+    places.push_back(where);
     const bool hides = pose->hides;
     Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where);
     if (!added && hides) {
@@ -126,6 +127,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& 
   setTimesInSeconds(out.keyframes);
   nameByActions(actions, out.keyframes.keys);
   warnOfSamePoses(facts, out);
+  warnOfSizes(places, out);
   // If no key differs, the files' animations may provide the keys.
   if (samePoses(out) > 0 && (facts.animated == facts.files || facts.posed == facts.files))
     out.animations = std::move(animations);

@@ -40,6 +40,7 @@ function describe(info: KeysInfo): object {
     ...rest,
     animations,
     animation: animations[animation]?.name ?? null,
+    together: (animations[animation]?.together ?? []).map((part) => animations[part]!.name),
     objects,
     offset,
     matches,

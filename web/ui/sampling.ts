@@ -100,7 +100,8 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     if (!info || firstMoving < 0 || soon.waits()) return;
     chosen = info.animation < 0 ? firstMoving : info.animation;
     animation.update(String(chosen), animations.map(choiceOf));
-    setText(title, `The files have ${animations.length > 1 ? `${animations.length} animations` : 'an animation'}`);
+    const count = animations.filter(({ together = [] }) => together.length === 0).length;
+    setText(title, `The files have ${count > 1 ? `${count} animations` : 'an animation'}`);
     const before = taken;
     taken = areSampled(info);
     const next = taken ? info.times : evenTimes(span(), SAMPLED_KEYS);
@@ -168,10 +169,11 @@ function createTimesList(span: () => Span, onTake: (times: number[]) => void): F
 }
 
 /** A single pose is listed, but keys cannot be sampled from it. */
-function choiceOf({ name, start, end, keys, moves }: AnimationInfo, index: number) {
+function choiceOf({ name, start, end, keys, moves, together = [] }: AnimationInfo, index: number) {
   const count = keys === 1 ? '1 key' : `${keys.toLocaleString('en')} keys`;
   const what = moves ? `${(end - start).toFixed(2)} s, ${count}` : `one pose, ${count}`;
-  return { value: String(index), label: `${name || `Animation ${index + 1}`}  (${what})`, disabled: !moves };
+  const label = `${together.length > 0 ? 'Together: ' : ''}${name || `Animation ${index + 1}`}  (${what})`;
+  return { value: String(index), label, disabled: !moves };
 }
 
 function foundText({ keys, percent }: { keys: number; percent: number }): string {

@@ -32,7 +32,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Material, name, baseColor, metallic, roughnes
                                    unlit, emissive, normalScale, occlusionStrength, baseColorImage,
                                    metallicRoughnessImage, normalImage, occlusionImage, emissiveImage, wrapS, wrapT,
                                    magFilter, minFilter)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys, moves)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AnimationInfo, name, start, end, keys, moves, together)
 
 }  // namespace shapespline
 

@@ -14,7 +14,7 @@
 namespace shapespline {
 
 struct ImportOptions {
-  std::variant<std::monostate, int, std::string> animation;  ///< default: the first animation that moves
+  std::variant<std::monostate, int, std::string> animation;  ///< default: the first animation that moves, with its parts; "all": all together
   std::vector<double> sampleTimes;  ///< seconds on the animation's timeline; overrides sampleCount
   int sampleCount = 8;              ///< evenly spaced; used for more than 32 key times or several animations
   bool sampleAsked = false;         ///< the user chose sampleCount: use it even for few key times
@@ -44,6 +44,7 @@ struct AnimationInfo {
   double start = 0, end = 0;  ///< in seconds
   int keys = 0;               ///< distinct key times
   bool moves = true;          ///< false: the animation is a single pose, with any number of key times
+  std::vector<int> together;  ///< for an entry of several animations that play together, their indices
 };
 
 /// How an object of one pose was matched with another.

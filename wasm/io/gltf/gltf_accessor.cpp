@@ -78,6 +78,8 @@ struct Reader {
     if (viewIndex < 0 || viewIndex >= static_cast<int>(views.size()))
       return malformed("refers to a buffer view that does not exist");
     const tinygltf::BufferView& view = views[viewIndex];
+    if (const std::string broken = brokenPart(view.extras); !broken.empty())
+      return malformed("uses a buffer view that" + broken);
     if (view.buffer < 0 || view.buffer >= static_cast<int>(doc.buffers.size()))
       return malformed("refers to a buffer that does not exist");
     const auto buffer = doc.buffers[view.buffer].bytes;
@@ -99,6 +101,7 @@ struct Reader {
     if (index < 0 || index >= static_cast<int>(accessors.size()))
       return malformed("refers to an accessor that does not exist");
     const tinygltf::Accessor& a = accessors[index];
+    if (const std::string broken = brokenPart(a.extras); !broken.empty()) return malformed(broken.substr(1));
     if (componentBytes(a.componentType) == 0) return malformed("has an unknown component type");
     if (tinygltf::GetNumComponentsInType(a.type) != components)
       return malformed("does not have " + std::to_string(components) + " components");

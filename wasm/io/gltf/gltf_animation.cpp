@@ -77,15 +77,17 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   curve.interpolation = *interpolation;
 
   const int components = target.path == Path::Weights ? 1 : curve.width;
-  numbers += accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
-  if (numbers > mostNumbers)
+  const std::uint64_t more =
+      accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
+  if (numbers + more > mostNumbers)
     return Error{ErrorCode::TooLarge, doc.where + ": its animations exceed the limit of " + grouped(mostNumbers) +
                                           " numbers. Export fewer animations or fewer key times."};
+  numbers += more;
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);
   if (!times) return times.error();
   if (times->empty()) return malformed(doc.where, name + " has no times");
   for (std::size_t i = 0; i < times->size(); ++i)
-    if (!std::isfinite((*times)[i]) || (i > 0 && !((*times)[i] > (*times)[i - 1])))
+    if (!std::isfinite((*times)[i]) || (i > 0 && (*times)[i] < (*times)[i - 1]))
       return malformed(doc.where, "the times of " + name + " do not increase at index " + grouped(std::int64_t(i)));
   curve.times = std::move(*times);
 
@@ -192,22 +194,33 @@ struct AnimationReader {
     return Target{*path, {channel.target_node}, -1};
   }
 
-  Status addCurves(GltfAnimation& out, const tinygltf::AnimationSampler& sampler, const Target& target,
-                   const std::string& name) {
-    const int count = static_cast<int>(doc.model.nodes.size());
-    for (int node : target.nodes) {
-      if (node >= count)
-        return malformed(doc.where, name + " moves node " + std::to_string(node) + ", which does not exist");
-      auto curve = readCurve(doc, sampler, {target.path, {node}, target.weight}, name, numbers);
-      if (!curve) return curve.error();
-      out.curves.push_back(std::move(*curve));
-    }
-    return {};
+  Result<AnimationCurve> curveOf(const tinygltf::Animation& source, int sampler, const Target& target,
+                                 const std::string& name) {
+    if (const std::string wrong = brokenPart(source.extras); !wrong.empty()) return malformed(doc.where, name + wrong);
+    if (sampler < 0 || sampler >= static_cast<int>(source.samplers.size()))
+      return malformed(doc.where, name + " has sampler " + std::to_string(sampler) + ", which does not exist");
+    if (target.nodes[0] >= static_cast<int>(doc.model.nodes.size()))
+      return malformed(doc.where,
+                       name + " moves node " + std::to_string(target.nodes[0]) + ", which does not exist");
+    return readCurve(doc, source.samplers[sampler], target, name, numbers);
   }
 
-  Result<GltfAnimation> read(int index) {
+  void addCurves(GltfAnimation& out, const tinygltf::Animation& source, int sampler, const Target& target,
+                 const std::string& name) {
+    const int count = static_cast<int>(doc.model.nodes.size());
+    for (int node : target.nodes) {
+      auto curve = curveOf(source, sampler, {target.path, {node}, target.weight}, name);
+      if (!curve && !out.error) out.error = curve.error();
+      AnimationCurve unread;
+      unread.path = target.path, unread.node = node < count ? node : -1;
+      out.curves.push_back(curve ? std::move(*curve) : unread);
+    }
+  }
+
+  GltfAnimation read(int index) {
     const tinygltf::Animation& source = doc.model.animations[index];
     GltfAnimation out;
+    out.index = index;
     out.name = source.name.empty() ? "animation " + std::to_string(index) : source.name;
     int lastInput = -1;  // most channels share the time accessor of the previous channel
     for (std::size_t c = 0; c < source.channels.size(); ++c) {
@@ -215,18 +228,15 @@ struct AnimationReader {
       const std::string name = "animation " + std::to_string(index) + ", channel " + std::to_string(c);
       const auto target = targetOf(channel);
       if (!target) continue;
-      if (channel.sampler < 0 || channel.sampler >= static_cast<int>(source.samplers.size()))
-        return malformed(doc.where,
-                         name + " has sampler " + std::to_string(channel.sampler) + ", which does not exist");
-      const tinygltf::AnimationSampler& sampler = source.samplers[channel.sampler];
-      if (Status added = addCurves(out, sampler, *target, name); !added) return added.error();
+      addCurves(out, source, channel.sampler, *target, name);
       out.weightsOnly = out.weightsOnly && target->path == Path::Weights;
+      if (out.error) continue;
       const std::vector<double>& times = out.curves.back().times;
-      if (sampler.input != lastInput) out.keyTimes.insert(out.keyTimes.end(), times.begin(), times.end());
-      lastInput = sampler.input;
+      const int input = source.samplers[channel.sampler].input;
+      if (input != lastInput) out.keyTimes.insert(out.keyTimes.end(), times.begin(), times.end());
+      lastInput = input;
     }
-    std::sort(out.keyTimes.begin(), out.keyTimes.end());
-    out.keyTimes.erase(std::unique(out.keyTimes.begin(), out.keyTimes.end()), out.keyTimes.end());
+    sortOnce(out.keyTimes);
     return out;
   }
 
@@ -297,16 +307,33 @@ bool AnimationCurve::varies() const {
   return false;
 }
 
-Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings) {
+std::vector<double> AnimationCurve::cuts() const {
+  const std::size_t step = static_cast<std::size_t>(width) * (interpolation == Interpolation::CubicSpline ? 3 : 1);
+  const std::size_t centre = step > static_cast<std::size_t>(width) ? width : 0;
+  std::vector<double> out;
+  // The first of equal times counts before the cut, and the last from then on.
+  for (std::size_t i = 0, last = 0; i < times.size(); i = last + 1) {
+    last = std::upper_bound(times.begin() + i, times.end(), times[i]) - times.begin() - 1;
+    const double *before = &values[i * step + centre], *after = &values[last * step + centre];
+    if (!std::equal(before, before + width, after)) out.push_back(times[i]);
+  }
+  return out;
+}
+
+std::vector<GltfAnimation> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings) {
   std::vector<GltfAnimation> animations;
   AnimationReader reader{doc, warnings};
   for (std::size_t i = 0; i < doc.model.animations.size(); ++i) {
-    auto animation = reader.read(static_cast<int>(i));
-    if (!animation) return animation.error();
-    if (!animation->curves.empty()) animations.push_back(std::move(*animation));
+    GltfAnimation animation = reader.read(static_cast<int>(i));
+    if (!animation.curves.empty()) animations.push_back(std::move(animation));
   }
   reader.warnOfIgnored();
   return animations;
+}
+
+void sortOnce(std::vector<double>& times) {
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
 }
 
 std::uint64_t animationCost(const GltfAnimation& animation) {

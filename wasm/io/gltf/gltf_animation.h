@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct AnimationCurve {
   int node = -1;
   int first = 0;               ///< first animated morph weight of the node
   int width = 3;               ///< numbers per value
-  std::vector<double> times;   ///< strictly increasing seconds
+  std::vector<double> times;   ///< seconds, never decreasing; at equal times, the value jumps to the last one
   std::vector<double> values;  ///< `width` numbers per time; cubic splines store in-tangent, value, out-tangent
 
   /// Writes the value at time t to `out`, which has `width` numbers. Values are constant beyond both ends (glTF 2.0,
@@ -34,19 +35,31 @@ struct AnimationCurve {
 
   /// Whether any value differs from the first by more than rounding.
   bool varies() const;
+
+  /// The times at which the value jumps.
+  std::vector<double> cuts() const;
 };
 
 struct GltfAnimation {
+  int index = 0;  ///< in the file
   std::string name;
   std::vector<AnimationCurve> curves;
   std::vector<double> keyTimes;  ///< distinct times of all curves, increasing
   bool weightsOnly = true;
-  bool moves = true;  ///< false if all poses are equal
+  bool moves = true;           ///< false if all poses are equal
+  std::vector<double> cuts{};  ///< distinct times at which the mesh jumps, increasing
+  int object = -1;             ///< the only object that it moves (objectsOf), or -1 for several
+  /// Why it cannot be read. Its curves then only name their nodes: -1 for a node that does not exist.
+  std::optional<Error> error{};
 };
 
 /// Reads all animations with a channel that moves a node, by name or by pointer (KHR_animation_pointer). Pointers that
-/// move no vertex are ignored. Other unsupported pointers give a warning. Errors: MalformedFile, NotFinite, TooLarge.
-Result<std::vector<GltfAnimation>> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings);
+/// move no vertex are ignored. Other unsupported pointers give a warning. Errors of an animation are in the animation,
+/// because the file may have others: MalformedFile, NotFinite, TooLarge.
+std::vector<GltfAnimation> readAnimations(const GltfDocument& doc, std::vector<Warning>& warnings);
+
+/// Sorts times and removes repeated ones.
+void sortOnce(std::vector<double>& times);
 
 /// Number of values written by applyAnimation. Channels may share values, so a small file could demand any amount.
 std::uint64_t animationCost(const GltfAnimation& animation);

@@ -9,6 +9,7 @@
 #include "io/base/image_type.h"
 #include "io/gltf/glb_container.h"
 #include "io/gltf/gltf_json.h"
+#include "io/gltf/gltf_parts.h"
 #include "io/gltf/malformed.h"
 
 namespace shapespline {
@@ -137,36 +138,23 @@ void showBareMeshes(tinygltf::Model& model) {
   model.scenes.clear();
 }
 
-// Number of primitives of each mesh in the file.
-std::vector<std::size_t> primitiveCounts(const json& doc) {
-  std::vector<std::size_t> counts;
-  const auto meshes = doc.find("meshes");
-  if (meshes == doc.end()) return counts;
-  for (const json& mesh : *meshes) {
-    const auto primitives = mesh.find("primitives");
-    counts.push_back(primitives == mesh.end() ? 0 : primitives->size());
-  }
-  return counts;
-}
-
 Status loadModel(json doc, GltfDocument& out) {
   for (const char* unread : {"buffers", "images", "cameras", "extensions", "extras"}) doc.erase(unread);
-  const std::vector<std::size_t> primitives = primitiveCounts(doc);
   const std::string text = doc.dump();
   doc = nullptr;  // tinygltf makes a copy; keeping both would double the peak
   tinygltf::TinyGLTF loader;
   std::string error, warning;
   if (!loader.LoadASCIIFromString(&out.model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), ""))
     return malformed(out.where, "it is not valid glTF" + (error.empty() ? "" : " (" + oneLine(error) + ")"));
-  // tinygltf skips primitives that it cannot read.
-  for (std::size_t m = 0; m < out.model.meshes.size(); ++m)
-    if (primitives[m] != out.model.meshes[m].primitives.size())
-      return malformed(out.where, "mesh " + std::to_string(m) + " has a primitive without valid attributes");
   showBareMeshes(out.model);
   return {};
 }
 
 }  // namespace
+
+std::string brokenPart(const tinygltf::Value& extras) {
+  return extras.Has(brokenMember) ? " cannot be read (" + extras.Get(brokenMember).Get<std::string>() + ")" : "";
+}
 
 Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where) {
   Source source{file, files, {}};

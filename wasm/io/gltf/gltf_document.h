@@ -29,6 +29,10 @@ struct GltfDocument {
   std::vector<Warning> warnings;
 };
 
+/// Why a part of the file cannot be read, as the rest of a sentence; empty for a sound part. `extras`: of this part.
+/// Such a part is empty, and an error only where it is used.
+std::string brokenPart(const tinygltf::Value& extras);
+
 /// Opens a .glb (detected by its magic number) or .gltf file. Errors: all reading errors of ErrorCode.
 Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where);
 

@@ -19,6 +19,7 @@ constexpr std::array extensionList = std::to_array<KnownExtension>({
     {"EXT_mesh_gpu_instancing", Applied},
     {"EXT_texture_webp", Applied},
     {"KHR_animation_pointer", Applied},
+    {"KHR_materials_pbrSpecularGlossiness", Applied},
     {"KHR_materials_unlit", Applied},
     {"KHR_mesh_quantization", Applied},
     {"KHR_node_visibility", Applied},
@@ -27,6 +28,7 @@ constexpr std::array extensionList = std::to_array<KnownExtension>({
 
     {"EXT_meshopt_compression", Decoded},
     {"KHR_draco_mesh_compression", Decoded},
+    {"KHR_meshopt_compression", Decoded},
 
     {"ADOBE_materials_*", Harmless},
     {"ADOBE_render_order", Harmless},
@@ -98,7 +100,6 @@ constexpr std::array extensionList = std::to_array<KnownExtension>({
     {"KHR_interactivity", Ignored},
     {"KHR_mesh_primitive_restart", Ignored},
     {"KHR_mesh_variants", Ignored},
-    {"KHR_meshopt_compression", Ignored},
     {"KITTYCAD_boundary_representation", Ignored},
     {"MANYFOLD_mesh_progressive", Ignored},
     {"MAXAR_mesh_variants", Ignored},

@@ -8,6 +8,7 @@
 #include "io/base/byte_text.h"
 #include "io/base/limits.h"
 #include "io/gltf/gltf_extensions.h"
+#include "io/gltf/gltf_parts.h"
 #include "io/gltf/malformed.h"
 
 namespace shapespline {
@@ -146,6 +147,23 @@ std::string tidy(json& node) {
   return "";
 }
 
+// Tidies the document. A bad part that may be unused is set aside.
+std::string tidyDocument(json& doc) {
+  for (auto& [name, value] : doc.items()) {
+    if (!mayBreak(name)) continue;
+    for (json& part : value) {
+      std::string wrong = tidy(part);
+      if (wrong.empty()) wrong = rejectedPart(doc, name, part);
+      if (!wrong.empty()) setAside(name, part, wrong);
+    }
+  }
+  dropUnreadExtensions(doc);
+  for (auto& [name, value] : doc.items())
+    if (name != "extras" && !mayBreak(name))
+      if (std::string wrong = tidyMember(name, value, contains(wholeNumbers, name)); !wrong.empty()) return wrong;
+  return "";
+}
+
 Status checkAsset(const json& doc, const std::string& where) {
   if (!doc.is_object()) return malformed(where, "its JSON is not an object, so it is not glTF");
   const auto asset = doc.find("asset");
@@ -188,8 +206,14 @@ Result<json> parseGltfJson(std::string_view text, const std::string& where, std:
   if (Status extensions = checkRequiredExtensions(doc, where); !extensions) return extensions.error();
   if (Status collections = checkCollections(doc, where); !collections) return collections.error();
   warnings = extensionWarnings(doc, where);
+  if (const int lost = rewriteSpecularGlossiness(doc))
+    warnings.push_back({"missing-texture",
+                        where + ": textures of specular colour and glossiness are ignored. Export materials with "
+                                "metallic and roughness to keep them.",
+                        lost});
+  moveTargetNames(doc);
   json extras = doc.value("extras", json());
-  if (std::string wrong = tidy(doc); !wrong.empty()) return malformed(where, wrong);
+  if (std::string wrong = tidyDocument(doc); !wrong.empty()) return malformed(where, wrong);
   doc["extras"] = std::move(extras);
   return std::move(doc);
 }

@@ -66,13 +66,14 @@ PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, cons
   return {part, matrices};
 }
 
-// Normals transform with the cofactor matrix, det * inverse transpose, which exists for singular matrices too.
+// Normals transform with the inverse transpose. The cofactor matrix is this times the determinant, and exists for
+// singular matrices too. A negative determinant would turn normals inwards, as the faces of a mirrored part are reversed.
 Vec3 turnedNormal(const Mat3& m, const Vec3& normal) {
   Mat3 cofactor;
   cofactor.col(0) = m.col(1).cross(m.col(2));
   cofactor.col(1) = m.col(2).cross(m.col(0));
   cofactor.col(2) = m.col(0).cross(m.col(1));
-  return (cofactor * normal).normalized();
+  return (cofactor * (cofactor.col(0).dot(m.col(0)) < 0 ? Vec3(-normal) : normal)).normalized();
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "io/gltf/gltf_reader.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 
 #include "core/base/format.h"
@@ -11,6 +13,7 @@
 #include "io/gltf/gltf_pose.h"
 #include "io/gltf/gltf_scene.h"
 #include "io/gltf/gltf_targets.h"
+#include "io/gltf/gltf_together.h"
 #include "io/gltf/gltf_vertices.h"
 #include "io/gltf/project.h"
 
@@ -50,30 +53,53 @@ std::vector<char> placingNodes(const GltfDocument& doc, const NodeGraph& graph, 
   return placing;
 }
 
+// Animations that pose the mesh, and those among them that cannot be read.
+struct PosingAnimations {
+  std::vector<GltfAnimation> sound, broken;
+};
+
 // Excludes animations that only move cameras, lights or other meshes.
-Result<std::vector<GltfAnimation>> movingAnimations(const GltfDocument& doc, const NodeGraph& graph,
-                                                    const std::vector<int>& meshNodes, std::vector<Warning>& warnings) {
-  auto animations = readAnimations(doc, warnings);
-  if (!animations) return animations;
+PosingAnimations posingAnimations(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes,
+                                  std::vector<GltfAnimation>&& all) {
+  PosingAnimations out;
+  auto& animations = out.sound = std::move(all);
   const std::vector<char> placing = placingNodes(doc, graph, meshNodes);
   std::vector<char> morphing(doc.model.nodes.size(), 0);
   for (int node : meshNodes) morphing[node] = targetCount(doc.model.meshes[doc.model.nodes[node].mesh]) > 0;
   const auto poses = [&](const AnimationCurve& curve) {
     if (curve.path == AnimationCurve::Path::Visibility) return false;
+    if (curve.node < 0) return true;  // a broken animation of an unknown node
     return (curve.path == AnimationCurve::Path::Weights ? morphing[curve.node] : placing[curve.node]) != 0;
   };
-  std::erase_if(*animations,
+  std::erase_if(animations,
                 [&](const GltfAnimation& a) { return std::none_of(a.curves.begin(), a.curves.end(), poses); });
-  for (GltfAnimation& a : *animations)
-    a.moves = std::any_of(a.curves.begin(), a.curves.end(),
-                          [&](const AnimationCurve& curve) { return poses(curve) && curve.varies(); });
-  return animations;
+  const auto firstBroken =
+      std::stable_partition(animations.begin(), animations.end(), [](const GltfAnimation& a) { return !a.error; });
+  std::move(firstBroken, animations.end(), std::back_inserter(out.broken));
+  animations.erase(firstBroken, animations.end());
+  const std::vector<int> objects = objectsOf(doc, graph);
+  for (GltfAnimation& a : animations) {
+    std::set<int> moved;
+    a.moves = false;
+    for (const AnimationCurve& curve : a.curves) {
+      if (!poses(curve)) continue;
+      a.moves = a.moves || curve.varies();
+      moved.insert(objects[curve.node]);
+      const auto cuts = curve.cuts();
+      a.cuts.insert(a.cuts.end(), cuts.begin(), cuts.end());
+    }
+    a.moves = a.moves && a.keyTimes.size() > 1;
+    a.object = moved.size() == 1 ? *moved.begin() : -1;
+    sortOnce(a.cuts);
+    std::erase(a.cuts, a.keyTimes.front());  // nothing is shown before the start
+  }
+  return out;
 }
 
 std::vector<AnimationInfo> infosOf(const std::vector<GltfAnimation>& animations) {
   std::vector<AnimationInfo> infos;
   for (const GltfAnimation& a : animations)
-    infos.push_back({a.name, a.keyTimes.front(), a.keyTimes.back(), static_cast<int>(a.keyTimes.size()), a.moves});
+    infos.push_back({a.name, a.keyTimes.front(), a.keyTimes.back(), static_cast<int>(a.keyTimes.size()), a.moves, {}});
   return infos;
 }
 
@@ -81,8 +107,7 @@ std::vector<AnimationInfo> infosOf(const std::vector<GltfAnimation>& animations)
 std::vector<GltfAnimation> animationsOf(const GltfDocument& doc, const NodeGraph& graph,
                                         const std::vector<int>& meshNodes) {
   std::vector<Warning> unsaid;
-  auto animations = movingAnimations(doc, graph, meshNodes, unsaid);
-  return animations ? std::move(*animations) : std::vector<GltfAnimation>();
+  return posingAnimations(doc, graph, meshNodes, readAnimations(doc, unsaid)).sound;
 }
 
 bool hidesMeshes(const GltfScene& scene) {
@@ -120,7 +145,10 @@ struct KeyReader {
   const GltfScene& scene;
   const ImportOptions& options;
   const StageProgress& progress;
-  std::vector<GltfAnimation> animations{};
+  std::vector<GltfAnimation> borrowed{};  // of files without a mesh
+  std::vector<GltfAnimation> animations{}, broken{};
+  std::vector<std::vector<int>> groups{};  // animations offered together; in the list, they follow the animations
+  GltfAnimation together{};                // the chosen group as one animation
   JoinedTargets targets{};
   std::vector<PlannedKey> plan{};
   std::size_t keysOfFile = 1;  // number of keys requested by the file, not by the user
@@ -162,22 +190,95 @@ struct KeyReader {
     const auto unknown = [&](const std::string& which) {
       return error(ErrorCode::UnknownAnimation, " has no animation " + which + "; " + animationList());
     };
-    int chosen = -1;
     if (const int* index = std::get_if<int>(&options.animation)) {
-      if (*index < 0 || *index >= static_cast<int>(animations.size())) return unknown(std::to_string(*index));
-      chosen = *index;
-    } else if (const std::string* name = std::get_if<std::string>(&options.animation)) {
-      const auto called = [&](const GltfAnimation& a) { return a.name == *name; };
-      // If several animations share the name, prefer one that moves.
-      const auto moving = [&](const GltfAnimation& a) { return called(a) && a.moves; };
-      auto found = std::find_if(animations.begin(), animations.end(), moving);
-      if (found == animations.end()) found = std::find_if(animations.begin(), animations.end(), called);
-      if (found == animations.end()) return unknown(inQuotes(*name));
-      chosen = static_cast<int>(found - animations.begin());
-    } else {
-      chosen = firstMoving();
+      if (*index < 0 || *index >= static_cast<int>(out.animations.size())) return unknown(std::to_string(*index));
+      return *index;
     }
-    return chosen;
+    if (const std::string* name = std::get_if<std::string>(&options.animation)) {
+      const auto& infos = out.animations;
+      const auto called = [&](const auto& a) { return a.name == *name; };
+      // If several animations share the name, prefer one that moves.
+      auto found = std::find_if(infos.begin(), infos.end(), [&](const auto& a) { return called(a) && a.moves; });
+      if (found == infos.end()) found = std::find_if(infos.begin(), infos.end(), called);
+      if (found != infos.end()) return static_cast<int>(found - infos.begin());
+      const auto bad = std::find_if(broken.begin(), broken.end(), called);
+      if (bad != broken.end()) return *bad->error;
+      return *name == "all" ? allAnimations() : unknown(inQuotes(*name));
+    }
+    const int first = firstMoving();
+    if (!broken.empty() && (first < 0 || broken[0].index < animations[first].index)) {
+      Error error = *broken[0].error;
+      if (first >= 0)
+        error.message += " Or choose another animation (on the command line, with --animation): " + animationList();
+      return error;
+    }
+    return first < 0 ? first : defaultOf(first);
+  }
+
+  // The group of all animations.
+  Result<int> allAnimations() const {
+    if (!broken.empty()) return *broken[0].error;
+    if (firstMoving() < 0) return -1;
+    const std::vector<int> all = allTogether(animations);
+    if (all.size() == 1) return all[0];
+    if (!all.empty()) return groupIndex(all);
+    return error(ErrorCode::UnknownAnimation,
+                 ": its animations move the same parts, so they cannot play together. Choose one; " + animationList());
+  }
+
+  int groupIndex(const std::vector<int>& parts) const {
+    return static_cast<int>(animations.size() + (std::find(groups.begin(), groups.end(), parts) - groups.begin()));
+  }
+
+  // The list's entry for the first animation and those that play with it.
+  int defaultOf(int first) const {
+    const std::vector<int> parts = partsOf(animations, first);
+    return parts.size() > 1 ? groupIndex(parts) : first;
+  }
+
+  void findGroups() {
+    const int first = firstMoving();
+    if (first < 0) return;
+    for (auto& parts : {partsOf(animations, first), allTogether(animations)})
+      if (parts.size() > 1 && std::find(groups.begin(), groups.end(), parts) == groups.end()) groups.push_back(parts);
+    for (const auto& parts : groups) {
+      const std::vector<double> times = keyTimesOf(animations, parts);
+      out.animations.push_back({namesOf(animations, parts, " + "), times.front(), times.back(),
+                                static_cast<int>(times.size()), true, parts});
+    }
+  }
+
+  // Warns of animations that the user may miss: unread ones, and those of other objects if none was chosen.
+  void warnOfOthers(int first, const std::vector<int>& parts) {
+    for (std::size_t i = 0; i < broken.size() && i < 10; ++i)
+      out.warnings.push_back({"broken-animation",
+                              "The animation " + inQuotes(broken[i].name) + " is left out: " + broken[i].error->message, 1});
+    if (!std::holds_alternative<std::monostate>(options.animation)) return;
+    const std::vector<int> others = leftOutOf(animations, first, parts);
+    if (others.empty()) return;
+    const bool one = others.size() == 1;
+    out.warnings.push_back(
+        {"other-animations",
+         doc.where + ": the keys are from the animation " + inQuotes(out.animations[out.animation].name) +
+             ". Other parts are moved by " + inQuotes(namesOf(animations, others, "\", \"")) + ", which " +
+             (one ? "is" : "are") + " left out. " +
+             (allTogether(animations).empty()
+                  ? "Choose another animation on the timeline (on the command line, with --animation)."
+                  : "Choose all together in the list of animations (on the command line, --animation all)."),
+         static_cast<int>(others.size())});
+  }
+
+  void warnOfCuts(const GltfAnimation& animation) {
+    if (animation.cuts.empty()) return;
+    std::string list;
+    for (std::size_t i = 0; i < animation.cuts.size() && i < 5; ++i)
+      list += (i ? ", " : "") + shortNumber(animation.cuts[i]);
+    out.warnings.push_back(
+        {"animation-cut",
+         doc.where + ": the animation " + inQuotes(animation.name) + " jumps at " + list + " s" +
+             (animation.cuts.size() > 5 ? " and at other times" : "") +
+             ". The spline smooths the jump between the keys around it. To shorten it, add a key just before the jump.",
+         static_cast<int>(animation.cuts.size())});
   }
 
   int firstMoving() const {
@@ -187,10 +288,11 @@ struct KeyReader {
 
   std::string animationList() const {
     if (animations.empty()) return "it has none.";
+    // Groups have no number here, because "all" is easier to type.
     std::string list = "it has";
     for (std::size_t i = 0; i < animations.size() && i < 20; ++i)
       list.append(i ? ", " : " ").append(std::to_string(i)).append(" ").append(inQuotes(animations[i].name));
-    return list + (animations.size() > 20 ? ", and more." : ".");
+    return list + (animations.size() > 20 ? ", and more" : "") + (groups.empty() ? "." : ", or all.");
   }
 
   // Advice if the requested animation has a single pose.
@@ -218,10 +320,15 @@ struct KeyReader {
   }
 
   Status planAnimation(int chosen) {
-    const GltfAnimation& animation = animations[chosen];
+    const int count = static_cast<int>(animations.size());
+    const std::vector<int> parts = chosen < count ? std::vector<int>{chosen} : groups[chosen - count];
+    out.animation = chosen;
+    warnOfOthers(firstMoving(), parts);
+    if (chosen >= count) together = joined(animations, parts);
+    const GltfAnimation& animation = chosen < count ? animations[chosen] : together;
     const auto times = timesOf(animation);
     if (!times) return times.error();
-    out.animation = chosen;
+    warnOfCuts(animation);
     for (double t : *times) plan.push_back({sampleName(t), t, &animation, t});
     return {};
   }
@@ -256,13 +363,15 @@ struct KeyReader {
       out.warnings.push_back({"project-ignored", doc.where + ": " + project.error().message, 0});
     }
     if (animations.empty()) {
+      if (!broken.empty()) return *broken[0].error;
+      if (options.animationAsked() && doc.model.meshes.empty()) return noMesh(doc);
       if (options.animationAsked()) return error(ErrorCode::UnknownAnimation, " has no animation that moves its mesh.");
       if (targets.count() == 0) return error(ErrorCode::TooFewKeys, onePose());
       return planMorphTargets(), Status();
     }
     const auto chosen = chosenAnimation();
     if (!chosen) return chosen.error();
-    return *chosen >= 0 && animations[*chosen].moves ? planAnimation(*chosen) : planStill(*chosen);
+    return *chosen >= 0 && out.animations[*chosen].moves ? planAnimation(*chosen) : planStill(*chosen);
   }
 
   // Computing shapes.
@@ -329,10 +438,14 @@ struct KeyReader {
 
   Status read() {
     const std::vector<int> wanted = namedNodes(doc, scene.meshNodes, options.objects);
-    auto moving = movingAnimations(doc, scene.graph, wanted, out.warnings);
-    if (!moving) return moving.error();
-    animations = std::move(*moving);
+    std::vector<GltfAnimation> all = std::move(borrowed);
+    auto own = readAnimations(doc, out.warnings);
+    std::move(own.begin(), own.end(), std::back_inserter(all));
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].index = static_cast<int>(i);
+    PosingAnimations posing = posingAnimations(doc, scene.graph, wanted, std::move(all));
+    animations = std::move(posing.sound), broken = std::move(posing.broken);
     out.animations = infosOf(animations);
+    findGroups();
     targets = joinTargets(doc, visibleNodes(scene, wanted, scene.graph.visible));
     // Reports errors of the objects before errors of the keys.
     const auto atRest = shownNodes(doc, scene, scene.graph.visible, options.objects);
@@ -407,8 +520,14 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, c
   return out;
 }
 
+bool isMotionOnly(const NamedBytes& file, const GivenFiles& files) {
+  const auto doc = openGltf(file, files, "");
+  return doc && doc->model.meshes.empty() && !doc->model.animations.empty();
+}
+
 Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
-                            const std::string& where, const StageProgress& progress) {
+                            const std::string& where, const StageProgress& progress,
+                            const std::vector<const NamedBytes*>& motions) {
   if (progress) progress("reading the file", 0);
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
@@ -416,6 +535,16 @@ Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, con
   const auto scene = readScene(*doc);
   if (!scene) return scene.error();
   KeyReader reader{*doc, *scene, options, progress};
+  for (const NamedBytes* motion : motions) {
+    const auto other = openGltf(*motion, files, std::string(baseName(motion->name)));
+    if (!other) return other.error();
+    auto animations = borrowAnimations(*other, *doc, reader.out.warnings);
+    if (!animations) return animations.error();
+    // Some programs give all animations one name.
+    const std::string_view name = baseName(motion->name);
+    if (motions.size() > 1 && animations->size() == 1) animations->front().name = name.substr(0, name.rfind('.'));
+    std::move(animations->begin(), animations->end(), std::back_inserter(reader.borrowed));
+  }
   if (Status read = reader.read(); !read) return read.error();
   return std::move(reader.out);
 }

@@ -36,8 +36,13 @@ struct PoseFile {
 Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
                               const std::string& where, const FractionReport& onProgress = {});
 
-/// Reads several keys from one file and sets their times. Validates only as far as reading requires.
+/// Whether the file has animations but no mesh.
+bool isMotionOnly(const NamedBytes& file, const GivenFiles& files);
+
+/// Reads several keys from one file and sets their times. Validates only as far as reading requires. `motions`: files
+/// without a mesh, whose animations move the nodes of this file with the same names.
 Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
-                            const std::string& where, const StageProgress& progress);
+                            const std::string& where, const StageProgress& progress,
+                            const std::vector<const NamedBytes*>& motions = {});
 
 }  // namespace shapespline

@@ -101,6 +101,8 @@ Result<GltfScene> readScene(const GltfDocument& doc) {
     if (mesh >= static_cast<int>(doc.model.meshes.size()))
       return malformed(
           doc.where, "node " + std::to_string(node) + " shows mesh " + std::to_string(mesh) + ", which does not exist");
+    if (const std::string broken = brokenPart(doc.model.meshes[mesh].extras); !broken.empty())
+      return malformed(doc.where, "mesh " + std::to_string(mesh) + broken);
     scene.meshNodes.push_back(node);
   }
   return scene;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "core/base/format.h"
 #include "io/base/limits.h"
@@ -27,10 +28,17 @@ int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
   return it == primitive.attributes.end() ? -1 : it->second;
 }
 
-Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc) {
+// Leaves the skins of other nodes empty.
+Result<std::vector<GltfSkin>> readSkins(const GltfDocument& doc, const std::vector<int>& meshNodes) {
   std::vector<GltfSkin> skins;
+  std::set<int> used;
+  for (int node : meshNodes) used.insert(doc.model.nodes[node].skin);
   for (const tinygltf::Skin& skin : doc.model.skins) {
     const std::string name = "skin " + std::to_string(skins.size());
+    if (!used.contains(static_cast<int>(skins.size()))) {
+      skins.emplace_back();
+      continue;
+    }
     for (int joint : skin.joints)
       if (joint < 0 || joint >= static_cast<int>(doc.model.nodes.size()))
         return malformed(doc.where, name + " has joint node " + std::to_string(joint) + ", which does not exist");
@@ -54,6 +62,7 @@ struct ShapeReader {
   const std::vector<int>& meshNodes;
   const FractionReport& onProgress;
   GltfShape shape;
+  std::vector<Eigen::Affine3d> world{};  // of every node, at rest
   int skippedPrimitives = 0, leftoverCorners = 0, unskinnedParts = 0;
   std::int64_t cornerCount = 0, influenceCount = 0;
 
@@ -205,6 +214,17 @@ struct ShapeReader {
     }
   }
 
+  // Whether most of a skin's influences mirror their vertices. The mesh node's transform does not count.
+  bool isMirrored(const GltfPart& part) const {
+    const GltfSkin& skin = shape.skins[part.skin];
+    std::vector<double> signs;
+    for (std::size_t j = 0; j < skin.joints.size(); ++j)
+      signs.push_back((world[skin.joints[j]] * skin.inverseBind[j]).linear().determinant() < 0 ? -1 : 1);
+    double sum = 0;
+    for (std::size_t i = 0; i < part.joints.size(); ++i) sum += part.weights[i] * signs[part.joints[i]];
+    return sum < 0;
+  }
+
   Status readMesh(int node, const Eigen::Affine3d& instance, bool mirrored, const FractionReport& report) {
     const int meshIndex = doc.model.nodes[node].mesh;
     const tinygltf::Mesh& mesh = doc.model.meshes[meshIndex];
@@ -220,6 +240,9 @@ struct ShapeReader {
         continue;
       }
       const std::string name = "mesh " + std::to_string(meshIndex) + ", primitive " + std::to_string(p);
+      if (const int m = primitive.material; m >= 0 && m < static_cast<int>(doc.model.materials.size()))
+        if (const std::string broken = brokenPart(doc.model.materials[m].extras); !broken.empty())
+          return malformed(doc.where, "material " + std::to_string(m) + broken);
       // Primitives that share vertices (one mesh in several materials) also share them here.
       const auto [place, isNew] = knownPart.try_emplace(&primitive, shape.parts.size());
       const std::size_t part = place->second;
@@ -231,8 +254,8 @@ struct ShapeReader {
       if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) >
           mostFaces)
         return tooLarge(doc, mostFaces, "faces");
-      addFaces(*v, primitive.mode, shape.parts[part].firstVertex, mirrored && shape.parts[part].skin < 0,
-               share(0.8, 1));
+      const GltfPart& read = shape.parts[part];
+      addFaces(*v, primitive.mode, read.firstVertex, read.skin < 0 ? mirrored : isMirrored(read), share(0.8, 1));
       shape.groups.push_back({start, static_cast<int>(shape.faces.size()) - start, primitive.material});
     }
     return {};
@@ -243,14 +266,14 @@ struct ShapeReader {
   }
 
   // All copies of a node's mesh form one object.
-  Status readNode(int node, const Eigen::Affine3d& world, const FractionReport& report) {
+  Status readNode(int node, const FractionReport& report) {
     const auto instances = readInstances(doc, node);
     if (!instances) return instances.error();
     const int start = static_cast<int>(shape.faces.size());
     for (std::size_t i = 0; i < instances->size(); ++i) {
       const Eigen::Affine3d& instance = (*instances)[i];
       const double count = static_cast<double>(instances->size()), before = static_cast<double>(i);
-      const bool mirrored = (world * instance).linear().determinant() < 0;
+      const bool mirrored = (world[node] * instance).linear().determinant() < 0;
       if (Status mesh = readMesh(node, instance, mirrored, partOf(report, before / count, (before + 1) / count)); !mesh)
         return mesh;
     }
@@ -274,15 +297,15 @@ struct ShapeReader {
   }
 
   Status read() {
-    auto skins = readSkins(doc);
+    auto skins = readSkins(doc, meshNodes);
     if (!skins) return skins.error();
     shape.skins = std::move(*skins);
     shape.hasNormals = true;
-    const auto world = worldTransforms(*shape.graph, shape.graph->rest);
+    world = worldTransforms(*shape.graph, shape.graph->rest);
     for (std::size_t i = 0; i < meshNodes.size(); ++i) {
       const double count = static_cast<double>(meshNodes.size()), before = static_cast<double>(i);
       const int node = meshNodes[i];
-      if (Status mesh = readNode(node, world[node], partOf(onProgress, before / count, (before + 1) / count)); !mesh)
+      if (Status mesh = readNode(node, partOf(onProgress, before / count, (before + 1) / count)); !mesh)
         return mesh;
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
@@ -291,13 +314,21 @@ struct ShapeReader {
          "the number of corners in a triangle list is not a multiple of 3. The last one or two are ignored.");
     warn("skin-without-weights", unskinnedParts, "a skinned mesh without joints or weights is used without its skin.");
     if (!shape.faces.empty()) return {};
-    return Error{ErrorCode::NoTriangles, doc.where +
-                                             (doc.model.meshes.empty() ? " has no mesh" : " shows no triangles") +
-                                             ". Export a scene that shows a mesh with faces."};
+    return noMesh(doc);
   }
 };
 
 }  // namespace
+
+Error noMesh(const GltfDocument& doc) {
+  const bool bare = doc.model.meshes.empty();
+  if (bare && !doc.model.animations.empty())
+    return {ErrorCode::NoTriangles,
+            doc.where + " has an animation but no mesh. Open it together with the GLB of its character, or export both "
+                        "as one GLB (with skin)."};
+  return {ErrorCode::NoTriangles, doc.where + (bare ? " has no mesh" : " shows no triangles") +
+                                      ". Export a scene that shows a mesh with faces."};
+}
 
 Result<GltfShape> readShape(const GltfDocument& doc, const NodeGraph& graph, const std::vector<int>& meshNodes,
                             const FractionReport& onProgress) {

@@ -46,6 +46,9 @@ struct GltfShape {
   std::vector<ObjectFaces> objects;  ///< one object for each mesh node, in face order
 };
 
+/// Error for a file that shows no mesh, with advice.
+Error noMesh(const GltfDocument& doc);
+
 /// Reads every triangle primitive (lists, strips, fans) of every copy of these mesh nodes (see readScene), in file
 /// order. Skips lines and points with a warning, and reverses faces of mirrored nodes. The document and the graph must
 /// outlive the result. Errors: NoTriangles, MalformedFile, IndexOutOfRange, TooLarge.

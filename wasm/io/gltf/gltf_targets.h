@@ -15,8 +15,9 @@ struct JoinedTargets {
   int count() const { return static_cast<int>(names.size()); }
 };
 
-/// Joins the targets of the meshes of these nodes: by name (extras.targetNames), or by index for targets without a
-/// name. A joined target does not move meshes that lack it.
+/// Joins the targets of the meshes of these nodes: by name, or by index for targets without a name. Names are in
+/// extras.targetNames of the mesh or of its primitives, or else are those of the accessors. A joined target does not
+/// move meshes that lack it.
 JoinedTargets joinTargets(const GltfDocument& doc, const std::vector<int>& meshNodes);
 
 }  // namespace shapespline

@@ -457,12 +457,17 @@ export const IMPORT = {
     value: 'T,T,...',
     help: "times of the keys in seconds; default: the animation's own, or one second apart",
   },
-  /** Name or index of the animation to sample keys from; default: the first one that moves. */
+  /**
+   * Name or index of the animation to sample keys from, or 'all' for all of them at once. Default: the first one that
+   * moves, with those that belong to it.
+   */
   animation: {
     kind: 'animation',
     flag: 'animation',
-    value: 'NAME|INDEX',
-    help: 'take the keys from this animation of the file; default: the first animation that moves',
+    value: 'NAME|INDEX|all',
+    help:
+      'take the keys from this animation of the file, or from all of them at once if no two move the same part; default: ' +
+      'the first animation that moves, with those of other objects that have its name, or its start and length',
   },
   /** Times on the animation's own timeline, in seconds, or the number of evenly spaced ones; default 8. */
   sample: {

@@ -160,6 +160,8 @@ export interface AnimationInfo {
   keys: number;
   /** False for a single pose, with any number of key times. Keys cannot be sampled from it. */
   moves: boolean;
+  /** Indices of the animations that this entry plays together; empty or absent for a single animation. */
+  together?: number[];
 }
 
 /** How an object of the first key was found in another file. */

@@ -1,6 +1,6 @@
 /**
  * Converts glTF files with compressed meshes to uncompressed ones. Their maintained decoders handle
- * KHR_draco_mesh_compression and EXT_meshopt_compression and are loaded on first use. The core reads the result.
+ * KHR_draco_mesh_compression, EXT_meshopt_compression and KHR_meshopt_compression and are loaded on first use. The core reads the result.
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
@@ -25,7 +25,8 @@ const DRACO_ROOM = 64 * 2 ** 20;
 /** `dracoWasm` fetches the Draco decoder's wasm file, whose location differs between browsers and Node. */
 export function decoder(codecs: Codecs, dracoWasm: () => Promise<Uint8Array>): Decode {
   return async (files, report) => {
-    const texts = files.map(({ bytes }) => jsonOf(bytes));
+    // Both extensions have the same members, and the decoder reads the codecs of both.
+    const texts = files.map(({ bytes }) => jsonOf(bytes)?.replaceAll('"KHR_meshopt_', '"EXT_meshopt_') ?? null);
     const compressed = texts.map((text) => COMPRESSIONS.some((name) => text?.includes(`"${name}"`)));
     const [all, decoded] = [compressed.filter(Boolean).length, [...files]];
     let done = 0;
