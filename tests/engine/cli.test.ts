@@ -4,7 +4,7 @@ import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
 import packageJson from '../../package.json';
-import { folderOf, listed, program, runCli } from './support/cli.ts';
+import { folderOf, listed, program, runCli, runNode } from './support/cli.ts';
 import { meshGlb, poseFiles } from './support/glb.ts';
 import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';
 import { threePlayer } from './support/three-player.ts';
@@ -447,6 +447,16 @@ describe('files with different objects', () => {
     expect(found.warnings.map(({ code: kind }) => kind)).toEqual(['left-out-objects']);
     expect(found.warnings[0]!.message).toContain('"Thing"');
   });
+});
+
+describe('flags of Node', () => {
+  it.each(['--max-old-space-size=4096', '--expose-gc', '--title=mine', '--stack-trace-limit=50', '--no-warnings'])(
+    '%s works',
+    async (flag) => {
+      const { code, stderr } = await runNode(folder, flag, program, 'inspect', ...names);
+      expect([code, stderr]).toEqual([0, '']);
+    },
+  );
 });
 
 describe('wrong use', () => {

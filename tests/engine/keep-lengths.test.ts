@@ -50,6 +50,21 @@ const missed = (motion: Motion, keys: Keys): Promise<number | null> =>
     signal: new AbortController().signal,
   });
 
+it('too many keys are refused with their own number before any shape is fitted', async () => {
+  const { faces, poses } = rolledSheet(2, 1);
+  const many = Array.from({ length: 1000 }, (_, i) => ({ name: `${i}`, time: i, positions: poses[i % 2]! }));
+  const keys = await engine.createKeys({ faces, poses: many });
+  const stages = new Set<string>();
+  const onProgress = ({ stage }: { stage: string }): void => void stages.add(stage);
+  const failure = await failureOf(engine.createSequence(keys, { keepLengths: 3 }, { onProgress }));
+  expect([failure.code, failure.message]).toEqual([
+    'too-large',
+    'With keepLengths 3, 1,000 keys need 2,997 shapes between them, but a motion can have at most 2,000 keys and ' +
+      'shapes in all. Set keepLengths to 1, or use at most 500 keys.',
+  ]);
+  expect([...stages]).toEqual(['welding']);
+});
+
 describe('kept lengths', () => {
   it('keep the lengths and the area of a sheet, pass through the keys, and are pure', async () => {
     const keys = await sheet(14);

@@ -169,6 +169,32 @@ describe('shapespline measure', () => {
     });
   });
 
+  it.each([
+    [['--hold', 'on', '--pin', '3:0.1', '--turns', '2:1'], 'lri,rotation-strain,rimd,lengths,geodesic'],
+    [['--boundary', 'periodic', '--tension', '0,1,0'], 'lri,lengths,shell'],
+    [['--boundary', 'hermite', '--start-speed', '0'], 'lri,geodesic,linear,lengths'],
+    [['--keep-lengths', '1'], 'lri,rimd,cubic-vertex'],
+    [['--own-paths', 'root'], 'lri,rimd'],
+    [['--ghost-faces', '60', '--transfer', 'paper'], 'lri,rimd,linear,rotation-strain'],
+  ])('leaves %j out of the methods that lack it, in %s', { timeout: 60_000 }, async (options, methods) => {
+    const folder = await folderOf([await rigFile(file)]);
+    const words = ['measure', file, '--sample', '0,1,2', '--at', '0,0.5'];
+    const measured = async (...more: string[]): Promise<string> => {
+      const { code, stdout, stderr } = await runCli(folder, ...words, ...more);
+      expect([code, stderr]).toEqual([0, '']);
+      return stdout;
+    };
+    const own = await measured(...options);
+    const all = await measured(...options, '--methods', methods);
+    const [main, last] = [methods.split(',')[0]!, methods.split(',').at(-1)!];
+    const volume = `${main} volume`;
+    expect(column(read(all), volume)).toEqual(column(read(own), volume));
+    if (options[0] !== '--boundary') {
+      const plain = await measured('--methods', last);
+      expect(column(read(all), `${last} volume`)).toEqual(column(read(plain), `${last} volume`));
+    }
+  });
+
   it('refuses unusable input with a message', { timeout: 60_000 }, async () => {
     const pose = (height: number): Uint8Array => text(`v 0 0 0\nv 1 0 0\nv 0 ${height} 0\nf 1 2 3\n`);
     const folder = await folderOf([
@@ -180,6 +206,7 @@ describe('shapespline measure', () => {
       [['measure'], 2, /give at least one file/],
       [['measure', file, '--methods', 'best'], 2, /--methods.*lri/],
       [['measure', file, '--method', 'lri'], 2, /unknown option --method/],
+      [['measure', file, '--hold', 'on', '--methods', 'rimd,lri'], 2, /--hold requires --method lri/],
       [['measure', 'a.obj', 'b.obj', '--against', file], 1, /rig\.glb/],
       [['measure', file, '--against', 'nothing.glb'], 1, /nothing\.glb/],
     ] as const) {

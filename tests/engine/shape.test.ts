@@ -99,6 +99,19 @@ describe('a shape', () => {
     expect((await frameAt(motions[1]!, 0.2)).positions).not.toEqual(first);
   });
 
+  it('makes a motion again with its own key times, although the caller reuses their array', async () => {
+    const { shape } = await encoded();
+    const keyTimes = [0, 0.5, 1];
+    const first = await shape.motion({ keyTimes });
+    const before = (await frameAt(first, 0.6)).positions.slice();
+    for (let others = 0; others < 16; ++others) {
+      keyTimes[1]! += 0.02;
+      await shape.motion({ keyTimes });
+    }
+    expect(first.keyTimes).toEqual([0, 0.5, 1]);
+    expect((await frameAt(first, 0.6)).positions).toEqual(before);
+  });
+
   it('ends a motion that is disposed of, and ends all its motions when disposed of', async () => {
     const { shape } = await encoded();
     const [one, two] = [await shape.motion(), await shape.motion()];

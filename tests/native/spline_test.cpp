@@ -59,6 +59,29 @@ TEST_CASE("natural spline equals the one by moments") {
     CHECK(value(curve, y, t) == doctest::Approx(naturalByMoments(times, y, t)).epsilon(1e-12));
 }
 
+TEST_CASE("a long curve equals the one by moments, open and closed") {
+  constexpr int keys = 300;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> step(0.01, 1);
+  std::vector<double> at = {0};
+  while (at.size() < keys) at.push_back(at.back() + step(random));
+  const Eigen::VectorXd y = randomColumns(keys);
+  const double period = at.back() + 0.5;
+  const Curve open = fit({}, at), closed = fit({.boundary = BoundaryKind::Periodic, .period = period}, at);
+  // A period between the ends of its neighbours.
+  std::vector<double> unrolled;
+  Eigen::VectorXd values(keys + 120);
+  for (int k = -60; k < keys + 60; ++k) {
+    values[k + 60] = y[(k + keys) % keys];
+    unrolled.push_back(at[(k + keys) % keys] + (k < 0 ? -period : k >= keys ? period : 0));
+  }
+  for (const double t : {0.3, 0.5 * period, at.back() - 0.2, period - 0.1}) {
+    if (t < at.back()) CHECK(value(open, y, t) == doctest::Approx(naturalByMoments(at, y, t)).epsilon(1e-11));
+    CHECK(value(closed, y, t) == doctest::Approx(naturalByMoments(unrolled, values, t)).epsilon(1e-11));
+    CHECK(closed.weights(t).sum() == doctest::Approx(1).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("weights sum to one, their derivatives to zero") {
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic})
     for (const bool linear : {false, true}) {
@@ -212,6 +235,8 @@ TEST_CASE("invalid options are refused with a message") {
   CHECK(code({.bias = {0, 0, 0, 0, 0, NAN}}) == ErrorCode::InvalidOption);
   CHECK(code({}, {0, 1, 1}) == ErrorCode::TimesNotIncreasing);
   CHECK(code({}, {0, 2, 1}) == ErrorCode::TimesNotIncreasing);
+  for (const double step : {5e-324, 1e-300, 1e-31}) CHECK(code({}, {0, step}) == ErrorCode::TimesNotIncreasing);
+  CHECK(Curve::fit({0, 1e-29}, {}).ok());
   CHECK(code({}, {0, 1e10}) == ErrorCode::TooLarge);
   CHECK(code({}, {-1e300, 0}) == ErrorCode::TooLarge);
   CHECK(code({}, {0, INFINITY}) == ErrorCode::NotFinite);

@@ -1,11 +1,18 @@
 /** The element on a page: drawing, laziness, events, methods, keys, and styling. */
 import { expect, it } from 'vitest';
+import { embedSnippet } from '../../web/app/export/embed-snippet.ts';
 import { PROPERTIES, ROWS, attributeOf } from '../../web/embed/attributes.ts';
 import { customElementsManifest } from '../../web/embed/manifest.ts';
 import type { ShapeSplineElement } from '../../web/embed/shape-spline.ts';
+import { METHODS } from '../../web/engine/api/methods.ts';
+import type { SequenceOptions } from '../../web/engine/api/types.ts';
+import { withEngine } from '../../web/engine/node.ts';
+import { EMPTY_STATE } from '../../web/model/state.ts';
 import { samples } from '../element-samples.ts';
+import { bar, bent } from '../engine/support/shapes.ts';
 import {
   KEYS,
+  libraryAddress,
   on,
   openElements,
   picture,
@@ -15,6 +22,7 @@ import {
   told,
   useElements,
   when,
+  write,
 } from './support/element.ts';
 
 useElements();
@@ -369,6 +377,31 @@ it('compared methods are shown side by side with their names, and play together'
     );
   });
   expect(inside).toBe(true);
+});
+
+it.each<[string, Partial<SequenceOptions>]>([
+  ['hold', { hold: 'on', pins: [{ vertex: 0, radius: 0.1 }], tension: [0, 1, 0], turns: [{ key: 2, turns: 1 }] }],
+  ['loop', { boundary: 'periodic' }],
+  ['kept', { keepLengths: 1 }],
+  ['paths', { ownPaths: 'root', boundary: 'hermite' }],
+  ['ghost', { ghostFaces: 60, transfer: 'paper' }],
+])('opens what the embed dialog writes for every method beside a project: %s', async (name, options) => {
+  const mesh = bar();
+  await withEngine(async (engine) => {
+    const poses = [0, 60, 0].map((angle, time) => ({ name: `${time}`, time, positions: bent(mesh, angle) }));
+    const sequence = await engine.createSequence(await engine.createKeys({ faces: mesh.indices, poses }), options);
+    write(`${name}.glb`, (await sequence.export())[0]!.bytes);
+  });
+  const { doc, view, play } = EMPTY_STATE;
+  const state = { ...EMPTY_STATE, doc, play, view: { ...view, compare: [...METHODS] } };
+  const snippet = embedSnippet(state, `${name}.glb`, 'A bar bends');
+  const page = await openElements(
+    snippet.replace('shapespline/', libraryAddress()).replace('<shape-spline', '<shape-spline id="a"'),
+    { script: 'none' },
+  );
+  await page.waitForFunction(() => window.told.some(({ type }) => type === 'load' || type === 'error'));
+  expect(await told(page, 'error')).toEqual([]);
+  expect(await page.locator('#a [part=name]').allTextContents()).toHaveLength(METHODS.length);
 });
 
 it('follows changes of the colour scheme', async () => {

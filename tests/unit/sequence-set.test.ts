@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { SequenceSet } from '../../web/app/session/sequence-set.ts';
 import type { SequencePlan } from '../../web/app/session/sequence-plan.ts';
-import { motionFor, sequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { sequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { motionFor } from '../../web/engine/api/method-options.ts';
 import type { Engine, Keys, Motion, MotionChange, Shape } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 import type { EncodingOptions, Method } from '../../web/engine/api/types.ts';
@@ -172,7 +173,7 @@ describe('sequence sets', () => {
     const plan = sequencePlan(setMotion(doc, { hold: 'on', pins, boundary: 'hermite' }));
     plan.motion.turns = [{ key: 2, turns: 1 }];
     const asked = (method: Method): unknown[] => {
-      const { hold, pins: held, turns, boundary } = motionFor(plan, { method, ghost: 0 });
+      const { hold, pins: held, turns, boundary } = motionFor(plan.motion, { method });
       return [hold, held.length, turns.length, boundary];
     };
     expect(asked('lri')).toEqual(['on', 1, 1, 'hermite']);
@@ -180,7 +181,7 @@ describe('sequence sets', () => {
     expect(asked('rotation-strain')).toEqual(['off', 0, 0, 'hermite']);
     plan.motion.tension = [0.5, 0.5, 0.5];
     expect(asked('lengths')).toEqual(['off', 0, 0, 'natural']);
-    expect(motionFor(plan, { method: 'lengths', ghost: 0 }).tension).toEqual([]);
+    expect(motionFor(plan.motion, { method: 'lengths' }).tension).toEqual([]);
     // This method needs the stretches of the shape's own faces, which the paper's transfer lacks.
     for (const [transfer, ghost] of [
       ['paper', 0],

@@ -1,6 +1,7 @@
 /** Options of the shape spline in the page: what rules them out, and what the motions get. */
 import { expect, it } from 'vitest';
-import { buildKey, motionFor, sequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { buildKey, sequencePlan } from '../../web/app/session/sequence-plan.ts';
+import { motionFor } from '../../web/engine/api/method-options.ts';
 import { setEncoding, setMotion, setTurns } from '../../web/model/edits.ts';
 import { departs, splineOptions, whyNoLengths, whyNoPaths } from '../../web/model/spline-options.ts';
 import { DEFAULT_VIEW } from '../../web/model/state.ts';
@@ -13,7 +14,7 @@ const paths = setMotion(plain, { ownPaths: 'absolute' });
 
 const main = (doc: Doc) => {
   const plan = sequencePlan(doc);
-  const { keepLengths, ownPaths } = motionFor(plan, plan.variants[0]!);
+  const { keepLengths, ownPaths } = motionFor(plan.motion, plan.variants[0]!);
   return { keepLengths, ownPaths };
 };
 
@@ -50,7 +51,7 @@ it('a motion with one of them is compared with the published one', () => {
     const plan = sequencePlan(doc, { ...DEFAULT_VIEW, compare: ['lri', 'geodesic'] });
     expect(plan.variants.map(({ plain: published }) => published)).toEqual([undefined, true, undefined]);
     for (const variant of plan.variants.slice(1))
-      expect(motionFor(plan, variant)).toMatchObject({ keepLengths: 0, ownPaths: 'off' });
+      expect(motionFor(plan.motion, variant)).toMatchObject({ keepLengths: 0, ownPaths: 'off' });
   }
 });
 
@@ -63,7 +64,7 @@ it('shapes are fitted again on another mesh or at other times, and other motions
   ] as const)
     for (const change of [{ spaceFaces: 500 }, { spaceSamples: 12 }]) {
       const plan = sequencePlan(setMotion(doc, change));
-      expect(motionFor(plan, plan.variants[0]!)).toMatchObject(change);
+      expect(motionFor(plan.motion, plan.variants[0]!)).toMatchObject(change);
       expect(buildKey(plan) !== buildKey(sequencePlan(doc))).toBe(again);
     }
 });

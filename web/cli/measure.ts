@@ -1,6 +1,7 @@
 /** The measure command: a table of a motion's measures for several methods, and their errors against an animation. */
 import { version } from '../../package.json';
 import type { Motion } from '../engine/api/api.ts';
+import { ghostFor, motionFor } from '../engine/api/method-options.ts';
 import { checkSequenceOptions, encodingOf, motionOf } from '../engine/api/options.ts';
 import type { ExportOptions, Method } from '../engine/api/types.ts';
 import { withEngine } from '../engine/node.ts';
@@ -51,8 +52,13 @@ export async function measure(args: Arguments): Promise<Measured> {
     checkFit(args, all, methods);
     const wholly = checkSequenceOptions(all);
     const shape = await engine.encode(keys, encodingOf(wholly));
-    const motionBy = (method: Method): Promise<Motion> => shape.motion({ ...motionOf(wholly), method });
-    const sequence = await motionBy(methods[0]!);
+    const sequence = await shape.motion(motionOf(wholly));
+    // Options that a compared method lacks are left out for that method.
+    const motionBy = async (method: Method): Promise<Motion> => {
+      const own = motionFor(ghostFor(wholly, method), { method });
+      const same = own.ghostFaces === wholly.ghostFaces;
+      return (same ? shape : await engine.encode(keys, encodingOf(own))).motion(motionOf(own));
+    };
     const truth = against.length > 0 ? await readTruth(engine, keys, await readInputs(against), imported, own) : null;
     const compared = truth && (await comparedTimes(sequence, truth, wanted, against[0]!));
     const times = compared?.times ?? (await sequence.planExport({ format: 'obj', ...wanted })).times;

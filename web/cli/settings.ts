@@ -167,7 +167,7 @@ one per time. Materials and textures of an OBJ are written next to it.
 
 Keys are counted from 1, animations from 0; reports count everything from 0. Times are in seconds.
 
-${line('  --methods M,M,...', 'measure, study spaces: methods to compare; default: lri for measure, all methods for study spaces')}
+${line('  --methods M,M,...', 'measure, study spaces: methods to compare; default: lri for measure, all methods for study spaces. Options that a method after the first lacks are left out for it')}
 ${line('  --sizes N,N,...', 'study ghost: numbers of faces of the ghost meshes; default: 500,1000,2000,3000,5000,10000')}
 ${line('  --against FILE', "measure, study spaces: compare each method with this animation of the same mesh, at the animation's own frames (with measure, unless --at, --frames, --fps or --range is given); repeat the option for files that belong to FILE. Frames of files without times are spaced evenly from the first key to the last")}
 ${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}

@@ -171,7 +171,7 @@ const OWN = {
     choices: MOTION.method.choices,
     default: [],
     concern: 'motion',
-    doc: 'Methods to show next to `method`, separated by spaces.',
+    doc: 'Methods to show next to `method`, separated by spaces. Options that one of them lacks are left out for it.',
   },
   ghost: {
     kind: 'flag',

@@ -1,7 +1,8 @@
 /** The element <shape-spline>. Importing it has no side effects and works without a DOM. */
-import { OWN_METHOD } from '../engine/api/methods.ts';
+import { ghostFor, motionFor } from '../engine/api/method-options.ts';
 import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
 import type { Keys, Motion } from '../engine/api/api.ts';
+import { SEQUENCE_DEFAULTS } from '../engine/api/types.ts';
 import type {
   ExportOptions,
   Frame as Shape,
@@ -426,9 +427,10 @@ export class ShapeSplineElement extends Base {
     const method = options.method ?? this.method;
     const methods = [method, ...this.compare.filter((one) => one !== method)];
     const times = this.keyTimes ?? sources.times;
+    const all = { ...SEQUENCE_DEFAULTS, ...options };
     const motions = methods.map((one) => {
-      const own = one === OWN_METHOD ? {} : { ownPaths: 'off' as const };
-      return takeMotion({ keys, times, options: { ...options, ...own, method: one } }, from(KEYS_SHARE));
+      const own = one === method ? { ...options, method } : motionFor(ghostFor(all, one), { method: one });
+      return takeMotion({ keys, times, options: own }, from(KEYS_SHARE));
     });
     for (const lease of this.#opening.motions) lease.release();
     this.#opening.motions = motions;

@@ -44,12 +44,15 @@ export async function withEngine<T>(work: (engine: Engine) => Promise<T>, urls?:
   }
 }
 
-// A program given as text passes its options to worker threads, which reject them.
-const execArgv = process.execArgv.filter((word) => !word.startsWith('--input-type'));
+/**
+ * Node passes the program's flags on to worker threads by itself. They reject only the type of a program given as text.
+ */
+const isText = /--input[-_]type/.test([...process.execArgv, process.env['NODE_OPTIONS']].join(' '));
+const threadOptions = isText ? { execArgv: [], env: { ...process.env, NODE_OPTIONS: '' } } : {};
 
 function spawnFrom(workerUrl: URL, onLost: (() => void) | undefined): Spawn {
   return (events) => {
-    const worker = new Worker(workerUrl, { execArgv });
+    const worker = new Worker(workerUrl, threadOptions);
     let wanted = true;
     const lost = (reason: unknown): void => {
       events.failure(endedWorker(reason));

@@ -2,7 +2,8 @@
 import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { EngineError, isCancelled } from '../engine/api/errors.ts';
 import { partOf } from '../engine/api/progress.ts';
-import type { Method, SequenceOptions } from '../engine/api/types.ts';
+import { ghostFor, motionFor } from '../engine/api/method-options.ts';
+import { SEQUENCE_DEFAULTS, type Method, type SequenceOptions } from '../engine/api/types.ts';
 import { edgeLengths, edgesOf } from './edge-lengths.ts';
 import { KgError } from './kg-error.ts';
 
@@ -60,7 +61,8 @@ export async function studySpaces(
     const call = { ...(signal && { signal }), onProgress: partOf(report, 0, 0.5) };
     try {
       const start = performance.now();
-      const sequence = await engine.createSequence(keys, { ...options, method }, call);
+      const own = motionFor(ghostFor({ ...SEQUENCE_DEFAULTS, ...options }, method), { method });
+      const sequence = await engine.createSequence(keys, own, call);
       const buildMs = performance.now() - start;
       const numbers = await measured(sequence, spline, truth, signal).finally(() => sequence.dispose());
       rows.push({ method, buildMs, note: notFitted(sequence), ...numbers });

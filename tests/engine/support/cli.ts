@@ -34,8 +34,13 @@ export interface Outcome {
 }
 
 export function runCli(folder: string, ...words: string[]): Promise<Outcome> {
+  return runNode(folder, program, ...words);
+}
+
+/** Runs Node with these words. */
+export function runNode(folder: string, ...words: string[]): Promise<Outcome> {
   return new Promise((resolve) => {
-    const child = spawn(process.execPath, [program, ...words], { cwd: folder });
+    const child = spawn(process.execPath, words, { cwd: folder });
     const outcome: Outcome = { code: null, stdout: '', stderr: '' };
     child.stdout.on('data', (chunk: Buffer) => (outcome.stdout += chunk.toString()));
     child.stderr.on('data', (chunk: Buffer) => (outcome.stderr += chunk.toString()));

@@ -25,6 +25,7 @@ describe('a limit of the engine equals that of the core', () => {
     [TABLE, 'MOST_TURNS', 'wasm/core/sequence/motion.cpp', 'mostTurns'],
     [TABLE, 'MOST_TIME', 'wasm/core/spline/key_times.cpp', 'farthestTime'],
     [TABLE, 'MOST_KEYS', 'wasm/io/base/sample_times.cpp', 'mostKeys'],
+    ['web/engine/caller/fitted-motion.ts', 'MOST_MOTION_KEYS', 'wasm/core/sequence/shared_shape.cpp', 'mostKeys'],
     ['web/engine/caller/export-plan.ts', 'MOST_WEIGHTS', LIMITS, 'mostElements'],
     [JSON_TS, 'DEEPEST', LIMITS, 'deepestJson'],
     [JSON_TS, 'MOST_OBJECTS', LIMITS, 'mostJsonObjects'],

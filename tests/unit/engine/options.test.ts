@@ -24,6 +24,15 @@ function refusal(check: () => unknown): string {
   throw new Error('it was accepted');
 }
 
+const NAMELESS = { name: '', nodeName: '', meshName: '', path: '' };
+
+/** Changes every number and text inside. */
+function spoil(value: object): void {
+  for (const [key, one] of Object.entries(value))
+    if (typeof one === 'object') spoil(one);
+    else (value as Record<string, unknown>)[key] = typeof one === 'number' ? one + 1 : 'spoilt';
+}
+
 describe('options', () => {
   it('are the defaults if not given', () => {
     expect(checkSequenceOptions()).toEqual(SEQUENCE_DEFAULTS);
@@ -140,6 +149,22 @@ describe('options', () => {
     expect(refusal(() => checkTime(1e300))).toContain('from -1,000,000,000 to 1,000,000,000');
     expect(refusal(() => checkTimes([0, -1e300]))).toContain('from -1,000,000,000 to 1,000,000,000');
     expect([checkTime(-1e9), checkTimes([1e9])]).toEqual([-1e9, [1e9]]);
+  });
+
+  it.each([
+    [checkSequenceOptions, { tension: [0, 1], bias: [0, 1], turns: [{ key: 1, turns: 1 }] }],
+    [checkSequenceOptions, { pins: [{ vertex: 1, radius: 0.1, stay: 1, path: [{ time: 0, move: [1, 2, 3] }] }] }],
+    [checkSequenceOptions, { startTangent: Float32Array.of(1, 2, 3), endTangent: Float32Array.of(1, 2, 3) }],
+    [checkImportOptions, { keyTimes: [0, 1], sample: [0, 1], objects: ['a'], offset: [1, 2, 3] }],
+    [checkImportOptions, { like: Uint32Array.of(0, 1, 2), likePose: Float32Array.of(1, 2, 3) }],
+    [checkImportOptions, { likeObjects: [{ ...NAMELESS, start: 0, count: 1, isGroup: false }] }],
+    [checkExportOptions, { times: [0, 1], range: [0, 1], blend: [0, 1] }],
+    [(given: object) => checkUpdate(MOTION_DEFAULTS, given), { keyTimes: [0, 1] }],
+  ])('stay as they were when they were checked: %s %j', (check, given) => {
+    const before = structuredClone(check(given));
+    const checked = check(given);
+    spoil(given);
+    expect(checked).toEqual(before);
   });
 
   it('of an update keep the other options, and refuse those that need a new encoding', () => {

@@ -13,6 +13,7 @@ class Script implements StartedWorker {
   readonly got: unknown[] = [];
   ended = false;
   postMessage(message: unknown): void {
+    structuredClone(message);
     this.got.push(message);
   }
   terminate(): void {
@@ -49,6 +50,25 @@ it('no message is lost if a method fails', async () => {
   await vi.advanceTimersByTimeAsync(600_000);
   expect([scripts[1]!.got, heard, errors]).toEqual([['first', 'second'], [{ type: 'result' }], []]);
   expect(worker.silent).toBe(false);
+});
+
+it('a waiting message that cannot be posted is answered with an error, and the others are posted', () => {
+  const { worker, scripts, heard } = setUp(2);
+  const bytes = new Uint8Array(3);
+  for (const [id, data] of [bytes, 'good'].entries()) worker.postMessage({ type: 'import', id, data });
+  const torn = { type: 'import', id: 2, data: () => 0 };
+  worker.postMessage(torn);
+  structuredClone(bytes.buffer, { transfer: [bytes.buffer] });
+  scripts[0]!.say({ type: 'ready' });
+  expect(heard).toMatchObject([0, 2].map((id) => ({ type: 'error', id, fatal: false, error: { code: 'invalid-option' } })));
+  expect(scripts[0]!.got).toEqual([{ type: 'import', id: 1, data: 'good' }]);
+});
+
+it('a script that cannot be sent its program has failed', () => {
+  const { worker, scripts, heard } = setUp(2);
+  worker.postMessage({ type: 'start', module: () => 0 });
+  scripts[0]!.say({ type: 'ready' });
+  expect(heard).toMatchObject([{ type: 'error', fatal: true, error: { code: 'crashed' } }]);
 });
 
 it('silence is a failure of one method, then of all', async () => {

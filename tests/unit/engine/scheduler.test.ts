@@ -1,3 +1,4 @@
+import { getEventListeners } from 'node:events';
 import { describe, expect, it } from 'vitest';
 import { Scheduler, urgency, type Task } from '../../../web/engine/caller/scheduler.ts';
 
@@ -60,6 +61,16 @@ describe('the scheduler', () => {
     await expect(first).resolves.toBe(1);
     await expect(run()).rejects.toMatchObject({ code: 'cancelled' });
     expect(started).toBe(1);
+  });
+
+  it('leaves no listener on a signal that outlasts its tasks', async () => {
+    const scheduler = new Scheduler();
+    const { signal } = new AbortController();
+    const tasks = [Promise.resolve(1), Promise.reject(new Error('no'))].map((work) =>
+      scheduler.run(urgency.ahead, () => work, signal),
+    );
+    await Promise.allSettled(tasks);
+    expect(getEventListeners(signal, 'abort')).toEqual([]);
   });
 
   it('cancels tasks that have not started', async () => {

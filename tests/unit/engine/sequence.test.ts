@@ -33,6 +33,23 @@ async function heldSequence(reply: (request: Request) => FromWorker | undefined 
   return { engine, workers, sequence, worker, replyNext };
 }
 
+describe('calls whose arrays the caller changes meanwhile', () => {
+  it('use the arrays as they were', async () => {
+    const { sequence, worker, replyNext } = await heldSequence();
+    const times = [1, 2];
+    const tension = [0, 0];
+    const keyTimes = [0, 1];
+    const many = sequence.evaluateMany(times);
+    const update = sequence.update({ tension, keyTimes });
+    for (const array of [times, tension, keyTimes]) array.fill(9);
+    await settled();
+    for (let i = 0; i < 4; ++i) await replyNext();
+    await Promise.all([many, update]);
+    expect(worker.of('evaluate').map(({ t }) => t)).toEqual([1, 2]);
+    expect([sequence.options.tension, sequence.keyTimes]).toEqual([[0, 0], [0, 1]]);
+  });
+});
+
 describe('evaluate', () => {
   it('keeps one running and one waiting request; replaced requests are null', async () => {
     const { sequence, worker, replyNext } = await heldSequence();

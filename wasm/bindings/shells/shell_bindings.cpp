@@ -38,13 +38,14 @@ std::vector<int> indicesFrom(const Json& json) {
 }
 
 ShellSample sampleFrom(const Json& json) {
-  return {json.at("time"), json.at("weights").get<std::vector<double>>(), poseFrom(json.at("start")), json.at("key")};
+  const auto weights = elements<double>(json.at("weights"));
+  return {json.at("time"), {weights.begin(), weights.end()}, poseFrom(json.at("start")), json.at("key")};
 }
 
 }  // namespace
 
 /// {method, faces, keys: [positions], samples: [{time, weights, start, key}]} -> {handle, shapes: [{positions}],
-/// failed, stiff}: shell_motion.h. start: null at a key. The ranges belong to the handle.
+/// failed, stiff}: shell_motion.h. weights, start: null at a key. The ranges belong to the handle.
 EXPORT const char* shapespline_fit_shells(const char* request) {
   return answer(request, [](const Json& json) -> Result<Json> {
     std::vector<ShellSample> samples;

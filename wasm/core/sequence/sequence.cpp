@@ -1,9 +1,11 @@
 #include "core/sequence/sequence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/format.h"
+#include "core/base/simd.h"
 #include "core/sequence/uneven_times.h"
 
 namespace shapespline {
@@ -13,6 +15,28 @@ namespace {
 Status checkTime(double t) {
   if (std::isfinite(t)) return {};
   return Error{ErrorCode::InvalidOption, "The time is not a finite number."};
+}
+
+// Zero times a number is zero unless the number is infinite or NaN.
+bool allFinite(const std::vector<float>& numbers) {
+  Float4 sum = Float4::zero();
+  const std::size_t last = numbers.size() - std::min<std::size_t>(numbers.size(), 4);  // at least three vertices
+  for (std::size_t i = 0; i < last; i += 4) sum = sum + Float4::load(&numbers[i]) * Float4::zero();
+  sum = sum + Float4::load(&numbers[last]) * Float4::zero();
+  float lanes[4];
+  sum.store(lanes);
+  return lanes[0] + lanes[1] + lanes[2] + lanes[3] == 0;
+}
+
+Error notFinite(const std::string& what) {
+  return {ErrorCode::NotFinite, what + " is not finite. Stay closer to the keys, or use keys of similar sizes."};
+}
+
+std::string shapeAtTime(double t) { return "The shape at " + shortNumber(t) + " s"; }
+
+Status checkFrame(const Frame& frame, const std::string& what) {
+  if (allFinite(frame.positions) && allFinite(frame.normals)) return {};
+  return notFinite(what);
 }
 
 std::vector<double> timesOf(const Keyframes& keyframes) {
@@ -44,7 +68,9 @@ Result<Sequence> Sequence::create(Keyframes keyframes, const EncodingOptions& en
 
 void Sequence::collectWarnings() {
   warnings_ = motion_.warnings();
-  const auto shapeAt = [this](double t, Positions& shape) { return evaluate(t, shape); };
+  const auto shapeAt = [this](double t, Positions& shape) {
+    shape_->evaluator().positions(encoded(), motion_, t, shape);
+  };
   const std::vector<Warning> uneven = unevenTimesWarnings(encoded(), motion_, shapeAt);
   warnings_.insert(warnings_.end(), uneven.begin(), uneven.end());
 }
@@ -62,12 +88,14 @@ Status Sequence::update(const MotionOptions& options, const std::vector<double>&
 Status Sequence::evaluate(double t, Frame& frame) {
   if (Status status = checkTime(t); !status) return status;
   shape_->evaluator().frame(encoded(), motion_, t, frame);
-  return {};
+  return checkFrame(frame, shapeAtTime(t));
 }
 
 Status Sequence::evaluate(double t, Positions& positions) {
   if (Status status = checkTime(t); !status) return status;
   shape_->evaluator().positions(encoded(), motion_, t, positions);
+  for (const Vec3& p : positions)
+    if (!p.allFinite()) return notFinite(shapeAtTime(t));
   return {};
 }
 
@@ -88,7 +116,7 @@ Status Sequence::evaluateBlend(const std::vector<double>& weights, Frame& frame)
   for (const double w : weights) sum += w;
   if (!(std::abs(sum - 1) <= 1e-6)) return Error{ErrorCode::InvalidOption, "The weights must be finite and sum to 1."};
   shape_->evaluator().blend(encoded(), motion_, weights, frame);
-  return {};
+  return checkFrame(frame, "This mixture of the keys");
 }
 
 Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
@@ -98,6 +126,7 @@ Status Sequence::evaluateGhost(double t, std::vector<float>& positions) {
     return Error{ErrorCode::InvalidOption,
                  "This sequence has no ghost mesh. Create the sequence with the option ghostFaces."};
   shape_->evaluator().ghost(encoded(), motion_, t, positions);
+  if (!allFinite(positions)) return notFinite(shapeAtTime(t));
   return {};
 }
 

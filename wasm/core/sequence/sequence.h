@@ -31,7 +31,8 @@ class Sequence {
   /// Changes the motion through the same keys. On errors, those of Motion::fit, the old motion stays.
   Status update(const MotionOptions& motion, const std::vector<double>& keyTimes);
 
-  /// The shape at time t, including times beyond the keys.
+  /// The shape at time t, including times beyond the keys. Errors: InvalidOption for a time that is not finite;
+  /// NotFinite if the shape exceeds the range of numbers.
   Status evaluate(double t, Frame& frame);
 
   /// Computes frames on two threads, or on one if forkJoin is null. Results are bitwise equal. forkJoin must outlive

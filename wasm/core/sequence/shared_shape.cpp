@@ -10,7 +10,8 @@ namespace shapespline {
 
 namespace {
 
-// Memory and time grow with the square of the number of keys, because every key has a weight at every other key.
+// Plots take memory and time that grow with the square of the number of keys. Same limit as MOST_MOTION_KEYS in
+// web/engine/caller/fitted-motion.ts.
 constexpr int mostKeys = 2000;
 
 }  // namespace

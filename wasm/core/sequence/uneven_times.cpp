@@ -102,7 +102,7 @@ Warning warningOf(const Suspect& suspect, const KeySpan& span, double distance, 
 }  // namespace
 
 std::vector<Warning> unevenTimesWarnings(const EncodedShape& encoded, const Motion& motion,
-                                         const std::function<Status(double, Positions&)>& shapeAt) {
+                                         const std::function<void(double, Positions&)>& shapeAt) {
   std::vector<Warning> warnings;
   const std::vector<Suspect> suspects = suspectsOf(motion);
   if (suspects.empty()) return warnings;
@@ -111,7 +111,7 @@ std::vector<Warning> unevenTimesWarnings(const EncodedShape& encoded, const Moti
   const std::vector<Triangle>& faces = encoded.input().faces;
   for (const Suspect& suspect : suspects) {
     Positions shape;
-    if (!shapeAt(suspect.time, shape)) continue;
+    shapeAt(suspect.time, shape);
     double farthest = 1;
     int face = -1;
     for (std::size_t f = 0; f < faces.size(); ++f)

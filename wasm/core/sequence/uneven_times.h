@@ -15,6 +15,6 @@ namespace shapespline {
 /// mean. The curve's weights show candidate times. `shapeAt` is called only for these, so evenly spaced keys cost
 /// nothing.
 std::vector<Warning> unevenTimesWarnings(const EncodedShape& encoded, const Motion& motion,
-                                         const std::function<Status(double t, Positions& shape)>& shapeAt);
+                                         const std::function<void(double t, Positions& shape)>& shapeAt);
 
 }  // namespace shapespline

@@ -12,6 +12,9 @@ namespace {
 // Share of the total time. For closer keys, the speeds between them have no significant digits.
 constexpr double closestTimes = 1e-12;
 
+// Seconds. For closer keys, speeds and accelerations exceed the range of numbers.
+constexpr double shortestStep = 1e-30;
+
 // Largest absolute time. A difference of 1e-6 is still representable there. Same limit in
 // web/engine/api/option-table.ts.
 constexpr double farthestTime = 1e9;
@@ -30,13 +33,19 @@ Status validateTimes(const std::vector<double>& times, int keyCount) {
                    "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) +
                        ". Times must be from -1,000,000,000 to 1,000,000,000. Choose a larger unit.",
                    j};
-    if (j > 0 && times[j] > times[j - 1] && !(times[j] - times[j - 1] > closestTimes * (times.back() - times.front())))
+    const double step = j > 0 ? times[j] - times[j - 1] : 1;
+    if (step > 0 && step < shortestStep)
+      return Error{ErrorCode::TimesNotIncreasing,
+                   "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) + " by " + shortNumber(step) +
+                       " seconds. Move the keys at least " + shortNumber(shortestStep) + " seconds apart.",
+                   j};
+    if (step > 0 && j > 0 && !(step > closestTimes * (times.back() - times.front())))
       return Error{ErrorCode::TimesNotIncreasing,
                    "Key " + std::to_string(j + 1) + " follows key " + std::to_string(j) +
                        " by less than a trillionth of the total "
                        "time. Move the keys further apart.",
                    j};
-    if (j > 0 && !(times[j] > times[j - 1]))
+    if (!(step > 0))
       return Error{ErrorCode::TimesNotIncreasing,
                    "Key " + std::to_string(j + 1) + " is at time " + shortNumber(times[j]) + ", not after key " +
                        std::to_string(j) + " at " + shortNumber(times[j - 1]) + ". Key times must increase.",

@@ -8,7 +8,7 @@
 namespace shapespline {
 
 /// Errors: TimeCountMismatch, NotFinite, TooLarge (absolute time above 1e9), TimesNotIncreasing (also if two keys are
-/// closer than 1e-12 of the total time).
+/// closer than 1e-12 of the total time, or than 1e-30).
 Status validateTimes(const std::vector<double>& times, int keyCount);
 
 /// J times evenly spaced over [0, 1].

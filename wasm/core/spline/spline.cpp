@@ -10,68 +10,66 @@ namespace shapespline {
 
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::RowVectorXd;
+using Eigen::Index;
 using Eigen::VectorXd;
 
-// Solves a tridiagonal system with several right-hand sides (Thomas algorithm). The spline systems are diagonally
-// dominant, so they need no pivoting.
-MatrixXd solveTridiagonal(const VectorXd& lower, VectorXd diagonal, const VectorXd& upper, MatrixXd rhs) {
-  const Eigen::Index n = diagonal.size();
-  for (Eigen::Index i = 1; i < n; ++i) {
-    const double factor = lower[i] / diagonal[i - 1];
-    diagonal[i] -= factor * upper[i - 1];
-    rhs.row(i) -= factor * rhs.row(i - 1);
-  }
-  rhs.row(n - 1) /= diagonal[n - 1];
-  for (Eigen::Index i = n - 2; i >= 0; --i) rhs.row(i) = (rhs.row(i) - upper[i] * rhs.row(i + 1)) / diagonal[i];
-  return rhs;
-}
+// Farthest knots with a weight in the slope at a knot. From knot to knot, weights fall at least to half, so a farther
+// one is less than 1e-38 of the nearest. Shorter curves have all weights.
+constexpr Index farthestKnot = 128;
 
 // Number of keys beyond each end of a period that noticeably affect it. From key to key, the influence on a cubic
 // spline falls to 0.27 of its value for even spacing, and to at most half for any spacing.
 constexpr int knotsBeyond = 40;
 
-struct Spans {
-  VectorXd h;       // interval lengths, knots - 1
-  MatrixXd secant;  // difference quotients, (knots - 1) x columns
-};
+// Difference quotients: 1 / h per interval between knots.
+VectorXd quotientsOf(const VectorXd& times) {
+  VectorXd quotient(times.size() - 1);
+  for (Index i = 0; i < quotient.size(); ++i) quotient[i] = 1 / (times[i + 1] - times[i]);
+  return quotient;
+}
 
-// columns: the knots, followed by the two tangents.
-Spans spansOf(const VectorXd& times) {
-  const Eigen::Index n = times.size();
-  Spans spans{VectorXd(n - 1), MatrixXd::Zero(n - 1, n + 2)};
-  for (Eigen::Index i = 0; i + 1 < n; ++i) {
-    spans.h[i] = times[i + 1] - times[i];
-    spans.secant(i, i + 1) = 1 / spans.h[i];
-    spans.secant(i, i) = -1 / spans.h[i];
-  }
-  return spans;
+// Adds `factor` times the difference quotient of an interval to the slope at a knot.
+void addSecant(SlopeRows& slope, Index knot, Index interval, double factor, const VectorXd& quotient) {
+  slope(knot, interval) += factor * -quotient[interval];
+  slope(knot, interval + 1) += factor * quotient[interval];
 }
 
 // Slopes of the C2 spline: continuous second derivative at inner knots, a boundary condition at either end.
-MatrixXd openSlopes(const Spans& s, const CurveOptions& options, const RowVectorXd& startSlope,
-                    const RowVectorXd& endSlope) {
-  const Eigen::Index n = s.h.size() + 1;
+SlopeRows openSlopes(const VectorXd& quotient, const CurveOptions& options) {
+  const Index n = quotient.size() + 1, last = n - 1;
   VectorXd lower = VectorXd::Zero(n), diagonal(n), upper = VectorXd::Zero(n);
-  MatrixXd rhs(n, s.secant.cols());
-  for (Eigen::Index i = 1; i + 1 < n; ++i) {
-    lower[i] = 1 / s.h[i - 1];
-    upper[i] = 1 / s.h[i];
-    diagonal[i] = 2 * (lower[i] + upper[i]);
-    rhs.row(i) = 3 * (s.secant.row(i - 1) * lower[i] + s.secant.row(i) * upper[i]);
+  SlopeRows rhs(n);
+  for (Index i = 1; i < last; ++i) {
+    const double before = lower[i] = quotient[i - 1], after = upper[i] = quotient[i];
+    diagonal[i] = 2 * (before + after);
+    rhs(i, i - 1) = 3 * (-before * before);
+    rhs(i, i) = 3 * (before * before - after * after);
+    rhs(i, i + 1) = 3 * (after * after);
   }
   if (options.boundary == BoundaryKind::Hermite) {
-    diagonal[0] = diagonal[n - 1] = 1;
-    rhs.row(0) = startSlope;
-    rhs.row(n - 1) = endSlope;
+    diagonal[0] = diagonal[last] = 1;
+    const double start = options.startSpeed * quotient[0], end = options.endSpeed * quotient[last - 1];
+    rhs(0, 0) = -start, rhs(last, last) = end;
+    (options.startShape ? rhs.startTangent(0) : rhs(0, 1)) = start;
+    (options.endShape ? rhs.endTangent(last) : rhs(last, last - 1)) = -end;
   } else {  // natural: zero second derivative
-    diagonal[0] = diagonal[n - 1] = 2;
-    upper[0] = lower[n - 1] = 1;
-    rhs.row(0) = 3 * s.secant.row(0);
-    rhs.row(n - 1) = 3 * s.secant.row(n - 2);
+    diagonal[0] = diagonal[last] = 2;
+    upper[0] = lower[last] = 1;
+    addSecant(rhs, 0, 0, 3, quotient);
+    addSecant(rhs, last, last - 1, 3, quotient);
   }
-  return solveTridiagonal(lower, diagonal, upper, rhs);
+  // Thomas algorithm. The systems are diagonally dominant, so they need no pivoting.
+  for (Index i = 1; i < n; ++i) {
+    const double factor = lower[i] / diagonal[i - 1];
+    diagonal[i] -= factor * upper[i - 1];
+    rhs.subtract(i, factor, i - 1);
+  }
+  for (double& w : rhs.row(last)) w /= diagonal[last];
+  for (Index i = last - 1; i >= 0; --i) {
+    rhs.subtract(i, upper[i], i + 1);
+    for (double& w : rhs.row(i)) w /= diagonal[i];
+  }
+  return rhs;
 }
 
 Status checkOptions(const CurveOptions& o, int keyCount) {
@@ -95,15 +93,35 @@ Status checkOptions(const CurveOptions& o, int keyCount) {
 // the mean of the two differences. Then the slope is scaled. Both steps are linear in the columns, so the weights stay
 // affine. 0 leaves the slope unchanged, bit for bit. Other values make the second derivative discontinuous there, but
 // never the first.
-void shapeSlope(MatrixXd& slope, const Spans& s, Eigen::Index knot, double bias, double tension) {
+void shapeSlope(SlopeRows& slope, const VectorXd& quotient, Index knot, double bias, double tension) {
   if (bias != 0) {
-    const Eigen::Index before = std::max<Eigen::Index>(knot - 1, 0), after = std::min(knot, s.h.size() - 1);
-    slope.row(knot) = (1 - std::abs(bias)) * slope.row(knot) + std::abs(bias) * s.secant.row(bias > 0 ? before : after);
+    const Index before = std::max<Index>(knot - 1, 0), after = std::min(knot, quotient.size() - 1);
+    for (double& w : slope.row(knot)) w *= 1 - std::abs(bias);
+    addSecant(slope, knot, bias > 0 ? before : after, std::abs(bias), quotient);
   }
-  if (tension != 0) slope.row(knot) *= 1 - tension;
+  if (tension != 0)
+    for (double& w : slope.row(knot)) w *= 1 - tension;
 }
 
 }  // namespace
+
+SlopeRows::SlopeRows(Index knots)
+    : knots_(knots), width_(std::min(knots, 2 * farthestKnot + 1)), rows_(knots * (width_ + 2)) {}
+
+Index SlopeRows::first(Index i) const { return std::clamp<Index>(i - farthestKnot, 0, knots_ - width_); }
+
+void SlopeRows::subtract(Index i, double factor, Index j) {
+  const Index begin = std::max(first(i), first(j)), end = std::min(first(i), first(j)) + width_;
+  for (Index knot = begin; knot < end; ++knot) (*this)(i, knot) -= factor * (*this)(j, knot);
+  startTangent(i) -= factor * startTangent(j);
+  endTangent(i) -= factor * endTangent(j);
+}
+
+void SlopeRows::addTo(Weights& weights, Index i, double factor) const {
+  const double* row = &rows_[i * (width_ + 2)];
+  for (Index k = 0; k < width_; ++k) weights[first(i) + k] += factor * row[k];
+  for (Index k = 0; k < 2; ++k) weights[knots_ + k] += factor * row[width_ + k];
+}
 
 double defaultPeriod(const std::vector<double>& times, Closing closing) {
   const double span = times.back() - times.front();
@@ -135,28 +153,17 @@ Result<Curve> Curve::fit(const std::vector<double>& times, const CurveOptions& o
   curve.end_ = curve.closes_ ? times.front() + period : times.back();
   curve.placeKnots(times, period);
 
-  const auto count = static_cast<Eigen::Index>(curve.knots_.size());
+  const auto count = static_cast<Index>(curve.knots_.size());
   VectorXd knotTimes(count);
-  for (Eigen::Index i = 0; i < count; ++i) knotTimes[i] = curve.knots_[i].time;
-  const Spans spans = spansOf(knotTimes);
+  for (Index i = 0; i < count; ++i) knotTimes[i] = curve.knots_[i].time;
   if (options.linear) return curve;
-  RowVectorXd start = spans.secant.row(0), end = spans.secant.row(count - 2);
-  if (!curve.periodic_ && options.startShape) {
-    start.setZero();
-    start[count] = 1 / spans.h[0];
-    start[0] = -1 / spans.h[0];
-  }
-  if (!curve.periodic_ && options.endShape) {
-    end.setZero();
-    end[count - 1] = 1 / spans.h[count - 2];
-    end[count + 1] = -1 / spans.h[count - 2];
-  }
-  curve.slope_ = openSlopes(spans, options, options.startSpeed * start, options.endSpeed * end);
-  const auto at = [&](const std::vector<double>& values, Eigen::Index i) {
+  const VectorXd quotient = quotientsOf(knotTimes);
+  curve.slope_ = openSlopes(quotient, options);
+  const auto at = [&](const std::vector<double>& values, Index i) {
     return values.empty() ? 0 : values[curve.knots_[i].key];
   };
-  for (Eigen::Index i = 0; i < count; ++i)
-    shapeSlope(curve.slope_, spans, i, at(options.bias, i), at(options.tension, i));
+  for (Index i = 0; i < count; ++i)
+    shapeSlope(curve.slope_, quotient, i, at(options.bias, i), at(options.tension, i));
   return curve;
 }
 
@@ -178,11 +185,11 @@ void Curve::placeKnots(const std::vector<double>& times, double period) {
 }
 
 Weights Curve::atKnots(double t, int derivative) const {
-  const auto last = static_cast<Eigen::Index>(knots_.size()) - 1;
+  const auto last = static_cast<Index>(knots_.size()) - 1;
   const auto upper =
       std::upper_bound(knots_.begin(), knots_.end(), t, [](double time, const Knot& k) { return time < k.time; }) -
       knots_.begin();
-  const Eigen::Index i = std::clamp<Eigen::Index>(upper - 1, 0, last - 1);
+  const Index i = std::clamp<Index>(upper - 1, 0, last - 1);
   const double h = knots_[i + 1].time - knots_[i].time;
   const double u = (t - knots_[i].time) / h;
   Weights result = Weights::Zero(last + 3);
@@ -192,12 +199,9 @@ Weights Curve::atKnots(double t, int derivative) const {
     return result;
   }
   if (u < 0 || u > 1) {  // beyond the ends (paper section 3.2): f(t) = f(t_e) + f'(t_e) (t - t_e)
-    const Eigen::Index e = u < 0 ? 0 : last;
-    if (derivative == 0) {
-      result = (t - knots_[e].time) * slope_.row(e).transpose();
-      result[e] += 1;
-    }
-    if (derivative == 1) result = slope_.row(e).transpose();
+    const Index e = u < 0 ? 0 : last;
+    if (derivative < 2) slope_.addTo(result, e, derivative == 0 ? t - knots_[e].time : 1);
+    if (derivative == 0) result[e] += 1;
     return result;
   }
   double v0, v1, s0, s1;  // cubic Hermite basis and its derivatives
@@ -212,16 +216,17 @@ Weights Curve::atKnots(double t, int derivative) const {
     v1 = (6 - 12 * u) / (h * h), v0 = -v1;
     s0 = (6 * u - 4) / h, s1 = (6 * u - 2) / h;
   }
-  result = (s0 * slope_.row(i) + s1 * slope_.row(i + 1)).transpose();
+  slope_.addTo(result, i, s0);
+  slope_.addTo(result, i + 1, s1);
   result[i] += v0;
   result[i + 1] += v1;
   return result;
 }
 
 Weights Curve::addUp(const Weights& atKnots) const {
-  const auto count = static_cast<Eigen::Index>(knots_.size());
+  const auto count = static_cast<Index>(knots_.size());
   Weights result = Weights::Zero(columns_.count());
-  for (Eigen::Index i = 0; i < count; ++i) result[knots_[i].key] += atKnots[i];
+  for (Index i = 0; i < count; ++i) result[knots_[i].key] += atKnots[i];
   result.tail<2>() = atKnots.tail<2>();
   return result;
 }
@@ -275,7 +280,7 @@ CurvePoint Curve::at(double t) const {
   std::vector<StepShare> steps(knots_.size() - 1);
   double share = 0;
   for (std::size_t i = knots_.size() - 1; i > 0; --i) {
-    share += atEach[static_cast<Eigen::Index>(i)];
+    share += atEach[static_cast<Index>(i)];
     steps[i - 1] = {knots_[i - 1].step, share, knots_[i - 1].period};
   }
   gatherSteps(point, steps, 0, 0, {columns_.keys});
@@ -283,7 +288,7 @@ CurvePoint Curve::at(double t) const {
   point.base = base.key;
   point.basePeriod = base.period;
   for (std::size_t i = 0; i < knots_.size(); ++i)
-    if (const double w = atEach[static_cast<Eigen::Index>(i)]; w != 0)
+    if (const double w = atEach[static_cast<Index>(i)]; w != 0)
       point.unrolled.push_back({knots_[i].key, knots_[i].period, w});
   return point;
 }
@@ -301,7 +306,7 @@ std::vector<KeyWeight> Curve::slopeAt(double t) const {
   const Weights weights = atKnots(t, 1);
   std::vector<KeyWeight> slope;
   for (std::size_t i = 0; i < knots_.size() + 2; ++i) {
-    const double weight = weights[static_cast<Eigen::Index>(i)];
+    const double weight = weights[static_cast<Index>(i)];
     if (weight == 0) continue;
     if (i < knots_.size()) slope.push_back({knots_[i].key, knots_[i].period, weight});
     else slope.push_back({columns_.startTangent() + static_cast<int>(i - knots_.size()), 0, weight});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -98,6 +99,30 @@ struct WrappedTime {
   int periods = 0;  ///< number of periods subtracted
 };
 
+/// The slope at each knot as weights of the nearest knots and of the shapes for end tangents.
+class SlopeRows {
+ public:
+  using Index = Eigen::Index;
+  explicit SlopeRows(Index knots);
+
+  /// The weight of a near knot in the slope at knot i.
+  double& operator()(Index i, Index knot) { return row(i)[knot - first(i)]; }
+  double& startTangent(Index i) { return row(i)[width_]; }
+  double& endTangent(Index i) { return row(i)[width_ + 1]; }
+  /// All weights in the slope at knot i.
+  std::span<double> row(Index i) { return std::span(rows_).subspan(i * (width_ + 2), width_ + 2); }
+  /// Subtracts a multiple of the slope at a neighbouring knot j.
+  void subtract(Index i, double factor, Index j);
+  /// Adds a multiple of the slope at knot i to weights of all knots and tangents.
+  void addTo(Weights& weights, Index i, double factor) const;
+
+ private:
+  Index first(Index i) const;  // the first knot with a weight in row i
+
+  Index knots_, width_;
+  std::vector<double> rows_;
+};
+
 /// A fitted curve: knots, and the slope at each as a combination of the columns. A periodic curve is a natural spline
 /// over enough periods on either side that its ends have no effect, so all periods are equal. Immutable.
 class Curve {
@@ -143,7 +168,7 @@ class Curve {
   Columns columns_{0};
   double start_ = 0, end_ = 0;
   std::vector<Knot> knots_;
-  Eigen::MatrixXd slope_;  // knots x (knots, start tangent, end tangent)
+  SlopeRows slope_{0};
   bool linear_ = false, periodic_ = false, closes_ = false;
 };
 

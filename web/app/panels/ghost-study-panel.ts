@@ -3,12 +3,13 @@
  * error of several samples. Both run on request, in separate workers.
  */
 import { isCancelled } from '../../engine/api/errors.ts';
+import { motionFor } from '../../engine/api/method-options.ts';
 import type { Engine } from '../../engine/api/api.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { button } from '../../ui/controls.ts';
 import { h, setHidden } from '../../ui/dom.ts';
-import { encodingFor, motionFor, sequencePlan } from '../session/sequence-plan.ts';
+import { encodingFor, sequencePlan } from '../session/sequence-plan.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Store } from '../session/store.ts';
 import type { Sample } from '../sources/samples.ts';
@@ -122,7 +123,7 @@ const studyOf: Measure = async ({ engine, store, range }, poses, signal, onProgr
     const { studyGhosts, studyTimes } = await import('../../study/ghost-study.ts');
     const options = {
       ...encodingFor(plan, variant!, poses.keys),
-      ...motionFor(plan, variant!),
+      ...motionFor(plan.motion, variant!),
       // Both ways of following a ghost mesh are measured, and the paper's has no own paths.
       keepLengths: 0,
       ownPaths: 'off' as const,

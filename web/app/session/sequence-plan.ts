@@ -1,6 +1,6 @@
 /** The document's requests to the engine as plain data: keys, encoding, motion. */
-import { METHOD, OWN_METHOD, hasEnds, isFitted } from '../../engine/api/methods.ts';
-import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from '../../engine/api/types.ts';
+import { NO_GHOST, ghostFor, motionFor } from '../../engine/api/method-options.ts';
+import { METHOD, isFitted } from '../../engine/api/methods.ts';
 import type { Keys } from '../../engine/api/api.ts';
 import type { ShapeName } from '../../engine/api/option-table.ts';
 import type { EncodingOptions, Method, MotionOptions, Pin } from '../../engine/api/types.ts';
@@ -37,9 +37,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   const { referencePose: _, startTangentPose, endTangentPose, ...plain } = encoding;
   const hermite = motion.boundary === 'hermite';
   const ghost = plain.ghostFaces;
-  // Faces that rotate by themselves need their own stretches, which the paper's transfer does not keep.
-  const leading = (one: Method): number =>
-    plain.transfer === 'paper' && !['lri', 'vertices'].includes(METHOD[one].space) ? 0 : ghost;
+  const leading = (one: Method): number => ghostFor(plain, one).ghostFaces;
   const sizes = ghost > 0 && METHOD[method].space === 'lri' ? besides(ghost, shown) : [];
   return {
     order: keys.map((key) => key.pose),
@@ -84,8 +82,7 @@ function besides(ghost: number, { ghostDifference, ghostSizes }: ShownMotions): 
 }
 
 function withGhost({ encoding }: SequencePlan, { ghost }: Variant): Encoding {
-  const { ghostFaces, transfer, placement } = ENCODING_DEFAULTS;
-  return ghost > 0 ? { ...encoding, ghostFaces: ghost } : { ...encoding, ghostFaces, transfer, placement };
+  return ghost > 0 ? { ...encoding, ghostFaces: ghost } : { ...encoding, ...NO_GHOST };
 }
 
 /** Variants with the same key are motions of the same shape. */
@@ -97,7 +94,7 @@ export function shapeKey(plan: SequencePlan, variant: Variant): string {
 /** Identifies the slow parts of a plan: its shapes, and motions with fitted shapes. */
 export function buildKey(plan: SequencePlan): string {
   const keys = plan.variants.flatMap((variant) => {
-    const motion = motionFor(plan, variant);
+    const motion = motionFor(plan.motion, variant);
     return [shapeKey(plan, variant), isFitted(motion) && JSON.stringify([motion, plan.times])];
   });
   return [...new Set(keys)].join();
@@ -110,28 +107,5 @@ export function encodingFor(plan: SequencePlan, variant: Variant, keys: Keys): P
     ...withGhost(plan, variant),
     startTangent: pose(plan.startTangentPose),
     endTangent: pose(plan.endTangentPose),
-  };
-}
-
-/**
- * The options that a method uses. Straight motion has no end derivatives, and fitted motion has natural ends and no
- * tension. Some methods ignore holding and added turns, and only the
- * shape spline keeps lengths and has own paths.
- */
-export function motionFor(plan: SequencePlan, { method, plain }: Variant): MotionOptions {
-  const { curve, holds: can, turns } = METHOD[method];
-  const boundary = hasEnds(method, plan.motion.boundary) ? plan.motion.boundary : 'natural';
-  const { hold, pins } = plain || !can ? MOTION_DEFAULTS : plan.motion;
-  const { keepLengths, ownPaths } = plain || method !== OWN_METHOD ? MOTION_DEFAULTS : plan.motion;
-  return {
-    ...plan.motion,
-    method,
-    boundary,
-    hold,
-    pins: [...pins],
-    keepLengths,
-    ownPaths,
-    turns: turns ? plan.motion.turns : [],
-    ...(curve === 'fitted' && { tension: [], bias: [] }),
   };
 }

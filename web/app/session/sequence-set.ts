@@ -1,11 +1,12 @@
 /** The shown motions, made from as few shapes as possible. Follows the requested plan; the newest counts. */
 import type { Engine, Keys, Shape } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
+import { motionFor } from '../../engine/api/method-options.ts';
 import { ENCODING_SHARE, partOf } from '../../engine/api/progress.ts';
 import type { Progress } from '../../engine/api/types.ts';
 import type { RunningMotion, Variant } from '../../playback/frame-set.ts';
 import type { SequencePlan } from './sequence-plan.ts';
-import { buildKey, encodingFor, motionFor, shapeKey } from './sequence-plan.ts';
+import { buildKey, encodingFor, shapeKey } from './sequence-plan.ts';
 
 export interface SequenceSetEvents {
   onProgress(progress: Progress | null): void;
@@ -187,7 +188,7 @@ async function makeMotions(
   const made = await Promise.allSettled(
     plan.variants.map(async (variant) => {
       const of = shapeKey(plan, variant);
-      const options = { ...motionFor(plan, variant), keyTimes: plan.times };
+      const options = { ...motionFor(plan.motion, variant), keyTimes: plan.times };
       const key = JSON.stringify([of, options]);
       const there = present.find((motion) => motion.key === key);
       if (there) return { ...variant, key, sequence: there.sequence };

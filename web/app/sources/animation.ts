@@ -71,8 +71,7 @@ export class Animation {
     this.seeking.abort();
     this.seeking = new AbortController();
     const { signal } = this.seeking;
-    const found = await this.guarded(async (stopped) => {
-      stopped.addEventListener('abort', () => this.seeking.abort());
+    const found = await this.guarded(async () => {
       if (signal.aborted) return null;
       const reference = await this.referenceOf(animation, signal);
       const { doc } = store.get();
@@ -135,6 +134,7 @@ export class Animation {
 
   cancel(): void {
     this.stop.abort();
+    this.seeking.abort();
     this.stop = new AbortController();
   }
 

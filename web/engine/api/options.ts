@@ -15,7 +15,7 @@ import {
   PER_KEY,
   optionsIn,
 } from './option-table.ts';
-import type { KeyOption, NumberOption, Option, OptionTable, OtherOption } from './option-table.ts';
+import type { KeyOption, NumberOption, Option, OptionTable, OtherOption, SceneObject } from './option-table.ts';
 import {
   ENCODING_DEFAULTS,
   EXPORT_DEFAULTS,
@@ -61,7 +61,7 @@ const turns: Check = (v) => {
         `turns from -${MOST_TURNS} to ${MOST_TURNS}`;
 };
 
-const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
+export const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
 
 /** Largest allowed offset. */
 const MOST_MOVE = 1e12;
@@ -104,7 +104,7 @@ const sample: Check = (v) => {
     : `must be increasing times in seconds ${BETWEEN_TIMES}, or the number of times (at least 2)`;
 };
 
-const isObject = (v: unknown): boolean =>
+export const isObject = (v: unknown): v is SceneObject =>
   isRecord(v) &&
   !wholeFrom(0)(v['start']) &&
   !wholeFrom(0)(v['count']) &&
@@ -222,6 +222,16 @@ const sequenceChecks: Checks = { ...encodingChecks, ...motionChecks };
 const importChecks = checksOf(IMPORT);
 const exportChecks = checksOf(EXPORT);
 
+/** Copies arrays and plain objects, because the caller may change them later. Arrays without entries may be detached. */
+export function copied<T>(value: T): T {
+  const copy = (): unknown => {
+    if (Array.isArray(value)) return value.map(copied);
+    if (ArrayBuffer.isView(value)) return value.byteLength > 0 ? (value as unknown as Uint8Array).slice() : value;
+    return isRecord(value) ? Object.fromEntries(Object.entries(value).map(([key, one]) => [key, copied(one)])) : value;
+  };
+  return copy() as T;
+}
+
 /** Fills in defaults; undefined means the default. */
 function checked<T extends object>(what: string, checks: Checks, defaults: Readonly<T>, given: object | undefined): T {
   const result: Record<string, unknown> = { ...defaults };
@@ -238,19 +248,24 @@ function checked<T extends object>(what: string, checks: Checks, defaults: Reado
 }
 
 export function checkImportOptions(given?: object): ImportOptions {
-  return checked('import', importChecks, IMPORT_DEFAULTS, given);
+  return copied(checked('import', importChecks, IMPORT_DEFAULTS, given));
 }
 
 export function checkExportOptions(given?: object): ExportOptions {
-  return checked('export', exportChecks, EXPORT_DEFAULTS, given);
+  return copied(checked('export', exportChecks, EXPORT_DEFAULTS, given));
 }
 
 export function checkSequenceOptions(given?: object): SequenceOptions {
+  return copied(checkProject(given));
+}
+
+/** Checks the options in a project, which nobody else holds, without copies. */
+export function checkProject(given?: object): SequenceOptions {
   return checked('sequence', sequenceChecks, SEQUENCE_DEFAULTS, given);
 }
 
 export function checkEncodingOptions(given?: object): EncodingOptions {
-  return checked('encoding', encodingChecks, ENCODING_DEFAULTS, given);
+  return copied(checked('encoding', encodingChecks, ENCODING_DEFAULTS, given));
 }
 
 /** Merges a change into the motion options and separates the key times. */
@@ -266,8 +281,8 @@ export function checkUpdate(
   const wrong = keyTimes === undefined ? null : times(keyTimes);
   if (wrong) throw invalidOption(`'keyTimes' ${wrong}.`);
   return {
-    motion: checked('motion', motionChecks, present, rest),
-    keyTimes: (keyTimes as number[] | undefined) ?? null,
+    motion: copied(checked('motion', motionChecks, present, rest)),
+    keyTimes: copied(keyTimes as number[] | undefined) ?? null,
   };
 }
 
@@ -298,8 +313,12 @@ export function checkCall(call: object | undefined): void {
   if (name) throw invalidOption(`There is no call option '${name}'; the options are ${names.join(', ')}.`);
 }
 
+/** The problem with a time, or null. */
+export const timeProblem: Check = (t) => (isTime(t) ? null : `must be a number ${BETWEEN_TIMES}`);
+
 export function checkTime(t: unknown): number {
-  if (!isTime(t)) throw invalidOption(`A time must be a number ${BETWEEN_TIMES}.`);
+  const wrong = timeProblem(t);
+  if (wrong || !isTime(t)) throw invalidOption(`A time ${wrong}.`);
   return t;
 }
 

@@ -85,7 +85,13 @@ export class EngineClient implements Engine {
     const { info, ...poses } = keysOfMesh(mesh);
     const { names, times, faces } = info;
     const client = this.takeCore();
-    const { report } = await this.task(client, call, () => client.call('report', { names, times, faces, ...poses }));
+    const vertices = (poses.positions[0]?.length ?? 0) / 3;
+    const [{ report }] = await this.task(client, call, () =>
+      Promise.all([
+        client.call('report', { names, times, faces, ...poses }),
+        (mesh.scene ?? null) !== null && checkScene(info.scene, { faces, vertices }),
+      ]),
+    );
     this.idle.core = this.kept(client, this.idle.core);
     return new KeyArrays({ ...poses, info: { ...info, report } });
   }
@@ -238,6 +244,11 @@ export class EngineClient implements Engine {
   private checkAlive(): void {
     if (this.over) throw disposed('engine');
   }
+}
+
+/** The checks are loaded on demand, because most callers give no scene. */
+async function checkScene(...given: Parameters<(typeof import('./check-scene.ts'))['checkScene']>): Promise<void> {
+  (await import('./check-scene.ts')).checkScene(...given);
 }
 
 function checkFiles(files: unknown): void {

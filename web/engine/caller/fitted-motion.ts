@@ -4,7 +4,7 @@
  * shape. Loaded on first use.
  */
 import type { CallOptions, Motion, Sequence } from '../api/api.ts';
-import { invalidOption, untilAborted } from '../api/errors.ts';
+import { EngineError, invalidOption, untilAborted } from '../api/errors.ts';
 import { METHOD } from '../api/methods.ts';
 import { checkTimes, notUpdated } from '../api/options.ts';
 import { partOf } from '../api/progress.ts';
@@ -15,6 +15,7 @@ import {
   type Frame,
   type Ghost,
   type KeySpacing,
+  type MotionOptions,
   type SequenceOptions,
   type SequenceStats,
   type ShapePlane,
@@ -29,6 +30,9 @@ import type { ShellsWorker } from './worker-client.ts';
 
 /** Fitting a coarse mesh with more faces takes too long. */
 const MOST_COARSE = 4000;
+
+/** Largest number of keys and fitted shapes. */
+const MOST_MOTION_KEYS = 2000;
 
 /** Progress when the starts are ready, and when the shapes are fitted. */
 const STARTED = 0.3;
@@ -78,7 +82,8 @@ export async function fitMotion(
  * Rejects options that these motions do not support. `encoding`: the shape's encoding options, or null if other motions
  * use the shape as well.
  */
-function checkSpec({ options }: MotionSpec, encoding: EncodingOptions | null): void {
+function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions | null): void {
+  checkCount(options, keyTimes.length);
   const { method, hold, pins, boundary, tension, bias, turns, ownPaths } = options;
   const isMethod = METHOD[method].curve === 'fitted';
   const wanted: [boolean, string][] = [
@@ -96,6 +101,19 @@ function checkSpec({ options }: MotionSpec, encoding: EncodingOptions | null): v
     isMethod
       ? `The method '${method}' does not support ${what}. Use the method 'lri'.`
       : `The option keepLengths does not support ${what}. Set keepLengths to 0.`,
+  );
+}
+
+/** Counts the shapes before any is fitted, which may take minutes. Fitted methods have no more shapes than keys, or few. */
+function checkCount({ method, keepLengths }: MotionOptions, keys: number): void {
+  if (METHOD[method].curve === 'fitted' || keys + (keys - 1) * keepLengths <= MOST_MOTION_KEYS) return;
+  const count = (n: number): string => Math.floor(n).toLocaleString('en');
+  throw new EngineError(
+    'too-large',
+    `With keepLengths ${keepLengths}, ${count(keys)} keys need ${count((keys - 1) * keepLengths)} shapes between them, ` +
+      `but a motion can have at most ${count(MOST_MOTION_KEYS)} keys and shapes in all. Set keepLengths to ` +
+      `${count((MOST_MOTION_KEYS - keys) / (keys - 1))}, or use at most ` +
+      `${count((MOST_MOTION_KEYS + keepLengths) / (keepLengths + 1))} keys.`,
   );
 }
 
@@ -191,14 +209,13 @@ class Fit {
 
   private async samples(base: Motion, starts: (Float32Array | null)[]): Promise<Sample[]> {
     const keys = this.spec.keyTimes.length;
-    const { weights } = await base.shapePlane(this.times.map(({ time }) => time));
-    const columns = weights.length / this.times.length;
-    return this.times.map(({ time, key }, i) => ({
-      time,
-      key,
-      start: starts[i]!,
-      weights: weights.slice(i * columns, i * columns + keys),
-    }));
+    const fitted = this.times.flatMap(({ time, key }) => (key < 0 ? [time] : []));
+    const { weights } = fitted.length > 0 ? await base.shapePlane(fitted) : { weights: [] };
+    const columns = weights.length / fitted.length;
+    let from = -columns;
+    // Arrays of numbers would take the page a while to send.
+    const next = (): Float64Array => Float64Array.from(weights.slice((from += columns), from + keys));
+    return this.times.map(({ time, key }, i) => ({ time, key, start: starts[i]!, weights: key < 0 ? next() : null }));
   }
 
   private async frameAt(motion: Motion, t: number): Promise<Float32Array> {
@@ -345,9 +362,10 @@ export class FittedMotion extends MotionClient implements Sequence {
 
   /** The plane of the user's keys in LRI space. The motion leaves it, and its shapes have no weights. */
   override async shapePlane(times: number[]): Promise<ShapePlane> {
+    const checked = checkTimes(times);
     return this.withPlain(async (plain) => {
       const plane = await plain.shapePlane([]);
-      for (const t of checkTimes(times)) {
+      for (const t of checked) {
         const frame = await this.batch(() => this.frame(t, this.spec));
         const { curve, distance } = await plain.shapePlaneWith(t, frame.positions);
         frame.release();

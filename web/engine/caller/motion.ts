@@ -98,33 +98,34 @@ export class MotionClient implements Motion {
 
   async evaluateMany(times: number[], call?: CallOptions): Promise<Frame[]> {
     checkCall(call);
-    checkTimes(times);
+    const checked = checkTimes(times);
     const motion = await this.settled();
     const frames: Frame[] = [];
-    for (const t of times) {
+    for (const t of checked) {
       frames.push(
         await untilAborted(
           call?.signal,
           this.batch(() => this.frame(t, motion)),
         ),
       );
-      call?.onProgress?.({ stage: 'evaluating', fraction: frames.length / times.length });
+      call?.onProgress?.({ stage: 'evaluating', fraction: frames.length / checked.length });
     }
     return frames;
   }
 
   async measures(times: number[], call?: CallOptions): Promise<Measures> {
     checkCall(call);
-    const measures: Measures = { times: checkTimes(times), volume: [], area: [], sliding: [] };
+    const checked = checkTimes(times);
+    const measures: Measures = { times: checked, volume: [], area: [], sliding: [] };
     const motion = await this.settled();
-    for (let done = 0; done < times.length; done = measures.volume.length) {
-      const rest = { motion, times: times.slice(done), mostMs: AT_ONCE_MS };
+    for (let done = 0; done < checked.length; done = measures.volume.length) {
+      const rest = { motion, times: checked.slice(done), mostMs: AT_ONCE_MS };
       const next = this.shape.question('measure', () => rest);
       const { volume, area, sliding } = await untilAborted(call?.signal, next);
       measures.volume.push(...volume);
       measures.area.push(...area);
       measures.sliding.push(...sliding.map((share) => (share === null ? NaN : 100 * share)));
-      call?.onProgress?.({ stage: 'evaluating', fraction: measures.volume.length / times.length });
+      call?.onProgress?.({ stage: 'evaluating', fraction: measures.volume.length / checked.length });
     }
     return measures;
   }

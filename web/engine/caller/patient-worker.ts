@@ -3,7 +3,8 @@
  * start loses any. A silent script counts as failed.
  */
 import type { StartedWorker } from './browser-files.ts';
-import type { Ready } from '../wire/protocol.ts';
+import type { Ready, ToWorker } from '../wire/protocol.ts';
+import { notPosted } from './worker-client.ts';
 
 export type Way = () => StartedWorker;
 
@@ -106,7 +107,14 @@ export class PatientWorker implements StartedWorker {
   private post(): void {
     const calls = this.waiting ?? [];
     this.waiting = null;
-    for (const call of calls) this.worker?.postMessage(...call);
+    for (const [message, transfer] of calls)
+      try {
+        this.worker?.postMessage(message, transfer as Transferable[]);
+      } catch (error) {
+        // Its caller has returned, so the error becomes the worker's reply.
+        const data = notPosted(message as ToWorker, error);
+        this.onmessage?.call(this.worker as Worker, { data } as MessageEvent);
+      }
   }
 
   private fail(event: ErrorEvent): void {

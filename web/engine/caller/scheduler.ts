@@ -30,14 +30,15 @@ export class Scheduler {
   run<T>(level: Urgency, work: () => Promise<T>, signal?: AbortSignal): Promise<T> {
     return new Promise<T>((resolve, reject) => {
       if (signal?.aborted) return reject(cancelled());
-      const task: Task = { urgency: level, start: () => work().then(resolve, reject) };
-      signal?.addEventListener(
-        'abort',
-        () => {
-          if (this.withdraw(task)) reject(cancelled());
-        },
-        { once: true },
-      );
+      const withdraw = (): void => {
+        if (this.withdraw(task)) reject(cancelled());
+      };
+      const start = (): Promise<void> => {
+        signal?.removeEventListener('abort', withdraw); // one signal may last for a whole playback
+        return work().then(resolve, reject);
+      };
+      const task: Task = { urgency: level, start };
+      signal?.addEventListener('abort', withdraw, { once: true });
       this.add(task);
     });
   }

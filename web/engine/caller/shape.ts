@@ -73,7 +73,7 @@ export class ShapeClient implements Shape {
 
   /** A motion that no worker has made yet. */
   spec(options: MotionOptions, keyTimes: readonly number[]): MotionSpec {
-    return { number: ++this.motions, options, keyTimes };
+    return { number: ++this.motions, options, keyTimes: [...keyTimes] };
   }
 
   make(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {

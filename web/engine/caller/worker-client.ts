@@ -1,5 +1,5 @@
 /** The caller's side of one worker. Calls become promises, and the worker's end rejects all open ones. */
-import { crashed, EngineError, isOutOfMemory, messageOf, outOfMemory } from '../api/errors.ts';
+import { crashed, EngineError, invalidOption, isOutOfMemory, messageOf, outOfMemory } from '../api/errors.ts';
 import type {
   CallName,
   CoreCallName,
@@ -96,26 +96,37 @@ export class WorkerClient<Name extends CallName> {
     try {
       this.port.post(message, transfer);
     } catch (error) {
-      // a clone exceeds the memory, or an array was transferred elsewhere
-      this.terminate(endedWorker(error));
+      this.receive(notPosted(message, error));
     }
   }
 
   private receive(message: FromWorker): void {
     const call = this.open.get(message.id);
-    if (!call) return;
-    if (message.type === 'progress') return this.report(call, message.stage, message.fraction);
+    if (message.type === 'progress') return void (call && this.report(call, message.stage, message.fraction));
     this.open.delete(message.id);
-    if (message.type === 'result') return call.resolve(message.value);
+    if (message.type === 'result') return call?.resolve(message.value);
     const error = EngineError.from(message.error);
     if (message.fatal) this.terminate(error);
-    call.reject(error);
+    call?.reject(error);
   }
 
   private report(call: Open, stage: string, fraction: number): void {
     call.fraction = Math.min(1, Math.max(call.fraction, fraction));
     call.onProgress?.({ stage, fraction: call.fraction });
   }
+}
+
+/**
+ * The reply to a message that could not be posted: its clone exceeds the memory, or an array was transferred elsewhere.
+ * The worker goes on with other messages, unless this one was to start it.
+ */
+export function notPosted(message: ToWorker, reason: unknown): FromWorker {
+  if (message.type === 'start') return { type: 'error', id: 0, error: endedWorker(reason), fatal: true };
+  const text = messageOf(reason);
+  const error = isOutOfMemory(text)
+    ? outOfMemory()
+    : invalidOption(`The data could not be sent to the worker (${text}). Do not transfer arrays while a call uses them.`);
+  return { type: 'error', id: message.id, error, fatal: false };
 }
 
 /** The error after a worker has ended unexpectedly. */

@@ -3,7 +3,7 @@
  * reads the keys (wasm/io/gltf/project.h), this file the options. The text is untrusted.
  */
 import { ENCODING, MOTION, SHAPES, optionsIn } from '../api/option-table.ts';
-import { checkSequenceOptions, choiceNow } from '../api/options.ts';
+import { checkProject, choiceNow } from '../api/options.ts';
 import type { Point, SequenceOptions } from '../api/types.ts';
 
 const VERSION = 1;
@@ -93,7 +93,7 @@ export function readOptions(text: string): SequenceOptions | null {
       .filter(([name]) => name in written)
       .map(([name, option]) => [name, choiceNow(option, written[name])]);
     const shapes = SHAPES.map((name) => [name, fromBase64(written[name])]);
-    return checkSequenceOptions({ ...written, ...Object.fromEntries([...choices, ...shapes]) });
+    return checkProject({ ...written, ...Object.fromEntries([...choices, ...shapes]) });
   } catch {
     return null;
   }

@@ -140,8 +140,8 @@ export interface ShellCalls {
       method: 'lengths' | 'shell';
       faces: Uint32Array;
       keys: Float32Array[];
-      /** In increasing time. `key`: the key at this time, or -1; `start`: the start of the fit, null at a key. */
-      samples: { time: number; weights: number[]; start: Float32Array | null; key: number }[];
+      /** In increasing time. `key`: the key at this time, or -1; `weights` of the keys and `start`: null at a key. */
+      samples: { time: number; weights: Float64Array | null; start: Float32Array | null; key: number }[];
     };
     /**
      * `failed`: intervals without a fit, by their last key. `stiff`: those where the bending energy could not be
