@@ -60,7 +60,9 @@ const MADE: readonly Sample[] = [
 
 export async function fetchSamples(): Promise<Sample[]> {
   const response = await request(`${FOLDER}samples.json`);
-  const list: unknown = await response.json();
+  const list: unknown = await response.json().catch(() => {
+    throw new Error(`${FOLDER}samples.json is not JSON. Check that the page's folder is complete.`);
+  });
   return [...(Array.isArray(list) ? list.flatMap(readSample) : []), ...MADE];
 }
 
@@ -88,9 +90,11 @@ async function request(path: string, signal?: AbortSignal): Promise<Response> {
   const response = await fetch(new URL(path, document.baseURI), signal ? { signal } : {}).catch((cause: unknown) => {
     throw new Error(`The sample could not be fetched: ${path}. Check the connection and try again.`, { cause });
   });
-  if (!response.ok)
+  // Some hosts answer missing files with a page.
+  const isPage = response.headers.get('content-type')?.startsWith('text/html');
+  if (!response.ok || isPage)
     throw new Error(
-      `The sample could not be fetched: ${path} returned status ${response.status}. Check that the page's folder is complete.`,
+      `The sample could not be fetched: ${path} returned ${isPage && response.ok ? 'a web page' : `status ${response.status}`}. Check that the page's folder is complete.`,
     );
   return response;
 }
