@@ -242,13 +242,21 @@ describe('complete', () => {
   it("writes a folder of OBJ files with the input's vertex order, one for each requested time", async () => {
     const { code } = await runCli(folder, 'complete', ...names, '--output', 'frames/', '--at', '-0.3,1,2.3');
     expect(code).toBe(0);
-    expect(await listed(path.join(folder, 'frames'))).toEqual(['0000.obj', '0001.obj', '0002.obj']);
+    expect(await listed(path.join(folder, 'frames'))).toEqual([
+      '.shapespline.json',
+      '0000.obj',
+      '0001.obj',
+      '0002.obj',
+    ]);
     const { positions, faces } = await objOf('frames/0001.obj');
     expect(largestDistance(positions, poses[1]!)).toBeLessThan(1e-5 * diagonal(poses[1]!));
     expect(faces).toEqual([...mesh.indices]);
     const again = await runCli(folder, 'complete', ...names, '--output=frames/', '--at=-0.3,1,2.3');
     expect(again.code).toBe(0);
-    expect(await listed(path.join(folder, 'frames'))).toHaveLength(3);
+    expect(await listed(path.join(folder, 'frames'))).toHaveLength(4);
+    expect((await runCli(folder, 'complete', ...names, '--output=frames/', '--at=0,1')).code).toBe(0);
+    const { keys } = JSON.parse((await runCli(folder, 'inspect', 'frames')).stdout);
+    expect(keys).toHaveLength(2);
   });
 
   it('writes one shape', async () => {
@@ -303,9 +311,39 @@ describe('complete', () => {
     expect(await listed(folder)).toEqual(expect.arrayContaining(['rig.csv', 'rig.glb', 'rig.py']));
   });
 
+  it('does not replace its inputs, the OBJ of a point cache among them, unless --overwrite allows it', async () => {
+    const input = await folderOf([]);
+    const run = (...words: string[]) => runCli(input, ...words);
+    const poses = names.map((name) => path.join(folder, name));
+    expect((await run('complete', ...poses, '--output', 'arm.pc2', '--frames', '5')).code).toBe(0);
+    const content = () => Promise.all(['arm.obj', 'arm.pc2'].map((name) => readFile(path.join(input, name))));
+    const before = await content();
+    const arm = ['arm.obj', 'arm.pc2', '--sample', '3'];
+    for (const [words, why] of [
+      [['complete', ...arm, '--output', 'arm.mdd'], 'arm.obj is one of the inputs'],
+      [['complete', ...arm, '--output', 'arm.mdd', '--overwrite'], 'arm.obj is one of the inputs'],
+      [['complete', ...arm, '--output', 'm.glb', '--report', 'arm.pc2'], 'arm.pc2 is one of the inputs'],
+      [['complete', '.', '--sample', '3', '--at', '0', '--output', './arm.obj'], 'arm.obj is one of the inputs'],
+      [['measure', ...arm, '--output', 'arm.obj'], 'arm.obj is one of the inputs'],
+      [['study', 'tables', ...arm, '--output', 'arm.pc2'], 'arm.pc2 is one of the inputs'],
+      [
+        ['measure', poses[0]!, poses[1]!, '--against', 'arm.obj', '--against', 'arm.pc2', '--output', 'arm.pc2'],
+        'is one of',
+      ],
+    ] as const) {
+      const { code, stderr } = await run(...words);
+      expect([code, stderr]).toEqual([1, expect.stringContaining(why)]);
+    }
+    expect(await content()).toEqual(before);
+    for (let time = 0; time < 2; time += 1)
+      expect((await run('complete', ...arm, '--output', 'other.mdd')).code).toBe(0);
+    expect((await run('complete', ...arm, '--at', '1', '--output', 'arm.obj', '--overwrite')).code).toBe(0);
+    expect((await content())[0]).not.toEqual(before[0]);
+  });
+
   it('makes 60 frames over the keys by default', async () => {
     expect((await runCli(folder, 'complete', ...names, '--output', 'all/')).code).toBe(0);
-    expect(await listed(path.join(folder, 'all'))).toHaveLength(60);
+    expect((await listed(path.join(folder, 'all'))).filter((name) => name.endsWith('.obj'))).toHaveLength(60);
     expect((await objOf('all/0059.obj')).positions).toEqual((await objOf('one.obj')).positions);
   });
 

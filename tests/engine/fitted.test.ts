@@ -46,9 +46,13 @@ describe('lengths', () => {
       const first = (await frameAt(sequence, 0.37)).positions.slice();
       await frameAt(sequence, 1.4);
       expect((await frameAt(sequence, 0.37)).positions).toEqual(first);
+      expect(sequence.fitted).toEqual(method === 'lri' ? null : [true]);
       // The strongly bent sheet also gets a warning about times beyond the keys, by the numbers of the user's keys.
-      for (const { code, key, message } of sequence.warnings) {
-        expect(code).toBe('open-beyond-keys');
+      const { warnings } = sequence;
+      const others = warnings.filter(({ code }) => code !== 'open-beyond-keys').map(({ code }) => code);
+      expect(others).toEqual(method === 'shell' ? ['bending-search-ended'] : []);
+      for (const { code, key, message } of warnings) {
+        if (code !== 'open-beyond-keys') continue;
         expect(message).toMatch(key === 0 ? /^Before key 1 / : /^Beyond key 2 /);
       }
       expect(sequence.keyTimes).toEqual([0, 1]);
@@ -240,6 +244,7 @@ describe('lengths', () => {
     const sequence = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 4 });
     const found = sequence.warnings.filter(({ code }) => code === 'lengths-not-fitted');
     expect(found.map(({ key }) => key)).toEqual([1]);
+    expect(sequence.fitted).toEqual([false]);
     expect(found[0]!.message).toMatch(/^Between keys 1 and 2/);
     const plain = await engine.createSequence(keys);
     const there = (await frameAt(plain, 0.5)).positions;

@@ -158,6 +158,23 @@ describe('shapespline measure', () => {
       expect((await runCli(folder, 'measure', ...KEYS, '--against-up', 'z')).code).toBe(2);
     });
 
+    it('compares at times in any order, given several times, alone, or at the end', { timeout: 60_000 }, async () => {
+      const folder = await folderOf(KEYS.map((name, index) => ({ name, bytes: pose(0.9 * index) })));
+      expect((await runCli(folder, 'complete', ...KEYS, '--output', 'm.glb', '--frames', '41')).code).toBe(0);
+      for (const at of ['0.8,0.2', '0.5,0.5', '0.5', '1.9999999,2,2.0000001', '0.3,5,0.1,0.3']) {
+        const words = ['measure', ...KEYS, '--at', at];
+        const { code, stdout } = await runCli(folder, ...words, '--against', 'm.glb');
+        expect([at, code]).toEqual([at, 0]);
+        const table = read(stdout);
+        expect(column(table, 'time')).toEqual(column(read((await runCli(folder, ...words)).stdout), 'time'));
+        // The frames are blended between those of the file.
+        const far = column(table, 'lri distance largest');
+        at.split(',').forEach((t, row) =>
+          t === '5' ? expect(far[row]).toBe('') : expect(Number(far[row])).toBeLessThan(0.1),
+        );
+      }
+    });
+
     it('no name becomes a spreadsheet formula', { timeout: 60_000 }, async () => {
       const names = ['=1+1.obj', 'a,=2.obj', 'b;@c "x".obj'];
       const folder = await folderOf(names.map((name, index) => ({ name, bytes: pose(0.9 * index) })));

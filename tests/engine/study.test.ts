@@ -154,6 +154,63 @@ describe('study spaces', () => {
   });
 });
 
+describe('methods that fit shapes', () => {
+  /** Four keys, of which the last two intervals have no sample. */
+  const words = ['--methods', 'lri,lengths,shell', '--space-samples'];
+  const posesOf = async (): Promise<[folder: string, names: string[]]> => {
+    const mesh = bar(2, 6);
+    const files = poseFiles(
+      mesh,
+      [0, 30, 10, 50].map((angle) => bent(mesh, angle)),
+    );
+    return [await folderOf(files), files.map(({ name }) => name)];
+  };
+
+  it('have a row of the intervals with fits only, which is empty without any, and a warning', async () => {
+    const [folder, names] = await posesOf();
+    const spaces = async (samples: string, ...more: string[]) => {
+      const { code, stdout, stderr } = await runCli(folder, 'study', 'spaces', ...names, ...words, samples, ...more);
+      expect(code).toBe(0);
+      const table = stdout.split('\n').filter((line) => !line.startsWith('#'));
+      const [columns = [], ...rows] = table.map((line) => line.split(/,(?! )/));
+      return { stderr, rows: rows.map((row) => Object.fromEntries(columns.map((name, i) => [name, row[i] ?? '']))) };
+    };
+    expect((await runCli(folder, 'complete', ...names, '--output', 'truth.glb', '--frames', '9')).code).toBe(0);
+    const none = await spaces('3', '--against', 'truth.glb');
+    expect(none.rows.slice(0, 3).map((row) => row['intervals fitted'])).toEqual(['', '0', '0']);
+    for (const name of ['volume', 'area', 'edge lengths', 'bending', 'KG error', 'frame time'])
+      expect([none.rows[1]![name], none.rows[2]![name]], name).toEqual(['', '']);
+    expect(none.stderr).toMatch(/warning: lengths: 3 of the 3 intervals between keys have no fitted shape/);
+    expect(none.stderr).toMatch(/warning: shell: 3 of the 3/);
+    const some = await spaces('4');
+    expect(some.rows[1]).toMatchObject({
+      'intervals fitted': '1',
+      note: '"no fitted shapes between keys 2 and 3, 3 and 4"',
+    });
+    expect(Number(some.rows[1]!['edge lengths'])).toBeGreaterThan(0);
+    const all = await spaces('6');
+    expect(all.rows.slice(0, 3).map((row) => row['intervals fitted'])).toEqual(['', '3', '3']);
+    expect(all.stderr).toBe('');
+  });
+
+  it('have no cells in measure where they show another method', async () => {
+    const [folder, names] = await posesOf();
+    const times = ['--at', '0.25,0.75,1.5,2.5'];
+    const { stdout, stderr } = await runCli(folder, 'measure', ...names, ...words, '4', ...times, '--shell-bending');
+    expect(stderr).toMatch(/warning: lengths: 2 of the 3 intervals/);
+    const [columns = [], ...rows] = stdout
+      .trimEnd()
+      .split('\n')
+      .filter((line) => !line.startsWith('#'))
+      .map((line) => line.split(','));
+    for (const name of ['volume', 'area', 'bending energy', 'bending by edge lengths and angles'])
+      for (const method of ['lri', 'lengths', 'shell']) {
+        const cells = rows.map((row) => row[columns.indexOf(`${method} ${name}`)] !== '');
+        expect(cells, `${method} ${name}`).toEqual([true, true, method === 'lri', method === 'lri']);
+      }
+  });
+});
+
 describe('study tables', () => {
   it("gives the paper's costs next to measured costs for a cactus @all", async () => {
     const folder = await folderOf([await sample('cactus.glb')]);

@@ -537,6 +537,17 @@ TEST_CASE("single poses with seams are restored from GLB and OBJ, with the same 
       CHECK(coordinates(polygons->scene, boxFaces()[f], f, c) == coordinates(scene, boxFaces()[f], f, c));
 }
 
+TEST_CASE("an OBJ has names without control characters, also those above 127, and keeps other letters") {
+  const std::string letters = "d\xc3\xa9\xe6\x9f\x93", controls = "\x7f\xc2\x9b\xc2\x85\x1b\xe2\x80\xa8\xff";
+  Scene scene;
+  scene.groups = {{0, 4, -1, letters + controls + "."}};
+  scene.objects = {{controls + letters, 0, 12, "node"}};
+  const Bytes written = *writeObj(floats(boxPose(0.1)), boxFaces(), scene);
+  const std::string out(written.begin(), written.end());
+  CHECK(out.find("usemtl " + letters + "      .\n") != std::string::npos);
+  CHECK(out.find("o       " + letters + "\n") != std::string::npos);
+}
+
 TEST_CASE("an OBJ keeps its polygons, coordinates, materials and normals") {
   const std::string text =
       "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0.5 0\n"

@@ -288,6 +288,13 @@ TEST_CASE("shells: the spline goes on where a mean is not found, and its shapes 
   for (std::size_t s = 5; s < 12; ++s) CHECK(shapes[s] != fits[s]);
 }
 
+TEST_CASE("shells: a search that ends at its limit of steps says so") {
+  const Keyframes far = keyframes(sheet(5), {roll(0.3, 2.5), roll(1.9, -2.5)}), near = rolledSheet(5);
+  CHECK(!fitted(far, samplesOf(far, 8), ShellMethod::Spline).finished);
+  CHECK(fitted(near, samplesOf(near, 8), ShellMethod::Spline).finished);
+  CHECK(fitted(far, samplesOf(far, 8)).finished);
+}
+
 TEST_CASE("shells: a shape follows its coarse mesh") {
   const Shape full = box(1, 1, 4, 4, 4, 16);
   // Here the coarse mesh is the full one.

@@ -228,6 +228,9 @@ TEST_CASE("invalid options are refused with a message") {
   };
   CHECK(code({.boundary = BoundaryKind::Periodic, .period = 5}) == ErrorCode::InvalidOption);  // the keys span 5
   CHECK(code({.boundary = BoundaryKind::Periodic, .period = 1}) == ErrorCode::InvalidOption);
+  const auto nearly = Curve::fit(times, {.boundary = BoundaryKind::Periodic, .period = 5 * (1 + 1e-10)});
+  REQUIRE(!nearly.ok());
+  CHECK(nearly.error().message.starts_with("The period 5 is longer by less than a billionth than the time"));
   CHECK(code({.startSpeed = NAN}) == ErrorCode::InvalidOption);
   CHECK(code({.tension = {1, 2}}) == ErrorCode::InvalidOption);
   CHECK(code({.bias = {0, 0}}) == ErrorCode::InvalidOption);

@@ -81,7 +81,7 @@ bool collapses(const Positions& shape, const Welded& mesh) {
 ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
                        const FractionReport& onProgress) {
   const std::vector<ShellMeasures> measures = system.metric().measuresOfKeys(mesh.keys);
-  ShellShapes found{mesh.starts, {}, {}, 0};
+  ShellShapes found{mesh.starts, {}, {}, true, 0};
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
   std::size_t intervalStart = 0;
   for (std::size_t s = 0; s < samples.size(); ++s) {
@@ -114,7 +114,9 @@ void minimiseBending(ShellSystem& system, const Welded& mesh, const std::vector<
     fixed[s] = samples[s].key >= 0 || std::count(found.failed.begin(), found.failed.end(), interval[s]) > 0;
   }
   for (const ShellSample& s : samples) times.push_back(s.time);
-  const std::vector<char> unchanged = ShellSpline(system, times, mesh.size).minimise(found.shapes, fixed, onProgress);
+  ShellSpline spline(system, times, mesh.size);
+  const std::vector<char> unchanged = spline.minimise(found.shapes, fixed, onProgress);
+  found.finished = spline.finished();
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
   for (std::size_t s = 0; s < samples.size(); ++s) {
     if (fixed[s]) continue;

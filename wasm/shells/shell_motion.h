@@ -28,6 +28,7 @@ struct ShellShapes {
   std::vector<int> failed;        ///< intervals without a fit at some sample, by their last key; they keep their starts
   /// intervals where Spline could not lower the bending energy, by their last key; their shapes are those of Lengths
   std::vector<int> stiff;
+  bool finished = true;  ///< false if the search for the least bending energy ended early; it could be lower
   int factors = 0;
 };
 

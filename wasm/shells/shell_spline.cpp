@@ -25,6 +25,10 @@ constexpr double adjointStop = 1e-5;   // stops when the residual has fallen to 
 constexpr double probe = 1e-5;         // step of finite differences, as a share of the shape's size
 constexpr std::size_t remembered = 8;  // number of pairs that L-BFGS keeps
 
+// Ends of a search without a term that rises most: a step hardly lowers the energy; or a limit was reached, or the
+// preconditioner could not be factored.
+constexpr int converged = -1, cutShort = -2;
+
 using Path = std::vector<Positions>;
 
 double dotOf(const Path& a, const Path& b) {
@@ -254,6 +258,10 @@ std::vector<char> ShellSpline::minimise(std::vector<Positions>& shapes, const st
   omitted_.assign(shapes.size(), 0);
   while (std::count(kept.begin(), kept.end(), 0) > 0) {
     const int worst = descend(shapes, kept, onProgress);
+    if (worst == cutShort) {
+      finished_ = false;
+      for (std::size_t k = 0; k < shapes.size(); ++k) unchanged[k] |= !fixed[k] && shapes[k] == starts[k];
+    }
     if (worst < 0) break;
     omitted_[worst] = 1;
     for (int k = worst - 1; k <= worst + 1; ++k) {
@@ -265,7 +273,7 @@ std::vector<char> ShellSpline::minimise(std::vector<Positions>& shapes, const st
   return unchanged;
 }
 
-// Returns the time of the term that rises most where no step lowers the energy, or -1 at the end.
+// Returns the time of the term that rises most where no step lowers the energy, or why it ended.
 int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>& fixed,
                          const FractionReport& onProgress) {
   const auto worstSince = [&](const std::vector<double>& before) {
@@ -278,15 +286,16 @@ int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>
   double energy = this->energy(shapes, &gradient);
   if (!std::isfinite(energy)) return worstSince(std::vector<double>(shapes.size(), 0));
   auto preconditioner = Preconditioner::create(system_->metric(), spaced_, shapes, fixed);
-  if (!preconditioner) return -1;
+  if (!preconditioner) return cutShort;
   release(gradient, fixed);
   Memory memory;
-  double length = 1;
+  const double first = energy;
+  double length = 1, fall = first;
   for (; steps_ < mostSplineSteps && trials_ < mostTrials; ++steps_) {
     reportFraction(onProgress, std::max(double(steps_) / mostSplineSteps, double(trials_) / mostTrials));
     const Path direction = memory.direction(gradient, [&](const Path& g) { return preconditioner->apply(g); });
     const double slope = dotOf(gradient, direction);
-    if (!(slope > leastFall * energy)) return -1;
+    if (!(slope > leastFall * energy)) return converged;
     length = std::min(1.0, 4 * length);
     const Path means = means_;
     const std::vector<double> terms = terms_;
@@ -310,11 +319,12 @@ int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>
     addScaledPath(moved, -1, shapes), addScaledPath(changed, -1, gradient);
     memory.add(std::move(moved), std::move(changed));
     shapes = std::move(trial), gradient = std::move(trialGradient);
-    const double fall = energy - trialEnergy;
+    fall = energy - trialEnergy;
     energy = trialEnergy;
-    if (fall < leastFall * energy) return -1;
+    if (fall < leastFall * energy) return converged;
   }
-  return -1;
+  // Between two keys the least energy is 0, so it falls by a share in every step.
+  return fall < leastFall * first ? converged : cutShort;
 }
 
 }  // namespace shapespline

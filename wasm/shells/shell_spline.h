@@ -34,12 +34,14 @@ class ShellSpline {
 
   /// Improves the shapes that are not fixed, until a step hardly lowers the energy. Where no step lowers it, mostly
   /// because a triangle collapses in a mean, that term is omitted and its three shapes stay. Returns one entry per
-  /// shape: whether it stayed as it was for this reason. onProgress: steps taken, as a fraction of the largest allowed
-  /// number.
+  /// shape: whether it stayed as it was for this reason, or because the search ended early (`finished`). onProgress:
+  /// steps taken, as a fraction of the largest allowed number.
   std::vector<char> minimise(std::vector<Positions>& shapes, const std::vector<char>& fixed,
                              const FractionReport& onProgress = {});
 
   int stepCount() const { return steps_; }
+  /// False if the last search ended at a limit of its steps, or could not begin.
+  bool finished() const { return finished_; }
 
  private:
   bool findMean(int k, const std::vector<ShellMeasures>& measures, Positions& mean, ShellMeasures& middle);
@@ -54,6 +56,7 @@ class ShellSpline {
   std::vector<char> omitted_;     // times whose terms do not count
   int trials_ = 0;
   int steps_ = 0;
+  bool finished_ = true;
 };
 
 }  // namespace shapespline

@@ -8,9 +8,10 @@ import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/api/read-poses.ts';
 import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions } from '../engine/api/types.ts';
-import { UsageError, type Arguments } from './arguments.ts';
-import { readInputs } from './input.ts';
-import { writeOutputs, type Output } from './output.ts';
+import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
+import { addInputs, readInputs } from './input.ts';
+import { KnownFiles } from './known-files.ts';
+import { checkOutputs, writeOutputs, type Output } from './output.ts';
 import { checkFit, exportOptions, importOptions, sequenceOptions, withProject } from './settings.ts';
 
 /** Milliseconds of each stage, in order. */
@@ -75,6 +76,8 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
   const output = args.values.get('output');
   if (!output) throw new UsageError('complete needs --output (see --help)');
   const options = { import: importOptions(args), sequence: sequenceOptions(args), export: exportOptions(args, output) };
+  const report = args.values.get('report');
+  const known = await checkedFiles(args, options.export);
   return withEngine(async (engine) => {
     const timings = new Timings();
     const inputs = await timings.time('read', readInputs(args.files));
@@ -98,8 +101,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
       }
       timings.ms.export = rounded(performance.now() - start);
     };
-    const outputs: Output[] = [{ path: output, files: exported() }];
-    const report = args.values.get('report');
+    const outputs: Output[] = [{ flag: '--output', path: output, files: exported() }];
     /** Adds the report after the export. */
     const reported = async function* () {
       const measures = await timings.time('measure', sequence.measures(plan.times));
@@ -124,8 +126,8 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
       };
       yield { name: 'report', bytes: `${JSON.stringify(json, null, 2)}\n` };
     };
-    if (report) outputs.push({ path: report, files: reported() });
-    await writeOutputs(outputs);
+    if (report) outputs.push({ flag: '--report', path: report, files: reported() });
+    await writeOutputs(outputs, known);
     const count = options.export.blend ? 1 : plan.times.length;
     const off = plan.error === null ? '' : `, largest error between frames ${errorText(plan.error)}`;
     const others = beside.length === 0 ? '' : `; also written: ${beside.join(', ')}`;
@@ -134,6 +136,26 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
       warnings: warnings.map(({ message }) => message),
     };
   });
+}
+
+/**
+ * The files that the command may not replace. Refuses its outputs, before large files are read, if they are among them.
+ */
+export async function checkedFiles(
+  args: Arguments,
+  { format, name }: Partial<ExportOptions> = {},
+): Promise<KnownFiles> {
+  const known = new KnownFiles(args.flags.has('overwrite'));
+  const poses = SHAPES.flatMap((shape) => args.values.get(ENCODING[shape].flag) ?? []);
+  const against = args.values.get('against')?.split(BETWEEN_VALUES) ?? [];
+  await addInputs(known, [...args.files, ...poses, ...against]);
+  const outputs = ['output', 'report'].flatMap((flag) => {
+    const given = args.values.get(flag);
+    const beside = flag === 'output' && (format === 'pc2' || format === 'mdd') ? [`${name ?? 'shapespline'}.obj`] : [];
+    return given === undefined ? [] : [{ flag: `--${flag}`, path: given, beside }];
+  });
+  await checkOutputs(outputs, known);
+  return known;
 }
 
 async function readTangents(

@@ -20,6 +20,7 @@ import {
   resourceUris,
 } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
+import type { KnownFiles } from './known-files.ts';
 
 /** Total bytes read so far. */
 interface Total {
@@ -63,6 +64,81 @@ function checkOneSequence(folder: string, inside: string[]): void {
 }
 
 const MOST_SHOWN = 5;
+
+/** Adds these inputs and all files that they refer to, also those that are not read. Reads no large file but an OBJ. */
+export async function addInputs(known: KnownFiles, given: string[]): Promise<void> {
+  for (const name of await withoutFolders(given)) {
+    await known.add(name);
+    for (const file of await referredBy(name)) await known.add(file, name);
+  }
+}
+
+/** Paths of the files that a model may refer to. Missing files are ignored. */
+async function referredBy(name: string): Promise<string[]> {
+  const uris = await urisAtStart(name);
+  if (uris || NO_LIBRARIES.includes(extensionOf(name))) return (uris ?? []).flatMap((uri) => pathsOf(name, uri));
+  const isFile = async (file: string): Promise<boolean> => (await startOf(file, 1)).length > 0;
+  const files: string[] = [];
+  for (const text of namedIn(await startOf(name, Infinity), 'mtllib')) {
+    const libraries = await libraryNames(text, (library) => isFile(path.resolve(path.dirname(name), library)));
+    files.push(...libraries.flatMap((library) => pathsOf(name, library)));
+  }
+  const images = await Promise.all(
+    files.map(async (file) => imagesIn(await startOf(file, LARGEST_LIBRARY)).flatMap((image) => pathsOf(file, image))),
+  );
+  return [...files, ...images.flat()];
+}
+
+const LARGEST_LIBRARY = 1 << 24;
+const LARGEST_START = 1 << 30;
+
+/** A reference as a path, without escapes, and as a name in the same folder. */
+function pathsOf(from: string, reference: string): string[] {
+  const plain = [reference, decodedUri(reference)].map((text) => text.replace(/^file:\/\//i, '').replaceAll('\\', '/'));
+  const folder = path.dirname(from);
+  return [...new Set(plain.flatMap((text) => [path.resolve(folder, text), path.join(folder, path.basename(text))]))];
+}
+
+/** All images that a material library refers to, also those that the engine does not use. */
+function imagesIn(bytes: Uint8Array): string[] {
+  const lines = new TextDecoder().decode(bytes).split('\n');
+  return lines.flatMap((line) => {
+    const text = /^(?:map_\w+|bump|disp|decal|norm|refl)[ \t](.*)$/i.exec(line.trim())?.[1]?.trim();
+    return text ? [withoutOptions(text)] : [];
+  });
+}
+
+/** The URIs of a .gltf, or of the JSON at the start of a .glb; null for other files. */
+async function urisAtStart(name: string): Promise<string[] | null> {
+  const head = Buffer.from(await startOf(name, GLB_HEAD));
+  const isGlb = head.length === GLB_HEAD && head.toString('latin1', 0, 4) === 'glTF';
+  if (!isGlb && !isJson(head)) return null;
+  const json = isGlb
+    ? (await startOf(name, GLB_HEAD + head.readUInt32LE(12))).subarray(GLB_HEAD)
+    : await startOf(name, Infinity);
+  try {
+    return urisOf(json);
+  } catch {
+    return []; // reported when the file is read
+  }
+}
+
+/** Bytes of a GLB before its JSON. */
+const GLB_HEAD = 20;
+
+/** The first bytes of a regular file; none of other files. */
+async function startOf(name: string, most: number): Promise<Uint8Array> {
+  const file = await open(name, constants.O_RDONLY | constants.O_NONBLOCK).catch(() => null);
+  try {
+    const stats = await file?.stat();
+    if (!file || !stats?.isFile()) return new Uint8Array(0);
+    const bytes = new Uint8Array(Math.min(most, stats.size, LARGEST_START));
+    const { bytesRead } = await file.read(bytes, 0, bytes.length, 0);
+    return bytes.subarray(0, bytesRead);
+  } finally {
+    await file?.close();
+  }
+}
 
 export async function readInputs(given: string[]): Promise<InputFile[]> {
   const files: InputFile[] = [];
@@ -211,10 +287,12 @@ async function readRegular(name: string, total: Total): Promise<Uint8Array> {
 
 /** URIs of the buffers and images of a .gltf; null for other files. The engine reports invalid JSON. */
 function urisOf(bytes: Uint8Array): string[] | null {
-  if (!/^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return null;
+  if (!isJson(bytes)) return null;
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
   return [...new Set([...buffers, ...images])];
 }
+
+const isJson = (bytes: Uint8Array): boolean => /^[\uFEFF\s]*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)));
 
 /** The name by which the engine finds a URI's file. */
 const nameBeside = (gltf: string, uri: string): string => beside(toSlashes(gltf), decodedUri(uri));

@@ -7,10 +7,13 @@ import type { ExportOptions, Method } from '../engine/api/types.ts';
 import { withEngine } from '../engine/node.ts';
 import { MEASURE_UNITS, SHELL_UNITS, columnsOf, measureMotion, tableJson, tableOf } from '../study/motion-measures.ts';
 import type { Column } from '../study/motion-measures.ts';
+import { fitWarnings, isOwnAt } from '../study/fitted-intervals.ts';
 import { MotionError } from '../study/motion-error.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
+import { checkedFiles } from './commands.ts';
 import { doubtsOfPlace, doubtsOfTime } from './doubts.ts';
 import { readInputs } from './input.ts';
+import type { KnownFiles } from './known-files.ts';
 import { writeOutputs } from './output.ts';
 import {
   againstOptions,
@@ -45,6 +48,7 @@ export async function measure(args: Arguments): Promise<Measured> {
   if (against.length === 0 && Object.keys(own).length > 0)
     throw new UsageError('--against-up and --against-unit require --against');
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
+  const known = await checkedFiles(args);
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);
     // A project's own method is not measured unless it is requested.
@@ -67,15 +71,18 @@ export async function measure(args: Arguments): Promise<Measured> {
     const comments: string[] = truth ? [`# frames of the animation: ${truth.times.length}, ${truth.placed}`] : [];
     for (const method of methods) {
       const motion = method === methods[0] ? sequence : await motionBy(method);
+      warnings.push(...fitWarnings(motion).map((warning) => `${method}: ${warning}`));
       const measures = await measureMotion(motion, { method }, times);
-      columns.push(...columnsOf(byShell ? { ...measures, shell: await motion.shellBending(times) } : measures));
-      if (!compared) continue;
-      const error = await compare(motion, compared, keys.info.report.diagonal);
-      columns.push(
-        { name: `${method} distance largest`, values: error.over.largest },
-        { name: `${method} distance mean`, values: error.over.mean },
-      );
-      comments.push(errorLine(method, error));
+      const own = columnsOf(byShell ? { ...measures, shell: await motion.shellBending(times) } : measures);
+      if (compared) {
+        const error = await compare(motion, compared, keys.info.report.diagonal);
+        own.push(
+          { name: `${method} distance largest`, values: error.over.largest },
+          { name: `${method} distance mean`, values: error.over.mean },
+        );
+        comments.push(errorLine(method, error));
+      }
+      columns.push(...own.map((column) => ownCells(column, motion, times)));
     }
     const lines = [
       `# shapespline ${version}`,
@@ -87,14 +94,20 @@ export async function measure(args: Arguments): Promise<Measured> {
       ...(byShell ? [SHELL_UNITS] : []),
       ...tableOf(times, 1, columns),
     ];
-    return { text: await handOut(args, `${lines.join('\n')}\n`, times.length), warnings };
+    return { text: await handOut(args, known, `${lines.join('\n')}\n`, times.length), warnings };
   });
 }
 
-async function handOut(args: Arguments, table: string, rows: number): Promise<string> {
+/** Without cells where a fitted method falls back on another one, whose numbers they would be. */
+function ownCells({ name, values }: Column, motion: Motion, times: readonly number[]): Column {
+  return { name, values: values.map((value, i) => (isOwnAt(motion, times[i]!) ? value : NaN)) };
+}
+
+/** The table, or after writing it to --output a line about it. */
+export async function handOut(args: Arguments, known: KnownFiles, table: string, rows: number): Promise<string> {
   const output = args.values.get('output');
   if (!output) return table;
-  await writeOutputs([{ path: output, files: [{ name: 'measures', bytes: table }] }]);
+  await writeOutputs([{ flag: '--output', path: output, files: [{ name: 'table', bytes: table }] }], known);
   return `${output}: ${rows} rows\n`;
 }
 
@@ -127,7 +140,7 @@ export async function comparedTimes(
   }
   const { times } = await sequence.planExport({ format: 'obj', ...wanted });
   const inside = times.filter((t) => t >= span[0] - near && t <= span[1] + near);
-  if (inside.length < 2) throw noFrames(file, span);
+  if (inside.length === 0) throw noFrames(file, span);
   const sampled = await truth.at(inside);
   return { times, frames: times.map((t) => (inside.includes(t) ? sampled.frame(inside.indexOf(t)) : null)) };
 }
@@ -160,7 +173,8 @@ async function compare(sequence: Motion, { times, frames }: Compared, diagonal: 
   for (let from = 0; from < times.length; from += AT_ONCE) {
     const shapes = await sequence.evaluateMany(times.slice(from, from + AT_ONCE));
     shapes.forEach((shape, index) => {
-      error.add(frames[from + index] ?? null, shape.positions);
+      const isOwn = isOwnAt(sequence, times[from + index]!);
+      error.add((isOwn && frames[from + index]) || null, shape.positions);
       shape.release();
     });
   }
@@ -168,6 +182,7 @@ async function compare(sequence: Motion, { times, frames }: Compared, diagonal: 
 }
 
 function errorLine(method: Method, error: MotionError): string {
+  if (error.over.mean.every(Number.isNaN)) return `# ${method}: no shapes of this method to compare`;
   const text = (value: number): string => `${Number(value.toPrecision(4))} %`;
   return `# ${method}: KG error ${text(error.percent)}, largest distance ${text(error.largest)}, mean ${text(error.mean)}`;
 }

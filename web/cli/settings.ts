@@ -93,7 +93,12 @@ function known(flags: Flag[], own: string[], several: string[] = [], bare: strin
 }
 
 export const INSPECT = known(importFlags, []);
-export const COMPLETE = known([...importFlags, ...motionFlags, ...encodingFlags, ...exportFlags], ['output', 'report']);
+export const COMPLETE = known(
+  [...importFlags, ...motionFlags, ...encodingFlags, ...exportFlags],
+  ['output', 'report'],
+  [],
+  ['overwrite'],
+);
 
 /** Options of the ghost mesh that its study varies. */
 const LEADING: readonly string[] = ['ghostFaces', 'transfer'];
@@ -106,21 +111,24 @@ export const MEASURE = known(
   [...importFlags, ...shownFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape'), ...momentFlags],
   ['output', 'methods', 'against', 'against-up', 'against-unit'],
   ['against'],
-  ['shell-bending'],
+  ['shell-bending', 'overwrite'],
 );
 
 const studied = [...importFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
 const fittedFlags = motionFlags.filter(({ name }) => name === 'spaceFaces' || name === 'spaceSamples');
 export const STUDY_GHOST = known(
   [...studied, ...motionFlags].filter(({ name }) => !LEADING.includes(name)),
-  [...['output', 'sizes']],
+  ['output', 'sizes'],
+  [],
+  ['overwrite'],
 );
 export const STUDY_SPACES = known(
   [...studied, ...fittedFlags],
   ['output', 'methods', 'against', 'against-up', 'against-unit'],
   ['against'],
+  ['overwrite'],
 );
-export const STUDY_TABLES = known(importFlags, ['output']);
+export const STUDY_TABLES = known(importFlags, ['output'], [], ['overwrite']);
 
 const HELP_COLUMN = 41;
 const HELP_WIDTH = 112;
@@ -163,7 +171,8 @@ folder stands for the models in it, in the order of their names. Buffers, materi
 
 If OUT ends in .glb, it is one file with an animation. An .obj or .ply is one shape (give one --at time). A
 .pc2 or .mdd is a point cache with its OBJ next to it. A folder (ending in /) gets 0000.obj, 0001.obj, ...,
-one per time. Materials and textures of an OBJ are written next to it.
+one per time; frames of an earlier motion there are replaced, other files are not. Materials and textures of
+an OBJ are written next to it. Beside the output, .shapespline.json lists the files that may be replaced.
 
 Keys are counted from 1, animations from 0; reports count everything from 0. Times are in seconds.
 
@@ -173,6 +182,7 @@ ${line('  --against FILE', "measure, study spaces: compare each method with this
 ${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure, study spaces: metres per unit of that animation; default: as its file states, otherwise --unit')}
 ${line('  --shell-bending', 'measure: add the bending energy computed from edge lengths and angles, in the same way for every method; up to three more shapes are computed for each time')}
+${line('  --overwrite', 'let --output and --report replace an input. Never replaced are files that an input refers to, nor files beside the output that shapespline did not write or that have changed since')}
 ${line('  --report R.json', 'complete: write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}
 

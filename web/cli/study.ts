@@ -14,9 +14,9 @@ import { studySpaces } from '../study/space-study.ts';
 import type { TrueShapes } from '../study/space-study.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
-import { comparedTimes, doubtsOf } from './measure.ts';
+import { checkedFiles } from './commands.ts';
+import { comparedTimes, doubtsOf, handOut } from './measure.ts';
 import type { Measured } from './measure.ts';
-import { writeOutputs } from './output.ts';
 import { againstOptions, importOptions, measuredMethods, sequenceOptions, withProject } from './settings.ts';
 import { readTruth } from './truth.ts';
 import * as read from './values.ts';
@@ -84,10 +84,21 @@ export function studyMethods(args: Arguments): Promise<Measured> {
     return {
       columns: SPACE_COLUMNS,
       rows: rows.map((row): Cell[] => [
-        ...[row.method, row.volume, row.area, row.lengths, row.bending, row.peak, row.kg, row.ms, row.buildMs],
+        ...[
+          row.method,
+          row.fitted ?? NaN,
+          row.volume,
+          row.area,
+          row.lengths,
+          row.bending,
+          row.peak,
+          row.kg,
+          row.ms,
+          row.buildMs,
+        ],
         row.note,
       ]),
-      warnings,
+      warnings: [...warnings, ...rows.flatMap(({ method, warnings: own }) => own.map((one) => `${method}: ${one}`))],
     };
   });
 }
@@ -95,6 +106,9 @@ export function studyMethods(args: Arguments): Promise<Measured> {
 const SPACE_COLUMNS = {
   method:
     'the method; all columns from volume to largest bending are measured at 48 times between the first and the last key',
+  'intervals fitted':
+    'number of intervals between keys with shapes that the method fitted; the row is measured in these only, and is empty ' +
+    'without any; no number for methods that fit no shapes',
   volume: "largest difference from the natural spline of the keys' volumes, %; empty for open surfaces",
   area: "largest difference from the natural spline of the keys' areas, %",
   'edge lengths':
@@ -106,7 +120,7 @@ const SPACE_COLUMNS = {
   'KG error': 'Karni-Gotsman error against the animation of --against, at its frames, %',
   'frame time': 'median time of a frame, ms',
   'build time': 'time from the keys until the first frame can be computed, ms',
-  note: 'why the method cannot move this shape, or between which keys no fit was found',
+  note: 'why the method cannot move this shape, or between which keys it fitted no shapes',
 };
 
 async function truthOf(
@@ -163,6 +177,7 @@ function rowsOf({ table1, table2 }: Tables): Cell[][] {
 async function run(args: Arguments, study: Study): Promise<Measured> {
   if (args.files.length === 0) throw new UsageError('give at least one file (see --help)');
   const imported = importOptions(args);
+  const known = await checkedFiles(args);
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);
     const table = await study(args, engine, keys);
@@ -170,9 +185,7 @@ async function run(args: Arguments, study: Study): Promise<Measured> {
     const isJson = output?.toLowerCase().endsWith('.json') ?? false;
     const text = (isJson ? jsonOf : csvOf)(args.files, table);
     const { warnings = [] } = table;
-    if (!output) return { text, warnings };
-    await writeOutputs([{ path: output, files: [{ name: 'study', bytes: text }] }]);
-    return { text: `${output}: ${table.rows.length} rows\n`, warnings };
+    return { text: await handOut(args, known, text, table.rows.length), warnings };
   });
 }
 

@@ -72,8 +72,14 @@ export async function readTruth(
     },
     dispose: () => held.dispose(),
     async at(wanted) {
-      const sampled = await read({ sample: wanted.map((t) => interpolated(t, times, inFile)) });
-      return truthOf(sampled, [...wanted], said);
+      const places = wanted.map((t) => interpolated(t, times, inFile));
+      const distinct = [...new Set(places)];
+      // An import takes at least two samples, in increasing order.
+      if (distinct.length < 2) distinct.push(inFile.find((t) => t !== places[0])!);
+      const sample = distinct.sort((a, b) => a - b);
+      const sampled = await read({ sample });
+      const frame = (index: number): Float32Array => sampled.positions(sample.indexOf(places[index]!));
+      return { ...truthOf(sampled, [...wanted], said), frame };
     },
   });
   return truthOf(frames, times, placed);
@@ -132,6 +138,6 @@ function interpolated(t: number, places: readonly number[], values: readonly num
 
 export const noFrames = (file: string, [first, last]: readonly [number, number]): UsageError =>
   new UsageError(
-    `--against: give at least two times from ${first} to ${last}, the range of ${file}, or set the key times to its times ` +
-      'with --key-times',
+    `--against: give times from ${first} to ${last}, the range of ${file}, or set the key times to its times with ` +
+      '--key-times',
   );

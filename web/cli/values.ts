@@ -1,5 +1,5 @@
 /** Parses the text of options. Each reader refuses invalid text with a UsageError that names the option. */
-import { PIN_RADIUS } from '../engine/api/option-table.ts';
+import { MOST_KEYS, PIN_RADIUS } from '../engine/api/option-table.ts';
 import type { AddedTurns, PathKey, Pin } from '../engine/api/types.ts';
 import { UsageError } from './arguments.ts';
 
@@ -59,7 +59,12 @@ export const oneOf =
   };
 
 /** KEY, counted from 1, to an index from 0. */
-export const key: Read<number> = (text, option) => wholeFrom(1)(text, option) - 1;
+export const key: Read<number> = (text, option) => {
+  const value = wholeFrom(1)(text, option);
+  if (value > MOST_KEYS)
+    throw new UsageError(`${option}: there is no key ${value}, because a shape has at most ${MOST_KEYS} keys`);
+  return value - 1;
+};
 
 /** KEY:N or KEY:N@COMPONENT, ... to full turns before a key. */
 export const turns: Read<AddedTurns[]> = (text, option) =>

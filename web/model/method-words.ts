@@ -8,6 +8,12 @@ export function motionWords({ method, plain }: { method: Method; plain?: true })
   return plain ? PLAIN_WORDS : METHOD_WORDS[method];
 }
 
+/** For beside a method's name: in how many intervals between keys it shows shapes of its own; '' for all. */
+export function fittedText(fitted: readonly boolean[] | null): string {
+  const count = fitted?.filter((isFitted) => isFitted).length;
+  return !fitted || count === fitted.length ? '' : `fitted in ${count} of ${fitted.length} intervals`;
+}
+
 /** CSS class of the method's line in plots. */
 export function lineStyle({ method, plain }: { method: Method; plain?: true }): string {
   return plain ? 'nothing-held' : method;

@@ -5,6 +5,7 @@ import { partOf } from '../engine/api/progress.ts';
 import { ghostFor, motionFor } from '../engine/api/method-options.ts';
 import { SEQUENCE_DEFAULTS, type Method, type SequenceOptions } from '../engine/api/types.ts';
 import { edgeLengths, edgesOf } from './edge-lengths.ts';
+import { fitWarnings, fittedCount, isOwnAt } from './fitted-intervals.ts';
 import { KgError } from './kg-error.ts';
 
 /** The animation of the keys: a shape per time. */
@@ -15,6 +16,8 @@ export interface TrueShapes {
 
 export interface SpaceRow {
   method: Method;
+  /** Number of intervals between keys with fitted shapes. Only these are measured. null for methods without fits. */
+  fitted: number | null;
   /** Largest difference over time from the natural spline of the keys' volumes, in percent; NaN for open surfaces. */
   volume: number;
   /** The same for areas. */
@@ -33,11 +36,10 @@ export interface SpaceRow {
   ms: number;
   /** Milliseconds from the keys until the first frame can be computed. */
   buildMs: number;
-  /**
-   * Why the method cannot move this shape, and then all numbers are NaN; or between which keys it shows the shapes of
-   * LRI space, because no fit was found; empty for neither.
-   */
+  /** Why the method cannot move this shape; then all numbers are NaN. */
   note: string;
+  /** About intervals without a fit. */
+  warnings: string[];
 }
 
 export interface SpaceStudyOptions extends CallOptions {
@@ -65,21 +67,22 @@ export async function studySpaces(
       const sequence = await engine.createSequence(keys, own, call);
       const buildMs = performance.now() - start;
       const numbers = await measured(sequence, spline, truth, signal).finally(() => sequence.dispose());
-      rows.push({ method, buildMs, note: notFitted(sequence), ...numbers });
+      const fitted = fittedCount(sequence);
+      rows.push({ method, fitted, note: noteOf(sequence), warnings: fitWarnings(sequence), ...numbers, buildMs });
     } catch (error) {
       if (!(error instanceof EngineError) || isCancelled(error)) throw error;
-      rows.push({ ...NOTHING, method, note: error.message });
+      rows.push({ ...NOTHING, method, fitted: null, note: error.message, warnings: [], buildMs: NaN });
     }
   }
   return rows;
 }
 
-const NOTHING = { volume: NaN, area: NaN, lengths: NaN, bending: NaN, peak: NaN, kg: NaN, ms: NaN, buildMs: NaN };
+const NOTHING = { volume: NaN, area: NaN, lengths: NaN, bending: NaN, peak: NaN, kg: NaN, ms: NaN };
 
-/** A warning names the key that ends the interval. */
-function notFitted({ warnings }: Sequence): string {
-  const ends = warnings.filter(({ code }) => code === 'lengths-not-fitted').map(({ key }) => key);
-  return ends.length === 0 ? '' : `LRI shapes between keys ${ends.map((key) => `${key} and ${key + 1}`).join(', ')}`;
+/** Names the intervals without a fit, by their keys. */
+function noteOf({ fitted }: Sequence): string {
+  const ends = (fitted ?? []).flatMap((isFitted, i) => (isFitted ? [] : [`${i + 1} and ${i + 2}`]));
+  return ends.length === 0 ? '' : `no fitted shapes between keys ${ends.join(', ')}`;
 }
 
 /** The natural spline of the keys' own measures, at the times of the study. */
@@ -118,7 +121,7 @@ async function splineOf(engine: Engine, keys: Keys): Promise<Spline> {
   };
 }
 
-type Numbers = Omit<SpaceRow, 'method' | 'buildMs' | 'note'>;
+type Numbers = typeof NOTHING;
 
 async function measured(
   sequence: Sequence,
@@ -129,9 +132,14 @@ async function measured(
   const call = signal && { signal };
   const ms: number[] = [];
   let [sum, count] = [0, 0];
-  for (const [index, t] of times.entries()) {
+  // Elsewhere, the row would have the numbers of another method.
+  const own = times.flatMap((t, index) => (isOwnAt(sequence, t) ? [index] : []));
+  if (own.length === 0) return NOTHING;
+  const ownTimes = own.map((index) => times[index]!);
+  const splined = (values: readonly number[]): number[] => own.map((index) => values[index]!);
+  for (const [place, t] of ownTimes.entries()) {
     const [frame] = await sequence.evaluateMany([t], call);
-    const wanted = lengthsAt(index);
+    const wanted = lengthsAt(own[place]!);
     edgeLengths(edges, frame!.positions).forEach((length, edge) => {
       if (!(wanted[edge]! > 0)) return;
       sum += (length / wanted[edge]! - 1) ** 2;
@@ -140,11 +148,11 @@ async function measured(
     ms.push(frame!.ms);
     frame!.release();
   }
-  const { volume, area } = await sequence.measures(times, call);
-  const bending = await sequence.shellBending(times, call);
+  const { volume, area } = await sequence.measures(ownTimes, call);
+  const bending = await sequence.shellBending(ownTimes, call);
   return {
-    volume: spline.volume ? largestOff(volume, spline.volume) : NaN,
-    area: largestOff(area, spline.area),
+    volume: spline.volume ? largestOff(volume, splined(spline.volume)) : NaN,
+    area: largestOff(area, splined(spline.area)),
     lengths: 100 * Math.sqrt(sum / count),
     bending: bending.reduce((total, energy) => total + energy / bending.length, 0),
     peak: Math.max(...bending),
@@ -159,7 +167,10 @@ function largestOff(values: readonly number[], wanted: readonly number[]): numbe
 
 async function kgAgainst(sequence: Sequence, { times, shapes }: TrueShapes, signal?: AbortSignal): Promise<number> {
   const error = new KgError();
+  const own = times.map((t) => isOwnAt(sequence, t));
+  if (!own.includes(true)) return NaN;
   for (const [index, t] of times.entries()) {
+    if (!own[index]) continue;
     const [frame] = await sequence.evaluateMany([t], signal && { signal });
     error.add(shapes[index]!, frame!.positions);
     frame!.release();

@@ -3,7 +3,7 @@ import { METHOD, METHODS } from '../engine/api/methods.ts';
 import type { Method } from '../engine/api/types.ts';
 import type { Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
-import { METHOD_WORDS, PLAIN_WORDS } from '../model/method-words.ts';
+import { METHOD_WORDS, PLAIN_WORDS, fittedText } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { departs } from '../model/spline-options.ts';
 import { DEFAULT_MOTION, MOST_COMPARED } from '../model/state.ts';
@@ -29,6 +29,8 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
 
 export interface MotionPanelProps extends MotionEndsProps {
   compare: readonly Method[];
+  /** The intervals between keys where the shown motion has fitted shapes; null if it fits none. */
+  fitted: readonly boolean[] | null;
   /** The next click on the shape pins that vertex. */
   placing: boolean;
   /** Mean tension of the keys. */
@@ -114,11 +116,12 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
   );
   return {
     elements: [method.element, hint, comparison],
-    update({ motion, encoding, keys, compare, disabled }) {
+    update({ motion, encoding, keys, compare, fitted, disabled }) {
       compared = compare;
       const departing = departs({ motion, encoding, keys });
       method.update(motion.method);
-      setText(hint, METHOD_WORDS[motion.method].hint);
+      const where = fittedText(fitted);
+      setText(hint, `${METHOD_WORDS[motion.method].hint}${where && ` Here ${where} between keys; see the warnings.`}`);
       const isFull = compared.filter((m) => m !== motion.method || departing).length >= MOST_COMPARED;
       setHidden(most, !isFull);
       for (const { value, toggle } of others) {

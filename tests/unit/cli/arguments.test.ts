@@ -254,6 +254,13 @@ describe('the values of options', () => {
     );
   });
 
+  it.each(['--reference=2147483648', '--turns=2147483648:1', '--pin=3:stay=2147483648'])(
+    'that name a key far beyond the last one are reported: %s',
+    (word) => {
+      expect(() => sequenceOptions(parse(word))).toThrow(/there is no key 2147483648/);
+    },
+  );
+
   it('of a ghost mesh are a number of faces or off', () => {
     expect(sequenceOptions(parse('--ghost-faces', '500', '--placement=optimal'))).toEqual({
       ghostFaces: 500,

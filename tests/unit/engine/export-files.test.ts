@@ -70,6 +70,16 @@ describe('materials of an OBJ', () => {
     expect(names).toEqual(['red_skin', 'red_skin_2', 'material_3']);
   });
 
+  it.each([
+    ['skin skin_3 skin', 'skin skin_3 skin_4'],
+    ['skin skin skin_2 skin_2', 'skin skin_3 skin_2 skin_2_4'],
+    ['a\tb a_b a\u009bb a_b_2', 'a_b a_b_3 a_b_4 a_b_2'],
+    ['material_2  material_2', 'material_2 material_2_2 material_2_3'],
+  ])('%j are different, and given names stay with the first that has them', (given, names) => {
+    const materials = given.split(' ').map((name) => material(name));
+    expect(materialLibrary('m', { ...scene, materials }).names.join(' ')).toBe(names);
+  });
+
   it('are described with their textures, in sRGB colours', () => {
     const files = materialFiles('cat', scene);
     expect(files.map(({ name }) => name)).toEqual(['cat.mtl', 'cat-texture-1.png']);

@@ -35,13 +35,28 @@ describe('the note in an exported file', () => {
     const noted = withNote('obj', bytes(OBJ), times);
     expect(noted.length).toBeLessThan(150);
     expect(readNote(noted)!.times).toHaveLength(90_000);
-    const uneven = withNote(
-      'obj',
-      bytes(OBJ),
-      times.map((t) => t * t),
-    );
-    expect(uneven.length).toBeLessThan(150);
-    expect(readNote(uneven)).toEqual({ times: null });
+  });
+
+  it('lists any number of uneven times, on lines of less than 64 kB', () => {
+    for (const count of [1000, 3500, 4001, 20_000]) {
+      const times = Array.from({ length: count }, (_, i) => 2 * (i / (count - 1)) ** 1.3 - 1 / 3);
+      for (const [format, file] of [
+        ['obj', OBJ],
+        ['ply', PLY],
+      ] as const) {
+        const noted = withNote(format, bytes(file), times);
+        expect(readNote(noted)!.times).toEqual(times);
+        expect(
+          Math.max(
+            ...text(noted)
+              .split('\n')
+              .map((line) => line.length),
+          ),
+        ).toBeLessThan(16_000);
+      }
+    }
+    const before = `# shapespline: Y up, metres\n# times ${Array.from({ length: 4000 }, (_, i) => i + 1 / 3).join(' ')}\n`;
+    expect(readNote(bytes(before + OBJ))!.times).toHaveLength(4000);
   });
 
   it('is ignored in any other form', () => {

@@ -45,7 +45,7 @@ ShellSample sampleFrom(const Json& json) {
 }  // namespace
 
 /// {method, faces, keys: [positions], samples: [{time, weights, start, key}]} -> {handle, shapes: [{positions}],
-/// failed, stiff}: shell_motion.h. weights, start: null at a key. The ranges belong to the handle.
+/// failed, stiff, finished}: shell_motion.h. weights, start: null at a key. The ranges belong to the handle.
 EXPORT const char* shapespline_fit_shells(const char* request) {
   return answer(request, [](const Json& json) -> Result<Json> {
     std::vector<ShellSample> samples;
@@ -59,7 +59,11 @@ EXPORT const char* shapespline_fit_shells(const char* request) {
     Json shapes = Json::array();
     for (const std::vector<float>& shape : handleTable().get<ShapesObject>(handle).shapes)
       shapes.push_back({{"positions", range(shape.data(), shape.size())}});
-    return Json{{"handle", handle}, {"shapes", shapes}, {"failed", found->failed}, {"stiff", found->stiff}};
+    return Json{{"handle", handle},
+                {"shapes", shapes},
+                {"failed", found->failed},
+                {"stiff", found->stiff},
+                {"finished", found->finished}};
   });
 }
 

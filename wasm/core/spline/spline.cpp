@@ -144,9 +144,10 @@ Result<Curve> Curve::fit(const std::vector<double>& times, const CurveOptions& o
     const bool spansKeys = std::abs(period - span) <= 1e-9 * span;
     curve.closes_ = options.closing == Closing::Extra || !spansKeys;
     if (curve.closes_ && (!(period > span) || spansKeys || !std::isfinite(period)))
-      return Error{ErrorCode::InvalidOption, "The period " + shortNumber(period) +
-                                                 " is not longer than the time from the first key to the last, " +
-                                                 shortNumber(span) + ". Choose a longer period or move the keys."};
+      return Error{ErrorCode::InvalidOption, "The period " + shortNumber(period) + " is " +
+                                                 (period > span ? "longer by less than a billionth" : "not longer") +
+                                                 " than the time from the first key to the last, " + shortNumber(span) +
+                                                 ". Choose a longer period or move the keys."};
     if (!curve.closes_) period = span;
   }
   curve.start_ = times.front();

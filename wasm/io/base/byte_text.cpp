@@ -94,17 +94,22 @@ std::string asUtf8(std::string_view name) {
   return latin;
 }
 
+std::string onOneLine(std::string_view name, char instead) {
+  std::string out;
+  while (!name.empty()) {
+    const Character first = characterOf(name);
+    if (isText(first.code)) out += name.substr(0, first.bytes);
+    else out += instead;
+    name.remove_prefix(first.bytes);
+  }
+  return out;
+}
+
 std::string inQuotes(std::string_view text) {
   constexpr int longest = 80;
-  std::string out = "\"";
-  for (int count = 0; !text.empty(); ++count) {
-    if (count == longest) return out + "...\"";
-    const Character first = characterOf(text);
-    if (isText(first.code)) out += text.substr(0, first.bytes);
-    else out += '?';
-    text.remove_prefix(first.bytes);
-  }
-  return out + "\"";
+  std::size_t end = 0;
+  for (int count = 0; count < longest && end < text.size(); ++count) end += characterOf(text.substr(end)).bytes;
+  return "\"" + onOneLine(text.substr(0, end), '?') + (end < text.size() ? "...\"" : "\"");
 }
 
 }  // namespace shapespline

@@ -28,8 +28,11 @@ bool isUtf16(std::span<const std::uint8_t> bytes);
 /// A name as UTF-8. Bytes that are not UTF-8 are read as Latin-1, which older programs write.
 std::string asUtf8(std::string_view name);
 
-/// Makes text from an untrusted file safe for a message: at most 80 characters in UTF-8. Control characters, marks of
-/// the writing direction and invalid bytes become '?'.
+/// A name on one line: control characters, line separators, marks of the writing direction and invalid bytes become
+/// `instead`.
+std::string onOneLine(std::string_view name, char instead = ' ');
+
+/// Makes text from an untrusted file safe for a message: at most 80 characters in UTF-8, on one line with '?'.
 std::string inQuotes(std::string_view text);
 
 }  // namespace shapespline

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/base/byte_text.h"
 #include "io/base/finite_shape.h"
 
 namespace shapespline {
@@ -192,7 +193,7 @@ struct ObjWriter {
   // Sanitises a name: glTF allows any text.
   void named(const char* keyword, const std::string& name) {
     sink.text(keyword);
-    for (char c : name) sink.out.push_back(static_cast<std::uint8_t>(c >= 0 && c < ' ' ? ' ' : c));
+    sink.text(onOneLine(name));
     sink.text("\n");
   }
 

@@ -5,7 +5,7 @@ import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
 import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
-import { motionWords } from '../../model/method-words.ts';
+import { fittedText, motionWords } from '../../model/method-words.ts';
 import { OFF_CURVE, PHASE_COLOURS, phaseOf } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import type { TileLabel } from '../../ui/tile-labels.ts';
@@ -466,7 +466,9 @@ function sizeName({ ghost }: RunningMotion, width: number): string {
 
 /** Beside a divider, a blend has the name that is familiar to new users. */
 function titleOf({ ghost, ...motion }: RunningMotion, split: boolean): string {
-  const title = motionWords(motion)[split || ghost > 0 ? 'short' : 'label'];
+  const name = motionWords(motion)[split || ghost > 0 ? 'short' : 'label'];
+  const fitted = fittedText(motion.sequence.fitted);
+  const title = fitted === '' ? name : `${name}, ${fitted}`;
   return ghost > 0 ? `${title}, ghost mesh of ${ghost.toLocaleString('en')} faces` : title;
 }
 

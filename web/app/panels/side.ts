@@ -84,12 +84,14 @@ export function createSide({ context, commands, connect, onFilled }: SideParts):
   return { motionPanel, panels, analysis, sampling };
 }
 
-function motionProps({ session: { workspace } }: Context) {
+function motionProps({ session }: Context) {
+  const { workspace } = session;
   const poseName = (pose: number): string => workspace.pool?.keys.info.names[pose] ?? '';
   return ({ state: { doc, view }, viewState, range, disabled }: Shown) => ({
     motion: doc.motion,
     encoding: doc.encoding,
     compare: view.compare,
+    fitted: session.sequence()?.fitted ?? null,
     mostSpeeds: viewState.mostSpeeds,
     keys: doc.keys,
     poseName,

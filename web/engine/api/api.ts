@@ -97,6 +97,11 @@ export interface Motion {
   /** First and last time of the curve that the keys define; one whole period for a periodic motion. */
   readonly range: readonly [number, number];
   readonly warnings: readonly Warning[];
+  /**
+   * For each interval between keys, whether its shapes were fitted; elsewhere the motion is that of another method, and
+   * a warning says so. null if the motion fits no shapes.
+   */
+  readonly fitted: readonly boolean[] | null;
   /** Latest wins: a newer request resolves a waiting one to null. */
   evaluate(t: number): Promise<Frame | null>;
   /**

@@ -3,15 +3,17 @@
  * has fields for these.
  */
 
+import { MOST_FRAMES } from './option-table.ts';
 import { extensionOf } from './paths.ts';
 import type { InputFile } from './types.ts';
 
 const MARK = 'shapespline: Y up, metres';
-/** Largest number of uneven times to list. */
-const MOST_LISTED = 4000;
+/** Times on a line. Some programs refuse lines of more than 64 kB. */
+const PER_LINE = 500;
+/** Longest note. */
+const HEAD = 26 * MOST_FRAMES;
 /** A note starts a file; in a PLY it follows the magic word and the format. */
 const BEFORE_MARK = 200;
-const HEAD = 1 << 16;
 /** Tolerance of even spacing, relative to the covered time. */
 const EVEN = 1e-9;
 
@@ -23,22 +25,21 @@ export interface ExportNote {
 const evenly = (count: number, first: number, last: number): number[] =>
   Array.from({ length: count }, (_, i) => (i === count - 1 ? last : first + ((last - first) * i) / (count - 1)));
 
-function timesText(times: readonly number[]): string | null {
+function timesText(times: readonly number[]): string[] {
   const [first, last] = [times[0]!, times.at(-1)!];
   const even = evenly(times.length, first, last);
   if (times.length > 2 && times.every((t, i) => Math.abs(t - even[i]!) <= EVEN * Math.abs(last - first)))
-    return `frames ${times.length} from ${first} to ${last}`;
-  return times.length > 0 && times.length <= MOST_LISTED ? `times ${times.join(' ')}` : null;
+    return [`frames ${times.length} from ${first} to ${last}`];
+  const lines: string[] = [];
+  for (let i = 0; i < times.length; i += PER_LINE) lines.push(`times ${times.slice(i, i + PER_LINE).join(' ')}`);
+  return lines;
 }
 
 /** An OBJ or PLY with a note; other files unchanged. `times`: the file's frame times, or empty. */
 export function withNote(format: string, bytes: Uint8Array, times: readonly number[]): Uint8Array {
   if (format !== 'obj' && format !== 'ply') return bytes;
-  const said = timesText(times);
   const start = format === 'obj' ? '# ' : 'comment ';
-  const note = new TextEncoder().encode(
-    [MARK, ...(said === null ? [] : [said])].map((line) => `${start}${line}\n`).join(''),
-  );
+  const note = new TextEncoder().encode([MARK, ...timesText(times)].map((line) => `${start}${line}\n`).join(''));
   const at = format === 'obj' ? 0 : endOfLine(bytes, endOfLine(bytes, 0)); // after a PLY's mark and format
   const result = new Uint8Array(bytes.length + note.length);
   result.set(bytes.subarray(0, at));
@@ -68,20 +69,13 @@ export function noteOf(files: readonly InputFile[]): ExportNote | null {
 /** Reads the note of a file; null if it has none. */
 export function readNote(bytes: Uint8Array): ExportNote | null {
   if (!new TextDecoder().decode(bytes.subarray(0, BEFORE_MARK)).includes(MARK)) return null;
-  const lines = new TextDecoder()
-    .decode(bytes.subarray(0, HEAD))
-    .split('\n')
-    .flatMap((line) => /^(?:#|comment) (.*?)\r?$/.exec(line)?.[1] ?? []);
+  const head = new TextDecoder().decode(bytes.subarray(0, HEAD));
+  const [start] = head.split(/\r?\n(?!#|comment |format )/, 1);
+  const lines = start!.split(/\r?\n/).map((line) => line.replace(/^(#|comment) /, ''));
   if (!lines.includes(MARK)) return null;
-  const listed = lines.find((line) => line.startsWith('times '));
-  const even = lines.map((line) => /^frames (\d+) from (\S+) to (\S+)$/.exec(line)).find((match) => match !== null);
-  const times = listed
-    ? listed.split(' ').slice(1).map(Number)
-    : even && Number(even[1]) <= MOST_EVEN
-      ? evenly(Number(even[1]), Number(even[2]), Number(even[3]))
-      : null;
-  return { times: times?.every(Number.isFinite) ? times : null };
+  const listed = lines.flatMap((line) => (line.startsWith('times ') ? line.slice(6).split(' ').map(Number) : []));
+  const [, count, , first, , last] = lines.find((line) => line.startsWith('frames '))?.split(' ') ?? [];
+  const even = Number(count) <= MOST_FRAMES ? evenly(Number(count), Number(first), Number(last)) : [];
+  const times = [...listed, ...even];
+  return { times: times.length > 0 && times.every(Number.isFinite) ? times : null };
 }
-
-/** Limit for even frames, above the frames of any export. */
-const MOST_EVEN = 100_000;

@@ -38,8 +38,8 @@ const isTime = (value: unknown): value is number => isNumber(value) && Math.abs(
 const grouped = (value: number): string => value.toLocaleString('en', { maximumFractionDigits: 9 });
 const BETWEEN_TIMES = `from ${grouped(-MOST_TIME)} to ${grouped(MOST_TIME)}`;
 
-/** Limit of 32-bit numbers in the core. */
-const MOST = 2 ** 31 - 1;
+/** Limit of 32-bit numbers in the core, whose messages count indices from 1. */
+const MOST = 2 ** 31 - 2;
 const wholeFrom =
   (least: number): Check =>
   (v) => {

@@ -37,3 +37,17 @@ function shareOut(lengths: readonly number[], total: number): number[] {
   }
   return counts;
 }
+
+/**
+ * Whether each interval between keys has a fitted shape, or is so short beside the spacing of the others that it needs
+ * none.
+ */
+export function sampledIntervals(times: readonly FitTime[]): boolean[] {
+  const widest = Math.max(...times.slice(1).map(({ time }, i) => time - times[i]!.time));
+  const places = times.flatMap(({ key }, i) => (key >= 0 ? [i] : []));
+  const isAny = places.length < times.length;
+  return places.slice(1).map((end, i) => {
+    const start = places[i]!;
+    return end - start > 1 || (isAny && times[end]!.time - times[start]!.time < widest / 2);
+  });
+}

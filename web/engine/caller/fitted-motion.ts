@@ -21,9 +21,9 @@ import {
   type ShapePlane,
   type Warning,
 } from '../api/types.ts';
-import type { KeyData, MotionSpec, RequestOf } from '../wire/protocol.ts';
+import type { KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type { ExportSource } from './export-source.ts';
-import { fitTimes, type FitTime } from './fit-times.ts';
+import { fitTimes, sampledIntervals, type FitTime } from './fit-times.ts';
 import { MotionClient } from './motion.ts';
 import type { ShapeClient } from './shape.ts';
 import type { ShellsWorker } from './worker-client.ts';
@@ -176,7 +176,7 @@ class Fit {
     for (const t of this.spec.keyTimes) keys.push(await base.ghostPositions(t));
     const starts = await this.starts((t) => base.ghostPositions(t));
     const coarse = { faces: ghost.faces, keys, samples: await this.samples(base, starts) };
-    const { shapes, failed, stiff } = await this.fit(coarse);
+    const { shapes, ...rest } = await this.fit(coarse);
     const leader = { faces: ghost.faces, vertexOf: ghost.ghostVertexOf, faceOf: ghost.ghostFaceOf };
     await this.worker.call('leadShape', { faces: info.faces, keys: [...positions], leader });
     const led: Float32Array[] = [];
@@ -189,7 +189,7 @@ class Fit {
       const [from, to] = [starts[led.length]!, shapes[led.length]!];
       led.push((await this.worker.call('follow', { shape, from, to })).positions);
     }
-    return { shapes: led, failed, stiff };
+    return { shapes: led, ...rest };
   }
 
   private async fit({ faces, keys, samples }: Coarse): Promise<Fitted> {
@@ -226,7 +226,10 @@ class Fit {
   }
 
   /** `open`: warnings about the user's keys. Between fitted shapes, rotations may be too small for them. */
-  private async motionThrough({ shapes, failed, stiff }: Fitted, open: readonly Warning[]): Promise<FittedMotion> {
+  private async motionThrough(
+    { shapes, failed, stiff, finished }: Fitted,
+    open: readonly Warning[],
+  ): Promise<FittedMotion> {
     const { keys, encoding, encode } = this.shape.parts;
     const at = (key: number): number => this.times.findIndex((one) => one.key === key);
     const through: KeyData = {
@@ -247,12 +250,16 @@ class Fit {
         through.info.times,
       );
       const state = await inner.make(spec, this.part(0.8, 1));
+      const sampled = sampledIntervals(this.times);
       const warnings = [
         ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings.map(this.ofKeys)]),
         ...failed.map(notFitted),
         ...stiff.map(notSmoothed),
+        ...notSampled(sampled, this.spec.options),
+        ...(finished ? [] : [UNFINISHED]),
       ];
-      return new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings });
+      const fitted = sampled.map((is, i) => is && !failed.includes(i + 1) && !stiff.includes(i + 1));
+      return new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings }, fitted);
     } catch (error) {
       inner.dispose();
       throw error;
@@ -275,13 +282,7 @@ class Fit {
   }
 }
 
-interface Fitted {
-  shapes: Float32Array[];
-  /** Intervals without a fit, by the index of their last key. */
-  failed: number[];
-  /** Intervals where the bending energy could not be lowered, by the index of their last key. */
-  stiff: number[];
-}
+type Fitted = ResultOf<'fitShells'>;
 
 /** Without those of further shapes in the same interval of keys. */
 function onePerPlace(warnings: readonly Warning[]): Warning[] {
@@ -313,6 +314,24 @@ function notSmoothed(key: number): Warning {
   };
 }
 
+/** Names the first interval without a fitted shape of its own. */
+function notSampled(sampled: readonly boolean[], { spaceSamples }: MotionOptions): Warning[] {
+  const count = sampled.filter((is) => !is).length;
+  if (count === 0) return [];
+  const message =
+    `${count} of the ${sampled.length} intervals between keys have no fitted shape, because ${spaceSamples} intervals ` +
+    'are fitted in all. The shape spline (LRI) is shown there. Fit more intervals (--space-samples), or use fewer keys.';
+  return [{ ...NO_PLACE, code: 'intervals-not-sampled', message, count, key: sampled.indexOf(false) + 1 }];
+}
+
+const UNFINISHED: Warning = {
+  ...NO_PLACE,
+  code: 'bending-search-ended',
+  message:
+    'The search for the least bending energy ended at its limit of steps. The motion may bend more than the smoothest one.',
+  count: 0,
+};
+
 function withoutTangents(encoding: EncodingOptions): EncodingOptions {
   return { ...encoding, startTangent: null, endTangent: null };
 }
@@ -328,6 +347,7 @@ export class FittedMotion extends MotionClient implements Sequence {
     inner: ShapeClient,
     innerSpec: MotionSpec,
     state: MotionClient['state'],
+    override readonly fitted: readonly boolean[],
   ) {
     super(inner, innerSpec, state);
   }

@@ -11,11 +11,13 @@ const EXTENSIONS: Record<string, string> = {
 /** Material names in an OBJ, where a space ends a name. */
 export function materialLibrary(stem: string, { materials }: Scene): { file: string; names: string[] } {
   if (materials.length === 0) return { file: '', names: [] };
-  const taken = new Set<string>();
-  const names = materials.map(({ name }, index) => {
-    const plain = name.replace(/[\s\p{C}]+/gu, '_') || `material_${index + 1}`;
-    const own = taken.has(plain) ? `${plain}_${index + 1}` : plain;
+  const plain = materials.map(({ name }, i) => name.replace(/[\s\p{C}]+/gu, '_') || `material_${i + 1}`);
+  const [taken, used] = [new Set(plain), new Set<string>()];
+  const names = plain.map((name, index) => {
+    let own = name;
+    for (let number = index + 1; own === name ? used.has(own) : taken.has(own); number += 1) own = `${name}_${number}`;
     taken.add(own);
+    used.add(own);
     return own;
   });
   return { file: `${stem.replace(/\s+/g, '_')}.mtl`, names };

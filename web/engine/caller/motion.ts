@@ -49,6 +49,7 @@ const AT_ONCE_MS = 10;
 const exporting = () => import('./export.ts');
 
 export class MotionClient implements Motion {
+  readonly fitted: readonly boolean[] | null = null;
   protected readonly what: string = 'motion';
   private readonly pool = new FramePool();
   private shown: Shown | null = null;

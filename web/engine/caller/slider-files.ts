@@ -2,8 +2,16 @@
 import type { ExportedFile } from '../api/types.ts';
 import type { PlannedFrames } from './export-source.ts';
 
-/** A table cell, quoted so spreadsheets do not read a name as a formula. */
-const cell = (name: string): string => `"${name.replaceAll('"', '""').replace(/^[=+@\t\r\n-]/, "'$&")}"`;
+/** A table cell, quoted so spreadsheets do not read a name as a formula. Without control characters. */
+const cell = (name: string): string =>
+  `"${name
+    .replace(/\p{Cc}/gu, ' ')
+    .replaceAll('"', '""')
+    .replace(/^[=+@ -]/, "'$&")}"`;
+
+/** A string in Python, with control characters as escapes. */
+const pythonText = (name: string): string =>
+  JSON.stringify(name).replace(/\p{Cc}/gu, (control) => `\\u${control.charCodeAt(0).toString(16).padStart(4, '0')}`);
 
 function rowsOf({ principal }: PlannedFrames, count: number): number[][] {
   const { weights } = principal!;
@@ -25,7 +33,7 @@ import bpy
 
 TIMES = ${JSON.stringify(times)}
 WEIGHTS = {
-${columns.map(([name, weights]) => `    ${JSON.stringify(name)}: ${JSON.stringify(weights)},`).join('\n')}
+${columns.map(([name, weights]) => `    ${pythonText(name)}: ${JSON.stringify(weights)},`).join('\n')}
 }
 
 shape = bpy.context.object

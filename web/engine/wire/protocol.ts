@@ -145,9 +145,9 @@ export interface ShellCalls {
     };
     /**
      * `failed`: intervals without a fit, by their last key. `stiff`: those where the bending energy could not be
-     * lowered.
+     * lowered. `finished`: false if the search for the least bending energy ended early.
      */
-    result: { shapes: Float32Array[]; failed: number[]; stiff: number[] };
+    result: { shapes: Float32Array[]; failed: number[]; stiff: number[]; finished: boolean };
   };
   /** Prepares the transfer from a coarse mesh to a full shape. */
   leadShape: {

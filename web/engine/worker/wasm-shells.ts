@@ -8,14 +8,11 @@ export class WasmShells extends WasmCalls<ShellsModule> {
 
   fit(request: RequestOf<'fitShells'>, onProgress: OnProgress): ResultOf<'fitShells'> {
     this.hear(onProgress);
-    const { handle, shapes, failed, stiff } = this.send<{
-      handle: number;
-      shapes: { positions: Float32Array }[];
-      failed: number[];
-      stiff: number[];
-    }>(request, (address) => this.module._shapespline_fit_shells(address));
+    const { handle, shapes, ...rest } = this.send<
+      Omit<ResultOf<'fitShells'>, 'shapes'> & { handle: number; shapes: { positions: Float32Array }[] }
+    >(request, (address) => this.module._shapespline_fit_shells(address));
     this.release(handle);
-    return { shapes: shapes.map(({ positions }) => positions), failed, stiff };
+    return { shapes: shapes.map(({ positions }) => positions), ...rest };
   }
 
   /** Prepares the shape that `follow` corrects. */
