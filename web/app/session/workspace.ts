@@ -3,6 +3,7 @@ import type { CallOptions, Engine, Keys } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeyMesh, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
 import { LARGE, mayBeLarge } from '../../engine/api/large.ts';
+import { renumbered } from '../../engine/api/warning-keys.ts';
 import type { Doc, View } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
@@ -94,9 +95,15 @@ export class Workspace {
     return this.current?.info ?? null;
   }
 
-  /** Warnings of the import and of the first running sequence, each once. Equal warnings at two locations are two. */
-  get warnings(): Warning[] {
-    const all = [...(this.info?.warnings ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
+  /**
+   * Warnings of the import about these keys, and of the first running sequence, each once. Equal warnings at two
+   * locations are two.
+   */
+  warningsOf(keys: Doc['keys']): Warning[] {
+    const keyOf = (pose: number): number => keys.findIndex((key) => key.pose === pose);
+    const { names = [], warnings = [] } = this.info ?? {};
+    const imported = warnings.flatMap((warning) => renumbered(warning, names, keyOf) ?? []);
+    const all = [...imported, ...(this.sequences[0]?.sequence.warnings ?? [])];
     const texts = all.map((warning) => JSON.stringify(warning));
     return all.filter((_, index) => texts.indexOf(texts[index]!) === index);
   }
