@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { momentOf } from '../../web/app/drawing/marking.ts';
-import { renumbered } from '../../web/engine/api/warning-keys.ts';
+import { renumbered } from '../../web/engine/api/renumbered-warnings.ts';
 import { partOf, withPlaces } from '../../web/app/drawing/warning-places.ts';
 
 // A cube's corners, with one face at the top left front and one at the bottom right back.

@@ -3,10 +3,10 @@ import type { CallOptions, Engine, Keys } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { ImportOptions, InputFile, KeyMesh, KeysInfo, Progress, Warning } from '../../engine/api/types.ts';
 import { LARGE, mayBeLarge } from '../../engine/api/large.ts';
-import { renumbered } from '../../engine/api/warning-keys.ts';
 import type { Doc, View } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
+import type { renumberedWarnings } from '../../engine/api/renumbered-warnings.ts';
 import { SequenceSet } from './sequence-set.ts';
 import type { RunningMotion } from '../../playback/frame-set.ts';
 import { PosePool } from './pose-pool.ts';
@@ -56,6 +56,8 @@ interface Current {
   pool: PosePool;
   input: OpenFile[];
   options: ImportOptions;
+  /** null without warnings of the import. */
+  renumbered: typeof renumberedWarnings | null;
 }
 
 /** A file. Samples made in the page have arrays, so no reader is loaded for them. */
@@ -101,9 +103,8 @@ export class Workspace {
    */
   warningsOf(keys: Doc['keys']): Warning[] {
     const keyOf = (pose: number): number => keys.findIndex((key) => key.pose === pose);
-    const { names = [], warnings = [] } = this.info ?? {};
-    const imported = warnings.flatMap((warning) => renumbered(warning, names, keyOf) ?? []);
-    const all = [...imported, ...(this.sequences[0]?.sequence.warnings ?? [])];
+    const imported = this.info && this.current?.renumbered?.(this.info, keyOf);
+    const all = [...(imported ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
     const texts = all.map((warning) => JSON.stringify(warning));
     return all.filter((_, index) => texts.indexOf(texts[index]!) === index);
   }
@@ -159,6 +160,8 @@ export class Workspace {
       performance.mark('shapespline read');
       const { info } = keys;
       this.events.onRead(info);
+      const renumbered =
+        info.warnings.length > 0 ? (await import('../../engine/api/renumbered-warnings.ts')).renumberedWarnings : null;
       const pool = new PosePool(keys);
       const opening = { ...start(documentFromImport(info, pool), pool), info, pool };
       const takesLong = info.report.vertices >= LARGE;
@@ -167,7 +170,7 @@ export class Workspace {
       performance.mark('shapespline made');
       if (this.current) leave();
       this.close();
-      this.current = { info, set, pool, input, options };
+      this.current = { info, set, pool, input, options, renumbered };
       return opening;
     } catch (error) {
       keys?.dispose();

@@ -78,12 +78,13 @@ type OfFiles = Pick<KeysInfo, 'animation' | 'animations' | 'project'>;
 
 /** The initial state after opening, based on the previous state. */
 export function openedState(
-  { source, project, left, stays, turn }: OpenRequest,
+  request: OpenRequest,
   opening: LoadedKeys & StartState,
   before: AppState,
   range: Range,
   reducedMotion: boolean,
 ): AppState {
+  const { source, project, left, stays, turn } = request;
   const { doc, link } = opening;
   const own = source.kind === 'files' ? (project ?? newProjectId()) : null;
   const wanted = stays ? before.time : (link?.time ?? doc.keys[0]?.time ?? 0);
@@ -96,7 +97,7 @@ export function openedState(
   }
   if (turn) return { ...opened, view: { ...before.view, camera: null } };
   if (stays) return opened;
-  const play = openingPlay(opening, source, before.play, reducedMotion);
+  const play = openingPlay(opening, request, before.play, reducedMotion);
   return { ...opened, view: openingView(before.view, link), play };
 }
 
@@ -113,7 +114,7 @@ function openingView(view: View, link: Permalink | null): View {
 /** Opened content plays immediately, unless the user prefers reduced motion or follows a link to a time. */
 function openingPlay(
   { info, doc, link }: LoadedKeys & StartState,
-  source: Source,
+  { source, settings }: OpenRequest,
   { loop, fps }: Play,
   reducedMotion: boolean,
 ): Play {
@@ -124,7 +125,9 @@ function openingPlay(
   const speed = link?.speed ?? own;
   const playing = (link?.playing ?? true) && !reducedMotion;
   if (link) return { playing, speed, loop: link.loop ?? loop, between: link.between, fps: link.fps };
-  return { playing, speed, loop: openingLoop(loop, timed && info.animation >= 0), between: null, fps };
+  const ends = openingLoop(loop, timed && info.animation >= 0);
+  // The frame rate belongs to the files.
+  return { playing, speed, loop: ends, between: null, fps: settings ? fps : null };
 }
 
 /** A clip loops and poses play back and forth, unless the user has chosen to play once. */
