@@ -108,7 +108,7 @@ test('a pose of another mesh waits for the next; Undo in the message restores th
   );
   expect(await keys(app)).toHaveLength(2);
   // A pose that matches neither mesh: the waiting pose keeps waiting.
-  await pick(app, 'wrong.obj', QUAD(0.1));
+  await pick(app, 'wrong.obj', 'v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 0 2\nf 1 2 3\nf 3 4 5\n');
   await expect(app.by('error-message')).toContainText('wrong.obj');
   await pick(app, 'next.obj', TRIANGLE(0.5));
   await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['other', 'next']);
@@ -118,6 +118,22 @@ test('a pose of another mesh waits for the next; Undo in the message restores th
   await app.by('toast-undo').click();
   await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'b']);
   await app.settled();
+  await app.expectNoProblems();
+});
+
+test('a pose that fits is added also while another waits, and Esc drops the waiting one', async ({ app }) => {
+  await app.open();
+  await openTwo(app);
+  await pick(app, 'other.obj', TRIANGLE(0));
+  await expect(app.by('pose-offer')).toBeVisible();
+  await pick(app, 'fits.obj', QUAD(0.1));
+  await expect.poll(async () => (await keys(app)).map(([name]) => name)).toEqual(['a', 'b', 'fits']);
+  await expect(app.by('pose-offer')).toBeHidden();
+  await app.settled();
+  await pick(app, 'other.obj', TRIANGLE(0));
+  await expect(app.by('pose-offer')).toBeVisible();
+  await app.page.keyboard.press('Escape');
+  await expect(app.by('pose-offer')).toBeHidden();
   await app.expectNoProblems();
 });
 

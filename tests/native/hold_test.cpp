@@ -445,6 +445,89 @@ TEST_CASE("a ghost follows the held shape") {
   CHECK(moved > 1e-3 * diagonalOf(k));
 }
 
+namespace {
+
+// The largest growth of an edge over its length in any key, at 60 times per interval, as a share of the diagonal.
+double largestGrowth(Sequence& s, const Keyframes& k, double from, double to) {
+  double most = 0;
+  const int count = 60 * (k.keyCount() - 1);
+  for (int i = 0; i <= count; ++i) {
+    const Positions p = shapeAt(s, from + (to - from) * i / count);
+    for (const Triangle& f : k.faces)
+      for (int c = 0; c < 3; ++c) {
+        const int a = f[c], b = f[(c + 1) % 3];
+        double longest = 0;
+        for (const Key& key : k.keys) longest = std::max(longest, (key.positions[a] - key.positions[b]).norm());
+        most = std::max(most, (p[a] - p[b]).norm() - longest);
+      }
+  }
+  return most / diagonalOf(k);
+}
+
+}  // namespace
+
+TEST_CASE("intervals with added turns are not held, and no edge grows") {
+  const auto check = [](const Keyframes& k, BoundaryKind boundary, const std::vector<AddedTurns>& turns) {
+    CAPTURE(static_cast<int>(boundary));
+    CAPTURE(turns[0].turns);
+    MotionOptions turned;
+    turned.boundary = boundary;
+    turned.turns = turns;
+    Sequence plain = make(k, turned);
+    turned.hold = true;
+    Sequence s = make(k, turned);
+    const auto [from, to] = s.motion().range();
+    CHECK(largestGrowth(s, k, from, to) < largestGrowth(plain, k, from, to) + 0.005);
+    for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-9 * diagonalOf(k));
+    for (const AddedTurns& t : turns) {
+      const double start = k.keys[t.key - 1].time, end = k.keys[t.key].time;
+      for (int i = 1; i < 10; ++i)
+        CHECK(shapeAt(s, start + (end - start) * i / 10) == shapeAt(plain, start + (end - start) * i / 10));
+      for (const double time : {start, end, end + (end - start) / 2})
+        CHECK(std::min(kink(s, time, 1e-3), accelerationAt(s, time, 1e-3)) < 0.5);
+    }
+  };
+  const Keyframes k = standing();
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Periodic}) {
+    check(k, boundary, {{2, 1}});
+    check(k, boundary, {{1, -1}, {4, 1}});
+    check(k, boundary, {{3, 3}});
+  }
+  Keyframes loop = standing();
+  loop.keys[4].positions = loop.keys[0].positions;
+  check(loop, BoundaryKind::Periodic, {{4, 1}});
+  // A part that turns beside a part that bends.
+  Keyframes both = standing(joined(bar(), box(1, 1, 4, 4, 4, 16)));
+  const std::size_t part = bar().positions.size();
+  for (Key& key : both.keys)
+    for (std::size_t v = part; v < key.positions.size(); ++v) key.positions[v] += Vec3(0, 5, 0);
+  check(both, BoundaryKind::Natural, {{2, 1, 1}});
+}
+
+TEST_CASE("other intervals stay held beside added turns, and a warning names those that are not") {
+  Keyframes k = standing();
+  k.keys.push_back({"end", 6, k.keys[1].positions});
+  MotionOptions turned = holding();
+  turned.turns = {{5, 1}};
+  Sequence held = make(k, turned), s = make(k, holding());
+  CHECK(slide(held, k) < 2 * slide(s, k) + 1e-4);
+  const auto told = [](const Sequence& of) {
+    std::vector<Warning> found;
+    for (const Warning& w : of.warnings())
+      if (w.code == "unheld-turn") found.push_back(w);
+    return found;
+  };
+  REQUIRE(told(held).size() == 1);
+  CHECK(told(held)[0].key == 5);
+  CHECK(told(held)[0].message.starts_with("Between key 5 and key 6 "));
+  CHECK(told(s).empty());
+  turned.hold = false;
+  CHECK(told(make(k, turned)).empty());
+  turned = holding();
+  turned.turns = {{5, 0}};
+  CHECK(told(make(k, turned)).empty());
+}
+
 TEST_CASE("a loop that moves on is held across its seam") {
   Keyframes k = standing();
   k.keys[4].positions = k.keys[0].positions;

@@ -38,6 +38,14 @@ describe('the request for an export', () => {
     expect(gridTimes(slow)).toEqual(gridTimes(whole));
   });
 
+  it('has the last frame of the timeline, and the frame rate of the animation by default', () => {
+    const run = numbers({}, { fps: 24, speed: 1, range: [0, 0.7] });
+    expect([run.frames, gridTimes(run).at(-1), gridTimes(run).length]).toEqual([18, 0.7, 18]);
+    expect(numbers({}, { speed: 1, range: [0, 0.7], own: 24 })).toMatchObject({ frames: 18 });
+    expect(numbers(VIDEO, { speed: 1, own: 24 }, 'mp4')).toMatchObject({ frames: 24, rate: 24 });
+    expect(numbers(VIDEO, { speed: 1, own: 24 }, 'gif').rate).toBe(25);
+  });
+
   it('has GIF frames of whole hundredths of a second', () => {
     expect(numbers(VIDEO, {}, 'gif')).toMatchObject({ frames: 100, rate: 25 });
     expect(numbers({ ...VIDEO, rate: 60 }, {}, 'gif').rate).toBe(50);

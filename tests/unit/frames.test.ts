@@ -4,6 +4,7 @@ import {
   heldTime,
   loopRange,
   nearestFrameTime,
+  ownRate,
   playRange,
   snappedTime,
   steppedFrameTime,
@@ -48,9 +49,35 @@ describe('whole frames', () => {
   it('are on the grid that contains time zero', () => {
     expect(nearestFrameTime(0.51, 24)).toBe(0.5);
     expect(frameTimes([0, 1], 4)).toEqual([0, 0.25, 0.5, 0.75, 1]);
-    expect(frameTimes([0.1, 0.8], 4)).toEqual([0.25, 0.5, 0.75]);
     expect(frameTimes([0, 1], 24)).toHaveLength(25);
-    expect(frameTimes([0.1, 0.2], 4)).toEqual([]);
+  });
+
+  it('include both ends of the range, once each', () => {
+    expect(frameTimes([0.1, 0.8], 4)).toEqual([0.1, 0.25, 0.5, 0.75, 0.8]);
+    expect(frameTimes([0.1, 0.2], 4)).toEqual([0.1, 0.2]);
+    expect(frameTimes([0.5, 0.5], 4)).toEqual([0.5]);
+    const run = frameTimes([0, 0.7], 24);
+    expect([run.length, run.at(-2), run.at(-1)]).toEqual([18, 16 / 24, 0.7]);
+    // Rounded quotients are no further frames.
+    for (const [end, fps] of [
+      [0.7, 30],
+      [2.3, 10],
+      [1 / 3, 12],
+      [1000 + 1e-5, 24],
+    ] as const) {
+      const times = frameTimes([0, end], fps);
+      expect([times.length, times.at(-1)]).toEqual([Math.round(end * fps) + 1, end]);
+    }
+  });
+
+  it('have the rate of the animation that the keys were taken from', () => {
+    const rateOf = (seconds: number, keys: number, start = 0): number | null =>
+      ownRate({ animation: 0, animations: [{ name: '', start, end: start + seconds, keys, moves: true }] });
+    expect([rateOf(0.7, 22), rateOf(1, 25), rateOf(2, 51, 0.5)]).toEqual([30, 24, 25]);
+    expect([rateOf(1001 / 30, 1001), rateOf(10, 1201)]).toEqual([29.97, 120]);
+    // Few keys: the first usual rate with whole frames.
+    expect([rateOf(0.7, 4), rateOf(1, 3), rateOf(0.333, 3)]).toEqual([30, 24, 24]);
+    expect([rateOf(0, 1), ownRate({ animation: -1, animations: [] })]).toEqual([null, null]);
   });
 
   it('are replaced by close keys', () => {

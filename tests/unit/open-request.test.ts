@@ -155,6 +155,13 @@ describe('the state after a request', () => {
     expect(met(objectsRequest(present, ['arm'])).state).toMatchObject({ time: 0, view: { split: null } });
   });
 
+  it('has a frame rate only of its own files', () => {
+    const framed = { ...files, play: { ...files.play, fps: 12 } };
+    const rateOf = (request: OpenRequest) => met(request, framed).state.play.fps;
+    expect([rateOf(pickedRequest([])), rateOf(sampleRequest(sample, input, null, 'on'))]).toEqual([null, null]);
+    expect([rateOf(objectsRequest(present, ['arm'])), rateOf(momentsRequest(present, 0, [0, 1]))]).toEqual([12, 12]);
+  });
+
   it('of a rotation: the same document, with rotated added poses', () => {
     const { pool, start, state } = met(turnRequest(present, { up: 'z', unit: 1 }, 'on'));
     expect(start.doc).toEqual(files.doc);

@@ -10,8 +10,8 @@ import type { Engine } from '../../web/engine/api/api.ts';
 import { EngineError } from '../../web/engine/api/errors.ts';
 import { KeyArrays } from '../../web/engine/caller/keyframes.ts';
 import type { KeyData } from '../../web/engine/wire/protocol.ts';
-import type { ImportOptions, InputFile, Warning } from '../../web/engine/api/types.ts';
-import { retimeKey } from '../../web/model/edits.ts';
+import type { ImportOptions, InputFile, PathKey, Warning } from '../../web/engine/api/types.ts';
+import { retimeKey, setMotion } from '../../web/model/edits.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -119,4 +119,22 @@ it('a rotation is a step of the history, unless it is automatic', async () => {
   const { label, turn } = store.history().past.at(-1)!;
   expect([label, turn?.before]).toEqual(['lay the shape down', { up: 'z', unit: 1 }]);
   expect([store.get().doc.keys[1]!.time, onRead.mock.calls.length]).toEqual([2, 2]);
+});
+
+it('a rotation turns the paths of pins, and undo and redo restore them exactly', async () => {
+  const { opener, store, sample } = openerOf();
+  await sample('a');
+  const path: PathKey[] = [{ time: 0, move: [0.1, 1, 2] }];
+  store.edit('pins', (doc) => setMotion(doc, { pins: [{ vertex: 0, radius: 0.1, path }] }));
+  const move = () => store.get().doc.motion.pins[0]!.path![0]!.move;
+  await opener.reorient({ up: 'z', unit: 0.1 });
+  const turned = move();
+  expect(turned).toEqual([expect.closeTo(0.01, 12), expect.closeTo(0.2, 12), expect.closeTo(-0.1, 12)]);
+  for (const moves of [path[0]!.move, turned]) {
+    const back = moves === turned ? store.redoTurn()! : store.undoTurn()!;
+    await opener.reorient(back, null);
+    if (moves === turned) store.redo();
+    else store.undo();
+    expect(move()).toEqual(moves);
+  }
 });

@@ -1,6 +1,9 @@
 /** Poses added to an open shape, after the files are read with another orientation or offset. */
 import { expect, it } from 'vitest';
-import { relativeTo, reoriented } from '../../web/model/orientation.ts';
+import { relativeTo, reoriented, reorientedDoc } from '../../web/model/orientation.ts';
+import { setMotion } from '../../web/model/edits.ts';
+import type { PathKey } from '../../web/engine/api/types.ts';
+import { docOfKeys } from './documents.ts';
 
 const BEFORE = { up: 'y', unit: 1 } as const;
 const AFTER = { up: 'z', unit: 0.001 } as const;
@@ -21,4 +24,18 @@ it('a pose stored near the origin moves to the offset of the files', () => {
   const far = Float32Array.of(1000.5, 2, -499.75);
   expect(relativeTo(far, [0, 0, 0], [1000, 0, -500])).toEqual(Float32Array.of(0.5, 2, 0.25));
   expect(relativeTo(far, [4, 5, 6], [4, 5, 6])).toEqual(far);
+});
+
+it('offsets of pins turn and scale with the shape, without its offset, and exactly back', () => {
+  const path: PathKey[] = [{ time: 0.5, move: [0.1, 0.25, -2] }];
+  const free = { vertex: 3, radius: 0.1, stay: 1 };
+  const doc = setMotion(docOfKeys(), { pins: [{ vertex: 2, radius: 0.1, path }, free] });
+  const turned = reorientedDoc(doc, { up: 'y', unit: 1 }, { up: 'z', unit: 0.5 });
+  expect(turned.motion.pins).toEqual([
+    { ...doc.motion.pins[0], path: [{ time: 0.5, move: [0.05, -1, -0.125] }] },
+    free,
+  ]);
+  expect(reorientedDoc(turned, { up: 'z', unit: 0.5 }, { up: 'y', unit: 1 })).toEqual(doc);
+  const plain = setMotion(doc, { pins: [free] });
+  expect(reorientedDoc(plain, BEFORE, AFTER)).toBe(plain);
 });

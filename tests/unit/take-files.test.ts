@@ -1,5 +1,5 @@
 /** Interpretation of picked files, without a page. */
-import { beforeEach, expect, it } from 'vitest';
+import { beforeEach, expect, it, vi } from 'vitest';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Opener } from '../../web/app/sources/opener.ts';
 import { TakeFiles } from '../../web/app/sources/take-files.ts';
@@ -22,18 +22,23 @@ const names = (files: readonly PickedFile[]): string => files.map(({ name }) => 
 const own: Source = { kind: 'files', names: ['mine.obj'] };
 const sample: Source = { kind: 'sample', id: 'box' };
 
-/** `fit`: whether the files match the open mesh. A single file does not open as a motion. */
-function takeFilesOf(source: Source, fit: boolean): TakeFiles {
+/**
+ * `fit`: whether the files match the open mesh, or the names of those that do. A single file does not open as a motion,
+ * and neither do files of which only some fit.
+ */
+function takeFilesOf(source: Source, fit: boolean | string[]): TakeFiles {
+  const fits = ({ name }: PickedFile): boolean => (Array.isArray(fit) ? fit.includes(name) : fit);
   const files = {
     run: async (given: PickedFile[], work: (files: PickedFile[]) => Promise<boolean>) => work(await given),
     async open(given: PickedFile[]) {
       log.push(`open ${names(given)}`);
       if (given.length < 2) throw new EngineError('too-few-keys', 'One key.');
+      if (given.some(fits) !== given.every(fits)) throw vertexCountMismatch('right.obj', 4, 3);
       return true;
     },
     async addPoses(given: PickedFile[], place: KeyPlace | null) {
       log.push(`add ${names(given)} at ${JSON.stringify(place)}`);
-      if (!fit) throw vertexCountMismatch('a.obj', 3, 4);
+      if (!given.every(fits)) throw vertexCountMismatch('a.obj', 3, 4);
       return given.length;
     },
   };
@@ -91,4 +96,45 @@ it('the user chooses one of several numbered sequences', async () => {
   offer?.onAccept?.();
   await settled();
   expect(log).toEqual(['open a1.obj+a2.obj']);
+});
+
+it('a pose that fits the open mesh is added, also after one that does not', async () => {
+  for (const [source, place] of [
+    [own, null],
+    [own, { time: 0.5 }],
+    [sample, null],
+  ] as const) {
+    const takeFiles = takeFilesOf(source, ['right.obj', 'more.obj']);
+    await takeFiles.take(picked('wrong.obj'));
+    expect(takeFiles.waits).toBe(true);
+    log.length = 0;
+    await takeFiles.take(picked('right.obj'), place);
+    expect(log.slice(-2)).toEqual([`add right.obj at ${JSON.stringify(place)}`, '“right.obj” was added as a key.']);
+    expect([offer, takeFiles.waits]).toEqual([null, false]);
+  }
+  const takeFiles = takeFilesOf(own, ['right.obj', 'more.obj']);
+  await takeFiles.take(picked('wrong.obj'));
+  await takeFiles.take(picked('right.obj', 'more.obj'));
+  expect(log.at(-1)).toBe('2 keys were added.');
+});
+
+it('a pose that fits neither the open mesh nor the waiting pose is refused, and names both', async () => {
+  const takeFiles = takeFilesOf(own, ['waits.obj', 'next.obj']);
+  const add = vi.spyOn(takeFiles as never, 'add');
+  add.mockResolvedValue(vertexCountMismatch('neither.obj', 3, 4) as never);
+  await takeFiles.take(picked('waits.obj'));
+  await expect(takeFiles.take(picked('neither.obj'))).rejects.toThrow(
+    'neither.obj has 3 vertices, but the keys have 4. It does not fit “waits.obj” either, which waits for its next pose.',
+  );
+  await takeFiles.take(picked('next.obj'));
+  expect(log.at(-1)).toBe('open waits.obj+next.obj');
+});
+
+it('a waiting pose can be dropped', async () => {
+  const takeFiles = takeFilesOf(own, false);
+  await takeFiles.take(picked('wrong.obj'));
+  takeFiles.forget();
+  expect([offer, takeFiles.waits]).toEqual([null, false]);
+  await takeFiles.take(picked('a.obj'));
+  expect(log).not.toContain('open wrong.obj+a.obj');
 });

@@ -84,10 +84,13 @@ function showServed({ session, display, viewState, feedback, analysis, motionSpe
 }
 
 /** The warnings, each with its location in the pose of its key. */
-function warningsOf({ store, workspace: { warnings, info, pool } }: Session): Warning[] {
+function warningsOf({ store, workspace }: Session): Warning[] {
+  const { info, pool } = workspace;
+  const { keys } = store.get().doc;
+  const warnings = workspace.warningsOf(keys);
   if (!info || !pool) return warnings;
   return withPlaces(warnings, info.faces, (key) => {
-    const pose = store.get().doc.keys[key]?.pose;
+    const pose = keys[key]?.pose;
     return pose === undefined ? null : pool.keys.positions(pose);
   });
 }

@@ -330,6 +330,7 @@ const OF_A_MOTION: readonly string[] = [
   'range',
   'duration',
   'bounce',
+  'clip',
 ];
 
 /** The methods that `measure` compares. */
@@ -355,7 +356,7 @@ export function measuredTimes(args: Arguments): Partial<ExportOptions> {
 }
 
 /** Options that other formats would ignore. */
-const GLB_ONLY = ['tolerance', 'compression', 'targets', 'bounce'] as const;
+const GLB_ONLY = ['tolerance', 'compression', 'targets', 'bounce', 'clip'] as const;
 
 /** Formats with all frames in one file. */
 const HOLD_ALL: readonly string[] = ['glb', 'pc2', 'mdd'];

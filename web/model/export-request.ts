@@ -1,6 +1,6 @@
 /** Options of an export and the resulting numbers. The dialog shows the file's numbers. */
 import { EXPORT } from '../engine/api/option-table.ts';
-import { frameCount } from '../engine/api/whole-frames.ts';
+import { frameCount, frameTimes } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
 import { clamp, length } from './time-scale.ts';
 
@@ -36,6 +36,8 @@ export const [LEAST_PIXELS, MOST_PIXELS] = [16, 8192];
 
 /** Choices of the dialog, stored for the next export while the page is open. */
 export interface ExportRequest {
+  /** Name of the file and the clip; '' for the default. Not stored when other files are opened. */
+  name: string;
   kind: ExportKind;
   animation: AnimationFormat;
   pose: PoseFormat;
@@ -73,6 +75,7 @@ export interface ExportRequest {
 }
 
 export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
+  name: '',
   kind: 'animation',
   animation: 'glb',
   pose: 'glb',
@@ -112,6 +115,8 @@ export interface Playing {
   fps: number | null;
   /** Speed in units of time per second. */
   speed: number;
+  /** Frame rate of the animation that the keys were taken from; null or absent if unknown. */
+  own?: number | null;
 }
 
 export interface ExportNumbers {
@@ -165,7 +170,8 @@ type Frames = Pick<ExportNumbers, 'rate' | 'frames' | 'whole'>;
 /** Each frame of a video covers its part of a second, so the frames fill the time exactly. */
 function videoFrames(request: ExportRequest, playing: Playing, video: VideoFormat, seconds: number): Frames {
   const usual = video === 'gif' ? USUAL_GIF_RATE : USUAL_RATE;
-  const rate = Math.min(request.rate ?? playing.fps ?? usual, MOST_RATE[video]);
+  const own = video === 'gif' ? null : playing.own;
+  const rate = Math.min(request.rate ?? playing.fps ?? own ?? usual, MOST_RATE[video]);
   const oneWay = Math.max(Math.round(seconds * rate), 1);
   return { rate, frames: goesBack(request) ? 2 * oneWay : oneWay, whole: false };
 }
@@ -173,12 +179,12 @@ function videoFrames(request: ExportRequest, playing: Playing, video: VideoForma
 /** Frame times of files, from the first to the last time, both included. */
 function grid(
   { frames, rate }: ExportRequest,
-  { fps }: Playing,
+  { fps, own }: Playing,
   { range, seconds, speed }: Pick<ExportNumbers, 'range' | 'seconds' | 'speed'>,
 ): Frames {
   const wholeFrames = frames === null && rate === null && fps !== null ? frameCount(range, fps) : 0;
   if (wholeFrames > 1) return { rate: fps! * speed, frames: wholeFrames, whole: true };
-  const count = frames ?? Math.round(seconds * (rate ?? USUAL_RATE)) + 1;
+  const count = frames ?? Math.round(seconds * (rate ?? own ?? USUAL_RATE)) + 1;
   const clamped = clamp(count, 2, MAX_FRAMES);
   return { rate: (clamped - 1) / seconds, frames: clamped, whole: false };
 }
@@ -186,9 +192,7 @@ function grid(
 /** The frame times of files. */
 export function gridTimes({ range: [start, end], frames, whole, rate, speed }: ExportNumbers): number[] {
   if (!whole) return Array.from({ length: frames }, (_, i) => start + ((end - start) * i) / (frames - 1));
-  const fps = rate / speed;
-  const first = Math.ceil(start * fps - 1e-6);
-  return Array.from({ length: frames }, (_, i) => (first + i) / fps);
+  return frameTimes([start, end], rate / speed);
 }
 
 /** Position of a video frame in the motion, in [0, 1], forwards and then backwards if it bounces. */

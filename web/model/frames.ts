@@ -2,6 +2,7 @@
  * Whole frames of the motion's time: frame n is at time n / fps and frame 0 at time 0, as in any animation program.
  * Also the playing range. `fps` is null if the motion plays as smoothly as the screen allows.
  */
+import type { KeysInfo } from '../engine/api/types.ts';
 import { SAME_FRAME } from '../engine/api/whole-frames.ts';
 import type { Range } from './time-scale.ts';
 import { clamp, formatTime, length, reach, snap } from './time-scale.ts';
@@ -20,6 +21,21 @@ export function frameAt(t: number, fps: number): number {
 /** The frame shown at t: the last one that has begun, but not before `start`. */
 export function heldTime(t: number, fps: number | null, start: number): number {
   return fps === null ? t : Math.max(Math.floor(frameAt(t, fps)) / fps, start);
+}
+
+/** Usual frame rates, the more usual ones first. */
+const RATES = [24, 30, 25, 60, 50, 29.97, 23.976, 48, 15, 12, 120, 20, 100, 90, 59.94, 240] as const;
+
+/** The frame rate of the animation that the keys were taken from; null if unknown. */
+export function ownRate({ animation, animations }: Pick<KeysInfo, 'animation' | 'animations'>): number | null {
+  const clip = animations[animation];
+  const seconds = clip ? clip.end - clip.start : 0;
+  if (!clip || !(seconds > 0)) return null;
+  // One key per frame.
+  const dense = (clip.keys - 1) / seconds;
+  const found = RATES.find((rate) => Math.abs(dense / rate - 1) < 5e-4);
+  const isWhole = (rate: number): boolean => Math.abs(seconds * rate - Math.round(seconds * rate)) < 0.01;
+  return found ?? RATES.find((rate) => dense < rate && isWhole(rate)) ?? null;
 }
 
 export function nearestFrameTime(t: number, fps: number): number {

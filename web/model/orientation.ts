@@ -1,5 +1,6 @@
 /** Orientation of files that do not specify it: up axis, and length of a unit in metres. */
-import type { ImportOptions, Point } from '../engine/api/types.ts';
+import type { ImportOptions, PathKey, Point } from '../engine/api/types.ts';
+import type { Doc } from './state.ts';
 
 export type Orientation = Required<Pick<ImportOptions, 'up' | 'unit'>>;
 
@@ -12,9 +13,7 @@ export function reoriented(
   to: Orientation,
   [before, after]: readonly [Point, Point] = [NOWHERE, NOWHERE],
 ): Float32Array {
-  const scale = to.unit / from.unit;
-  // From files with z up, (x, y, z) becomes (x, z, -y).
-  const turn = Number(to.up === 'z') - Number(from.up === 'z');
+  const { scale, turn } = changeOf(from, to);
   const turned = new Float32Array(positions.length);
   for (let i = 0; i + 2 < positions.length; i += 3) {
     const [y, z] = [positions[i + 1]! + before[1], positions[i + 2]! + before[2]];
@@ -23,6 +22,26 @@ export function reoriented(
     turned[i + 2] = scale * (turn === 0 ? z : -turn * y) - after[2];
   }
   return turned;
+}
+
+/** The document for another orientation of its files: pins' offsets turn with the shape. */
+export function reorientedDoc(doc: Doc, from: Orientation, to: Orientation): Doc {
+  if (!doc.motion.pins.some(({ path }) => path)) return doc;
+  const { scale, turn } = changeOf(from, to);
+  const turned = ([x, y, z]: Point): PathKey['move'] => [
+    scale * x,
+    scale * (turn === 0 ? y : turn * z),
+    scale * (turn === 0 ? z : -turn * y),
+  ];
+  const pins = doc.motion.pins.map((pin) =>
+    pin.path ? { ...pin, path: pin.path.map((key) => ({ ...key, move: turned(key.move) })) } : pin,
+  );
+  return { ...doc, motion: { ...doc.motion, pins } };
+}
+
+/** From files with z up, (x, y, z) becomes (x, z, -y). */
+function changeOf(from: Orientation, to: Orientation): { scale: number; turn: number } {
+  return { scale: to.unit / from.unit, turn: Number(to.up === 'z') - Number(from.up === 'z') };
 }
 
 /** Converts positions from one offset to another. */

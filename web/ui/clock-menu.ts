@@ -1,11 +1,12 @@
 /** Time settings: whole frames, playing range, and timeline zoom. */
 import { button, checkbox, fieldRow, numberField, setIdle } from './controls.ts';
+import type { KeysInfo } from '../engine/api/types.ts';
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
 import { popover } from './popover.ts';
 import type { Range, TimeScale } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';
-import { MAX_FPS, MIN_FPS, formatMoment, loopRange, playRange } from '../model/frames.ts';
+import { MAX_FPS, MIN_FPS, formatMoment, loopRange, ownRate, playRange } from '../model/frames.ts';
 import { MAX_ZOOM, windowOf } from '../model/time-window.ts';
 
 export interface ClockMenuProps extends TimeScale {
@@ -13,6 +14,8 @@ export interface ClockMenuProps extends TimeScale {
   fps: number | null;
   between: Range | null;
   window: Range | null;
+  /** The open files, which may have a frame rate. */
+  info: KeysInfo | null;
   disabled: boolean;
 }
 
@@ -57,6 +60,7 @@ export function createClockMenu(events: ClockMenuEvents): Component<ClockMenuPro
 /** Whole frames, and the frame rate. */
 function createFrames({ onFps }: ClockMenuEvents): Component<ClockMenuProps> {
   let last = USUAL_FPS;
+  let shown: KeysInfo | null = null;
   const snap = checkbox('Snap to frames', 'whole-frames', (on) => onFps(on ? last : null));
   const rate = numberField({
     label: 'Frames per second',
@@ -69,7 +73,9 @@ function createFrames({ onFps }: ClockMenuEvents): Component<ClockMenuProps> {
   const row = fieldRow(snap.element, h('span', { class: 'spacer' }), rate, h('span', { class: 'unit' }, 'fps'));
   return {
     element: h('div', { class: 'group' }, row, hint),
-    update({ fps, disabled }) {
+    update({ fps, info, disabled }) {
+      if (info && info !== shown) last = ownRate(info) ?? USUAL_FPS;
+      shown = info;
       if (fps !== null) last = fps;
       snap.update(fps !== null, disabled);
       setField(rate, String(Number(last.toFixed(3))));

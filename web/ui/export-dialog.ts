@@ -1,5 +1,6 @@
 /** Export options: an animation, one pose, an image, a video, or the numbers. The size is shown first. */
 import { EXPORT } from '../engine/api/option-table.ts';
+import type { KeysInfo } from '../engine/api/types.ts';
 import type {
   AnimationFormat,
   Compression,
@@ -15,13 +16,19 @@ import type {
 import { DEFAULT_REQUEST, isTurn, isVideoRequest } from '../model/export-request.ts';
 import type { Choice } from './controls.ts';
 import { button, checkbox, dialog, fieldRow, numberField, segments } from './controls.ts';
+import { ownRate } from '../model/frames.ts';
+import type { Source } from '../model/state.ts';
 import type { Component, Fields } from './dom.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
 import type { Change, FieldsProps } from './export-fields.ts';
 import { createPictureFields, createTimeFields } from './export-fields.ts';
+import { exportName } from './export-name.ts';
 
-export interface ExportDialogProps extends Playing {
+export interface ExportDialogProps extends Omit<Playing, 'own'> {
   request: ExportRequest;
+  /** The open files, which give the default name and frame rate. */
+  source: Source;
+  info: KeysInfo | null;
   /** Description of the export with its size; null while it is computed. */
   plan: { text: string; warnings: readonly string[] } | null;
   /** Formats that the browser can write; null until known. */
@@ -185,6 +192,7 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   const time = createTimeFields(change);
   const picture = createPictureFields(change);
   const inPlace = checkbox('Without travel (in place)', 'export-in-place', (on) => change({ inPlace: on }));
+  const name = createName(change);
   const about = h('p', { class: 'hint' });
   const plan = createPlan();
   const go = button({
@@ -212,6 +220,7 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     { title: 'Export', label: 'Export', testId: 'export-dialog', closeId: 'export-close' },
     ...formats.elements,
     about,
+    name.element,
     ...glb.before,
     ...time.elements,
     ...picture.elements,
@@ -224,8 +233,9 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   const draw = memo((props: ExportDialogProps) => {
     request = props.request;
     const video = isVideoRequest(request) ? (request.video ?? props.videoFormats?.[0] ?? null) : null;
-    const fields: FieldsProps = { ...props, video };
+    const fields: FieldsProps = { ...props, own: props.info && ownRate(props.info), video };
     formats.update(props);
+    name.update(props);
     glb.update(props);
     time.update(fields);
     picture.update(fields);
@@ -240,6 +250,25 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     draw(props);
   };
   return { element, open: () => element.showModal(), close: () => element.close(), update };
+}
+
+/** Name of the file, and of the clip in a GLB. */
+function createName(change: Change): Component<ExportDialogProps> {
+  let usual = '';
+  const field = h('input', {
+    type: 'text',
+    maxlength: 100,
+    'data-testid': 'export-name',
+    'aria-label': 'Name of the file, and of the animation in it',
+    onchange: () => change({ name: field.value.trim() === usual ? '' : field.value.trim() }),
+  });
+  return {
+    element: fieldRow('Name', field),
+    update({ request, source, info }) {
+      usual = exportName(source, info);
+      setField(field, request.name || usual);
+    },
+  };
 }
 
 function createPlan(): Component<ExportDialogProps> {

@@ -76,12 +76,14 @@ describe('the times of an export', () => {
 
   it('are whole frames of the motion, or of an exported animation with its own duration', () => {
     expect(plan({ fps: 4, format: 'obj' }).times).toEqual([0, 0.25, 0.5, 0.75, 1]);
-    expect(plan({ fps: 4, range: [0.1, 0.8], format: 'obj' }).times).toEqual([0.25, 0.5, 0.75]);
+    expect(plan({ fps: 4, range: [0.1, 0.8], format: 'obj' }).times).toEqual([0.1, 0.25, 0.5, 0.75, 0.8]);
     const { times, seconds } = plan({ fps: 2, duration: 2, range: [0.5, 1], tolerance: 0 });
     expect(times).toEqual([0.5, 0.625, 0.75, 0.875, 1]);
     expect(seconds).toEqual([0, 0.5, 1, 1.5, 2]);
     expect(plan({ fps: 4 }).times).toEqual([0, 0.25, 0.4, 0.5, 0.75, 1]); // the key at 0.4 is not on the grid
-    expect(() => plan({ fps: 0.5 })).toThrow('fewer than two whole frames');
+    expect(plan({ fps: 0.5, format: 'pc2' }).times).toEqual([0, 1]);
+    expect(plan({ fps: 3, duration: 0.7, tolerance: 0 }).seconds.at(-1)).toBe(Math.fround(0.7));
+    expect(() => plan({ fps: 4, range: [1, 1] })).toThrow('The range has no length');
     expect(() => plan({ fps: 1000, range: [0, 1e6] })).toThrow('1,000,000,001 frames');
   });
 });
@@ -131,9 +133,11 @@ describe('keys between whole frames', () => {
       ({ message }) => message,
     );
 
-  it('are reported, also that the animation ends before the last key', () => {
-    expect(warned({}, [0, 0.33, 1.07])).toEqual([expect.stringMatching(/keys 2, 3 are .*ends before the last key/)]);
-    expect(warned({}, [0, 0.33, 1])).toEqual([expect.stringMatching(/key 2 is between whole frames\./)]);
+  it('are reported', () => {
+    expect(warned({}, [0, 0.33, 1.07])).toEqual([
+      expect.stringMatching(/keys 2, 3 are between whole frames, as extra/),
+    ]);
+    expect(warned({}, [0, 0.33, 1])).toEqual([expect.stringMatching(/key 2 is between whole frames, as extra/)]);
   });
 
   it('are not reported for keys on frames, also of the exported animation, or without whole frames', () => {

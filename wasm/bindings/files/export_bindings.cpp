@@ -27,8 +27,8 @@ Result<Bytes> writePose(const std::string& format, std::span<const float> positi
 
 }  // namespace
 
-/// {faces, scene, vertices, seconds, stills, weights, project, offset, name, targetNames} -> {handle, bytes}. Requests
-/// the frames from JavaScript one by one.
+/// {faces, scene, vertices, seconds, stills, weights, project, offset, name, clip, targetNames} -> {handle, bytes}.
+/// Requests the frames from JavaScript one by one.
 EXPORT const char* shapespline_write_animation(const char* request) {
   return callResult([&]() -> Result<Json> {
     const Json json = Json::parse(request);
@@ -45,6 +45,7 @@ EXPORT const char* shapespline_write_animation(const char* request) {
     source.project = json.at("project");
     source.offset = vec3From(json.at("offset"));
     source.name = json.at("name");
+    source.clip = json.at("clip");
     source.targetNames = json.at("targetNames").get<std::vector<std::string>>();
     source.frame = [&](int frame, std::vector<float>& positions, std::vector<float>& normals) -> Status {
       positions.resize(floats);

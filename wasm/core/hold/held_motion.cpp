@@ -38,8 +38,9 @@ double definedness(const FitSums& sums, const Mat3& fit) {
 }  // namespace
 
 Result<std::shared_ptr<const HeldMotion>> HeldMotion::create(const HoldInput& input, const Curve& curve,
+                                                             const std::vector<AddedTurns>& turns,
                                                              const HeldMotion* before) {
-  std::shared_ptr<HeldMotion> held(new HeldMotion(input, curve));
+  std::shared_ptr<HeldMotion> held(new HeldMotion(input, curve, turns));
   const bool same = before && before->anchor_ == held->anchor_;
   if (same) {
     held->system_ = before->system_;
@@ -66,8 +67,8 @@ void HeldMotion::findResting(const HoldInput& input) {
   resting_ = std::make_shared<const ContactConstraints>(target_.path(), *system_, patchOf, patches, area_);
 }
 
-HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve)
-    : target_(input, curve), area_(vertexAreas(input.mesh)) {
+HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, const std::vector<AddedTurns>& turns)
+    : target_(input, curve), area_(vertexAreas(input.mesh)), heldShare_(heldShares(curve, turns)) {
   for (const auto& body : target_.rigidGroups()) {
     std::vector<double>& share = placed_.emplace_back();
     for (const double turn : body->turns.wholeTurn) share.push_back(1 - smoothstep2(turn, turnsLittle, turnsFar));
@@ -111,8 +112,10 @@ void HeldMotion::moveOntoTarget(const SpanPosition& inSpan, const std::vector<Qu
 
 void HeldMotion::apply(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& shape,
                        Scratch& scratch, ForkJoin* forkJoin) const {
-  const SpanPosition inSpan = target_.path().spanPositionAt(t);
-  if (inSpan.beyond >= 1) return;
+  SpanPosition inSpan = target_.path().spanPositionAt(t);
+  if (!heldShare_.empty())
+    inSpan.held = lesserOfSpans(heldShare_.data(), target_.path().spans(), target_.path().loop(), inSpan);
+  if (inSpan.within() <= 0) return;
   target_.at(t, frames, mean, scratch.target, scratch.body);
   moveOntoTarget(inSpan, frames, mean, scratch.target, shape);
   const bool holds = resting_->weightsAt(inSpan, scratch.weight);

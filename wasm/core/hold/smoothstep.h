@@ -11,11 +11,15 @@ struct SpanPosition {
   int span = 0;
   double share = 0;   ///< position in the span, in [0, 1]
   double beyond = 0;  ///< distance beyond the nearest end in spans; 0 between the keys
-  double within() const { return 1 - smoothstep2(beyond, 0, 1); }
+  double held = 1;    ///< share of holding between the keys
+  double within() const { return held * (1 - smoothstep2(beyond, 0, 1)); }
 };
 
 /// A C2 weight from one value per span: the span's value in its middle, and the mean of both neighbours at a key. loop:
 /// whether the first span follows the last.
 double blendSpans(const double* value, int spans, bool loop, const SpanPosition& inSpan);
+
+/// The same, with the lesser of both neighbours at a key.
+double lesserOfSpans(const double* value, int spans, bool loop, const SpanPosition& inSpan);
 
 }  // namespace shapespline

@@ -90,7 +90,8 @@ Status Motion::hold(const EncodedShape& encoded, const Motion* before) {
   if (Status status = checkPins(options_.pins, vertices, keys); !status) return status;
   if (options_.method != Method::Lri) return {};
   if (options_.hold && keys > 2) {
-    auto held = HeldMotion::create(encoded.lri().holdInput(), curve_, before ? before->held() : nullptr);
+    auto held =
+        HeldMotion::create(encoded.lri().holdInput(), curve_, options_.turns, before ? before->held() : nullptr);
     if (!held) return held.error();
     held_ = std::move(*held);
   }
@@ -129,6 +130,19 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
   for (Warning& w : turns)
     if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
   warnings_.insert(warnings_.end(), turns.begin(), turns.end());
+  if (held_) warnOfTurnsNotHeld();
+}
+
+void Motion::warnOfTurnsNotHeld() {
+  const std::vector<KeySpan> spans = curve_.spans();
+  for (std::size_t s = 0; s < held_->heldShare().size(); ++s) {
+    if (held_->heldShare()[s] > 0) continue;
+    warnings_.push_back({"unheld-turn",
+                         "Between key " + std::to_string(spans[s].from + 1) + " and key " +
+                             std::to_string(spans[s].to + 1) +
+                             " still parts are not held, because of the full turns added to the keys.",
+                         1, spans[s].to});
+  }
 }
 
 std::vector<Warning> Motion::patchWarnings(const EncodedShape& encoded) const {

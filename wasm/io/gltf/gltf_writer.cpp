@@ -212,7 +212,7 @@ struct AnimationWriter {
     glb.doc["accessors"][input]["min"] = {times.front()};
     glb.doc["accessors"][input]["max"] = {times.back()};
     const int output = addWeights(times.size(), frameCount() - 1);
-    glb.doc["animations"] = {{{"name", source.name.empty() ? "shapespline" : source.name},
+    glb.doc["animations"] = {{{"name", source.clip.empty() ? "shapespline" : source.clip},
                               {"samplers", {{{"input", input}, {"output", output}, {"interpolation", "LINEAR"}}}},
                               {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
   }

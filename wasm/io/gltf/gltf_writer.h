@@ -32,6 +32,7 @@ struct AnimationSource {
   std::string project{};
   Vec3 offset = Vec3::Zero();              ///< offset of all positions; becomes the node's translation
   std::string name{};                      ///< name of the node and its mesh, or empty
+  std::string clip{};                      ///< name of the animation, or empty
   std::vector<std::string> targetNames{};  ///< names of all frames except the base, or empty
 
   int shapes() const {

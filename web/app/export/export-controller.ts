@@ -1,11 +1,10 @@
 /** Connects the export dialog: planning while it is open, then the export and its cancellation. */
 import { isCancelled } from '../../engine/api/errors.ts';
-import { modelName } from '../../engine/api/paths.ts';
 import type { Motion } from '../../engine/api/api.ts';
 import type { ExportRequest, Playing, VideoFormat } from '../../model/export-request.ts';
-import { playRange } from '../../model/frames.ts';
+import { ownRate, playRange } from '../../model/frames.ts';
 import type { AppState } from '../../model/state.ts';
-import { leadingName } from '../../ui/dropped-files.ts';
+import { exportName, safeName } from '../../ui/export-name.ts';
 import { analyseAt } from '../analysis/analysis.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { Viewer } from '../../viewer/viewer.ts';
@@ -92,17 +91,24 @@ export class ExportController {
   /** The HTML that embeds the shape. */
   snippet(): string {
     const state = this.parts.session.store.get();
-    return embedSnippet(state, `${fileStem(state.source)}.glb`, this.parts.titleOf(state.source));
+    return embedSnippet(state, `${this.name}.glb`, this.parts.titleOf(state.source));
   }
 
   cancel(): void {
     this.abort?.abort();
   }
 
+  /** The typed name, or that of the files. */
+  private get name(): string {
+    const { session, viewState } = this.parts;
+    const { request } = viewState.get().exporting;
+    return safeName(request.name) || exportName(session.store.get().source, session.workspace.info);
+  }
+
   private get playing(): Playing {
-    const { store, range } = this.parts.session;
+    const { store, range, workspace } = this.parts.session;
     const { between, fps, speed } = store.get().play;
-    return { range: playRange(between, range()), fps, speed };
+    return { range: playRange(between, range()), fps, speed, own: workspace.info && ownRate(workspace.info) };
   }
 
   private async runJob(
@@ -118,7 +124,7 @@ export class ExportController {
       signal,
       doc,
       time,
-      name: fileStem(source),
+      name: this.name,
       page: embedPage(this.parts.titleOf(source), this.snippet()),
       playing: this.playing,
       scene: display.scene,
@@ -158,15 +164,3 @@ function turned(viewer: Viewer): (share: number) => Promise<void> {
     await viewer.drawn();
   };
 }
-
-/** Suffix of exports, so an export of the user's files does not replace them. */
-const MOTION = '-motion';
-
-function fileStem(source: AppState['source']): string {
-  if (source.kind === 'sample') return source.id;
-  const stem = safeName(modelName(source.kind === 'files' ? leadingName(source.names) : '')) || 'shapespline';
-  return stem.endsWith(MOTION) ? stem : stem + MOTION;
-}
-
-/** Removes characters that file systems refuse. */
-const safeName = (name: string): string => name.replace(/[/\\\p{C}]/gu, '').slice(0, 100);

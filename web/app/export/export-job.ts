@@ -169,7 +169,8 @@ export async function runExport(request: ExportRequest, job: ExportJob): Promise
     return download(await takePicture(job.scene, { ...request, size: sizeOf(request, null) }), `${name}.png`);
   if (isVideoRequest(request)) return video(request, job);
   if (request.kind === 'numbers') return table(request, job);
-  const options = { ...engineOptions(request, job.time, job.playing)!, name };
+  const clip = request.name === '' ? {} : { clip: name };
+  const options = { ...engineOptions(request, job.time, job.playing)!, name, ...clip };
   const call = { signal: job.signal, onProgress: job.onProgress };
   const files = job.sequence.exportFiles(options, call);
   if (request.kind === 'animation' && request.animation !== 'glb') {

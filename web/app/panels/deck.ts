@@ -136,9 +136,10 @@ function timelineProps(shown: Shown): TimelineProps {
   };
 }
 
-function clockProps({ state: { doc, play, time, view }, range, disabled }: Shown): ClockMenuProps {
+function clockProps({ state: { doc, play, time, view }, viewState, range, disabled }: Shown): ClockMenuProps {
   const { fps, between } = play;
-  return { ...timeScale(range, doc.keys.length), time, fps, between, window: view.window, disabled };
+  const { info } = viewState;
+  return { ...timeScale(range, doc.keys.length), time, fps, between, window: view.window, info, disabled };
 }
 
 function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripProps {

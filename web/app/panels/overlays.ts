@@ -54,9 +54,11 @@ export function createDialogs(commands: Commands, connect: Connect, onError: (er
   };
 }
 
-function exportProps({ state: { play }, viewState, range }: Shown): ExportDialogProps {
+function exportProps({ state: { play, source }, viewState, range }: Shown): ExportDialogProps {
   return {
     ...viewState.exporting,
+    source,
+    info: viewState.info,
     range: playRange(play.between, range),
     fps: play.fps,
     speed: play.speed,

@@ -15,8 +15,8 @@ export interface Store {
    * one pointer press.
    */
   edit(label: string, change: (doc: Doc) => Doc, merge?: string): void;
-  /** The files were read with another orientation; the document stays. One undo step, like an edit. */
-  turned(label: string, turn: Turn): void;
+  /** The files were read with another orientation; `change` turns the document. One undo step, like an edit. */
+  turned(label: string, turn: Turn, change: (doc: Doc) => Doc): void;
   /** Reports that a pointer was pressed or released. A drag is one undo step, however long it takes. */
   hold(down: boolean): void;
   /** Returns to an earlier document and its history, for refused edits. */
@@ -92,10 +92,10 @@ export function createStore(initial: AppState, now: () => number = () => perform
       last = { merge, at: now() };
       publish({ ...state, doc });
     },
-    turned(label, turn) {
+    turned(label, turn, change) {
       remember({ label, doc: state.doc, turn });
       last = NOT_MERGED;
-      publish({ ...state });
+      publish({ ...state, doc: change(state.doc) });
     },
     hold(down) {
       if (down && !held) last = NOT_MERGED;

@@ -6,6 +6,7 @@ import { LARGE, mayBeLarge } from '../../engine/api/large.ts';
 import type { Doc, View } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
+import type { renumberedWarnings } from '../../engine/api/renumbered-warnings.ts';
 import { SequenceSet } from './sequence-set.ts';
 import type { RunningMotion } from '../../playback/frame-set.ts';
 import { PosePool } from './pose-pool.ts';
@@ -55,6 +56,8 @@ interface Current {
   pool: PosePool;
   input: OpenFile[];
   options: ImportOptions;
+  /** null without warnings of the import. */
+  renumbered: typeof renumberedWarnings | null;
 }
 
 /** A file. Samples made in the page have arrays, so no reader is loaded for them. */
@@ -96,9 +99,14 @@ export class Workspace {
     return this.current?.info ?? null;
   }
 
-  /** Warnings of the import and of the first running sequence, each once. Equal warnings at two locations are two. */
-  get warnings(): Warning[] {
-    const all = [...(this.info?.warnings ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
+  /**
+   * Warnings of the import about these keys, and of the first running sequence, each once. Equal warnings at two
+   * locations are two.
+   */
+  warningsOf(keys: Doc['keys']): Warning[] {
+    const keyOf = (pose: number): number => keys.findIndex((key) => key.pose === pose);
+    const imported = this.info && this.current?.renumbered?.(this.info, keyOf);
+    const all = [...(imported ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
     const texts = all.map((warning) => JSON.stringify(warning));
     return all.filter((_, index) => texts.indexOf(texts[index]!) === index);
   }
@@ -154,6 +162,8 @@ export class Workspace {
       performance.mark('shapespline read');
       const { info } = keys;
       this.events.onRead(info);
+      const renumbered =
+        info.warnings.length > 0 ? (await import('../../engine/api/renumbered-warnings.ts')).renumberedWarnings : null;
       const pool = new PosePool(keys);
       const opening = { ...start(documentFromImport(info, pool), pool), info, pool };
       const takesLong = info.report.vertices >= LARGE;
@@ -162,7 +172,7 @@ export class Workspace {
       performance.mark('shapespline made');
       if (this.current) leave();
       this.close();
-      this.current = { info, set, pool, input, options };
+      this.current = { info, set, pool, input, options, renumbered };
       this.aheadOfState = true;
       return opening;
     } catch (error) {

@@ -3,7 +3,7 @@ import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { InputFile, Progress } from '../../engine/api/types.ts';
 import type { KeyPlace } from '../../model/edits.ts';
-import { orientationStep } from '../../model/orientation.ts';
+import { orientationStep, reorientedDoc } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
@@ -198,7 +198,8 @@ export class Opener {
       stays,
       otherwise: ({ warnings }) =>
         picked && warnings.some(({ code }) => code === 'z-up') ? { ...options, up: 'z' } : null,
-      start: (read, pool) => startOf(request, read, pool, turn ? currentSnapshot(store, workspace) : null),
+      start: (read, pool) =>
+        startOf(request, read, pool, turn ? currentSnapshot(store, workspace) : null, workspace.pool),
       leave: () => {
         if (step && !turn) this.history.left(currentSnapshot(store, workspace)!, step);
       },
@@ -218,13 +219,18 @@ export class Opener {
     workspace.aheadOfState = false;
     if (turn) {
       store.set({ view: state.view });
-      if (step) store.turned(orientationStep(turn.before, turn.after), turn);
+      // Undo and redo bring the document themselves.
+      if (step)
+        store.turned(orientationStep(turn.before, turn.after), turn, (doc) =>
+          reorientedDoc(doc, turn.before, turn.after),
+        );
       onRead();
       return true;
     }
     store.reset(state, left && 'history' in left ? left.history : undefined);
     const unused = opening.link && leftOut(opening.link, opening.doc);
-    if (unused) say(unused);
+    const said = [...opening.lost, ...(unused ? [unused] : [])];
+    if (said.length > 0) say(said.join(' '));
     return true;
   }
 

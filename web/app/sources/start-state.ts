@@ -3,7 +3,7 @@ import type { KeysInfo } from '../../engine/api/types.ts';
 import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
-import { relativeTo, reoriented } from '../../model/orientation.ts';
+import { relativeTo, reoriented, reorientedDoc } from '../../model/orientation.ts';
 import type { AppState, Doc, LoopMode, Play, Source, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -15,6 +15,7 @@ import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Turn } from '../session/store.ts';
 import type { LoadedKeys, Start } from '../session/workspace.ts';
+import { carriedSettings } from './carried-settings.ts';
 import type { OpenRequest } from './open-request.ts';
 import { applyPermalink } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
@@ -25,19 +26,27 @@ export interface StartState extends Start {
   initial: Doc;
   /** The applied part of a link. */
   link: Permalink | null;
+  /** Settings that no longer apply, as sentences. */
+  lost: string[];
 }
 
-/** Initial document of imported files; `present`: the content that is still open. */
-export function startOf(request: OpenRequest, read: Doc, pool: PosePool, present: Snapshot | null): StartState {
+/** Initial document of imported files; `present`: the content that is still open, with its poses. */
+export function startOf(
+  request: OpenRequest,
+  read: Doc,
+  pool: PosePool,
+  present: Snapshot | null,
+  before: PosePool | null = null,
+): StartState {
   const { begins, left, settings, turn } = request;
   const { info } = pool.keys;
-  const base = settings ? withSettings(read, settings) : read;
+  const { doc: base, lost } = settings ? carriedSettings(read, pool, settings, before) : { doc: read, lost: [] };
   const begun = begins === 'files' ? ofFiles(base, info) : begins ? ofSample(base, begins) : base;
   const initial = turn && present ? restored(present, pool, turn) : begun;
-  if (left) return { initial, doc: restored(left, pool), camera: leftView(left).camera, link: null };
+  if (left) return { initial, doc: restored(left, pool), camera: leftView(left).camera, link: null, lost };
   const doc = request.link ? applyPermalink(initial, request.link, info.report.components) : initial;
   const link = request.link ? outside(request.link, doc, pool) : null;
-  return { initial, doc, camera: link?.view.camera ?? null, link };
+  return { initial, doc, camera: link?.view.camera ?? null, link, lost };
 }
 
 /** Added poses come first, because the document's keys refer to poses by index. */
@@ -45,17 +54,8 @@ export function restored({ poses, offset = [0, 0, 0], state }: StoredProject, po
   const offsets = [offset, pool.keys.info.offset] as const;
   for (const { name, positions } of poses.slice(pool.count - pool.imported))
     pool.add(name, turn ? reoriented(positions, turn.before, turn.after, offsets) : relativeTo(positions, ...offsets));
-  return keptDoc(state.doc);
-}
-
-/** Applies the settings of another document, except those that refer to its keys. */
-function withSettings(fresh: Doc, { motion, encoding }: Doc): Doc {
-  const { referencePose, startTangentPose, endTangentPose } = fresh.encoding;
-  return {
-    ...fresh,
-    motion: { ...motion, period: fresh.motion.period },
-    encoding: { ...encoding, referencePose, startTangentPose, endTangentPose },
-  };
+  const doc = keptDoc(state.doc);
+  return turn ? reorientedDoc(doc, turn.before, turn.after) : doc;
 }
 
 /** A sample's document: its end condition, holding and pose names. */
@@ -78,12 +78,13 @@ type OfFiles = Pick<KeysInfo, 'animation' | 'animations' | 'project'>;
 
 /** The initial state after opening, based on the previous state. */
 export function openedState(
-  { source, project, left, stays, turn }: OpenRequest,
+  request: OpenRequest,
   opening: LoadedKeys & StartState,
   before: AppState,
   range: Range,
   reducedMotion: boolean,
 ): AppState {
+  const { source, project, left, stays, turn } = request;
   const { doc, link } = opening;
   const own = source.kind === 'files' ? (project ?? newProjectId()) : null;
   const wanted = stays ? before.time : (link?.time ?? doc.keys[0]?.time ?? 0);
@@ -96,7 +97,7 @@ export function openedState(
   }
   if (turn) return { ...opened, view: { ...before.view, camera: null } };
   if (stays) return opened;
-  const play = openingPlay(opening, source, before.play, reducedMotion);
+  const play = openingPlay(opening, request, before.play, reducedMotion);
   return { ...opened, view: openingView(before.view, link), play };
 }
 
@@ -113,7 +114,7 @@ function openingView(view: View, link: Permalink | null): View {
 /** Opened content plays immediately, unless the user prefers reduced motion or follows a link to a time. */
 function openingPlay(
   { info, doc, link }: LoadedKeys & StartState,
-  source: Source,
+  { source, settings }: OpenRequest,
   { loop, fps }: Play,
   reducedMotion: boolean,
 ): Play {
@@ -124,7 +125,9 @@ function openingPlay(
   const speed = link?.speed ?? own;
   const playing = (link?.playing ?? true) && !reducedMotion;
   if (link) return { playing, speed, loop: link.loop ?? loop, between: link.between, fps: link.fps };
-  return { playing, speed, loop: openingLoop(loop, timed && info.animation >= 0), between: null, fps };
+  const ends = openingLoop(loop, timed && info.animation >= 0);
+  // The frame rate belongs to the files.
+  return { playing, speed, loop: ends, between: null, fps: settings ? fps : null };
 }
 
 /** A clip loops and poses play back and forth, unless the user has chosen to play once. */

@@ -52,9 +52,15 @@ export class TakeFiles {
     return this.parts.store.get().source.kind === 'files';
   }
 
+  /** A pose of another mesh waits for the next. */
+  get waits(): boolean {
+    return this.waiting.length > 0;
+  }
+
   private async takeAll(picked: readonly PickedFile[], place: KeyPlace | null): Promise<boolean> {
-    const areKeys = place !== null || areFurtherPoses(picked, this.parts.store.get().source);
-    if (this.waiting.length > 0 || !areKeys) return this.open(picked);
+    // Poses that fit the open mesh do not belong to a waiting pose, which does not fit.
+    const mayFit = (this.waits && this.hasOwn) || areFurtherPoses(picked, this.parts.store.get().source);
+    if (place === null && !mayFit) return this.open(picked);
     const other = await this.add(picked, place);
     if (!other) return true;
     if (this.hasOwn && countOf(picked) > 1)
@@ -71,15 +77,15 @@ export class TakeFiles {
   }
 
   private async orElse(picked: readonly PickedFile[], error: unknown, known: EngineError | null): Promise<boolean> {
-    if (this.waiting.length > 0) {
-      // The new files may form a motion without the waiting pose.
-      const opened = await this.parts.files.open(picked).catch(() => false);
-      if (!this.done(opened)) throw error;
-      return true;
-    }
-    if (!isSinglePose(error)) throw error;
+    if (this.waits) {
+      // The new files may form a motion without the waiting pose, or fit the open mesh.
+      const alone = await this.parts.files.open(picked).catch((failure: unknown) => failure);
+      if (typeof alone === 'boolean') return this.done(alone);
+      if (!isSinglePose(alone)) throw alone;
+    } else if (!isSinglePose(error)) throw error;
     const other = known ?? (await this.add(picked, null));
     if (!other) return true;
+    if (this.waits) throw this.fitsNeither(other);
     this.wait(picked, other);
     return false;
   }
@@ -102,6 +108,12 @@ export class TakeFiles {
   private done(opened: boolean): boolean {
     if (opened) this.forget();
     return opened;
+  }
+
+  private fitsNeither(other: EngineError): EngineError {
+    const waiting = titleOf(this.waiting);
+    const message = `${differenceOf(other)} It does not fit ${waiting} either, which waits for its next pose.`;
+    return new EngineError(other.code, `${message} Choose a pose of one of them, or press Esc to drop ${waiting}.`);
   }
 
   private wait(first: readonly PickedFile[], other: EngineError): void {

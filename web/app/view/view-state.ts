@@ -110,7 +110,14 @@ export function openedView(opened: OpenResult, before: ViewState): Partial<ViewS
     ms: null,
     threads: null,
     welcome: before.welcome && source.kind === 'sample',
+    exporting: opened.stays ? before.exporting : { request: forOtherFiles(before.exporting.request), plan: null },
   };
+}
+
+/** Names and times belong to the files. */
+function forOtherFiles(request: ExportRequest): ExportRequest {
+  const { name, range, duration, frames, rate } = DEFAULT_REQUEST;
+  return { ...request, name, range, duration, frames, rate };
 }
 
 /**

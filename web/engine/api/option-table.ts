@@ -655,6 +655,13 @@ export const EXPORT = {
     value: 'NAME',
     help: "name of the mesh in a GLB, and of files next to the output; default: the output's name",
   },
+  clip: {
+    kind: 'text',
+    default: null,
+    flag: 'clip',
+    value: 'NAME',
+    help: 'name of the animation in a GLB; default: that of the animation that the keys were taken from, else that of the mesh',
+  },
 } as const satisfies OptionTable;
 
 /** The entries of a table, with the common option type. */

@@ -1,8 +1,8 @@
 /** The keys of a warning, which its message names as well. */
 import type { Warning } from './types.ts';
 
-/** Ambiguities concern an interval; all other warnings concern one key. */
-const INTERVAL = /^ambiguous-/;
+/** Ambiguities and turns that are not held concern an interval; all other warnings concern one key. */
+const INTERVAL = /^(ambiguous|unheld)-/;
 
 /**
  * The keys around the warning's time, 0-based: equal for a warning about one key, null for none. A closed motion goes

@@ -74,7 +74,7 @@ function wholeFrames([first, last]: readonly [number, number], fps: number, dura
       ? frameTimes([first, last], fps)
       : frameTimes([0, duration], fps).map((seconds) => Math.min(first + seconds / scale, last));
   if (times.length > 1) return times;
-  throw invalidOption('The range has fewer than two whole frames. Use a longer range or more frames per second.');
+  throw invalidOption('The range has no length. Use a longer range.');
 }
 
 /** Whether a GLB omits frames within the tolerance; for principal targets, weight times. */
@@ -166,14 +166,13 @@ export function frameWarnings(
   const off = inside.filter(({ t }) => Math.abs(frameOf(t) - Math.round(frameOf(t))) > SAME_FRAME);
   if (off.length === 0) return [];
   const named = off.map(({ key }) => key + 1).join(', ');
-  const ends = off.some(({ key }) => key === inside.at(-1)?.key);
   return [
     {
       ...NO_PLACE,
       code: 'keys-off-frames',
       message:
-        `At ${fps} frames per second, ${off.length === 1 ? `key ${named} is` : `keys ${named} are`} between whole frames` +
-        `${ends ? ', and the animation ends before the last key' : ''}. Move the keys onto frames, or omit the frame rate.`,
+        `At ${fps} frames per second, ${off.length === 1 ? `key ${named} is` : `keys ${named} are`} between whole frames, ` +
+        'as extra frames. Move the keys onto frames, or omit the frame rate.',
       key: off[0]!.key,
       count: off.length,
     },

@@ -3,6 +3,7 @@
  * writes them. Cancelling the export, or running out of memory, does not affect the sequence.
  */
 import type { CallOptions } from '../api/api.ts';
+import { clipName } from '../api/clip-name.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
 import { thereAndBack } from './bounce.ts';
 import { withNote } from '../api/export-note.ts';
@@ -61,7 +62,7 @@ async function roundingOf(source: ExportSource, frames: PlannedFrames, { signal 
 }
 
 async function framesOnce(source: ExportSource, options: ExportOptions, call: CallOptions): Promise<PlannedFrames> {
-  const { compression: _, name: __, ...rest } = options;
+  const { compression: _, name: __, clip: ___, ...rest } = options;
   const mine = JSON.stringify([rest, source.keyTimes, source.options]);
   if (source.planned.latest?.for === mine) return source.planned.latest.frames;
   const frames = await planFrames(source, options, call);
@@ -181,6 +182,7 @@ async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, und
     project: projectOf(job),
     offset,
     name: stemOf(options),
+    clip: options.clip ?? clipName(source.keys.info) ?? stemOf(options),
     targetNames: names,
     compression: options.compression,
   });

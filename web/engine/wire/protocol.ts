@@ -112,6 +112,8 @@ export interface FileCalls {
       /** Offset of all positions, stored as the node's translation. */
       offset: Point;
       name: string;
+      /** Name of the animation. */
+      clip: string;
       targetNames: string[];
       compression: Compression;
     };
