@@ -59,8 +59,16 @@ it.each<[string, object | undefined, RegExp]>([
   ['short uvs', { scene: { ...PLAIN, uvs: new Float32Array(4) } }, /scene\.uvs .* 6 finite numbers/],
   ['long colours', { scene: { ...PLAIN, colors: new Float32Array(16) } }, /scene\.colors .* 12 finite numbers/],
   ['far polygons', { scene: { ...PLAIN, polygons: Int32Array.of(2) } }, /scene\.polygons .* sum 1/],
-  ['other seams', { scene: { ...PLAIN, seams: { copyOf: Int32Array.of(0), indices: TRIANGLE.map(() => 3) } } }, /seams/],
-  ['a bare material', { scene: { ...PLAIN, materials: [{ name: 'x' }] } }, /scene\.materials\[0\]\.baseColor .* 4 numbers/],
+  [
+    'other seams',
+    { scene: { ...PLAIN, seams: { copyOf: Int32Array.of(0), indices: TRIANGLE.map(() => 3) } } },
+    /seams/,
+  ],
+  [
+    'a bare material',
+    { scene: { ...PLAIN, materials: [{ name: 'x' }] } },
+    /scene\.materials\[0\]\.baseColor .* 4 numbers/,
+  ],
   ['a page as image', { scene: { ...PLAIN, images: [{ mimeType: 'text/html' }] } }, /scene\.images\[0\]\.mimeType/],
   ['far objects', { scene: { ...PLAIN, objects: [{ start: 3, count: 9 }] } }, /scene\.objects/],
 ])('createKeys refuses %s in a sentence', async (_, change, says) => {

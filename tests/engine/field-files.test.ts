@@ -114,8 +114,16 @@ describe('animations', () => {
 describe('animations of several objects', () => {
   it('play together, as three.js plays both, unless one of them is chosen', async () => {
     const file = field('actions.glb');
-    for (const [animation, played] of [[undefined, [0, 1]], ['all', [0, 1]], [0, [0]], ['BallAction', [1]]] as const) {
-      const keys = await engine.importKeyframes([file], { sample: 3, ...(animation === undefined ? {} : { animation }) });
+    for (const [animation, played] of [
+      [undefined, [0, 1]],
+      ['all', [0, 1]],
+      [0, [0]],
+      ['BallAction', [1]],
+    ] as const) {
+      const keys = await engine.importKeyframes([file], {
+        sample: 3,
+        ...(animation === undefined ? {} : { animation }),
+      });
       const poser = await threePoser(file.bytes, ...played);
       for (const [key, t] of keys.info.times.entries())
         expect(largestDistance(keys.positions(key), poser.positionsAt(t))).toBeLessThan(1e-5);

@@ -48,6 +48,7 @@ describe('the heap', () => {
       name: '',
       targetNames: [],
       compression: 'none' as const,
+      clip: 'a',
       offset: [0, 0, 0] as const,
     };
     const cycle = (): void => {

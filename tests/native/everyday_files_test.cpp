@@ -351,7 +351,8 @@ TEST_CASE("a pose much larger or smaller than the others is named in a warning")
   };
   const auto read = [&](const std::vector<double>& sizes) {
     Files files;
-    for (std::size_t k = 0; k < sizes.size(); ++k) files.add(std::string(1, static_cast<char>('a' + k)) + ".obj", square(sizes[k]));
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+      files.add(std::string(1, static_cast<char>('a' + k)) + ".obj", square(sizes[k]));
     return imported(files);
   };
   CHECK(says(read({1, 100}), "sizes-differ", "b.obj (key 2) is 100 times larger than a.obj (key 1)"));

@@ -107,9 +107,10 @@ TEST_CASE("equal times are a cut: the earlier value before, the later value from
   const Positions three = {{0, 0, 0}, {2, 0, 0}, {90, 0, 0}, {6, 0, 0}, {8, 0, 0}};
   Positions cubic;
   for (const Vec3& value : two) cubic.insert(cubic.end(), {o, value, o});
-  for (const auto& [times, values, interpolation] :
-       {std::tuple(std::vector<float>{0, 1, 1, 2}, two, "LINEAR"), {{0, 1, 1, 1, 2}, three, "LINEAR"},
-        {{0, 1, 1, 2}, cubic, "CUBICSPLINE"}, {{0, 1, 1, 1, 2}, three, "STEP"}}) {
+  for (const auto& [times, values, interpolation] : {std::tuple(std::vector<float>{0, 1, 1, 2}, two, "LINEAR"),
+                                                     {{0, 1, 1, 1, 2}, three, "LINEAR"},
+                                                     {{0, 1, 1, 2}, cubic, "CUBICSPLINE"},
+                                                     {{0, 1, 1, 1, 2}, three, "STEP"}}) {
     CAPTURE(interpolation);
     CHECK(at(times, values, interpolation, 1 - 1e-7) == doctest::Approx(interpolation[0] == 'S' ? 0 : 2));
     CHECK(at(times, values, interpolation, 1) == doctest::Approx(6));

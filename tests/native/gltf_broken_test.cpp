@@ -475,23 +475,23 @@ GltfMaker withBroken(int node, json sampler, const json& channel) {
 
 TEST_CASE("an animation that is not used does not refuse the file, however broken") {
   const std::vector<std::pair<json, json>> faults = {
-      {{{"input", 0}, {"output", 2}}, json::object()},      // decreasing times
-      {{{"input", 1}, {"output", 2}}, json::object()},      // times that are not finite
-      {{{"input", 77}}, json::object()},                    // no such accessor
-      {{{"input", -1}}, json::object()},                    // a negative index
-      {{{"input", nullptr}}, json::object()},               // no times
-      {{{"interpolation", "BEZIER"}}, json::object()},      // an unknown interpolation
-      {json::object(), {{"sampler", 9}}},                   // no such sampler
+      {{{"input", 0}, {"output", 2}}, json::object()},        // decreasing times
+      {{{"input", 1}, {"output", 2}}, json::object()},        // times that are not finite
+      {{{"input", 77}}, json::object()},                      // no such accessor
+      {{{"input", -1}}, json::object()},                      // a negative index
+      {{{"input", nullptr}}, json::object()},                 // no times
+      {{{"interpolation", "BEZIER"}}, json::object()},        // an unknown interpolation
+      {json::object(), {{"sampler", 9}}},                     // no such sampler
       {json::object(), {{"target", {{"path", "weights"}}}}},  // no morph targets
   };
   for (const auto& [sampler, channel] : faults) {
     CAPTURE(sampler.dump() + channel.dump());
-    // Of a camera: nobody needs it.
+    // Of a camera: it is not needed.
     auto result = Files().add("a.glb", withBroken(1, sampler, channel).glb()).import();
     REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
     CHECK(result->keyframes.keys.back().positions[0].x() == doctest::Approx(1));
     if (!channel.empty() && channel.contains("target")) continue;  // weights do not move a mesh without morph targets
-    // Of the mesh and first in the file: it is the default, so another one must be chosen.
+    // Of the mesh and first in the file: it is the default, so the other must be chosen.
     const GltfMaker first = withBroken(0, sampler, channel);
     result = Files().add("a.glb", first.glb()).import();
     REQUIRE(!result.ok());
@@ -559,7 +559,8 @@ TEST_CASE("URIs lead only to the given files") {
 }
 
 TEST_CASE("extensions that change the geometry are refused by name") {
-  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "ACME_secret"}) {
+  for (const char* name :
+       {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "ACME_secret"}) {
     GltfMaker maker = boxFile();
     maker.doc["extensionsUsed"] = maker.doc["extensionsRequired"] = {name};
     checkRefused(maker, ErrorCode::Unsupported, name);

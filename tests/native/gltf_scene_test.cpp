@@ -294,7 +294,8 @@ TEST_CASE("names of morph targets in the primitive, in the targets or in the acc
   CHECK(bends(imported(both)) == std::vector<std::pair<double, double>>{{0, 0}, {1, 0}, {2, 4}});
   // Names of accessors mean nothing if the program names all accessors.
   GltfMaker numbered = move("accessor");
-  for (json& accessor : numbered.doc["accessors"]) accessor["name"] = "a" + std::to_string(&accessor - &numbered.doc["accessors"][0]);
+  for (json& accessor : numbered.doc["accessors"])
+    accessor["name"] = "a" + std::to_string(&accessor - &numbered.doc["accessors"][0]);
   CHECK(bends(imported(numbered)) == std::vector<std::pair<double, double>>{{0, 0}, {1, 4}, {2, 0}});
 }
 

@@ -24,7 +24,7 @@ describe('names of an export', () => {
     expect(exportName(own('Xbot-run.glb'), clips(-1, ['run'], {}, ['Xbot-run']))).toBe('Xbot-run');
   });
 
-  it('a file of poses, or one named like its animation, gets a suffix, so that it does not replace the original', () => {
+  it('a file of poses, or one named like its animation, gets a suffix and does not replace the original', () => {
     expect(exportName(own('a.obj', 'b.obj'), clips(-1, []))).toBe('a-motion');
     expect(exportName(own('run.glb'), clips(0, ['run']))).toBe('run-motion');
     expect(exportName(own('Xbot-run.glb'), clips(0, ['run']))).toBe('Xbot-run-motion');

@@ -60,7 +60,7 @@ function turned(...edits: string[]) {
     { up: 'y', unit: 1 },
     { up: 'z', unit: 1 },
   ];
-  store.turned('turn', { before: before!, after: after! });
+  store.turned('turn', { before: before!, after: after! }, (doc) => doc);
   const read: ((done: boolean) => void)[] = [];
   const reorient = vi.fn(() => new Promise<boolean>((resolve) => read.push(resolve)));
   const opened = vi.fn(async () => true);

@@ -58,7 +58,8 @@ std::vector<double> statedTimes(const ImportOptions& options, const std::vector<
 }
 
 AnimationInfo infoOf(const FrameSource& source) {
-  return {source.name, source.seconds.front(), source.seconds.back(), static_cast<int>(source.seconds.size()), true, {}};
+  return {source.name, source.seconds.front(), source.seconds.back(), static_cast<int>(source.seconds.size()), true,
+          {}};
 }
 
 Status sampleFrames(const FrameSource& source, const ImportOptions& options, const std::string& where, Import& import,

@@ -39,5 +39,9 @@ export async function threePoser(bytes: Uint8Array, ...played: (number | Animati
       ),
     );
   };
-  return { names: animations.map(({ name }) => name), duration: Math.max(...clips.map(({ duration }) => duration)), positionsAt };
+  return {
+    names: animations.map(({ name }) => name),
+    duration: Math.max(...clips.map(({ duration }) => duration)),
+    positionsAt,
+  };
 }

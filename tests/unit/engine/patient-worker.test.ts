@@ -60,7 +60,9 @@ it('a waiting message that cannot be posted is answered with an error, and the o
   worker.postMessage(torn);
   structuredClone(bytes.buffer, { transfer: [bytes.buffer] });
   scripts[0]!.say({ type: 'ready' });
-  expect(heard).toMatchObject([0, 2].map((id) => ({ type: 'error', id, fatal: false, error: { code: 'invalid-option' } })));
+  expect(heard).toMatchObject(
+    [0, 2].map((id) => ({ type: 'error', id, fatal: false, error: { code: 'invalid-option' } })),
+  );
   expect(scripts[0]!.got).toEqual([{ type: 'import', id: 1, data: 'good' }]);
 });
 

@@ -46,7 +46,10 @@ describe('calls whose arrays the caller changes meanwhile', () => {
     for (let i = 0; i < 4; ++i) await replyNext();
     await Promise.all([many, update]);
     expect(worker.of('evaluate').map(({ t }) => t)).toEqual([1, 2]);
-    expect([sequence.options.tension, sequence.keyTimes]).toEqual([[0, 0], [0, 1]]);
+    expect([sequence.options.tension, sequence.keyTimes]).toEqual([
+      [0, 0],
+      [0, 1],
+    ]);
   });
 });
 

@@ -163,8 +163,7 @@ Result<Curve> Curve::fit(const std::vector<double>& times, const CurveOptions& o
   const auto at = [&](const std::vector<double>& values, Index i) {
     return values.empty() ? 0 : values[curve.knots_[i].key];
   };
-  for (Index i = 0; i < count; ++i)
-    shapeSlope(curve.slope_, quotient, i, at(options.bias, i), at(options.tension, i));
+  for (Index i = 0; i < count; ++i) shapeSlope(curve.slope_, quotient, i, at(options.bias, i), at(options.tension, i));
   return curve;
 }
 

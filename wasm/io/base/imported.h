@@ -14,7 +14,8 @@
 namespace shapespline {
 
 struct ImportOptions {
-  std::variant<std::monostate, int, std::string> animation;  ///< default: the first animation that moves, with its parts; "all": all together
+  std::variant<std::monostate, int, std::string>
+      animation;                    ///< default: the first animation that moves, with its parts; "all": all together
   std::vector<double> sampleTimes;  ///< seconds on the animation's timeline; overrides sampleCount
   int sampleCount = 8;              ///< evenly spaced; used for more than 32 key times or several animations
   bool sampleAsked = false;         ///< the user chose sampleCount: use it even for few key times

@@ -200,8 +200,7 @@ struct AnimationReader {
     if (sampler < 0 || sampler >= static_cast<int>(source.samplers.size()))
       return malformed(doc.where, name + " has sampler " + std::to_string(sampler) + ", which does not exist");
     if (target.nodes[0] >= static_cast<int>(doc.model.nodes.size()))
-      return malformed(doc.where,
-                       name + " moves node " + std::to_string(target.nodes[0]) + ", which does not exist");
+      return malformed(doc.where, name + " moves node " + std::to_string(target.nodes[0]) + ", which does not exist");
     return readCurve(doc, source.samplers[sampler], target, name, numbers);
   }
 

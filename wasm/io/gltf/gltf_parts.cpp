@@ -102,9 +102,10 @@ json withoutSamplers(const json& animation) {
     if (!path || !path->is_string()) return;
     // An invalid node may be any node, and a pointer may lead to any node.
     const bool valid = isIndex(node) && node->get<std::uint64_t>() <= 0x7fffffffu && *path != "pointer";
-    out["channels"].push_back({{"sampler", 0u},
-                               {"target", {{"node", valid ? *node : json(0x7fffffffu)},
-                                           {"path", *path == "pointer" ? json("translation") : *path}}}});
+    out["channels"].push_back(
+        {{"sampler", 0u},
+         {"target",
+          {{"node", valid ? *node : json(0x7fffffffu)}, {"path", *path == "pointer" ? json("translation") : *path}}}});
   });
   return out;
 }

@@ -12,8 +12,8 @@ namespace shapespline {
 /// Member of a part's extras with the reason why the part cannot be read.
 constexpr const char* brokenMember = "broken";
 
-/// Replaces the core's values of every material with KHR_materials_pbrSpecularGlossiness. Returns the number of textures
-/// that have no equivalent.
+/// Replaces the core's values of every material with KHR_materials_pbrSpecularGlossiness. Returns the number of
+/// textures that have no equivalent.
 int rewriteSpecularGlossiness(nlohmann::json& doc);
 
 /// Moves the names of morph targets from the targets to their primitive, as extras.targetNames.

@@ -67,7 +67,8 @@ PartTransforms partTransforms(const GltfPart& part, const GltfShape& shape, cons
 }
 
 // Normals transform with the inverse transpose. The cofactor matrix is this times the determinant, and exists for
-// singular matrices too. A negative determinant would turn normals inwards, as the faces of a mirrored part are reversed.
+// singular matrices too. A negative determinant would turn normals inwards, as the faces of a mirrored part are
+// reversed.
 Vec3 turnedNormal(const Mat3& m, const Vec3& normal) {
   Mat3 cofactor;
   cofactor.col(0) = m.col(1).cross(m.col(2));

@@ -252,7 +252,8 @@ struct KeyReader {
   void warnOfOthers(int first, const std::vector<int>& parts) {
     for (std::size_t i = 0; i < broken.size() && i < 10; ++i)
       out.warnings.push_back({"broken-animation",
-                              "The animation " + inQuotes(broken[i].name) + " is left out: " + broken[i].error->message, 1});
+                              "The animation " + inQuotes(broken[i].name) + " is left out: " + broken[i].error->message,
+                              1});
     if (!std::holds_alternative<std::monostate>(options.animation)) return;
     const std::vector<int> others = leftOutOf(animations, first, parts);
     if (others.empty()) return;

@@ -305,8 +305,7 @@ struct ShapeReader {
     for (std::size_t i = 0; i < meshNodes.size(); ++i) {
       const double count = static_cast<double>(meshNodes.size()), before = static_cast<double>(i);
       const int node = meshNodes[i];
-      if (Status mesh = readNode(node, partOf(onProgress, before / count, (before + 1) / count)); !mesh)
-        return mesh;
+      if (Status mesh = readNode(node, partOf(onProgress, before / count, (before + 1) / count)); !mesh) return mesh;
     }
     shape.hasNormals = shape.hasNormals && !shape.parts.empty();
     warn("skipped-primitives", skippedPrimitives, "lines and points are ignored.");
@@ -324,8 +323,9 @@ Error noMesh(const GltfDocument& doc) {
   const bool bare = doc.model.meshes.empty();
   if (bare && !doc.model.animations.empty())
     return {ErrorCode::NoTriangles,
-            doc.where + " has an animation but no mesh. Open it together with the GLB of its character, or export both "
-                        "as one GLB (with skin)."};
+            doc.where +
+                " has an animation but no mesh. Open it together with the GLB of its character, or export both "
+                "as one GLB (with skin)."};
   return {ErrorCode::NoTriangles, doc.where + (bare ? " has no mesh" : " shows no triangles") +
                                       ". Export a scene that shows a mesh with faces."};
 }

@@ -146,8 +146,8 @@ Result<std::vector<GltfAnimation>> borrowAnimations(const GltfDocument& from, co
   std::erase_if(animations, [](const GltfAnimation& a) { return a.curves.empty(); });
   if (animations.empty() && error) return *error;
   if (animations.empty())
-    return Error{ErrorCode::UnknownAnimation, from.where + " moves bones that " + to.where + " does not have: " +
-                                                  objectList(missing) +
+    return Error{ErrorCode::UnknownAnimation, from.where + " moves bones that " + to.where +
+                                                  " does not have: " + objectList(missing) +
                                                   ". Export both from the same rig, or together as one GLB."};
   if (!missing.empty())
     warnings.push_back({"missing-bones",

@@ -1,5 +1,5 @@
 /** Holds the state, notifies its subscribers, and keeps the document's history for undo and redo. */
-import type { Orientation } from '../../model/orientation.ts';
+import { type Orientation, reorientedDoc } from '../../model/orientation.ts';
 import type { AppState, Doc } from '../../model/state.ts';
 
 /** Edits of the same kind within this time form one undo step, so repeated key presses are undone together. */
@@ -54,6 +54,9 @@ export interface History {
 
 const NO_HISTORY: History = { past: [], future: [] };
 const NOT_MERGED = { merge: '', at: -Infinity };
+
+const turnedBy = (doc: Doc, from?: Orientation, to?: Orientation): Doc =>
+  from && to ? reorientedDoc(doc, from, to) : doc;
 
 export function createStore(initial: AppState, now: () => number = () => performance.now()): Store {
   let state = initial;
@@ -111,16 +114,16 @@ export function createStore(initial: AppState, now: () => number = () => perform
     undo(step = past.at(-1)) {
       if (!step) return;
       const left = past.filter((one) => one !== step);
-      // Below later edits, only a turn of the files can be undone. It has not changed the document.
+      // Below later edits, only a turn of the files can be undone.
       if (step === past.at(-1)) go(step.doc, { past: left, future: [...future, { ...step, doc: state.doc }] });
-      else go(state.doc, { past: left, future });
+      else go(turnedBy(state.doc, step.turn?.after, step.turn?.before), { past: left, future });
     },
     redo(step = future.at(-1)) {
       if (!step) return;
       const done = [...past, { ...step, doc: state.doc }];
       // A later edit has removed the steps to redo.
       if (step === future.at(-1)) go(step.doc, { past: done, future: future.slice(0, -1) });
-      else go(state.doc, { past: done, future });
+      else go(turnedBy(state.doc, step.turn?.before, step.turn?.after), { past: done, future });
     },
     undoLabel: () => past.at(-1)?.label ?? null,
     redoLabel: () => future.at(-1)?.label ?? null,

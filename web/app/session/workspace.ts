@@ -75,7 +75,7 @@ const NOTHING_RUNNING: readonly RunningMotion[] = [];
 const UNIT_RANGE: Range = [0, 1];
 
 export class Workspace {
-  /** Content was opened that is not in the state yet. Whoever opens it resets this with the state. */
+  /** Content was opened that is not in the state yet. The opener resets this with the state. */
   aheadOfState = false;
   private current: Current | null = null;
   private opening: AbortController | null = null;

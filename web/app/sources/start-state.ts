@@ -4,7 +4,7 @@ import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
 import { keptDoc } from '../../model/kept-document.ts';
 import { relativeTo, reoriented, reorientedDoc } from '../../model/orientation.ts';
-import type { AppState, Doc, LoopMode, Play, Source, View } from '../../model/state.ts';
+import type { AppState, Doc, LoopMode, Play, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { clampTime, length } from '../../model/time-scale.ts';

@@ -61,7 +61,8 @@ const turns: Check = (v) => {
         `turns from -${MOST_TURNS} to ${MOST_TURNS}`;
 };
 
-export const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
+export const isRecord = (value: unknown): value is Record<string, unknown> =>
+  typeof value === 'object' && value !== null;
 
 /** Largest allowed offset. */
 const MOST_MOVE = 1e12;
@@ -259,7 +260,7 @@ export function checkSequenceOptions(given?: object): SequenceOptions {
   return copied(checkProject(given));
 }
 
-/** Checks the options in a project, which nobody else holds, without copies. */
+/** Checks the options in a project, without copies, because no caller holds them. */
 export function checkProject(given?: object): SequenceOptions {
   return checked('sequence', sequenceChecks, SEQUENCE_DEFAULTS, given);
 }

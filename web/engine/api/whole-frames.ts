@@ -19,7 +19,7 @@ export function frameCount(range: Range, fps: number): number {
   return range[0] < range[1] ? Math.max(last - first + 1, 0) + 2 : 1;
 }
 
-/** Times of all whole frames in the range, and of its ends, so that no key at an end is lost. */
+/** Times of all whole frames in the range, and of its ends. No key at an end is lost. */
 export function frameTimes([start, end]: Range, fps: number): number[] {
   const [first] = framesBetween([start, end], fps);
   const between = Math.max(frameCount([start, end], fps) - 2, 0);

@@ -1,4 +1,4 @@
-/** Checks the scene of `createKeys`, so that drawing and exports can rely on it. Loaded on demand. */
+/** Checks the scene of `createKeys` before drawing and exports rely on it. Loaded on demand. */
 import { invalidOption } from '../api/errors.ts';
 import { isObject, isRecord } from '../api/options.ts';
 import type { Material, Scene } from '../api/types.ts';

@@ -247,7 +247,7 @@ export class EngineClient implements Engine {
 }
 
 /** The checks are loaded on demand, because most callers give no scene. */
-async function checkScene(...given: Parameters<(typeof import('./check-scene.ts'))['checkScene']>): Promise<void> {
+async function checkScene(...given: Parameters<typeof import('./check-scene.ts')['checkScene']>): Promise<void> {
   (await import('./check-scene.ts')).checkScene(...given);
 }
 

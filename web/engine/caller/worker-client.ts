@@ -125,7 +125,9 @@ export function notPosted(message: ToWorker, reason: unknown): FromWorker {
   const text = messageOf(reason);
   const error = isOutOfMemory(text)
     ? outOfMemory()
-    : invalidOption(`The data could not be sent to the worker (${text}). Do not transfer arrays while a call uses them.`);
+    : invalidOption(
+        `The data could not be sent to the worker (${text}). Do not transfer arrays while a call uses them.`,
+      );
   return { type: 'error', id: message.id, error, fatal: false };
 }
 
