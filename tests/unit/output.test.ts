@@ -165,10 +165,13 @@ const group = (name: string, ...files: [name: string, bytes: string][]) => ({
 });
 
 describe('inputs', () => {
-  const MTL = 'newmtl a\nmap_Kd -s 1 1 1 red paint.png\nMAP_BUMP ../bumps/b.png\nrefl c%20d.png\n';
+  const MTL = 'newmtl a\nmap_Kd -s 1 1 1 red paint.png\rMAP_BUMP ../bumps/b.png\r\nrefl c%20d.png\n';
   beforeEach(() => {
     put('in/a.obj', `# poses\nMTLLIB paint.mtl\nv 0 0 0\n`);
     put('in/paint.mtl', MTL);
+    put('in/b.obj', 'v 0 0 0\n'.repeat(20_000) + 'mtllib mtl/b.mtl\n');
+    put('in/mtl/b.mtl', 'map_Kd C:\\work\\far.png\nmap_Ks e\u0301.png\n');
+    for (const name of ['far.png', 'mtl/\u00e9.png']) put(`in/${name}`, 'x');
     for (const name of ['red paint.png', '../bumps/b.png', 'c d.png', 's.bin', 't.png', 'u.png'])
       put(`in/${name}`, 'x');
     const json = (uri: string) => JSON.stringify({ buffers: [{ uri }], images: [{ uri: '../bumps/../in/t.png' }] });
@@ -184,7 +187,7 @@ describe('inputs', () => {
     mkdirSync(at('poses'));
     put('poses/1.obj', 'v 0 0 0');
   });
-  const given = ['in/a.obj', 'in/scene.gltf', 'in/packed.glb', 'poses'];
+  const given = ['in/a.obj', 'in/b.obj', 'in/scene.gltf', 'in/packed.glb', 'poses'];
 
   it.each([
     ['in/a.obj', 'is one of the inputs'],
@@ -192,6 +195,7 @@ describe('inputs', () => {
     ['in/second name.obj', 'is one of the inputs'],
     ['poses/1.obj', 'is one of the inputs'],
     ...['paint.mtl', 'red paint.png', 'c d.png'].map((name) => [`in/${name}`, 'belongs to the input .*a.obj']),
+    ...['mtl/b.mtl', 'far.png', 'mtl/\u00e9.png'].map((name) => [`in/${name}`, 'belongs to the input .*b.obj']),
     ['bumps/b.png', 'belongs to the input .*paint.mtl|a.obj'],
     ...['s.bin', 't.png'].map((name) => [`in/${name}`, 'belongs to the input .*scene.gltf']),
     ['in/u.png', 'belongs to the input .*packed.glb'],

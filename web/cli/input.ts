@@ -84,7 +84,12 @@ async function referredBy(name: string): Promise<string[]> {
     files.push(...libraries.flatMap((library) => pathsOf(name, library)));
   }
   const images = await Promise.all(
-    files.map(async (file) => imagesIn(await startOf(file, LARGEST_LIBRARY)).flatMap((image) => pathsOf(file, image))),
+    files.map(async (file) =>
+      imagesIn(await startOf(file, LARGEST_LIBRARY)).flatMap((image) => [
+        ...pathsOf(file, image),
+        ...pathsOf(name, image),
+      ]),
+    ),
   );
   return [...files, ...images.flat()];
 }
@@ -92,16 +97,20 @@ async function referredBy(name: string): Promise<string[]> {
 const LARGEST_LIBRARY = 1 << 24;
 const LARGEST_START = 1 << 30;
 
-/** A reference as a path, without escapes, and as a name in the same folder. */
+/** A reference as a path, without escapes, in all forms of accents, and as a name in the same folder. */
 function pathsOf(from: string, reference: string): string[] {
-  const plain = [reference, decodedUri(reference)].map((text) => text.replace(/^file:\/\//i, '').replaceAll('\\', '/'));
   const folder = path.dirname(from);
-  return [...new Set(plain.flatMap((text) => [path.resolve(folder, text), path.join(folder, path.basename(text))]))];
+  const paths = [reference, decodedUri(reference)].flatMap((text) => {
+    const plain = text.replace(/^file:\/\//i, '').replaceAll('\\', '/');
+    const spellings = [plain, plain.normalize('NFC'), plain.normalize('NFD')];
+    return spellings.flatMap((one) => [path.resolve(folder, one), path.join(folder, path.basename(one))]);
+  });
+  return [...new Set(paths)];
 }
 
 /** All images that a material library refers to, also those that the engine does not use. */
 function imagesIn(bytes: Uint8Array): string[] {
-  const lines = new TextDecoder().decode(bytes).split('\n');
+  const lines = new TextDecoder().decode(bytes).split(/[\r\n]+/);
   return lines.flatMap((line) => {
     const text = /^(?:map_\w+|bump|disp|decal|norm|refl)[ \t](.*)$/i.exec(line.trim())?.[1]?.trim();
     return text ? [withoutOptions(text)] : [];

@@ -98,7 +98,7 @@ export async function measure(args: Arguments): Promise<Measured> {
   });
 }
 
-/** Without cells where a fitted method falls back, because they would hold the numbers of a different method. */
+/** Without cells where a fitted method shows shapes of a different method. */
 function ownCells({ name, values }: Column, motion: Motion, times: readonly number[]): Column {
   return { name, values: values.map((value, i) => (isOwnAt(motion, times[i]!) ? value : NaN)) };
 }
