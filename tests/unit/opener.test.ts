@@ -131,7 +131,8 @@ it('a rotation turns the paths of pins, and undo and redo restore them exactly',
   const turned = move();
   expect(turned).toEqual([expect.closeTo(0.01, 12), expect.closeTo(0.2, 12), expect.closeTo(-0.1, 12)]);
   for (const moves of [path[0]!.move, turned]) {
-    const back = moves === turned ? store.history().future.at(-1)!.turn!.after : store.history().past.at(-1)!.turn!.before;
+    const back =
+      moves === turned ? store.history().future.at(-1)!.turn!.after : store.history().past.at(-1)!.turn!.before;
     await opener.reorient(back, null);
     if (moves === turned) store.redo();
     else store.undo();

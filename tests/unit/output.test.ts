@@ -169,7 +169,7 @@ describe('inputs', () => {
   beforeEach(() => {
     put('in/a.obj', `# poses\nMTLLIB paint.mtl\nv 0 0 0\n`);
     put('in/paint.mtl', MTL);
-    put('in/b.obj', 'v 0 0 0\n'.repeat(20_000) + 'mtllib mtl/b.mtl\n');
+    put('in/b.obj', `${'v 0 0 0\n'.repeat(20_000)}mtllib mtl/b.mtl\n`);
     put('in/mtl/b.mtl', 'map_Kd C:\\work\\far.png\nmap_Ks e\u0301.png\n');
     for (const name of ['far.png', 'mtl/\u00e9.png']) put(`in/${name}`, 'x');
     for (const name of ['red paint.png', '../bumps/b.png', 'c d.png', 's.bin', 't.png', 'u.png'])

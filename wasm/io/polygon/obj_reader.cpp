@@ -1,6 +1,7 @@
 // Wavefront OBJ. We use our own reader because the common library reads through streams and triangulates polygons by
 // each key's geometry, so two keys can get different triangles.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>

@@ -63,7 +63,7 @@ async function importAny(
     const poses = await engine.importKeyframes(files, options);
     return { poses, count: poses.info.times.length };
   } catch (error) {
-    // A model's name may have no extension or a different one.
+    // A model's name may have no extension, or a different one.
     const models = files.filter(({ name }) => isModel(name));
     const unnamed = files.filter(({ name }) => !COMPANIONS.includes(extensionOf(name)));
     const [single, ...others] = models.length > 0 ? models : unnamed;
