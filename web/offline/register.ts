@@ -1,6 +1,6 @@
 /**
- * Starts the service worker of a built page. If it cannot run (no https, forbidden storage, a sandboxed frame), the page
- * works without it.
+ * Starts the service worker of a built page. If it cannot run (no https, forbidden storage, a sandboxed frame), the
+ * page works without it.
  */
 
 /** Shortest time between two checks for a newer build when a page becomes visible again. */

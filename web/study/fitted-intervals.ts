@@ -12,7 +12,7 @@ export function isOwnAt({ fitted, keyTimes, options }: Motion, t: number): boole
 
 /** The number of intervals between keys with fitted shapes; null for motions without fits. */
 export const fittedCount = ({ fitted }: Pick<Motion, 'fitted'>): number | null =>
-  fitted?.filter((isFitted) => isFitted).length;
+  fitted?.filter((isFitted) => isFitted).length ?? null;
 
 const ABOUT_FITS: readonly string[] = [
   'lengths-not-fitted',

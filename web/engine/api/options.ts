@@ -223,7 +223,7 @@ const sequenceChecks: Checks = { ...encodingChecks, ...motionChecks };
 const importChecks = checksOf(IMPORT);
 const exportChecks = checksOf(EXPORT);
 
-/** Copies arrays and plain objects, because the caller may change them later. Arrays without entries may be detached. */
+/** Copies arrays and plain objects, which the caller may change later. Arrays without entries may be detached. */
 export function copied<T>(value: T): T {
   const copy = (): unknown => {
     if (Array.isArray(value)) return value.map(copied);

@@ -22,21 +22,21 @@ interface Mesh {
 /** What a value must be, and whether it is. */
 type Rule = readonly [must: string, isMet: (value: unknown) => boolean];
 
-const isFinite: (value: unknown) => boolean = Number.isFinite;
+const isNumber: (value: unknown) => boolean = Number.isFinite;
 const isIndex = (value: unknown, count: number): boolean =>
   Number.isInteger(value) && (value as number) >= 0 && (value as number) < count;
-const number: Rule = ['a number', isFinite];
+const number: Rule = ['a number', isNumber];
 const text: Rule = ['a string', (v) => typeof v === 'string'];
 const flag: Rule = ['true or false', (v) => typeof v === 'boolean'];
 const choice = (...words: string[]): Rule => [`one of ${words.join(', ')}`, (v) => words.includes(v as string)];
 const numbers = (count: number): Rule => [
   `${count} numbers`,
-  (v) => Array.isArray(v) && v.length === count && v.every(isFinite),
+  (v) => Array.isArray(v) && v.length === count && v.every(isNumber),
 ];
 const indexOrNone = (count: number): Rule => [`an index below ${count}, or -1`, (v) => v === -1 || isIndex(v, count)];
 const floats = (each: number, count: number): Rule => [
   `null or a Float32Array of ${each * count} finite numbers`,
-  (v) => v === null || (v instanceof Float32Array && v.length === each * count && v.every(isFinite)),
+  (v) => v === null || (v instanceof Float32Array && v.length === each * count && v.every(isNumber)),
 ];
 const wrap = choice('repeat', 'clamp', 'mirror');
 const filter: Rule = ['a whole number of at least 0', (v) => isIndex(v, Infinity)];

@@ -104,7 +104,7 @@ function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions 
   );
 }
 
-/** Counts the shapes before any is fitted, which may take minutes. Fitted methods have no more shapes than keys, or few. */
+/** Counts the shapes before any is fitted, because fits may take minutes. Fitted methods limit their number. */
 function checkCount({ method, keepLengths }: MotionOptions, keys: number): void {
   if (METHOD[method].curve === 'fitted' || keys + (keys - 1) * keepLengths <= MOST_MOTION_KEYS) return;
   const count = (n: number): string => Math.floor(n).toLocaleString('en');
@@ -212,9 +212,13 @@ class Fit {
     const fitted = this.times.flatMap(({ time, key }) => (key < 0 ? [time] : []));
     const { weights } = fitted.length > 0 ? await base.shapePlane(fitted) : { weights: [] };
     const columns = weights.length / fitted.length;
-    let from = -columns;
+    let from = 0;
     // Arrays of numbers would take the page a while to send.
-    const next = (): Float64Array => Float64Array.from(weights.slice((from += columns), from + keys));
+    const next = (): Float64Array => {
+      const own = Float64Array.from(weights.slice(from, from + keys));
+      from += columns;
+      return own;
+    };
     return this.times.map(({ time, key }, i) => ({ time, key, start: starts[i]!, weights: key < 0 ? next() : null }));
   }
 

@@ -1,6 +1,7 @@
 /**
  * Converts glTF files with compressed meshes to uncompressed ones. Their maintained decoders handle
- * KHR_draco_mesh_compression, EXT_meshopt_compression and KHR_meshopt_compression and are loaded on first use. The core reads the result.
+ * KHR_draco_mesh_compression, EXT_meshopt_compression and KHR_meshopt_compression, and are loaded on first use. The
+ * core reads the result.
  */
 import type { Document, JSONDocument } from '@gltf-transform/core';
 import { EngineError, messageOf } from '../api/errors.ts';
