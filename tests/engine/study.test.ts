@@ -138,8 +138,8 @@ describe('study spaces', () => {
   it('gives the same errors as measure, and a row with a note for a refused method @all', async () => {
     const folder = await folderOf([await rigFile('rig.glb')]);
     const words = ['rig.glb', '--sample', '0,0.5,1,1.5,2', '--methods', 'lri,lengths', '--against', 'rig.glb'];
-    const { rows } = await study(folder, 'spaces', ...words, '--space-samples', '4');
-    const { stdout } = await runCli(folder, 'measure', ...words, '--space-samples', '4');
+    const { rows } = await study(folder, 'spaces', ...words, '--space-samples', '8');
+    const { stdout } = await runCli(folder, 'measure', ...words, '--space-samples', '8');
     for (const row of rows) {
       const said = new RegExp(`^# ${row['method']}: KG error ([\\d.]+) %`, 'm').exec(stdout)![1]!;
       expect(Number(row['KG error']) / Number(said)).toBeCloseTo(1, 2);

@@ -10,7 +10,7 @@ import { notLoaded } from './api/errors.ts';
 import type { BrowserFiles } from './caller/browser-files.ts';
 import { PatientWorker } from './caller/patient-worker.ts';
 
-/** A frame sandboxed without allow-same-origin has no origin. Its worker can import from a host, but not start there. */
+/** A frame sandboxed without allow-same-origin has no origin. A worker there can only import from a host. */
 function workerAddress(): string {
   const { href } = new URL(workerUrl, import.meta.url);
   if (globalThis.origin !== 'null') return href;

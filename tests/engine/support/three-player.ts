@@ -17,7 +17,7 @@ export function withoutImages(bytes: Uint8Array): ArrayBuffer {
   const length = view.getUint32(12, true);
   const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as Record<string, unknown>;
   for (const name of ['images', 'textures', 'materials']) delete json[name];
-  for (const mesh of json.meshes as { primitives: { material?: number }[] }[])
+  for (const mesh of (json.meshes ?? []) as { primitives: { material?: number }[] }[])
     for (const part of mesh.primitives) delete part.material;
   // The new JSON is shorter and padded, so the following chunks keep their positions.
   const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length));
