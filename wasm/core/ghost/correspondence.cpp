@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/lri/torn_faces.h"
+
 namespace shapespline {
 
 namespace {
@@ -58,7 +60,7 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopolog
     return face;
   };
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (topology.hasArea[f]) result[f] = nearest(f);
+    if (topology.turns[f]) result[f] = nearest(f);
     if (f % facesPerReport == 0) onProgress(static_cast<double>(f) / shape.faceCount());
   }
 
@@ -67,7 +69,11 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopolog
     if (const ComponentLink& link = topology.tree.link[component]; link.parent >= 0)
       follows[component] = result[link.anchorFace] >= 0 ? result[link.anchorFace] : follows[link.parent];
   for (int f = 0; f < shape.faceCount(); ++f)
-    if (topology.hasArea[f] && result[f] < 0) result[f] = follows[topology.components.ofFace[f]];
+    if (topology.turns[f] && result[f] < 0) result[f] = follows[topology.components.ofFace[f]];
+  if (topology.torn.empty()) return result;
+  const std::vector<int> anchorOf = anchorsOfTornFaces(shape, topology);
+  for (int f = 0; f < shape.faceCount(); ++f)
+    if (anchorOf[f] >= 0) result[f] = result[anchorOf[f]];
   return result;
 }
 

@@ -1,5 +1,7 @@
 #include "core/lri/welded_shape.h"
 
+#include "core/lri/torn_faces.h"
+
 namespace shapespline {
 
 FaceFrame referenceFrame(const WeldedShape& shape, int face) {
@@ -24,7 +26,16 @@ ShapeTopology topologyOf(const WeldedShape& shape, const FractionReport& onProgr
   for (const Positions& p : shape.poses) poses.push_back(&p);
   topology.hasArea = facesWithArea(shape.faces, poses, partOf(onProgress, 0, 0.2));
   topology.graph = dualGraph(shape.vertexCount(), shape.faces, topology.hasArea, partOf(onProgress, 0.2, 0.9));
-  topology.components = connectedComponents(topology.graph, topology.hasArea, partOf(onProgress, 0.9, 1));
+  topology.solved = connectedComponents(topology.graph, topology.hasArea, partOf(onProgress, 0.9, 1));
+  topology.turns = topology.hasArea;
+  topology.components = topology.solved;
+  topology.torn = tornShares(shape, topology.hasArea, topology.solved);
+  if (!topology.torn.empty()) {
+    for (std::size_t f = 0; f < topology.turns.size(); ++f)
+      if (topology.torn[f] == 1) topology.turns[f] = 0;
+    topology.graph = dualGraph(shape.vertexCount(), shape.faces, topology.turns);
+    topology.components = connectedComponents(topology.graph, topology.turns);
+  }
   reportFraction(onProgress, 1);
   if (topology.components.count == 0) return topology;
   topology.tree = linkComponents(shape.faces, topology.components, poses);

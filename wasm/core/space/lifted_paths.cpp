@@ -33,7 +33,7 @@ double onGrid(double cost) { return std::nearbyint(cost * 0x1p20); }
 class Lift {
  public:
   Lift(const WeldedShape& shape, const ShapeTopology& topology)
-      : shape_(shape), topology_(topology), steps_{shape.keys}, open_(topology.hasArea) {}
+      : shape_(shape), topology_(topology), steps_{shape.keys}, open_(topology.turns) {}
 
   LiftedPaths run() {
     findPrincipalIncrements();

@@ -75,7 +75,7 @@ RimdSpace::RimdSpace(const WeldedKeys& keys, const LriSpace& lri) : keys_(&keys)
   const RotationSplines differences = differencesOf(shape, pairs);
   pairs_ = static_cast<int>(pairs.size());
   for (int f = 0; f < shape.faceCount(); ++f)
-    frame_.push_back(topology.hasArea[f] ? referenceFrame(shape, f) : FaceFrame{});
+    frame_.push_back(topology.turns[f] ? referenceFrame(shape, f) : FaceFrame{});
   topology.eachUsedFace([&](int f) { used_.push_back(f); });
   neighbours_ = compressedRows<Side>(shape.faceCount(), [&](auto add) {
     for (std::size_t p = 0; p < pairs.size(); ++p) {

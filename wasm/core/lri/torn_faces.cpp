@@ -1,0 +1,137 @@
+#include "core/lri/torn_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace shapespline {
+
+namespace {
+
+// Largest ratios of an edge or a height between two poses. On skinned, sculpted and captured characters, about one face
+// in 500 exceeds the first. A mouth that opens tears its membrane by more than the second all around.
+constexpr double ordinaryChange = 5, tornChange = 8;
+
+// Edges and heights of a triangle. If one direction of a face is stretched far, some of them are, too.
+std::array<double, 6> extentsOf(const Positions& p, const Triangle& t) {
+  const Vec3 sides[] = {p[t[1]] - p[t[0]], p[t[2]] - p[t[1]], p[t[0]] - p[t[2]]};
+  const double twiceArea = sides[0].cross(sides[1]).norm();
+  std::array<double, 6> extents;
+  for (int k = 0; k < 3; ++k) {
+    extents[k] = sides[k].norm();
+    extents[3 + k] = twiceArea / extents[k];
+  }
+  return extents;
+}
+
+// The root of each component's area, by pose.
+std::vector<std::vector<double>> sizesOf(const WeldedShape& shape, const std::vector<char>& hasArea,
+                                          const Components& parts) {
+  std::vector<std::vector<double>> sizes;
+  for (const Positions& p : shape.poses) {
+    std::vector<double>& size = sizes.emplace_back(parts.count, 0);
+    for (int f = 0; f < shape.faceCount(); ++f) {
+      const Triangle& t = shape.faces[f];
+      if (hasArea[f]) size[parts.ofFace[f]] += (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm() / 2;
+    }
+    for (double& one : size) one = std::sqrt(one);
+  }
+  return sizes;
+}
+
+// The largest ratio of an edge or a height between two poses, relative to the size of the component.
+double largestChange(const WeldedShape& shape, int face, int part, const std::vector<std::vector<double>>& sizes) {
+  std::array<double, 6> least, most;
+  least.fill(std::numeric_limits<double>::infinity());
+  most.fill(0);
+  for (std::size_t c = 0; c < shape.poses.size(); ++c) {
+    const std::array<double, 6> extents = extentsOf(shape.poses[c], shape.faces[face]);
+    for (int k = 0; k < 6; ++k) {
+      least[k] = std::min(least[k], extents[k] / sizes[c][part]);
+      most[k] = std::max(most[k], extents[k] / sizes[c][part]);
+    }
+  }
+  double largest = 1;
+  for (int k = 0; k < 6; ++k) largest = std::max(largest, most[k] / least[k]);
+  return largest;
+}
+
+double tornShare(double change) {
+  const double x = std::clamp(std::log(change / ordinaryChange) / std::log(tornChange / ordinaryChange), 0.0, 1.0);
+  return x * x * (3 - 2 * x);
+}
+
+// Each face takes the chosen value of itself and the faces at its vertices.
+template <class Choose>
+void spread(const WeldedShape& shape, const std::vector<char>& hasArea, double none, Choose choose,
+            std::vector<double>& torn) {
+  std::vector<double> at(shape.vertexCount(), none);
+  for (std::size_t f = 0; f < torn.size(); ++f)
+    if (hasArea[f])
+      for (int v : shape.faces[f]) at[v] = choose(at[v], torn[f]);
+  for (std::size_t f = 0; f < torn.size(); ++f)
+    if (hasArea[f])
+      for (int v : shape.faces[f]) torn[f] = choose(torn[f], at[v]);
+}
+
+}  // namespace
+
+std::vector<double> tornShares(const WeldedShape& shape, const std::vector<char>& hasArea, const Components& parts) {
+  const std::vector<std::vector<double>> sizes = sizesOf(shape, hasArea, parts);
+  std::vector<double> torn(shape.faces.size(), 0);
+  for (std::size_t f = 0; f < torn.size(); ++f)
+    if (hasArea[f]) torn[f] = tornShare(largestChange(shape, static_cast<int>(f), parts.ofFace[f], sizes));
+  if (std::none_of(torn.begin(), torn.end(), [](double share) { return share > 0; })) return {};
+  // Closes gaps: a face between torn faces has no more meaning than they have.
+  spread(shape, hasArea, 0, [](double a, double b) { return std::max(a, b); }, torn);
+  spread(shape, hasArea, 1, [](double a, double b) { return std::min(a, b); }, torn);
+  std::vector<char> turns(parts.count, 0);
+  for (std::size_t f = 0; f < torn.size(); ++f)
+    if (hasArea[f] && torn[f] < 1) turns[parts.ofFace[f]] = 1;
+  for (std::size_t f = 0; f < torn.size(); ++f)
+    if (hasArea[f] && !turns[parts.ofFace[f]]) torn[f] = 0;
+  return torn;
+}
+
+std::vector<int> anchorsOfTornFaces(const WeldedShape& shape, const ShapeTopology& topology) {
+  std::vector<int> anchor(shape.faceCount(), -1), nearest(shape.vertexCount(), -1), reached;  // a queue of vertices
+  const auto settle = [&](int f, int anchorFace) {
+    anchor[f] = anchorFace;
+    for (int v : shape.faces[f])
+      if (nearest[v] < 0) {
+        nearest[v] = anchorFace;
+        reached.push_back(v);
+      }
+  };
+  topology.eachUsedFace([&](int f) { settle(f, f); });
+  if (topology.torn.empty()) return anchor;
+  const VertexFaces facesAt = facesOfVertices(shape.vertexCount(), shape.faces);
+  for (std::size_t taken = 0; taken < reached.size(); ++taken)
+    for (int f : facesAt.of(reached[taken]))
+      if (topology.hasArea[f] && anchor[f] < 0) settle(f, nearest[reached[taken]]);
+  return anchor;
+}
+
+std::vector<TornFace> encodeTornFaces(const WeldedShape& shape, const ShapeTopology& topology,
+                                      const LocalFramePoses& frames, bool facesRest) {
+  std::vector<TornFace> result;
+  if (topology.torn.empty()) return result;
+  const std::vector<int> anchor = anchorsOfTornFaces(shape, topology);
+  for (int f = 0; f < shape.faceCount(); ++f) {
+    if (topology.torn[f] == 0) continue;
+    const FaceFrame frame = referenceFrame(shape, f);
+    const Vec2 first = hatGradient(frame.edges.col(1) - frame.edges.col(0)), second = hatGradient(-frame.edges.col(1));
+    TornFace torn{f, anchor[f], frames.ofFace[f], {}, topology.torn[f] * first, topology.torn[f] * second};
+    for (int c = 0; c < shape.columns(); ++c) {
+      const FaceDeformation d = deformationOf(shape, f, frame, c);
+      const Mat3 inFrame = frames.rotation[c][torn.frame].toRotationMatrix().transpose() * d.rotation;
+      torn.gradient.push_back(facesRest ? FaceGradient(frame.basis.leftCols<2>())
+                                        : FaceGradient(inFrame * frame.basis.leftCols<2>() * d.stretch));
+    }
+    result.push_back(std::move(torn));
+  }
+  return result;
+}
+
+}  // namespace shapespline

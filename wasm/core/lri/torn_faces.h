@@ -1,0 +1,42 @@
+// Torn faces: faces that are stretched far more than their component between the poses, such as the membrane of a mouth
+// that opens. Their rotations mean nothing, so they carry none.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/lri/local_frames.h"
+#include "core/lri/welded_shape.h"
+
+namespace shapespline {
+
+/// How much each face is torn. 0: ordinary, or without area. 1: an edge or a height changes at least eightfold over the
+/// poses, relative to the size of the component. The share is continuous in the poses and grows from a fivefold change
+/// on. A face whose neighbours are all torn is torn as much. A component of torn faces alone counts as ordinary.
+/// parts: the components of the faces with area. Empty if no face is torn.
+std::vector<double> tornShares(const WeldedShape& shape, const std::vector<char>& hasArea, const Components& parts);
+
+/// For each torn face without a rotation, the nearest face along the mesh that carries one. Other faces have
+/// themselves, or -1.
+std::vector<int> anchorsOfTornFaces(const WeldedShape& shape, const ShapeTopology& topology);
+
+/// A deformation gradient on the tangent plane of the reference pose: 3x2.
+using FaceGradient = Eigen::Matrix<double, 3, 2>;
+
+/// A torn face in the second system. Its gradient is blended in the frame of the faces that it hangs on, without a
+/// rotation of its own.
+struct TornFace {
+  int face;
+  int anchorFace;                      ///< a face that carries a rotation
+  int frame;                           ///< local frame of the anchor
+  std::vector<FaceGradient> gradient;  ///< one per column: G^T D_f
+  /// share torn times area times the gradients of the hat functions of the first two corners, in the tangent plane
+  Vec2 first, second;
+};
+
+/// facesRest: D_f equals the rotation of the face's frame in every column.
+std::vector<TornFace> encodeTornFaces(const WeldedShape& shape, const ShapeTopology& topology,
+                                      const LocalFramePoses& frames, bool facesRest);
+
+}  // namespace shapespline
