@@ -76,7 +76,7 @@ double worstEdge(const Shape& shape, const Positions& now) {
 }
 
 std::vector<double> sharesOf(const Shape& shape, const std::vector<Positions>& poses) {
-  WeldedShape welded{shape.faces, poses, static_cast<int>(poses.size())};
+  WeldedShape welded{.faces = shape.faces, .poses = poses, .keys = static_cast<int>(poses.size()), .closing = {}};
   return topologyOf(welded).torn;
 }
 
@@ -84,7 +84,7 @@ std::vector<double> sharesOf(const Shape& shape, const std::vector<Positions>& p
 
 TEST_CASE("parts that only torn faces join keep their shapes and share their rotation evenly") {
   const Shape shape = plates();
-  Keyframes keys{shape.faces, {{"closed", 0, shape.positions}, {"open", 1, opened(shape.positions, 20)}}};
+  Keyframes keys{shape.faces, {{"closed", 0, shape.positions, {}}, {"open", 1, opened(shape.positions, 20), {}}}};
   for (const int reference : {0, 1})
     for (const Stretch stretch : {Stretch::Linear, Stretch::Log}) {
       EncodingOptions options;
