@@ -127,10 +127,14 @@ std::vector<TornFace> encodeTornFaces(const WeldedShape& shape, const ShapeTopol
     TornFace torn{t, topology.anchor[f], frames.ofFace[f], {}, {}};
     for (int column = 0; column < shape.columns(); ++column) {
       const Positions& p = shape.poses[facesRest ? shape.reference : column];
-      const Quaternion turn = facesRest ? Quaternion::Identity() : frames.rotation[column][torn.frame].conjugate();
-      const Vec3 first = turn * (p[t[1]] - p[t[0]]), second = turn * (p[t[2]] - p[t[0]]);
-      torn.first.push_back(ofEdges(0, 0) * first + ofEdges(1, 0) * second);
-      torn.second.push_back(ofEdges(0, 1) * first + ofEdges(1, 1) * second);
+      const auto add = [&](const Quaternion& turn, TornFace::Columns& columns) {
+        const Quaternion back = facesRest ? Quaternion::Identity() : turn.conjugate();
+        const Vec3 first = back * (p[t[1]] - p[t[0]]), second = back * (p[t[2]] - p[t[0]]);
+        columns.first.push_back(ofEdges(0, 0) * first + ofEdges(1, 0) * second);
+        columns.second.push_back(ofEdges(0, 1) * first + ofEdges(1, 1) * second);
+      };
+      add(frames.rotation[column][torn.frame], torn.inFrame);
+      add(rotationOf(shape, torn.anchorFace, column), torn.inAnchor);
     }
     result.push_back(std::move(torn));
   }

@@ -27,9 +27,11 @@ struct TornFace {
   Triangle corners;
   int anchorFace;  ///< a face that carries a rotation
   int frame;       ///< local frame of the anchor
-  /// Divergence at the first two corners, per column, in the local frame: G^T D_f times the share torn, times the area,
-  /// times the gradient of the corner's hat function. The three corners have sum 0.
-  std::vector<Vec3> first, second;
+  /// Divergence at the first two corners, per column: D_f times the share torn, times the area, times the gradient of
+  /// the corner's hat function. The three corners have sum 0. Relative to the local frame, and to the anchor's rotation.
+  struct Columns {
+    std::vector<Vec3> first, second;
+  } inFrame, inAnchor;
 };
 
 /// facesRest: D_f equals the rotation of the face's frame in every column.

@@ -125,22 +125,13 @@ IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const 
 }
 
 template <class Real>
-Vec3 Reconstructor<Real>::divergence(const TornFace& torn, const std::vector<Vec3>& columns, const PoseWeights& weights,
-                                     const Turning& turning) const {
-  if (!turning.faces) return frameMatrix(*turning.frames, torn.frame) * blend(columns, weights);
-  std::vector<Vec3> ofAnchor;  // relative to the anchor face instead of its frame
-  for (const Vec3& v : columns) {
-    const Vec3 r = lri_.face.rotation(torn.anchorFace, static_cast<int>(ofAnchor.size()));
-    ofAnchor.push_back(expQuaternion(-r) * v);
-  }
-  return faceRotation(torn.anchorFace, torn.frame, weights, turning) * blend(ofAnchor, weights);
-}
-
-template <class Real>
 void Reconstructor<Real>::addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const {
   for (const TornFace& torn : lri_.torn) {
-    const Vec3 first = divergence(torn, torn.first, weights, turning),
-               second = divergence(torn, torn.second, weights, turning);
+    const Mat3 turn =
+        turning.faces ? faceRotation(torn.anchorFace, torn.frame, weights, turning).toRotationMatrix()
+                      : frameMatrix(*turning.frames, static_cast<std::size_t>(torn.frame));
+    const TornFace::Columns& columns = turning.faces ? torn.inAnchor : torn.inFrame;
+    const Vec3 first = turn * blend(columns.first, weights), second = turn * blend(columns.second, weights);
     const Vec3 corner[] = {first, second, -first - second};
     for (int k = 0; k < 3; ++k) {
       Real* const at = x + 4 * static_cast<std::size_t>(poisson_.slot()[torn.corners[k]]);
