@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/lri/torn_faces.h"
-
 namespace shapespline {
 
 namespace {
@@ -70,10 +68,8 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopolog
       follows[component] = result[link.anchorFace] >= 0 ? result[link.anchorFace] : follows[link.parent];
   for (int f = 0; f < shape.faceCount(); ++f)
     if (topology.turns[f] && result[f] < 0) result[f] = follows[topology.components.ofFace[f]];
-  if (topology.torn.empty()) return result;
-  const std::vector<int> anchorOf = anchorsOfTornFaces(shape, topology);
   for (int f = 0; f < shape.faceCount(); ++f)
-    if (anchorOf[f] >= 0) result[f] = result[anchorOf[f]];
+    if (topology.anchor[f] >= 0) result[f] = result[topology.anchor[f]];
   return result;
 }
 

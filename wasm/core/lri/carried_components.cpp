@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/lri/torn_faces.h"
 #include "core/mesh/contact.h"
 
 namespace shapespline {
@@ -79,17 +78,10 @@ class CarriedEncoder {
   }
 
   void encodeLoose() {
-    std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area at each vertex
-    topology_.eachUsedFace([&](int f) {
+    std::vector<int> faceAt(shape_.vertexCount(), -1);  // the anchor of a face with area at each vertex
+    for (int f = 0; f < shape_.faceCount(); ++f)
       for (int v : shape_.faces[f])
-        if (faceAt[v] < 0) faceAt[v] = f;
-    });
-    if (!topology_.torn.empty()) {
-      const std::vector<int> anchorOf = anchorsOfTornFaces(shape_, topology_);
-      for (int f = 0; f < shape_.faceCount(); ++f)
-        for (int v : shape_.faces[f])
-          if (topology_.hasArea[f] && faceAt[v] < 0) faceAt[v] = anchorOf[f];
-    }
+        if (topology_.hasArea[f] && faceAt[v] < 0) faceAt[v] = topology_.anchor[f];
     if (std::none_of(faceAt.begin(), faceAt.end(), [](int f) { return f < 0; })) return;
     const VertexFaces facesAt = facesOfVertices(shape_.vertexCount(), shape_.faces);
     std::vector<int> anchor = faceAt;

@@ -86,26 +86,25 @@ std::vector<double> tornShares(const WeldedShape& shape, const std::vector<char>
   // Closes gaps: a face between torn faces has no more meaning than they have.
   spread(shape, hasArea, 0, [](double a, double b) { return std::max(a, b); }, torn);
   spread(shape, hasArea, 1, [](double a, double b) { return std::min(a, b); }, torn);
-  std::vector<char> turns(parts.count, 0);
+  std::vector<double> least(parts.count, 1);
   for (std::size_t f = 0; f < torn.size(); ++f)
-    if (hasArea[f] && torn[f] < 1) turns[parts.ofFace[f]] = 1;
+    if (hasArea[f]) least[parts.ofFace[f]] = std::min(least[parts.ofFace[f]], torn[f]);
   for (std::size_t f = 0; f < torn.size(); ++f)
-    if (hasArea[f] && !turns[parts.ofFace[f]]) torn[f] = 0;
+    if (hasArea[f]) torn[f] -= least[parts.ofFace[f]];
   return torn;
 }
 
-std::vector<int> anchorsOfTornFaces(const WeldedShape& shape, const ShapeTopology& topology) {
-  std::vector<int> anchor(shape.faceCount(), -1), nearest(shape.vertexCount(), -1), reached;  // a queue of vertices
+std::vector<int> anchorsOf(const WeldedShape& shape, const ShapeTopology& topology) {
+  std::vector<int> anchor(shape.faceCount(), -1);
+  topology.eachUsedFace([&](int f) { anchor[f] = f; });
+  if (topology.torn.empty()) return anchor;
+  std::vector<int> nearest(shape.vertexCount(), -1), reached;  // a queue of vertices
   const auto settle = [&](int f, int anchorFace) {
     anchor[f] = anchorFace;
     for (int v : shape.faces[f])
-      if (nearest[v] < 0) {
-        nearest[v] = anchorFace;
-        reached.push_back(v);
-      }
+      if (nearest[v] < 0) nearest[v] = anchorFace, reached.push_back(v);
   };
   topology.eachUsedFace([&](int f) { settle(f, f); });
-  if (topology.torn.empty()) return anchor;
   const VertexFaces facesAt = facesOfVertices(shape.vertexCount(), shape.faces);
   for (std::size_t taken = 0; taken < reached.size(); ++taken)
     for (int f : facesAt.of(reached[taken]))
@@ -117,12 +116,11 @@ std::vector<TornFace> encodeTornFaces(const WeldedShape& shape, const ShapeTopol
                                       const LocalFramePoses& frames, bool facesRest) {
   std::vector<TornFace> result;
   if (topology.torn.empty()) return result;
-  const std::vector<int> anchor = anchorsOfTornFaces(shape, topology);
   for (int f = 0; f < shape.faceCount(); ++f) {
     if (topology.torn[f] == 0) continue;
     const FaceFrame frame = referenceFrame(shape, f);
     const Vec2 first = hatGradient(frame.edges.col(1) - frame.edges.col(0)), second = hatGradient(-frame.edges.col(1));
-    TornFace torn{f, anchor[f], frames.ofFace[f], {}, topology.torn[f] * first, topology.torn[f] * second};
+    TornFace torn{f, topology.anchor[f], frames.ofFace[f], {}, topology.torn[f] * first, topology.torn[f] * second};
     for (int c = 0; c < shape.columns(); ++c) {
       const FaceDeformation d = deformationOf(shape, f, frame, c);
       const Mat3 inFrame = frames.rotation[c][torn.frame].toRotationMatrix().transpose() * d.rotation;

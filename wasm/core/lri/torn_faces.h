@@ -13,13 +13,13 @@ namespace shapespline {
 
 /// How much each face is torn. 0: ordinary, or without area. 1: an edge or a height changes at least eightfold over the
 /// poses, relative to the size of the component. The share is continuous in the poses and grows from a fivefold change
-/// on. A face whose neighbours are all torn is torn as much. A component of torn faces alone counts as ordinary.
+/// on. A face whose neighbours are all torn is torn as much. Shares count from the least one of the
+/// component, so a component with only torn faces is ordinary.
 /// parts: the components of the faces with area. Empty if no face is torn.
 std::vector<double> tornShares(const WeldedShape& shape, const std::vector<char>& hasArea, const Components& parts);
 
-/// For each torn face without a rotation, the nearest face along the mesh that carries one. Other faces have
-/// themselves, or -1.
-std::vector<int> anchorsOfTornFaces(const WeldedShape& shape, const ShapeTopology& topology);
+/// ShapeTopology::anchor, from the other members.
+std::vector<int> anchorsOf(const WeldedShape& shape, const ShapeTopology& topology);
 
 /// A deformation gradient on the tangent plane of the reference pose: 3x2.
 using FaceGradient = Eigen::Matrix<double, 3, 2>;

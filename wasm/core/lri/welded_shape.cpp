@@ -36,6 +36,7 @@ ShapeTopology topologyOf(const WeldedShape& shape, const FractionReport& onProgr
     topology.graph = dualGraph(shape.vertexCount(), shape.faces, topology.turns);
     topology.components = connectedComponents(topology.graph, topology.turns);
   }
+  topology.anchor = anchorsOf(shape, topology);
   reportFraction(onProgress, 1);
   if (topology.components.count == 0) return topology;
   topology.tree = linkComponents(shape.faces, topology.components, poses);

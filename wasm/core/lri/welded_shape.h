@@ -60,6 +60,9 @@ struct ShapeTopology {
   std::vector<char> hasArea;  ///< the faces of the second system
   Components solved;          ///< their components, which may consist of several of the components above
   std::vector<double> torn;   ///< how much each face is torn (torn_faces.h); empty if no face is
+  /// The face with a rotation that each face follows: itself, or the nearest one along the mesh for torn faces. -1 for
+  /// faces without area.
+  std::vector<int> anchor;
 
   /// Visits the faces that carry rotations, in order.
   template <class Visit>

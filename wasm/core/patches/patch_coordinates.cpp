@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/lri/torn_faces.h"
 #include "core/patches/turn_branches.h"
 #include "core/rotation/turn_choice.h"
 
@@ -57,10 +56,9 @@ class PatchEncoder {
     topology_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, columns, partOf(onProgress, 0.9, 1));
     findSenses(area, rotations, columns);
-    if (topology_.torn.empty()) return;
-    const std::vector<int> anchorOf = anchorsOfTornFaces(shape_, topology_);
     for (int f = 0; f < m; ++f)
-      if (anchorOf[f] >= 0) out_.patches.ofFace[f] = out_.patches.ofFace[anchorOf[f]];
+      if (topology_.anchor[f] >= 0) out_.patches.ofFace[f] = out_.patches.ofFace[topology_.anchor[f]];
+    out_.faceArea = std::move(area);
   }
 
   // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.

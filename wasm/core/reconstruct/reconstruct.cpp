@@ -127,12 +127,18 @@ IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const 
 template <class Real>
 void Reconstructor<Real>::addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const {
   for (const TornFace& torn : lri_.torn) {
-    Mat3 frame;
-    if (turning.faces) frame = faceRotation(torn.anchorFace, torn.frame, weights, turning).toRotationMatrix();
-    else frame = frameMatrix(*turning.frames, static_cast<std::size_t>(torn.frame));
     FaceGradient gradient = FaceGradient::Zero();
-    for (std::size_t c = 0; c < torn.gradient.size(); ++c) gradient += weights.column[c] * torn.gradient[c];
-    const Vec3 first = frame * (gradient * torn.first), second = frame * (gradient * torn.second);
+    if (turning.faces) {  // relative to the anchor face
+      for (std::size_t c = 0; c < torn.gradient.size(); ++c) {
+        const Vec3 r = lri_.face.rotation(torn.anchorFace, static_cast<int>(c));
+        gradient += weights.column[c] * (expRotation(-r) * torn.gradient[c]);
+      }
+      gradient = faceRotation(torn.anchorFace, torn.frame, weights, turning).toRotationMatrix() * gradient;
+    } else {
+      for (std::size_t c = 0; c < torn.gradient.size(); ++c) gradient += weights.column[c] * torn.gradient[c];
+      gradient = frameMatrix(*turning.frames, static_cast<std::size_t>(torn.frame)) * gradient;
+    }
+    const Vec3 first = gradient * torn.first, second = gradient * torn.second;
     const Vec3 corner[] = {first, second, -first - second};
     for (int k = 0; k < 3; ++k) {
       Real* const at = x + 4 * static_cast<std::size_t>(poisson_.slot()[shape_->faces[torn.face][k]]);
