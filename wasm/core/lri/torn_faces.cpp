@@ -27,7 +27,7 @@ std::array<double, 6> extentsOf(const Positions& p, const Triangle& t) {
 
 // The root of each component's area, by pose.
 std::vector<std::vector<double>> sizesOf(const WeldedShape& shape, const std::vector<char>& hasArea,
-                                          const Components& parts) {
+                                         const Components& parts) {
   std::vector<std::vector<double>> sizes;
   for (const Positions& p : shape.poses) {
     std::vector<double>& size = sizes.emplace_back(parts.count, 0);

@@ -90,8 +90,7 @@ class Lift {
   double cost(int f, int g) const {
     double largest = 0;
     for (const int s : lifted_)
-      largest =
-          std::max(largest, expQuaternion(inWorld(s, f)).angularDistance(expQuaternion(inWorld(s, g))));
+      largest = std::max(largest, expQuaternion(inWorld(s, f)).angularDistance(expQuaternion(inWorld(s, g))));
     return onGrid(0.05 + largest);
   }
 
@@ -143,7 +142,8 @@ class Lift {
       d = directed(d, sum);
     }
     Vec3& last = out_.paths.increment[steps_.closing()][face];
-    if (isHalfTurn(last)) last = directed(last, out_.paths.increment[steps_.closing() - 1][face] + out_.paths.increment[0][face]);
+    if (isHalfTurn(last))
+      last = directed(last, out_.paths.increment[steps_.closing() - 1][face] + out_.paths.increment[0][face]);
   }
 
   // The last key repeats the first, moved rigidly, so the loop continues from the previous key.

@@ -10,8 +10,7 @@ namespace shapespline {
 namespace {
 
 std::variant<RotationPaths<float>, RotationPaths<double>> pathsInOrderOf(const LriSpace& lri,
-                                                                         const RotationSplines& paths,
-                                                                         KeySteps steps) {
+                                                                         const RotationSplines& paths, KeySteps steps) {
   using Paths = std::variant<RotationPaths<float>, RotationPaths<double>>;
   return lri.withReconstructor([&]<class Real>(const Reconstructor<Real>& r) -> Paths {
     std::vector<int> slotOf(paths.key.front().size());

@@ -11,8 +11,7 @@ VertexNormals normalsOf(const WeldedKeys& keys) {
 // Adds what a key of another period is turned about its mean position. The motion adds the path of the mean position.
 void addTurn(const WeldedShape& shape, const std::vector<Vec3>& meanPosition, const KeyWeight& k, Positions& blended) {
   const Mat3 turn = k.weight * (shape.closing->power(k.period).rotation.toRotationMatrix() - Mat3::Identity());
-  for (std::size_t v = 0; v < blended.size(); ++v)
-    blended[v] += turn * (shape.poses[k.key][v] - meanPosition[k.key]);
+  for (std::size_t v = 0; v < blended.size(); ++v) blended[v] += turn * (shape.poses[k.key][v] - meanPosition[k.key]);
 }
 
 }  // namespace
