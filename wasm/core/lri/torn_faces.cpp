@@ -62,17 +62,20 @@ double tornShare(double change) {
   return x * x * (3 - 2 * x);
 }
 
-// Each face takes the chosen value of itself and the faces at its vertices.
-template <class Choose>
-void spread(const WeldedShape& shape, const std::vector<char>& hasArea, double none, Choose choose,
-            std::vector<double>& torn) {
-  std::vector<double> at(shape.vertexCount(), none);
-  for (std::size_t f = 0; f < torn.size(); ++f)
-    if (hasArea[f])
-      for (int v : shape.faces[f]) at[v] = choose(at[v], torn[f]);
-  for (std::size_t f = 0; f < torn.size(); ++f)
-    if (hasArea[f])
-      for (int v : shape.faces[f]) torn[f] = choose(torn[f], at[v]);
+// Closes gaps: a face between torn faces has no more meaning than they have. Each face takes the largest share of the
+// faces at its vertices, and then the smallest, which is the largest negative one.
+void closeGaps(const WeldedShape& shape, const std::vector<char>& hasArea, std::vector<double>& torn) {
+  for (int pass = 0; pass < 2; ++pass) {
+    std::vector<double> at(shape.vertexCount(), -1);
+    for (std::size_t f = 0; f < torn.size(); ++f)
+      if (hasArea[f])
+        for (int v : shape.faces[f]) at[v] = std::max(at[v], torn[f]);
+    for (std::size_t f = 0; f < torn.size(); ++f)
+      if (hasArea[f]) {
+        for (int v : shape.faces[f]) torn[f] = std::max(torn[f], at[v]);
+        torn[f] = -torn[f];
+      }
+  }
 }
 
 }  // namespace
@@ -83,9 +86,7 @@ std::vector<double> tornShares(const WeldedShape& shape, const std::vector<char>
   for (std::size_t f = 0; f < torn.size(); ++f)
     if (hasArea[f]) torn[f] = tornShare(largestChange(shape, static_cast<int>(f), parts.ofFace[f], sizes));
   if (std::none_of(torn.begin(), torn.end(), [](double share) { return share > 0; })) return {};
-  // Closes gaps: a face between torn faces has no more meaning than they have.
-  spread(shape, hasArea, 0, [](double a, double b) { return std::max(a, b); }, torn);
-  spread(shape, hasArea, 1, [](double a, double b) { return std::min(a, b); }, torn);
+  closeGaps(shape, hasArea, torn);
   std::vector<double> least(parts.count, 1);
   for (std::size_t f = 0; f < torn.size(); ++f)
     if (hasArea[f]) least[parts.ofFace[f]] = std::min(least[parts.ofFace[f]], torn[f]);
@@ -115,17 +116,21 @@ std::vector<int> anchorsOf(const WeldedShape& shape, const ShapeTopology& topolo
 std::vector<TornFace> encodeTornFaces(const WeldedShape& shape, const ShapeTopology& topology,
                                       const LocalFramePoses& frames, bool facesRest) {
   std::vector<TornFace> result;
-  if (topology.torn.empty()) return result;
-  for (int f = 0; f < shape.faceCount(); ++f) {
+  for (std::size_t f = 0; f < topology.torn.size(); ++f) {
     if (topology.torn[f] == 0) continue;
-    const FaceFrame frame = referenceFrame(shape, f);
-    const Vec2 first = hatGradient(frame.edges.col(1) - frame.edges.col(0)), second = hatGradient(-frame.edges.col(1));
-    TornFace torn{f, topology.anchor[f], frames.ofFace[f], {}, topology.torn[f] * first, topology.torn[f] * second};
-    for (int c = 0; c < shape.columns(); ++c) {
-      const FaceDeformation d = deformationOf(shape, f, frame, c);
-      const Mat3 inFrame = frames.rotation[c][torn.frame].toRotationMatrix().transpose() * d.rotation;
-      torn.gradient.push_back(facesRest ? FaceGradient(frame.basis.leftCols<2>())
-                                        : FaceGradient(inFrame * frame.basis.leftCols<2>() * d.stretch));
+    const Triangle& t = shape.faces[f];
+    const FaceFrame frame = referenceFrame(shape, static_cast<int>(f));
+    const Vec2 b = frame.edges.col(0), c = frame.edges.col(1);
+    Mat2 hats;
+    hats << hatGradient(c - b), hatGradient(-c);
+    const Mat2 ofEdges = topology.torn[f] * frame.edges.inverse() * hats;
+    TornFace torn{t, topology.anchor[f], frames.ofFace[f], {}, {}};
+    for (int column = 0; column < shape.columns(); ++column) {
+      const Positions& p = shape.poses[facesRest ? shape.reference : column];
+      const Quaternion turn = facesRest ? Quaternion::Identity() : frames.rotation[column][torn.frame].conjugate();
+      const Vec3 first = turn * (p[t[1]] - p[t[0]]), second = turn * (p[t[2]] - p[t[0]]);
+      torn.first.push_back(ofEdges(0, 0) * first + ofEdges(1, 0) * second);
+      torn.second.push_back(ofEdges(0, 1) * first + ofEdges(1, 1) * second);
     }
     result.push_back(std::move(torn));
   }

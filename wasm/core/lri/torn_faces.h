@@ -21,18 +21,15 @@ std::vector<double> tornShares(const WeldedShape& shape, const std::vector<char>
 /// ShapeTopology::anchor, from the other members.
 std::vector<int> anchorsOf(const WeldedShape& shape, const ShapeTopology& topology);
 
-/// A deformation gradient on the tangent plane of the reference pose: 3x2.
-using FaceGradient = Eigen::Matrix<double, 3, 2>;
-
 /// A torn face in the second system. Its gradient is blended in the frame of the faces that it hangs on, without a
 /// rotation of its own.
 struct TornFace {
-  int face;
-  int anchorFace;                      ///< a face that carries a rotation
-  int frame;                           ///< local frame of the anchor
-  std::vector<FaceGradient> gradient;  ///< one per column: G^T D_f
-  /// share torn times area times the gradients of the hat functions of the first two corners, in the tangent plane
-  Vec2 first, second;
+  Triangle corners;
+  int anchorFace;  ///< a face that carries a rotation
+  int frame;       ///< local frame of the anchor
+  /// Divergence at the first two corners, per column, in the local frame: G^T D_f times the share torn, times the area,
+  /// times the gradient of the corner's hat function. The three corners have sum 0.
+  std::vector<Vec3> first, second;
 };
 
 /// facesRest: D_f equals the rotation of the face's frame in every column.

@@ -25,17 +25,17 @@ ShapeTopology topologyOf(const WeldedShape& shape, const FractionReport& onProgr
   std::vector<const Positions*> poses;
   for (const Positions& p : shape.poses) poses.push_back(&p);
   topology.hasArea = facesWithArea(shape.faces, poses, partOf(onProgress, 0, 0.2));
-  topology.graph = dualGraph(shape.vertexCount(), shape.faces, topology.hasArea, partOf(onProgress, 0.2, 0.9));
-  topology.solved = connectedComponents(topology.graph, topology.hasArea, partOf(onProgress, 0.9, 1));
   topology.turns = topology.hasArea;
-  topology.components = topology.solved;
+  const auto connect = [&](const FractionReport& report) {
+    topology.graph = dualGraph(shape.vertexCount(), shape.faces, topology.turns, partOf(report, 0, 0.9));
+    topology.components = connectedComponents(topology.graph, topology.turns, partOf(report, 0.9, 1));
+  };
+  connect(partOf(onProgress, 0.2, 1));
+  topology.solved = topology.components;
   topology.torn = tornShares(shape, topology.hasArea, topology.solved);
-  if (!topology.torn.empty()) {
-    for (std::size_t f = 0; f < topology.turns.size(); ++f)
-      if (topology.torn[f] == 1) topology.turns[f] = 0;
-    topology.graph = dualGraph(shape.vertexCount(), shape.faces, topology.turns);
-    topology.components = connectedComponents(topology.graph, topology.turns);
-  }
+  for (std::size_t f = 0; f < topology.torn.size(); ++f)
+    if (topology.torn[f] == 1) topology.turns[f] = 0;
+  if (topology.turns != topology.hasArea) connect({});
   topology.anchor = anchorsOf(shape, topology);
   reportFraction(onProgress, 1);
   if (topology.components.count == 0) return topology;

@@ -125,23 +125,25 @@ IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const 
 }
 
 template <class Real>
+Vec3 Reconstructor<Real>::divergence(const TornFace& torn, const std::vector<Vec3>& columns, const PoseWeights& weights,
+                                     const Turning& turning) const {
+  if (!turning.faces) return frameMatrix(*turning.frames, torn.frame) * blend(columns, weights);
+  std::vector<Vec3> ofAnchor;  // relative to the anchor face instead of its frame
+  for (const Vec3& v : columns) {
+    const Vec3 r = lri_.face.rotation(torn.anchorFace, static_cast<int>(ofAnchor.size()));
+    ofAnchor.push_back(expQuaternion(-r) * v);
+  }
+  return faceRotation(torn.anchorFace, torn.frame, weights, turning) * blend(ofAnchor, weights);
+}
+
+template <class Real>
 void Reconstructor<Real>::addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const {
   for (const TornFace& torn : lri_.torn) {
-    FaceGradient gradient = FaceGradient::Zero();
-    if (turning.faces) {  // relative to the anchor face
-      for (std::size_t c = 0; c < torn.gradient.size(); ++c) {
-        const Vec3 r = lri_.face.rotation(torn.anchorFace, static_cast<int>(c));
-        gradient += weights.column[c] * (expRotation(-r) * torn.gradient[c]);
-      }
-      gradient = faceRotation(torn.anchorFace, torn.frame, weights, turning).toRotationMatrix() * gradient;
-    } else {
-      for (std::size_t c = 0; c < torn.gradient.size(); ++c) gradient += weights.column[c] * torn.gradient[c];
-      gradient = frameMatrix(*turning.frames, static_cast<std::size_t>(torn.frame)) * gradient;
-    }
-    const Vec3 first = gradient * torn.first, second = gradient * torn.second;
+    const Vec3 first = divergence(torn, torn.first, weights, turning),
+               second = divergence(torn, torn.second, weights, turning);
     const Vec3 corner[] = {first, second, -first - second};
     for (int k = 0; k < 3; ++k) {
-      Real* const at = x + 4 * static_cast<std::size_t>(poisson_.slot()[shape_->faces[torn.face][k]]);
+      Real* const at = x + 4 * static_cast<std::size_t>(poisson_.slot()[torn.corners[k]]);
       for (int i = 0; i < 3; ++i) at[i] += static_cast<Real>(corner[k][i]);
     }
   }
