@@ -80,8 +80,8 @@ TEST_CASE_TEMPLATE("in two: the right-hand side of faces", Real, float, double) 
   shape.keys = 1;
   shape.poses = {mesh.positions};
   const int faces = shape.faceCount(), vertices = shape.vertexCount();
-  const FaceKernel<Real> kernel(shape, std::vector<int>(faces, 0), Stretch::Linear, ascending(mesh.positions.size()),
-                                vertices);
+  const FaceKernel<Real> kernel(shape, {}, std::vector<int>(faces, 0), Stretch::Linear,
+                                ascending(mesh.positions.size()), vertices);
   FaceCoordinates<Real> coordinates(faces, 2, Real(1));
   coordinates.store();
   Random random(2);

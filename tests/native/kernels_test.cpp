@@ -98,7 +98,7 @@ RightHandSide byKernel(Coordinates<Real> coordinates, const Blend& blend) {
   const int n = shape.vertexCount();
   std::vector<int> position(n);
   for (int v = 0; v < n; ++v) position[v] = n - 1 - v;
-  const FaceKernel<Real> kernel(shape, coordinates.localFrameOf, coordinates.stretch, position, n);
+  const FaceKernel<Real> kernel(shape, {}, coordinates.localFrameOf, coordinates.stretch, position, n);
   coordinates.numbers.reorder(kernel.order());
   std::vector<Real> frames;
   for (const Mat3& frame : coordinates.frames)

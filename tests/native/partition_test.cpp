@@ -55,13 +55,13 @@ int piecesOf(const FaceGraph& graph, const std::vector<int>& label) {
 }
 
 void checkPartition(const Partitioned& p) {
-  const int used = static_cast<int>(std::count(p.topology.hasArea.begin(), p.topology.hasArea.end(), 1));
+  const int used = p.topology.usedFaces();
   CHECK(piecesOf(p.topology.graph, p.patches.ofFace) == p.patches.count);
   CHECK(std::abs(p.patches.count - defaultPatchCount(used)) <= p.topology.components.count);
   std::vector<int> faces(p.patches.count, 0);
   for (std::size_t f = 0; f < p.patches.ofFace.size(); ++f) {
     const int patch = p.patches.ofFace[f];
-    REQUIRE((patch >= 0) == (p.topology.hasArea[f] != 0));
+    REQUIRE((patch >= 0) == (p.topology.turns[f] != 0));
     if (patch < 0) continue;
     ++faces[patch];
     REQUIRE(p.patches.componentOf[patch] == p.topology.components.ofFace[f]);
@@ -96,7 +96,7 @@ TEST_CASE("clusters: connected, with few faces each, and the sums over their fac
   const PatchInput input{p.topology.graph, p.topology.components, area, centroid, rotations, 2};
   const FaceClusters clusters = clusterFaces(input, 8);
   const int used = static_cast<int>(clusters.member.size());
-  CHECK(used == std::count(p.topology.hasArea.begin(), p.topology.hasArea.end(), 1));
+  CHECK(used == p.topology.usedFaces());
   CHECK(piecesOf(p.topology.graph, clusters.ofFace) == clusters.count());
   CHECK(used > 4 * clusters.count());
   std::vector<double> sum(clusters.count(), 0);

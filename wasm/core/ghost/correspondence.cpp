@@ -58,7 +58,7 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopolog
     return face;
   };
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (topology.hasArea[f]) result[f] = nearest(f);
+    if (topology.turns[f]) result[f] = nearest(f);
     if (f % facesPerReport == 0) onProgress(static_cast<double>(f) / shape.faceCount());
   }
 
@@ -67,7 +67,9 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopolog
     if (const ComponentLink& link = topology.tree.link[component]; link.parent >= 0)
       follows[component] = result[link.anchorFace] >= 0 ? result[link.anchorFace] : follows[link.parent];
   for (int f = 0; f < shape.faceCount(); ++f)
-    if (topology.hasArea[f] && result[f] < 0) result[f] = follows[topology.components.ofFace[f]];
+    if (topology.turns[f] && result[f] < 0) result[f] = follows[topology.components.ofFace[f]];
+  for (int f = 0; f < shape.faceCount(); ++f)
+    if (topology.anchor[f] >= 0) result[f] = result[topology.anchor[f]];
   return result;
 }
 

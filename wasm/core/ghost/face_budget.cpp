@@ -22,7 +22,7 @@ FaceBudget budgetFaces(const WeldedShape& shape, const ShapeTopology& topology, 
   std::vector<double> area(components, 0);
   std::int64_t total = 0;
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (!topology.hasArea[f]) continue;
+    if (!topology.turns[f]) continue;
     ++total;
     ++count[topology.components.ofFace[f]];
     area[topology.components.ofFace[f]] += referenceFrame(shape, f).area;

@@ -41,10 +41,12 @@ Result<GhostMotion> GhostMotion::create(const WeldedShape& full, const ShapeTopo
   times.encode = watch.lap();
 
   ghost.faceOf_ = correspondingFaces(full, fullParts, ghost.mesh_, Stage{progress, "matching"});
+  const LocalFramePoses poses = ghost.patches_.poses();
+  const auto patchRotation = [&](int f, int c) { return poses.rotation[c][poses.ofFace[f]]; };
   for (int c = 0; c < ghost.shape_->columns(); ++c) {
     ghost.rotation_.emplace_back();
     for (int f = 0; f < ghost.shape_->faceCount(); ++f)
-      ghost.rotation_.back().push_back(rotationOf(*ghost.shape_, f, c));
+      ghost.rotation_.back().push_back(topology.turns[f] ? rotationOf(*ghost.shape_, f, c) : patchRotation(f, c));
   }
   times.match = watch.lap();
   ghost.times_ = times;

@@ -119,7 +119,7 @@ class Simplifier {
     std::vector<Triangle> faces;
     std::vector<int> component;
     for (int f = 0; f < shape_.faceCount(); ++f) {
-      if (!topology.hasArea[f] || budget_.least[topology.components.ofFace[f]] == 0) continue;
+      if (!topology.turns[f] || budget_.least[topology.components.ofFace[f]] == 0) continue;
       faces.push_back(shape_.faces[f]);
       component.push_back(topology.components.ofFace[f]);
       for (int v : shape_.faces[f]) componentOf_[v] = component.back();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/mesh/contact.h"
 
@@ -29,11 +30,16 @@ class CarriedEncoder {
   const Quaternion& localFrameOf(int f, int column) const { return frames_.rotation[column][frames_.ofFace[f]]; }
 
   void encodeJoints() {
+    std::vector<char> placed(topology_.solved.count, 0);
     for (int component : topology_.tree.order) {
       const ComponentLink& link = topology_.tree.link[component];
       if (link.parent < 0) continue;
       const int a = link.anchorFace, b = link.contactFace;
-      ComponentJoint joint{component, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
+      // Components that torn faces connect have their relative position from the second system.
+      placed[topology_.solved.ofFace[a]] = 1;
+      const int part = topology_.solved.ofFace[b];
+      if (std::exchange(placed[part], 1)) continue;
+      ComponentJoint joint{part, a, b, frames_.ofFace[a], frames_.ofFace[b], Vec3::Zero(), {}};
       std::vector<Mat3> turn;  // rotation of b relative to a, per column
       for (int c = 0; c < shape_.columns(); ++c) {
         const Quaternion anchor = turnOf(a, c);
@@ -72,11 +78,10 @@ class CarriedEncoder {
   }
 
   void encodeLoose() {
-    std::vector<int> faceAt(shape_.vertexCount(), -1);  // a face with area at each vertex
-    topology_.eachUsedFace([&](int f) {
+    std::vector<int> faceAt(shape_.vertexCount(), -1);  // the anchor of a face with area at each vertex
+    for (int f = 0; f < shape_.faceCount(); ++f)
       for (int v : shape_.faces[f])
-        if (faceAt[v] < 0) faceAt[v] = f;
-    });
+        if (topology_.hasArea[f] && faceAt[v] < 0) faceAt[v] = topology_.anchor[f];
     if (std::none_of(faceAt.begin(), faceAt.end(), [](int f) { return f < 0; })) return;
     const VertexFaces facesAt = facesOfVertices(shape_.vertexCount(), shape_.faces);
     std::vector<int> anchor = faceAt;

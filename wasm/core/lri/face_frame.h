@@ -16,6 +16,10 @@ struct FaceFrame {
 
 FaceFrame faceFrame(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// The area of a triangle times the gradient of a corner's hat function: half the opposite edge, rotated by 90 degrees.
+/// opposite: that edge in the tangent plane, counterclockwise.
+inline Vec2 hatGradient(const Vec2& opposite) { return {-opposite.y() / 2, opposite.x() / 2}; }
+
 /// D_f = R_f S_f. D_f maps the reference normal to the deformed one, so S_f is a symmetric 2x2 block in the reference's
 /// tangent frame.
 struct FaceDeformation {

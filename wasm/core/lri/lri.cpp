@@ -30,6 +30,7 @@ class Encoder {
     CarriedComponents carried = encodeCarriedComponents(shape_, topology_, frames_, rests_);
     out_.joints = std::move(carried.joints);
     out_.loose = std::move(carried.loose);
+    out_.torn = encodeTornFaces(shape_, topology_, frames_, rests_);
     reportFraction(onProgress, 0.95);
     for (const Positions& pose : shape_.poses) out_.meanPosition.push_back(centroidOf(pose));
     return std::move(out_);

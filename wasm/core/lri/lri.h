@@ -8,6 +8,7 @@
 #include "core/lri/carried_components.h"
 #include "core/lri/face_coordinates.h"
 #include "core/lri/local_frames.h"
+#include "core/lri/torn_faces.h"
 #include "core/lri/welded_shape.h"
 
 namespace shapespline {
@@ -32,6 +33,7 @@ struct LriCoordinates {
   FaceCoordinates<Real> face;          ///< log(G^T R_f) and S_f; columns with all faces at rest are not stored
   std::vector<ComponentJoint> joints;  ///< parents before children; none for the root
   std::vector<LooseVertex> loose;
+  std::vector<TornFace> torn;
   std::vector<Vec3> meanPosition;         ///< per column: mean of all welded vertices
   std::vector<AmbiguousFaces> ambiguous;  ///< one entry per interval between keys
 };

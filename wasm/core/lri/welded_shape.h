@@ -1,6 +1,7 @@
 // The welded mesh for the method: its poses, and its faces with area.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,21 +50,31 @@ FaceFrame referenceFrame(const WeldedShape& shape, int face);
 FaceDeformation deformationOf(const WeldedShape& shape, int face, const FaceFrame& frame, int column);
 Quaternion rotationOf(const WeldedShape& shape, int face, int column);
 
-/// The faces with area in every pose, and their components.
+/// The faces that carry rotations: those with area in every pose, except torn ones. And their components.
 struct ShapeTopology {
-  std::vector<char> hasArea;
-  FaceGraph graph;  ///< graph of the faces with area
+  std::vector<char> turns;  ///< whether each face carries a rotation
+  FaceGraph graph;          ///< graph of these faces
   Components components;
   ComponentTree tree;  ///< empty without components
 
-  /// Visits the faces with area, in order.
+  std::vector<char> hasArea;  ///< the faces of the second system
+  Components solved;          ///< their components, which may consist of several of the components above
+  std::vector<double> torn;   ///< how much each face is torn (torn_faces.h); empty if no face is
+  /// The face with a rotation that each face follows: itself, or the nearest one along the mesh for torn faces. -1 for
+  /// faces without area.
+  std::vector<int> anchor;
+
+  /// Visits the faces that carry rotations, in order.
   template <class Visit>
   void eachUsedFace(Visit visit, const FractionReport& onProgress = {}) const {
-    inBlocks(onProgress, hasArea.size(), [&](std::size_t begin, std::size_t end) {
+    inBlocks(onProgress, turns.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
-        if (hasArea[f]) visit(static_cast<int>(f));
+        if (turns[f]) visit(static_cast<int>(f));
     });
   }
+  int usedFaces() const { return static_cast<int>(std::count(turns.begin(), turns.end(), 1)); }
+  /// How much a face counts with its rotation.
+  double whole(int face) const { return torn.empty() ? 1 : 1 - torn[face]; }
 };
 
 ShapeTopology topologyOf(const WeldedShape& shape, const FractionReport& onProgress = {});

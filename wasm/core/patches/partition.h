@@ -38,7 +38,7 @@ struct PatchPair {
 };
 
 struct Patches {
-  std::vector<int> ofFace;  ///< patch of each face, or -1 outside all components
+  std::vector<int> ofFace;  ///< patch of each face, or -1 outside all components; torn faces have that of their anchor
   int count = 0;
   std::vector<int> componentOf;  ///< component of each patch
   std::vector<PatchPair> pairs;  ///< ascending

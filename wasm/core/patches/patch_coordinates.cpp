@@ -42,13 +42,13 @@ class PatchEncoder {
     FaceRotations rotations(m, static_cast<int>(columns.size()));
     const auto measure = [&](int f) {
       const FaceFrame frame = referenceFrame(shape_, f);
-      area[f] = frame.area;
+      area[f] = topology_.whole(f) * frame.area;
       centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
       Quaternion* rotation = rotations.of(f);
       for (const int c : columns) *rotation++ = Quaternion(deformationOf(shape_, f, frame, c).rotation);
     };
     topology_.eachUsedFace(measure, partOf(onProgress, 0, 0.3));
-    const int used = static_cast<int>(std::count(topology_.hasArea.begin(), topology_.hasArea.end(), 1));
+    const int used = topology_.usedFaces();
     const int wanted = wantedPatches > 0 ? std::min(wantedPatches, used) : defaultPatchCount(used);
     out_.patches = partitionFaces({topology_.graph, topology_.components, area, centroid, rotations, compared}, wanted,
                                   partOf(onProgress, 0.3, 0.9));
@@ -56,6 +56,9 @@ class PatchEncoder {
     topology_.eachUsedFace([&](int f) { area_[out_.patches.ofFace[f]] += area[f]; });
     averageRotations(area, rotations, columns, partOf(onProgress, 0.9, 1));
     findSenses(area, rotations, columns);
+    for (int f = 0; f < m; ++f)
+      if (topology_.anchor[f] >= 0) out_.patches.ofFace[f] = out_.patches.ofFace[topology_.anchor[f]];
+    out_.faceArea = std::move(area);
   }
 
   // G_k: the projection to SO(3) of the area-weighted mean of R_f over the patch.

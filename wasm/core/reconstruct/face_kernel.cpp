@@ -239,8 +239,9 @@ std::vector<Triangle> cornersOf(const WeldedShape& shape, const std::vector<int>
 }  // namespace
 
 template <class Real>
-FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& localFrameOf, Stretch stretch,
-                             const std::vector<int>& position, int trashSlot, const FractionReport& onProgress)
+FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const ShapeTopology& topology,
+                             const std::vector<int>& localFrameOf, Stretch stretch, const std::vector<int>& position,
+                             int trashSlot, const FractionReport& onProgress)
     : stretch_(stretch) {
   const std::vector<Triangle> corners = cornersOf(shape, localFrameOf, position, trashSlot, partOf(onProgress, 0, 0.1));
   FaceOrder ordered = orderFaces(corners, trashSlot + 1, trashSlot, partOf(onProgress, 0.1, 0.4));
@@ -262,10 +263,9 @@ FaceKernel<Real>::FaceKernel(const WeldedShape& shape, const std::vector<int>& l
       block.tangent[3 + k][lane] = static_cast<Real>(frame.basis(k, 1));
       block.corner[k][lane] = corners[order_[i]][k];
     }
-    // Area times the gradient of a corner's hat function = half the opposite edge, rotated by 90 degrees.
-    const Vec2 a = Vec2::Zero(), b = frame.edges.col(0), c = frame.edges.col(1);
-    const auto quarter = [](const Vec2& e) { return Vec2(-e.y() / 2, e.x() / 2); };
-    const Vec2 g0 = quarter(c - b), g1 = quarter(a - c);
+    const Vec2 b = frame.edges.col(0), c = frame.edges.col(1);
+    const double whole = topology.whole(order_[i]);
+    const Vec2 g0 = whole * hatGradient(c - b), g1 = whole * hatGradient(-c);
     block.gradient[0][lane] = static_cast<Real>(g1.x());  // -g0.x()
     block.gradient[1][lane] = static_cast<Real>(g0.y());
     block.gradient[2][lane] = static_cast<Real>(g1.y());

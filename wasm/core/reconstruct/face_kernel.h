@@ -50,10 +50,11 @@ struct IndefiniteFaces {
 template <class Real>
 class FaceKernel {
  public:
-  /// frameOf: frame of each face, or -1 to ignore the face. position: position of each vertex's right-hand side, or
+  /// localFrameOf: frame of each face, or -1 to ignore the face. Torn faces count by their share that is not torn.
+  /// position: position of each vertex's right-hand side, or
   /// `trashSlot`, after all others, for vertices without one.
-  FaceKernel(const WeldedShape& shape, const std::vector<int>& localFrameOf, Stretch stretch,
-             const std::vector<int>& position, int trashSlot, const FractionReport& onProgress = {});
+  FaceKernel(const WeldedShape& shape, const ShapeTopology& topology, const std::vector<int>& localFrameOf,
+             Stretch stretch, const std::vector<int>& position, int trashSlot, const FractionReport& onProgress = {});
 
   /// The face order of the kernel. The coordinates must use the same order.
   const std::vector<int>& order() const { return order_; }

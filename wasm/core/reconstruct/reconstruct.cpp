@@ -26,12 +26,16 @@ Vec3 sumOf(const Real* xyzp, std::size_t count) {
   return sum;
 }
 
+Mat3 frameMatrix(const LocalFrames& frames, std::size_t frame) {
+  return frames.gradient.empty() ? frames.rotation[frame].toRotationMatrix() : frames.gradient[frame];
+}
+
 template <class Real>
 const Real* matricesOf(const LocalFrames& frames, std::vector<Real>& matrices) {
   const std::size_t count = frames.rotation.size();
   matrices.resize(numbersPerFrame * count);
   for (std::size_t k = 0; k < count; ++k) {
-    const Mat3 g = frames.gradient.empty() ? frames.rotation[k].toRotationMatrix() : frames.gradient[k];
+    const Mat3 g = frameMatrix(frames, k);
     for (int i = 0; i < numbersPerFrame; ++i)
       matrices[numbersPerFrame * k + i] = i % 4 < 3 ? static_cast<Real>(g(i % 4, i / 4)) : Real(0);
   }
@@ -45,7 +49,7 @@ Result<Reconstructor<Real>> Reconstructor<Real>::create(const Input& in, LriCoor
                                                         const StageProgress& onProgress) {
   const Stage ordering{onProgress, "ordering"}, factorising{onProgress, "factorising"};
   Stopwatch watch;
-  const CotangentLaplacian laplacian = cotangentLaplacian(in.shape.faces, in.topology.hasArea, in.topology.components,
+  const CotangentLaplacian laplacian = cotangentLaplacian(in.shape.faces, in.topology.hasArea, in.topology.solved,
                                                           in.shape.poses[in.shape.reference], partOf(ordering, 0, 0.1));
   const double laplacianMs = watch.lap();
   auto poisson =
@@ -67,7 +71,7 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
       localFrameOf_(in.localFrameOf.begin(), in.localFrameOf.end()),
       lri_(std::move(coordinates)),
       poisson_(std::move(poisson)),
-      kernel_(in.shape, localFrameOf_, in.stretch, poisson_.slot(), poisson_.trashSlot(),
+      kernel_(in.shape, in.topology, localFrameOf_, in.stretch, poisson_.slot(), poisson_.trashSlot(),
               partOf(onProgress, 0.8, 0.93)),
       componentOfVertex_(in.shape.vertexCount(), -1) {
   lri_.face.reorder(kernel_.order(), partOf(onProgress, 0.93, 0.95));
@@ -75,8 +79,8 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
   extent_ = boundingDiagonal({&reference, 1});
   for (int f = 0; f < shape_->faceCount(); ++f)
     if (in.topology.hasArea[f])
-      for (int v : shape_->faces[f]) componentOfVertex_[v] = in.topology.components.ofFace[f];
-  const auto components = static_cast<std::size_t>(in.topology.components.count);
+      for (int v : shape_->faces[f]) componentOfVertex_[v] = in.topology.solved.ofFace[f];
+  const auto components = static_cast<std::size_t>(in.topology.solved.count);
   verticesOfComponent_.assign(components, 0);
   for (int component : componentOfVertex_)
     if (component >= 0) ++verticesOfComponent_[component];
@@ -115,7 +119,34 @@ IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const 
   if (turning.faces) turns.faces = turning.faces->data();
   else turns.frames = matricesOf(*turning.frames, scratch.matrices);
   std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
-  return kernel_.accumulate(lri_.face, turns, lri_.face.weights(weights), x, forkJoin);
+  const IndefiniteFaces found = kernel_.accumulate(lri_.face, turns, lri_.face.weights(weights), x, forkJoin);
+  addTornFaces(weights, turning, x);
+  return found;
+}
+
+template <class Real>
+Vec3 Reconstructor<Real>::divergence(const TornFace& torn, const std::vector<Vec3>& columns, const PoseWeights& weights,
+                                     const Turning& turning) const {
+  if (!turning.faces) return frameMatrix(*turning.frames, torn.frame) * blend(columns, weights);
+  std::vector<Vec3> ofAnchor;  // relative to the anchor face instead of its frame
+  for (const Vec3& v : columns) {
+    const Vec3 r = lri_.face.rotation(torn.anchorFace, static_cast<int>(ofAnchor.size()));
+    ofAnchor.push_back(expQuaternion(-r) * v);
+  }
+  return faceRotation(torn.anchorFace, torn.frame, weights, turning) * blend(ofAnchor, weights);
+}
+
+template <class Real>
+void Reconstructor<Real>::addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const {
+  for (const TornFace& torn : lri_.torn) {
+    const Vec3 first = divergence(torn, torn.first, weights, turning),
+               second = divergence(torn, torn.second, weights, turning);
+    const Vec3 corner[] = {first, second, -first - second};
+    for (int k = 0; k < 3; ++k) {
+      Real* const at = x + 4 * static_cast<std::size_t>(poisson_.slot()[torn.corners[k]]);
+      for (int i = 0; i < 3; ++i) at[i] += static_cast<Real>(corner[k][i]);
+    }
+  }
 }
 
 // Refinement starts from the key with the largest weight, so a frame depends only on its weights, not on other frames.

@@ -111,6 +111,9 @@ class Reconstructor {
   IndefiniteFaces assemble(const PoseWeights& weights, const Turning& turning, Scratch& scratch, Real* x,
                            ForkJoin* forkJoin) const;
   void solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
+  Vec3 divergence(const TornFace& torn, const std::vector<Vec3>& columns, const PoseWeights& weights,
+                  const Turning& turning) const;
+  void addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const;
   void startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const;
   void moveComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;
   void moveLoose(const PoseWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;

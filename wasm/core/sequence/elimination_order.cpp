@@ -14,7 +14,7 @@ Result<std::vector<int>> eliminationOrder(Keyframes keyframes, const EncodingOpt
   const WeldedShape& shape = keys->shape;
   const ShapeTopology topology = topologyOf(shape, {});
   return eliminationOrder(
-      cotangentLaplacian(shape.faces, topology.hasArea, topology.components, shape.poses[shape.reference]));
+      cotangentLaplacian(shape.faces, topology.hasArea, topology.solved, shape.poses[shape.reference]));
 }
 
 }  // namespace shapespline

@@ -19,7 +19,7 @@ Result<EncodedShape> EncodedShape::build(Keyframes keyframes, const EncodingOpti
   encoded.stats_.weldMs = watch.lap();
   encoded.topology_ = topologyOf(encoded.shape(), partOf(welding, 0.6, 1));
   encoded.stats_.joinMs = watch.lap();
-  encoded.stats_.components = encoded.topology_->components.count;
+  encoded.stats_.components = encoded.topology_->solved.count;
   if (encoded.stats_.components == 0)
     return Error{ErrorCode::NoArea,
                  "No triangle has area in every key. Use poses in which the shape is not collapsed."};
@@ -64,14 +64,22 @@ Status EncodedShape::makeOwnPaths(OwnPaths base) {
 }
 
 void EncodedShape::numberComponents() {
+  const ShapeTopology& topology = *topology_;
+  // A component that torn faces divide rotates with the part that comes first in the tree.
+  std::vector<int> rank(topology.components.count), first(topology.solved.count, -1);
+  for (int i = 0; i < topology.components.count; ++i) rank[topology.tree.order[i]] = i;
+  topology.eachUsedFace([&](int f) {
+    int& best = first[topology.solved.ofFace[f]];
+    if (best < 0 || rank[topology.components.ofFace[f]] < rank[topology.components.ofFace[best]]) best = f;
+  });
   const std::vector<int>& inputFaceOf = input().inputFaceOf;
   std::vector<int> faceOfInput(inputFaceOf.size()), number(inputFaceOf.size(), -1);
   for (std::size_t f = 0; f < inputFaceOf.size(); ++f) faceOfInput[inputFaceOf[f]] = static_cast<int>(f);
   for (const int face : faceOfInput) {
-    const int component = topology_->components.ofFace[face];
+    const int component = topology.solved.ofFace[face];
     if (component >= 0 && number[component] < 0) {
       number[component] = static_cast<int>(firstFaceOf_.size());
-      firstFaceOf_.push_back(face);
+      firstFaceOf_.push_back(first[component]);
     }
     componentOfInputFace_.push_back(component < 0 ? -1 : number[component]);
   }

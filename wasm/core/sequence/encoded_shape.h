@@ -78,7 +78,7 @@ class EncodedShape {
   std::unique_ptr<const RimdSpace> rimd_;
   std::unique_ptr<const OwnPathsSpace> ownPaths_, rootPaths_;  // absolute, and relative to the largest frame
   std::vector<int> componentOfInputFace_;
-  std::vector<int> firstFaceOf_;  // first face of each component in the welded mesh
+  std::vector<int> firstFaceOf_;  // a face of each component in the welded mesh, whose part carries the others
   std::vector<Warning> warnings_;
   BuildStats stats_;
 };

@@ -7,21 +7,22 @@ namespace shapespline {
 ShapeCoordinates encodeShape(const PoseCoordinates& poses, const WeldedShape& shape, Stretch stretch,
                              const Eigen::VectorXd& weights, const Positions& positions) {
   const Patches& patches = poses.patches.patches;
+  const std::vector<double>& area = poses.patches.faceArea;
   ShapeCoordinates out{{}, {}, Vec3::Zero()};
   out.face.resize(shape.faceCount());
   std::vector<FaceDeformation> deformed(shape.faceCount());
   std::vector<RotationMean> mean(patches.count);
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (patches.ofFace[f] < 0) continue;
+    if (area[f] == 0) continue;
     const Triangle& t = shape.faces[f];
     const FaceFrame frame = referenceFrame(shape, f);
     deformed[f] = deformation(frame, positions[t[0]], positions[t[1]], positions[t[2]]);
-    mean[patches.ofFace[f]].add(Quaternion(deformed[f].rotation), frame.area);
+    mean[patches.ofFace[f]].add(Quaternion(deformed[f].rotation), area[f]);
   }
   std::vector<Quaternion> rotation;
   for (const RotationMean& m : mean) rotation.push_back(m.mean());
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (patches.ofFace[f] < 0) continue;
+    if (area[f] == 0) continue;
     Vec3 near = Vec3::Zero();
     for (int c = 0; c < shape.columns(); ++c)
       for (int k = 0; k < 3; ++k) near[k] += weights[c] * poses.number(f, c, k);

@@ -13,7 +13,7 @@ namespace shapespline {
 
 /// Coordinates of a shape that is not a column.
 struct ShapeCoordinates {
-  std::vector<std::array<double, numbersPerFace>> face;  ///< in the format of FaceCoordinates; 0 without area
+  std::vector<std::array<double, numbersPerFace>> face;  ///< in the format of FaceCoordinates; 0 without a rotation
   std::vector<Vec3> pair;                                ///< in the format of PatchCoordinates::pair
   Vec3 meanPosition;
 };

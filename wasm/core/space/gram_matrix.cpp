@@ -36,14 +36,14 @@ Eigen::MatrixXd gramMatrix(const PoseCoordinates& poses, const WeldedShape& shap
   double totalArea = 0;
   for (double a : k.graph.area()) totalArea += a;
   for (int f = 0; f < shape.faceCount(); ++f) {
-    if (k.patches.ofFace[f] < 0) continue;
+    if (k.faceArea[f] == 0) continue;
     for (int c = 0; c < count; ++c)
       for (int n = 0; n < numbersPerFace; ++n) {
         const double value = c < columns ? poses.number(f, c, n) : other->face[f][n];
         // xy occurs twice
         entry[static_cast<std::size_t>(c) * numbersPerFace + n] = n == 4 ? std::sqrt(2.0) * value : value;
       }
-    addProducts(gram, referenceFrame(shape, f).area / totalArea, entry);
+    addProducts(gram, k.faceArea[f] / totalArea, entry);
   }
   double shared = 0;
   for (const PatchPair& p : k.patches.pairs) shared += p.sharedEdges;

@@ -33,8 +33,7 @@ Result<LriSpace> LriSpace::create(const WeldedKeys& keys, const ShapeTopology& t
 
 Status LriSpace::encodePatchesOrGhost(const ShapeTopology& topology, const LriOptions& options,
                                       const StageProgress& progress) {
-  const auto usedFaces = std::count(topology.hasArea.begin(), topology.hasArea.end(), 1);
-  if (options.ghostFaces > 0 && options.ghostFaces < usedFaces) {
+  if (options.ghostFaces > 0 && options.ghostFaces < topology.usedFaces()) {
     auto ghost = GhostMotion::create(
         keys_->shape, topology,
         {options.ghostFaces, options.optimalPlacement, options.patches, options.stretch, options.transfer}, progress);
