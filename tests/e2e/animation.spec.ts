@@ -65,7 +65,7 @@ test('an animation is chosen, five keys taken, played, exported, and opened agai
     await app.by('export-targets-every').check();
     await type(app, 'export-frames', '12');
   });
-  expect(download.suggestedFilename()).toBe('rig-motion.glb');
+  expect(download.suggestedFilename()).toBe('rig-nod.glb');
   expect(Math.abs(statedBytes(stated) / bytes.length - 1)).toBeLessThan(0.1);
   await dropped(app, upload('again.glb', bytes));
   const again = (await app.state()).doc;

@@ -70,8 +70,8 @@ test('poses in a dropped folder and its subfolders are opened with their texture
   mkdirSync(path.join(folder, 'materials', 'images'), { recursive: true });
   const pose = (bend: number): string =>
     `mtllib materials/paint.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 ${bend}\nv 0 1 ${bend}\nvt 0 0\nusemtl paint\nf 1/1 2/1 3/1 4/1\n`;
-  // A browser returns fewer entries per call. The names differ from those of an animation's frames.
-  const names = Array.from({ length: 120 }, (_, i) => `pose-${i + 1}${i % 2 ? 'b' : 'a'}`);
+  // A browser returns fewer entries per call. Names without numbers are no frames of an animation.
+  const names = Array.from({ length: 120 }, (_, i) => `pose-${String.fromCharCode(97 + i / 26, 97 + (i % 26))}`);
   names.forEach((name, i) => writeFileSync(path.join(folder, `${name}.obj`), pose((i + 1) / names.length)));
   writeFileSync(path.join(folder, 'materials', 'paint.mtl'), 'newmtl paint\nmap_Kd images/red.png\n');
   writeFileSync(path.join(folder, 'materials', 'images', 'red.png'), columns([[255, 0, 0]]));

@@ -179,6 +179,32 @@ TEST_CASE("reversed keys give the reversed motion") {
     }
 }
 
+TEST_CASE("reversed keys give the reversed motion in rotation-strain and RIMD coordinates") {
+  const auto check = [](const Keyframes& k, double tolerance) {
+    const double sum = k.keys.front().time + k.keys.back().time;
+    for (const Method method : {Method::RotationStrain, Method::Rimd})
+      for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
+        CAPTURE(int(method));
+        CAPTURE(int(boundary));
+        MotionOptions motion;
+        motion.method = method;
+        motion.boundary = boundary;
+        EncodingOptions mirrored = doublePrecision();
+        mirrored.reference = k.keyCount() - 1;
+        Sequence forward = sequenceOf(k, doublePrecision(), motion), back = sequenceOf(reversed(k), mirrored, motion);
+        double largest = 0;
+        for (const double share : {-0.1, 0.1, 0.3, 0.55, 0.8, 0.95}) {
+          const double t = k.keys.front().time + share * (k.keys.back().time - k.keys.front().time);
+          largest = std::max(largest, largestDistance(shapeAt(forward, t), shapeAt(back, sum - t)));
+        }
+        CHECK(largest < tolerance * diagonalOf(k));
+      }
+  };
+  check(poses(), 5e-4);
+  check(limb(104, 4, 45, 30), 5e-4);
+  check(limb(130, 5, 140, 100), 5e-4);
+}
+
 TEST_CASE("half as many patches hardly change the paths of limbs") {
   for (const unsigned seed : {115u, 130u, 143u}) {
     CAPTURE(seed);

@@ -39,6 +39,27 @@ Keyframes walk() {
 
 }  // namespace
 
+TEST_CASE("vertex methods meet the last key of a loop that turns, and continue from it") {
+  const Map step = turn({0, 1, 0}, 2, {0.4, 0, 1});
+  const auto turned = [&](double bendAngle, double angle) -> Map {
+    const Map b = bend(bendAngle), whole = turn({0, 1, 0}, angle);
+    return [=](const Vec3& p) -> Vec3 { return whole(b(p)); };
+  };
+  const Keyframes k = keyframes(bar(), {bend(0), turned(0.5, 0.7), turned(-0.5, 1.3), step});
+  for (const Method method : {Method::Linear, Method::CubicVertex}) {
+    CAPTURE(int(method));
+    MotionOptions motion = with(BoundaryKind::Periodic);
+    motion.method = method;
+    Sequence s = make(k);
+    REQUIRE(s.update(motion, evenTimes(4)).ok());
+    const Positions before = shapeAt(s, 1 - 1e-9);
+    CHECK(largestDistance(before, k.keys.back().positions) < 1e-6 * diagonalOf(k));
+    CHECK(largestDistance(before, shapeAt(s, 1 + 1e-9)) < 1e-6 * diagonalOf(k));
+    for (const double t : {0.0, 0.2, 0.45, 0.9})
+      CHECK(largestDistance(shapeAt(s, t + 1), mapped(shapeAt(s, t), step)) < 1e-6 * diagonalOf(k));
+  }
+}
+
 TEST_CASE("boundaries change the motion between the keys") {
   const Keyframes k = keyframes(bar(), {bend(0), bend(1), bend(-0.5)});
   Sequence s = make(k);

@@ -139,7 +139,8 @@ double turnBetween(const Parts& parts, const Positions& from, const Positions& t
 
 // The largest error of the edge lengths at any of these times. Times count intervals between the keys. The error is the
 // rms, over the edges, of the distance from the spline of the keys' lengths, in % of the mean length in the keys.
-double worstEdges(const Keyframes& k, const std::vector<double>& times, const EncodingOptions& options = doublePrecision()) {
+double worstEdges(const Keyframes& k, const std::vector<double>& times,
+                  const EncodingOptions& options = doublePrecision()) {
   const auto lengths = [&](const Positions& p) {
     std::vector<double> result;
     for (const Triangle& t : k.faces)
@@ -168,7 +169,8 @@ double worstEdges(const Keyframes& k, const std::vector<double>& times, const En
 }
 
 // Edges, and distances from the blend of vertices.
-void checkFace(const Keyframes& k, const std::vector<double>& times, const EncodingOptions& options = doublePrecision()) {
+void checkFace(const Keyframes& k, const std::vector<double>& times,
+               const EncodingOptions& options = doublePrecision()) {
   CHECK(worstEdges(k, times, options) < 4.5);
   MotionOptions blend;
   blend.method = Method::CubicVertex;
@@ -208,7 +210,8 @@ TEST_CASE("parts that only torn faces join keep their shapes and share their rot
 
 TEST_CASE("keys with torn faces are exact in every method, with a ghost mesh and without") {
   const Shape shape = plates();
-  const Keyframes keys = keyframesOf(shape, {opened(shape.positions, 10), shape.positions, opened(shape.positions, 25)});
+  const Keyframes keys =
+      keyframesOf(shape, {opened(shape.positions, 10), shape.positions, opened(shape.positions, 25)});
   for (const int ghost : {0, 150})
     for (const Transfer transfer : {Transfer::Exact, Transfer::Paper})
       for (const Method method : {Method::Lri, Method::Geodesic, Method::RotationStrain, Method::Rimd}) {
@@ -286,7 +289,8 @@ TEST_CASE("the motion of a torn face does not depend on the order, a mirror, the
   std::reverse(renumbered.faces.begin(), renumbered.faces.end());
   Random random(3);
   for (Key& key : noisy.keys)
-    for (Vec3& p : key.positions) p += 1e-6 * diagonal * Vec3(random.signedUnit(), random.signedUnit(), random.signedUnit());
+    for (Vec3& p : key.positions)
+      p += 1e-6 * diagonal * Vec3(random.signedUnit(), random.signedUnit(), random.signedUnit());
 
   EncodingOptions lastKey = doublePrecision();
   lastKey.reference = 2;

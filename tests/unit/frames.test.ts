@@ -76,7 +76,7 @@ describe('whole frames', () => {
     expect([rateOf(0.7, 22), rateOf(1, 25), rateOf(2, 51, 0.5)]).toEqual([30, 24, 25]);
     expect([rateOf(1001 / 30, 1001), rateOf(10, 1201)]).toEqual([29.97, 120]);
     // Few keys: the first usual rate with whole frames.
-    expect([rateOf(0.7, 4), rateOf(1, 3), rateOf(0.333, 3)]).toEqual([30, 24, 24]);
+    expect([rateOf(0.7, 4), rateOf(1, 3), rateOf(0.375, 3)]).toEqual([30, 30, 24]);
     expect([rateOf(0, 1), ownRate({ animation: -1, animations: [] })]).toEqual([null, null]);
   });
 

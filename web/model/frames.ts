@@ -24,7 +24,7 @@ export function heldTime(t: number, fps: number | null, start: number): number {
 }
 
 /** Usual frame rates, the more usual ones first. */
-const RATES = [24, 30, 25, 60, 50, 29.97, 23.976, 48, 15, 12, 120, 20, 100, 90, 59.94, 240] as const;
+const RATES = [30, 24, 25, 60, 50, 29.97, 23.976, 48, 15, 12, 120, 20, 100, 90, 59.94, 240] as const;
 
 /** The frame rate of the animation that the keys were taken from; null if unknown. */
 export function ownRate({ animation, animations }: Pick<KeysInfo, 'animation' | 'animations'>): number | null {

@@ -21,7 +21,8 @@ export function withoutImages(bytes: Uint8Array): ArrayBuffer {
     for (const part of mesh.primitives) delete part.material;
   // The new JSON is shorter and padded, so the following chunks keep their positions.
   const text = new TextEncoder().encode(JSON.stringify(json).padEnd(length));
-  const copy = bytes.slice();
+  // The slice of a Buffer is no copy.
+  const copy = Uint8Array.from(bytes);
   copy.set(text.subarray(0, length), 20);
   return copy.buffer;
 }

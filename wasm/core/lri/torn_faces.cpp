@@ -27,7 +27,7 @@ std::array<double, 6> extentsOf(const Positions& p, const Triangle& t) {
 
 // The root of each component's area, by pose.
 std::vector<std::vector<double>> sizesOf(const WeldedShape& shape, const std::vector<char>& hasArea,
-                                          const Components& parts) {
+                                         const Components& parts) {
   std::vector<std::vector<double>> sizes;
   for (const Positions& p : shape.poses) {
     std::vector<double>& size = sizes.emplace_back(parts.count, 0);
@@ -62,7 +62,7 @@ double tornShare(double change) {
   return x * x * (3 - 2 * x);
 }
 
-// Closes gaps: a face between torn faces has no more meaning than they have. Each face takes the largest share of the
+// Closes gaps: faces between torn faces are torn, too. Each face takes the largest share of the
 // faces at its vertices, and then the smallest, which is the largest negative one.
 void closeGaps(const WeldedShape& shape, const std::vector<char>& hasArea, std::vector<double>& torn) {
   for (int pass = 0; pass < 2; ++pass) {

@@ -19,6 +19,11 @@ LaneQuaternion<L> operator*(const LaneQuaternion<L>& a, const LaneQuaternion<L>&
 }
 
 template <class L>
+LaneQuaternion<L> operator+(const LaneQuaternion<L>& a, const LaneQuaternion<L>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+
+template <class L>
 LaneQuaternion<L> conjugate(const LaneQuaternion<L>& q) {
   const L none = L::zero();
   return {none - q.x, none - q.y, none - q.z, q.w};

@@ -22,8 +22,8 @@ LaneQuaternion<L> expOf(const Real* increment, double share) {
 }  // namespace
 
 template <class Real>
-RotationPaths<Real>::RotationPaths(const RotationSplines& paths, std::span<const int> slotOf)
-    : blocks_((slotOf.size() + faceLanes - 1) / faceLanes) {
+RotationPaths<Real>::RotationPaths(const RotationSplines& paths, KeySteps steps, std::span<const int> slotOf)
+    : steps_(steps), blocks_((slotOf.size() + faceLanes - 1) / faceLanes) {
   const auto faces = static_cast<int>(slotOf.size());
   for (const std::vector<Quaternion>& rotations : paths.key) {
     RotationBlocks<Real>& key = key_.emplace_back(rotationNumbers(faces), Real(0));
@@ -56,6 +56,7 @@ void RotationPaths<Real>::at(const CurvePoint& point, const Quaternion& whole, R
   });
 }
 
+// As RotationSplines::at, without added turns. A step's rotation is exp(C w) exp((C - 1) w)^-1.
 template <class Real>
 void RotationPaths<Real>::blocksAt(const CurvePoint& point, const Quaternion& whole, std::size_t begin, std::size_t end,
                                    Real* rotations) const {
@@ -63,8 +64,17 @@ void RotationPaths<Real>::blocksAt(const CurvePoint& point, const Quaternion& wh
   const RotationBlocks<Real>& base = key_[point.base];
   const bool turned = whole.w() != 1;
   for (std::size_t b = begin; b < end; ++b) {
-    LaneQuaternion<L> q = loadRotations<L>(&base[b * rotationBlock]);
-    for (const StepShare& step : point.steps) q = q * expOf<L>(&increment_[step.step][b * incrementBlock], step.share);
+    LaneQuaternion<L> forward = loadRotations<L>(&base[b * rotationBlock]);
+    LaneQuaternion<L> end = forward, back = splat<L>(Quaternion::Identity());
+    for (const StepShare& step : point.steps) {
+      const Real* increment = &increment_[step.step][b * incrementBlock];
+      const LaneQuaternion<L> part = expOf<L>(increment, step.share);
+      const LaneQuaternion<L> rest = isTangent(step.step) ? part : expOf<L>(increment, step.share - 1);
+      forward = forward * part;
+      end = end * part * conjugate(rest);
+      back = rest * back;
+    }
+    LaneQuaternion<L> q = forward + end * back;
     if (turned) q = splat<L>(whole) * q;
     storeUnit(q, rotations + b * rotationBlock);
   }

@@ -16,7 +16,7 @@ class RotationPaths {
  public:
   RotationPaths() = default;
   /// slotOf: slot of each path. Slots without a path rest.
-  RotationPaths(const RotationSplines& paths, std::span<const int> slotOf);
+  RotationPaths(const RotationSplines& paths, KeySteps steps, std::span<const int> slotOf);
 
   /// The rotations at `point`, each followed by the rotation `whole`.
   void at(const CurvePoint& point, const Quaternion& whole, RotationBlocks<Real>& rotations,
@@ -28,6 +28,9 @@ class RotationPaths {
   void blocksAt(const CurvePoint& point, const Quaternion& whole, std::size_t begin, std::size_t end,
                 Real* rotations) const;
 
+  bool isTangent(int step) const { return step == steps_.startTangent() || step == steps_.endTangent(); }
+
+  KeySteps steps_{};
   std::size_t blocks_ = 0;
   std::vector<RotationBlocks<Real>> key_;     // rotations of each column
   std::vector<std::vector<Real>> increment_;  // increments of each step: [block][x, y, z][lane]

@@ -159,7 +159,7 @@ void Evaluator::ghost(const EncodedShape& encoded, const Motion& motion, double 
   Stopwatch watch;
   const GhostMotion& ghost = *encoded.lri().ghostMotion();
   const CurvePoint point = pointAt(motion, t);
-  if (motion.blendsVertices()) blendVertices(ghost.shape(), poseWeights(point, ghost.shape().roles()).column, welded_);
+  if (motion.blendsVertices()) blendVertices(ghost.shape(), encoded.meanPosition(), point, welded_);
   else ghost.positions(point, motion.turns(), framesScratch_.ghost, welded_);
   if (motion.corrects()) moveGhost(encoded, motion, t, point);
   stats_.ghostMs = watch.lap();

@@ -17,11 +17,11 @@ namespace {
 // Within this of half a turn, rounding decides the sign of the principal logarithm.
 constexpr double halfTurnMargin = 1e-3;
 
-// An increment of about half a turn continues the direction of the previous one. Without a previous increment, its
-// largest coordinate is positive. Other increments are unchanged.
-Vec3 continuedHalfTurn(const Vec3& increment, const Vec3& before) {
-  if (increment.norm() <= std::numbers::pi - halfTurnMargin) return increment;
-  if (!before.isZero()) return nearestRepresentative(increment, before);
+bool isHalfTurn(const Vec3& increment) { return increment.norm() > std::numbers::pi - halfTurnMargin; }
+
+// The representative of a half turn in this direction. Without a direction, its largest coordinate is positive.
+Vec3 directed(const Vec3& increment, const Vec3& direction) {
+  if (!direction.isZero()) return nearestRepresentative(increment, direction);
   int largest = 0;
   increment.cwiseAbs().maxCoeff(&largest);
   return increment[largest] < 0 ? nearestRepresentative(increment, -increment) : increment;
@@ -80,13 +80,17 @@ class Lift {
     return calmest;
   }
 
+  // The increment in world axes. Reversed keys and another reference pose change its sign at most, so the tree does not
+  // depend on them.
+  Vec3 inWorld(int step, int face) const {
+    return out_.paths.key[posesOf(shape_, step).from][face] * out_.paths.increment[step][face];
+  }
+
   // The largest relative rotation of two faces in a step.
   double cost(int f, int g) const {
     double largest = 0;
-    for (const int s : lifted_) {
-      const std::vector<Vec3>& d = out_.paths.increment[s];
-      largest = std::max(largest, expQuaternion(d[f]).angularDistance(expQuaternion(d[g])));
-    }
+    for (const int s : lifted_)
+      largest = std::max(largest, expQuaternion(inWorld(s, f)).angularDistance(expQuaternion(inWorld(s, g))));
     return onGrid(0.05 + largest);
   }
 
@@ -111,12 +115,35 @@ class Lift {
   }
 
   void lift(int face, int from) {
-    Vec3 before = Vec3::Zero();
     for (const int s : lifted_) {
       Vec3& d = out_.paths.increment[s][face];
-      if (from >= 0) d = nearestRepresentative(d, out_.paths.increment[s][from]);
-      else if (s <= steps_.closing()) d = before = continuedHalfTurn(d, before);
+      const Quaternion& q = out_.paths.key[posesOf(shape_, s).from][face];
+      if (from >= 0) d = nearestRepresentative(d, q.conjugate() * inWorld(s, from));
     }
+    if (from < 0) continueHalfTurns(face);
+  }
+
+  // An increment of about half a turn continues the direction of the clear increments before and after it.
+  void continueHalfTurns(int face) {
+    std::vector<Vec3> clear;
+    for (int s = 0; s < steps_.closing(); ++s) {
+      const Vec3& d = out_.paths.increment[s][face];
+      clear.push_back(isHalfTurn(d) ? Vec3(Vec3::Zero()) : d);
+    }
+    const auto isClear = [](const Vec3& d) { return !d.isZero(); };
+    for (auto here = clear.begin(); here != clear.end(); ++here) {
+      Vec3& d = out_.paths.increment[here - clear.begin()][face];
+      if (!isHalfTurn(d)) continue;
+      const auto before = std::find_if(std::reverse_iterator(here), clear.rend(), isClear);
+      const auto after = std::find_if(here, clear.end(), isClear);
+      Vec3 sum = Vec3::Zero();
+      if (before != clear.rend()) sum += *before;
+      if (after != clear.end()) sum += *after;
+      d = directed(d, sum);
+    }
+    Vec3& last = out_.paths.increment[steps_.closing()][face];
+    if (isHalfTurn(last))
+      last = directed(last, out_.paths.increment[steps_.closing() - 1][face] + out_.paths.increment[0][face]);
   }
 
   // The last key repeats the first, moved rigidly, so the loop continues from the previous key.
@@ -133,12 +160,12 @@ class Lift {
   }
 
   AmbiguousFaces tornIn(int step) const {
-    const std::vector<Vec3>& d = out_.paths.increment[step];
     AmbiguousFaces torn;
     double furthest = std::numbers::pi, area = 0;
     topology_.eachUsedFace([&](int f) {
       double largest = 0;
-      for (const int g : topology_.graph.of(f)) largest = std::max(largest, (d[f] - d[g]).norm());
+      for (const int g : topology_.graph.of(f))
+        largest = std::max(largest, (inWorld(step, f) - inWorld(step, g)).norm());
       const double own = referenceFrame(shape_, f).area;
       area += own;
       if (largest <= std::numbers::pi) return;

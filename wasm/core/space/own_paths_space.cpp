@@ -143,7 +143,7 @@ OwnPathsSpace::OwnPathsSpace(const WeldedKeys& keys, const LriSpace& lri, OwnPat
   lri.withReconstructor([&]<class Real>(const Reconstructor<Real>& r) {
     std::vector<int> slotOf;
     for (int f = 0; f < keys.shape.faceCount(); ++f) slotOf.push_back(r.coordinates().face.slot(f));
-    paths_ = RotationPaths<Real>(paths, slotOf);
+    paths_ = RotationPaths<Real>(paths, KeySteps{keys.shape.keys}, slotOf);
   });
 }
 

@@ -87,7 +87,7 @@ RimdSpace::RimdSpace(const WeldedKeys& keys, const LriSpace& lri) : keys_(&keys)
   });
   std::vector<int> slotOfPair(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) slotOfPair[p] = static_cast<int>(p);
-  differences_ = RotationPaths<double>(differences, slotOfPair);
+  differences_ = RotationPaths<double>(differences, KeySteps{shape.keys}, slotOfPair);
   lri.withReconstructor([&](const auto& r) {
     for (int f = 0; f < shape.faceCount(); ++f) slotOf_.push_back(r.coordinates().face.slot(f));
   });

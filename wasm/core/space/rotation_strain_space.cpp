@@ -10,12 +10,12 @@ namespace shapespline {
 namespace {
 
 std::variant<RotationPaths<float>, RotationPaths<double>> pathsInOrderOf(const LriSpace& lri,
-                                                                         const RotationSplines& paths) {
+                                                                         const RotationSplines& paths, KeySteps steps) {
   using Paths = std::variant<RotationPaths<float>, RotationPaths<double>>;
   return lri.withReconstructor([&]<class Real>(const Reconstructor<Real>& r) -> Paths {
     std::vector<int> slotOf(paths.key.front().size());
     for (std::size_t f = 0; f < slotOf.size(); ++f) slotOf[f] = r.coordinates().face.slot(static_cast<int>(f));
-    return RotationPaths<Real>(paths, slotOf);
+    return RotationPaths<Real>(paths, steps, slotOf);
   });
 }
 
@@ -24,7 +24,7 @@ std::variant<RotationPaths<float>, RotationPaths<double>> pathsInOrderOf(const L
 RotationStrainSpace::RotationStrainSpace(const WeldedKeys& keys, const LriSpace& lri) : keys_(&keys), lri_(&lri) {
   LiftedPaths lifted = liftPaths(keys.shape, topologyOf(keys.shape));
   torn_ = std::move(lifted.torn);
-  paths_ = pathsInOrderOf(lri, lifted.paths);
+  paths_ = pathsInOrderOf(lri, lifted.paths, KeySteps{keys.shape.keys});
 }
 
 // For a loop that does not close in place, which continues from its last key.

@@ -12,6 +12,11 @@ namespace shapespline {
 /// weights: one per column.
 void blendVertices(const WeldedShape& shape, std::span<const double> weights, Positions& blended);
 
+/// The shape at `point`. In a loop that does not close in place, keys of other periods are turned.
+/// meanPosition: of each key.
+void blendVertices(const WeldedShape& shape, const std::vector<Vec3>& meanPosition, const CurvePoint& point,
+                   Positions& blended);
+
 /// Immutable.
 class VertexSpace {
  public:

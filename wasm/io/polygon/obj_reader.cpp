@@ -394,8 +394,9 @@ struct ObjReader {
   void readPaint(std::string_view text) {
     for (text = trimmed(text); text.size() >= 8 && paint.size() < mostElements; text.remove_prefix(8)) {
       std::uint32_t number = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + 8, number, 16);
-      if (error != std::errc() || end != text.data() + 8) return;
+      const std::string_view digits = text.substr(0, 8);
+      const auto [end, error] = std::from_chars(digits.begin(), digits.end(), number, 16);
+      if (error != std::errc() || end != digits.end()) return;
       paint.emplace_back(number >> 16 & 255, number >> 8 & 255, number & 255);
     }
   }
