@@ -28,7 +28,8 @@ struct TornFace {
   int anchorFace;  ///< a face that carries a rotation
   int frame;       ///< local frame of the anchor
   /// Divergence at the first two corners, per column: D_f times the share torn, times the area, times the gradient of
-  /// the corner's hat function. The three corners have sum 0. Relative to the local frame, and to the anchor's rotation.
+  /// the corner's hat function. The three corners have sum 0. Relative to the local frame, and to the anchor's
+  /// rotation.
   struct Columns {
     std::vector<Vec3> first, second;
   } inFrame, inAnchor;

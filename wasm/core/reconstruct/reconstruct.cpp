@@ -127,9 +127,8 @@ IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const 
 template <class Real>
 void Reconstructor<Real>::addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const {
   for (const TornFace& torn : lri_.torn) {
-    const Mat3 turn =
-        turning.faces ? faceRotation(torn.anchorFace, torn.frame, weights, turning).toRotationMatrix()
-                      : frameMatrix(*turning.frames, static_cast<std::size_t>(torn.frame));
+    const Mat3 turn = turning.faces ? faceRotation(torn.anchorFace, torn.frame, weights, turning).toRotationMatrix()
+                                    : frameMatrix(*turning.frames, static_cast<std::size_t>(torn.frame));
     const TornFace::Columns& columns = turning.faces ? torn.inAnchor : torn.inFrame;
     const Vec3 first = turn * blend(columns.first, weights), second = turn * blend(columns.second, weights);
     const Vec3 corner[] = {first, second, -first - second};
