@@ -10,7 +10,7 @@ import { Explained } from './log.mjs';
  * suffix.
  */
 export const LIMITS = {
-  firstPicture: 671_000,
+  firstPicture: 673_000,
   shapespline_threads: 383_000,
   shapespline_files: 300_000,
   shapespline_shells: 150_000,
