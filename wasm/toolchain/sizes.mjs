@@ -11,7 +11,7 @@ import { Explained } from './log.mjs';
  */
 export const LIMITS = {
   firstPicture: 673_000,
-  shapespline_threads: 383_000,
+  shapespline_threads: 384_000,
   shapespline_files: 300_000,
   shapespline_shells: 150_000,
 };
