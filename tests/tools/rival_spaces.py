@@ -141,10 +141,7 @@ class Shape:
             shares, stretch, mean = self.at(t)
             gradients = []
             for f in range(len(self.faces)):
-                r = self.rotation[0][f]
-                for share, increments in zip(shares, steps):
-                    r = r @ exp(share * increments[f])
-                gradients.append(r @ stretch[f])
+                gradients.append(path(self.rotation[0][f], shares, [step[f] for step in steps]) @ stretch[f])
             shapes.append(self.solve(gradients, mean))
         return shapes
 
@@ -159,9 +156,7 @@ class Shape:
 
     def improve(self, t, v, first, steps, weight):
         shares, stretch, mean = self.at(t)
-        difference = list(first)
-        for share, increments in zip(shares, steps):
-            difference = [d @ exp(share * i) for d, i in zip(difference, increments)]
+        difference = [path(d, shares, increments) for d, increments in zip(first, zip(*steps))]
         rotation = [self.rotation_and_stretch(v, f)[0] for f in range(len(self.faces))]
         for _ in range(STEPS):
             sums = []
@@ -174,6 +169,15 @@ class Shape:
             rotation = [polar(m) for m in sums]
             v = self.solve([r @ s for r, s in zip(rotation, stretch)], mean)
         return v
+
+
+def path(first, shares, increments):
+    """Halfway between the product of the increments from the first key and the one from the last key."""
+    forward, end, back = first, first, np.eye(3)
+    for share, increment in zip(shares, increments):
+        forward, end = forward @ exp(share * increment), end @ exp(increment)
+        back = exp((share - 1) * increment) @ back
+    return forward @ exp(log(forward.T @ end @ back) / 2)
 
 
 given = arguments()
