@@ -193,6 +193,30 @@ describe('methods that fit shapes', () => {
     expect(all.stderr).toBe('');
   });
 
+  it('have no numbers in study ghost where they show another method', async () => {
+    const [folder, names] = await posesOf();
+    const ghost = ['ghost', ...names, '--sizes', '26', '--method', 'shell', '--space-samples'];
+    const rowsOf = ({ stdout }: { stdout: string }): string[] =>
+      stdout.split('\n').filter((line) => /^\d+,\d+,(none|exact|paper),/.test(line));
+    const none = await runCli(folder, 'study', ...ghost, '3');
+    expect(rowsOf(none)).toHaveLength(3);
+    for (const row of rowsOf(none))
+      expect(row).toMatch(/,,,[\d.]+,"no fitted shapes between keys 1 and 2, 2 and 3, 3 and 4"$/);
+    expect(none.stderr).toMatch(/warning: 3 of the 3 intervals.*\n.*warning: 26 faces: 3 of the 3/);
+    const some = await runCli(folder, 'study', ...ghost, '4');
+    for (const row of rowsOf(some))
+      expect(row).toMatch(/(,[\de.-]+){3},"no fitted shapes between keys 2 and 3, 3 and 4"$/);
+  });
+
+  it('have no times in study tables if no interval was fitted', async () => {
+    const mesh = bar(2, 6);
+    const shuffled = mesh.positions.map((_, i, all) => all[(i * 37 + 5) % all.length]!);
+    const files = poseFiles(mesh, [mesh.positions, shuffled]);
+    const folder = await folderOf(files);
+    const { stdout } = await runCli(folder, 'study', 'tables', ...files.map(({ name }) => name));
+    expect(stdout).toMatch(/^2,here,shape,\d+,20,0.05,,,,.*,\[2\]: no fitted shapes between keys 1 and 2$/m);
+  });
+
   it('have no cells in measure where they show another method', async () => {
     const [folder, names] = await posesOf();
     const times = ['--at', '0.25,0.75,1.5,2.5'];

@@ -123,6 +123,20 @@ TEST_CASE("animations that move the same path of a node are alternatives") {
   CHECK(taken(maker, options).import.animation == 1);
 }
 
+TEST_CASE("alternatives of all objects are not reported as left out, and only offered together if they can be") {
+  GltfMaker maker = boxes(2);
+  for (const char* name : {"walk", "run"})
+    for (int k = 0; k < 2; ++k) move(maker, name, k);
+  const Taken walk = taken(maker);
+  CHECK(walk.moved == Moved{1, 1});
+  CHECK(warningOf(walk.import, "other-animations") == nullptr);
+  ImportOptions options;
+  options.animation = 9;
+  const auto refused = read(maker, options);
+  REQUIRE(!refused.ok());
+  CHECK(refused.error().message.find("or all") == std::string::npos);
+}
+
 TEST_CASE("shape keys play with the action of their object, and a still action joins them") {
   GltfMaker maker = morphFile({0, 1});
   maker.node({{"mesh", 0}});

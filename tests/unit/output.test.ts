@@ -182,12 +182,17 @@ describe('inputs', () => {
     glb.writeUInt32LE(chunk.length, 12);
     glb.write(chunk, 20);
     writeFileSync(at('in/packed.glb'), glb);
+    put(
+      'in/scan.ply',
+      'ply\r\nformat ascii 1.0\r\ncomment TextureFile the skin.jpg\r\nelement vertex 0\r\nend_header\r\n',
+    );
+    put('in/the skin.jpg', 'x');
     symlinkSync('a.obj', at('in/link.obj'));
     linkSync(at('in/a.obj'), at('in/second name.obj'));
     mkdirSync(at('poses'));
     put('poses/1.obj', 'v 0 0 0');
   });
-  const given = ['in/a.obj', 'in/b.obj', 'in/scene.gltf', 'in/packed.glb', 'poses'];
+  const given = ['in/a.obj', 'in/b.obj', 'in/scene.gltf', 'in/packed.glb', 'in/scan.ply', 'poses'];
 
   it.each([
     ['in/a.obj', 'is one of the inputs'],
@@ -199,6 +204,7 @@ describe('inputs', () => {
     ['bumps/b.png', 'belongs to the input .*paint.mtl|a.obj'],
     ...['s.bin', 't.png'].map((name) => [`in/${name}`, 'belongs to the input .*scene.gltf']),
     ['in/u.png', 'belongs to the input .*packed.glb'],
+    ['in/the skin.jpg', 'belongs to the input .*scan.ply'],
   ])('are not written over: %s', async (name, why) => {
     const outputs = [{ ...file(at(name), 'new'), flag: '--report' }];
     const before = text(name);

@@ -28,7 +28,8 @@ export function doubtsOfTime({ keys, animation, frames, compared }: Spans): stri
         `${compared === frames ? 'All' : `${compared} of its ${frames}`} frames are compared with the motion at the frames' own times. ` +
         'If both are the same motion, give its times with --key-times',
     );
-  if (compared < FEW_FRAMES) doubts.push(`only ${compared} frames are compared, too few to judge the motion`);
+  const few = compared === 1 ? '1 frame is' : `${compared} frames are`;
+  if (compared < FEW_FRAMES) doubts.push(`only ${few} compared, too few to judge the motion`);
   return doubts;
 }
 

@@ -76,7 +76,10 @@ export async function addInputs(known: KnownFiles, given: string[]): Promise<voi
 /** Paths of the files that a model may refer to. Missing files are ignored. */
 async function referredBy(name: string): Promise<string[]> {
   const uris = await urisAtStart(name);
-  if (uris || NO_LIBRARIES.includes(extensionOf(name))) return (uris ?? []).flatMap((uri) => pathsOf(name, uri));
+  if (uris) return uris.flatMap((uri) => pathsOf(name, uri));
+  const textures = texturesOfPly(await startOf(name, PLY_HEADER));
+  if (textures.length > 0 || NO_LIBRARIES.includes(extensionOf(name)))
+    return textures.flatMap((texture) => pathsOf(name, texture));
   const isFile = async (file: string): Promise<boolean> => (await startOf(file, 1)).length > 0;
   const files: string[] = [];
   for (const text of namedIn(await startOf(name, Infinity), 'mtllib')) {
@@ -95,6 +98,8 @@ async function referredBy(name: string): Promise<string[]> {
 }
 
 const LARGEST_LIBRARY = 1 << 24;
+/** Largest header of a PLY file that is searched. */
+const PLY_HEADER = 1 << 16;
 const LARGEST_START = 1 << 30;
 
 /** A reference as a path, without escapes, in all forms of accents, and as a name in the same folder. */
@@ -115,6 +120,13 @@ function imagesIn(bytes: Uint8Array): string[] {
     const text = /^(?:map_\w+|bump|disp|decal|norm|refl)[ \t](.*)$/i.exec(line.trim())?.[1]?.trim();
     return text ? [withoutOptions(text)] : [];
   });
+}
+
+/** Images that the header of a PLY file names, as MeshLab writes them. The engine does not read them. */
+function texturesOfPly(bytes: Uint8Array): string[] {
+  const [header = ''] = new TextDecoder().decode(bytes).split(/^end_header/m, 1);
+  if (!/^\uFEFF?ply\s/.test(header)) return [];
+  return [...header.matchAll(/^comment[ \t]+TextureFile[ \t]+(.*)$/gim)].map(([, name = '']) => name.trim());
 }
 
 /** The URIs of a .gltf, or of the JSON at the start of a .glb; null for other files. */

@@ -43,9 +43,15 @@ export function studyGhost(args: Arguments): Promise<Measured> {
     return {
       columns: GHOST_COLUMNS,
       rows: [
-        [faces, faces, 'none', 0, found.ms, found.buildMs, ''],
-        ...found.rows.map((row): Cell[] => [...[row.wanted, row.faces, row.transfer, row.kg, row.ms, row.buildMs, '']]),
+        [faces, faces, 'none', found.ms > 0 ? 0 : NaN, found.ms, found.buildMs, found.fits.note],
+        ...found.rows.map((row): Cell[] => [
+          ...[row.wanted, row.faces, row.transfer, row.kg, row.ms, row.buildMs, row.fits.note],
+        ]),
         ...refused.map((size): Cell[] => [size, NaN, '', NaN, NaN, NaN, `the shape has only ${faces} faces`]),
+      ],
+      warnings: [
+        ...found.fits.warnings,
+        ...found.rows.flatMap(({ wanted, fits }) => fits.warnings.map((one) => `${wanted} faces: ${one}`)),
       ],
     };
   });
@@ -58,7 +64,9 @@ const GHOST_COLUMNS = {
   'KG error': 'Karni-Gotsman error against the motion without a ghost mesh, %',
   'frame time': 'median time of a frame, ms',
   'build time': 'time from the keys until the first frame can be computed, ms',
-  note: 'why there are no numbers',
+  note:
+    'why there are no numbers, or between which keys the method fitted no shapes; the row is measured in the other ' +
+    'intervals only',
 };
 
 function ghostSizes(args: Arguments): number[] {

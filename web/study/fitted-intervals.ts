@@ -14,6 +14,12 @@ export function isOwnAt({ fitted, keyTimes, options }: Motion, t: number): boole
 export const fittedCount = ({ fitted }: Pick<Motion, 'fitted'>): number | null =>
   fitted?.filter((isFitted) => isFitted).length ?? null;
 
+/** Names the intervals without a fit, by their keys. */
+export function unfittedNote({ fitted }: Pick<Motion, 'fitted'>): string {
+  const ends = (fitted ?? []).flatMap((isFitted, i) => (isFitted ? [] : [`${i + 1} and ${i + 2}`]));
+  return ends.length === 0 ? '' : `no fitted shapes between keys ${ends.join(', ')}`;
+}
+
 const ABOUT_FITS: readonly string[] = [
   'lengths-not-fitted',
   'bending-not-minimised',

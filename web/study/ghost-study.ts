@@ -3,6 +3,7 @@
  * over ghost sizes and both transfers. Each motion has a separate worker and is released afterwards.
  */
 import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
+import { fitWarnings, isOwnAt, unfittedNote } from './fitted-intervals.ts';
 import { KgError } from './kg-error.ts';
 import type { SequenceOptions, SequenceStats, Transfer } from '../engine/api/types.ts';
 
@@ -27,7 +28,16 @@ export interface GhostRow {
   /** Milliseconds from the keys until the first frame can be computed. */
   buildMs: number;
   stats: SequenceStats;
+  fits: Fits;
 }
+
+/** Warnings about the fits of a method that fits shapes, and the intervals without fits, which are not measured. */
+interface Fits {
+  warnings: string[];
+  note: string;
+}
+
+const fitsOf = (sequence: Sequence): Fits => ({ warnings: fitWarnings(sequence), note: unfittedNote(sequence) });
 
 export interface GhostStudy {
   /** Number of faces of the shape. */
@@ -35,6 +45,7 @@ export interface GhostStudy {
   /** Frame time without a ghost. */
   ms: number;
   buildMs: number;
+  fits: Fits;
   rows: GhostRow[];
 }
 
@@ -89,12 +100,14 @@ export async function studyGhosts(
         const { kg, ms } = await compare(ghost, full.sequence, times, signal);
         const ghostMs = await ghostTime(ghost.sequence, times);
         const stats = await ghost.sequence.stats();
-        rows.push({ wanted: size, faces: stats.ghostFaces, transfer, kg, ms, ghostMs, buildMs: ghost.buildMs, stats });
+        const fits = fitsOf(ghost.sequence);
+        const { buildMs } = ghost;
+        rows.push({ wanted: size, faces: stats.ghostFaces, transfer, kg, ms, ghostMs, buildMs, stats, fits });
       } finally {
         ghost.sequence.dispose();
       }
     }
-    return { faces, ms: own.ms, buildMs: full.buildMs, rows };
+    return { faces, ms: own.ms, buildMs: full.buildMs, fits: fitsOf(full.sequence), rows };
   } finally {
     full.sequence.dispose();
   }
@@ -108,7 +121,9 @@ export async function kgBetween(reference: Sequence, sequence: Sequence, times: 
 /** One or two sentences that summarise the numbers. */
 export function verdictOf({ ms, rows }: GhostStudy): string {
   if (rows.length === 0) return 'The shape has fewer faces than the smallest of these ghost meshes.';
-  const fastest = rows.reduce((best, row) => (row.ms < best.ms ? row : best));
+  const measured = rows.filter((row) => !Number.isNaN(row.ms));
+  if (Number.isNaN(ms) || measured.length === 0) return 'The method fitted no shapes, so there is nothing to measure.';
+  const fastest = measured.reduce((best, row) => (row.ms < best.ms ? row : best));
   const ghost = `${fastest.faces.toLocaleString('en')} ghost faces (${fastest.transfer}, KG ${percentText(fastest.kg)})`;
   if (fastest.ms > ms * (1 - SAME_MS)) {
     return `The full solve is as fast: ${msText(ms)} per frame without a ghost, at best ${msText(fastest.ms)} with ${ghost}.`;
@@ -116,8 +131,10 @@ export function verdictOf({ ms, rows }: GhostStudy): string {
   return `The fastest ghost saves ${Math.round(100 * (1 - fastest.ms / ms))} % of the frame time: ${msText(fastest.ms)} with ${ghost}, ${msText(ms)} without.`;
 }
 
-export const msText = (ms: number): string => `${Number(ms.toPrecision(2))} ms`;
-export const percentText = (percent: number): string => `${Number(percent.toPrecision(2))} %`;
+const textOf = (value: number, unit: string): string =>
+  Number.isNaN(value) ? 'none' : `${Number(value.toPrecision(2))} ${unit}`;
+export const msText = (ms: number): string => textOf(ms, 'ms');
+export const percentText = (percent: number): string => textOf(percent, '%');
 
 interface Built {
   sequence: Sequence;
@@ -135,21 +152,23 @@ async function compare(
 ): Promise<{ kg: number; ms: number }> {
   const error = new KgError();
   const ms: number[] = [];
-  for (const [index, t] of times.entries()) {
+  // Elsewhere, the numbers would be those of another method.
+  const own = times.filter((t) => isOwnAt(sequence, t) && (!reference || isOwnAt(reference, t)));
+  for (const [index, t] of own.entries()) {
     const [frame] = await sequence.evaluateMany([t], signal && { signal });
     const [other] = reference ? await reference.evaluateMany([t], signal && { signal }) : [];
     if (other) error.add(other.positions, frame!.positions);
     ms.push(frame!.ms);
     frame!.release();
     other?.release();
-    evaluated((index + 1) / times.length);
+    evaluated((index + 1) / own.length);
   }
-  return { kg: error.percent, ms: median(ms) };
+  return { kg: own.length > 0 ? error.percent : NaN, ms: median(ms) };
 }
 
 async function ghostTime(sequence: Sequence, times: readonly number[]): Promise<number> {
   const ms: number[] = [];
-  for (const t of times) {
+  for (const t of times.filter((one) => isOwnAt(sequence, one))) {
     await sequence.ghostPositions(t);
     ms.push((await sequence.stats()).ghostMs);
   }

@@ -2,6 +2,7 @@
 import type { Engine, Keys } from '../engine/api/api.ts';
 import { EngineError, isCancelled } from '../engine/api/errors.ts';
 import { MOTION } from '../engine/api/option-table.ts';
+import { fittedCount, unfittedNote } from './fitted-intervals.ts';
 import { studyGhosts, studyTimes } from './ghost-study.ts';
 import type { GhostRow } from './ghost-study.ts';
 
@@ -139,16 +140,18 @@ async function shellCosts(
       frame!.release();
     }
     sequence.dispose();
+    const unfitted = unfittedNote(sequence);
+    if (fittedCount(sequence) === 0) return { shell: NONE, note: `[2]: ${unfitted}` };
     const fit = (fitting.to - fitting.from) / 1000;
     const all = (performance.now() - start) / 1000;
-    return { shell: { ghost: fit, transfer: all - fit, full: NaN }, note: noteOf(coarse, samples, shapes) };
+    return { shell: { ghost: fit, transfer: all - fit, full: NaN }, note: noteOf(coarse, samples, shapes, unfitted) };
   } catch (error) {
     if (!(error instanceof EngineError) || isCancelled(error)) throw error;
     return { shell: NONE, note: error.message };
   }
 }
 
-function noteOf(coarse: number, samples: number, shapes: number): string {
+function noteOf(coarse: number, samples: number, shapes: number, unfitted: string): string {
   const fewer = samples < shapes ? ` instead of ${shapes}` : '';
-  return `[2] on ${coarse} faces at ${samples + 1} times${fewer}`;
+  return `[2] on ${coarse} faces at ${samples + 1} times${fewer}${unfitted && `, ${unfitted}`}`;
 }

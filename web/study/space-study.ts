@@ -5,7 +5,7 @@ import { partOf } from '../engine/api/progress.ts';
 import { ghostFor, motionFor } from '../engine/api/method-options.ts';
 import { SEQUENCE_DEFAULTS, type Method, type SequenceOptions } from '../engine/api/types.ts';
 import { edgeLengths, edgesOf } from './edge-lengths.ts';
-import { fitWarnings, fittedCount, isOwnAt } from './fitted-intervals.ts';
+import { fitWarnings, fittedCount, isOwnAt, unfittedNote } from './fitted-intervals.ts';
 import { KgError } from './kg-error.ts';
 
 /** The animation of the keys: a shape per time. */
@@ -68,7 +68,7 @@ export async function studySpaces(
       const buildMs = performance.now() - start;
       const numbers = await measured(sequence, spline, truth, signal).finally(() => sequence.dispose());
       const fitted = fittedCount(sequence);
-      rows.push({ method, fitted, note: noteOf(sequence), warnings: fitWarnings(sequence), ...numbers, buildMs });
+      rows.push({ method, fitted, note: unfittedNote(sequence), warnings: fitWarnings(sequence), ...numbers, buildMs });
     } catch (error) {
       if (!(error instanceof EngineError) || isCancelled(error)) throw error;
       rows.push({ ...NOTHING, method, fitted: null, note: error.message, warnings: [], buildMs: NaN });
@@ -78,12 +78,6 @@ export async function studySpaces(
 }
 
 const NOTHING = { volume: NaN, area: NaN, lengths: NaN, bending: NaN, peak: NaN, kg: NaN, ms: NaN };
-
-/** Names the intervals without a fit, by their keys. */
-function noteOf({ fitted }: Sequence): string {
-  const ends = (fitted ?? []).flatMap((isFitted, i) => (isFitted ? [] : [`${i + 1} and ${i + 2}`]));
-  return ends.length === 0 ? '' : `no fitted shapes between keys ${ends.join(', ')}`;
-}
 
 /** The natural spline of the keys' own measures, at the times of the study. */
 interface Spline {

@@ -20,6 +20,7 @@ describe('a comparison is doubted', () => {
     expect(doubtsOfTime({ ...spans, compared: 3 })).toEqual([
       'only 3 frames are compared, too few to judge the motion',
     ]);
+    expect(doubtsOfTime({ ...spans, compared: 1 })[0]).toBe('only 1 frame is compared, too few to judge the motion');
   });
 
   it('if another axis is up: of the animation, or of the keys according to the animation', () => {

@@ -249,13 +249,13 @@ struct KeyReader {
   }
 
   // Warns of animations that the user may miss: unread ones, and those of other objects if none was chosen.
-  void warnOfOthers(int first, const std::vector<int>& parts) {
+  void warnOfOthers(const std::vector<int>& parts) {
     for (std::size_t i = 0; i < broken.size() && i < 10; ++i)
       out.warnings.push_back({"broken-animation",
                               "The animation " + inQuotes(broken[i].name) + " is left out: " + broken[i].error->message,
                               1});
     if (!std::holds_alternative<std::monostate>(options.animation)) return;
-    const std::vector<int> others = leftOutOf(animations, first, parts);
+    const std::vector<int> others = leftOutOf(animations, parts);
     if (others.empty()) return;
     const bool one = others.size() == 1;
     out.warnings.push_back(
@@ -293,7 +293,8 @@ struct KeyReader {
     std::string list = "it has";
     for (std::size_t i = 0; i < animations.size() && i < 20; ++i)
       list.append(i ? ", " : " ").append(std::to_string(i)).append(" ").append(inQuotes(animations[i].name));
-    return list + (animations.size() > 20 ? ", and more" : "") + (groups.empty() ? "." : ", or all.");
+    return list + (animations.size() > 20 ? ", and more" : "") +
+           (allTogether(animations).size() < 2 ? "." : ", or all.");
   }
 
   // Advice if the requested animation has a single pose.
@@ -324,7 +325,7 @@ struct KeyReader {
     const int count = static_cast<int>(animations.size());
     const std::vector<int> parts = chosen < count ? std::vector<int>{chosen} : groups[chosen - count];
     out.animation = chosen;
-    warnOfOthers(firstMoving(), parts);
+    warnOfOthers(parts);
     if (chosen >= count) together = joined(animations, parts);
     const GltfAnimation& animation = chosen < count ? animations[chosen] : together;
     const auto times = timesOf(animation);

@@ -75,13 +75,12 @@ std::vector<int> partsOf(const std::vector<GltfAnimation>& animations, int first
   return parts;
 }
 
-std::vector<int> leftOutOf(const std::vector<GltfAnimation>& animations, int first, const std::vector<int>& parts) {
+std::vector<int> leftOutOf(const std::vector<GltfAnimation>& animations, const std::vector<int>& parts) {
   std::vector<int> out;
   Targets taken;
-  take(taken, animations[first]);
+  for (int part : parts) take(taken, animations[part]);
   for (int i = 0; i < static_cast<int>(animations.size()); ++i)
-    if (animations[i].moves && !std::binary_search(parts.begin(), parts.end(), i) && !shares(taken, animations[i]))
-      out.push_back(i);
+    if (animations[i].moves && !shares(taken, animations[i])) out.push_back(i);
   return out;
 }
 

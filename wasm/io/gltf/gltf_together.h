@@ -16,8 +16,8 @@ std::vector<int> objectsOf(const GltfDocument& doc, const NodeGraph& graph);
 /// first, or the same start and length if each of them moves one object.
 std::vector<int> partsOf(const std::vector<GltfAnimation>& animations, int first);
 
-/// Moving animations that are not in `parts`, but share no path of a node with the first animation.
-std::vector<int> leftOutOf(const std::vector<GltfAnimation>& animations, int first, const std::vector<int>& parts);
+/// Moving animations that share no path of a node with those in `parts`.
+std::vector<int> leftOutOf(const std::vector<GltfAnimation>& animations, const std::vector<int>& parts);
 
 /// All animations that move, with the still ones beside them; empty if two of them move the same path of a node.
 std::vector<int> allTogether(const std::vector<GltfAnimation>& animations);
