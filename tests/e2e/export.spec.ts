@@ -32,7 +32,7 @@ test('an animation is saved as OBJ, PC2 and MDD in a zip, or as keys and in-betw
   expect(keys).toEqual(['cactus.csv', 'cactus.glb', 'cactus.py']);
 });
 
-test('the fewest morph targets for the tolerance are exported, and the dialog shows their number', async ({ app }) => {
+test('the fewest morph targets for the tolerance are exported, and the dialog shows their number and the name', async ({ app }) => {
   await app.open();
   const targetsIn = (text: string): number => Number(/(\d+) morph targets/.exec(text)![1]);
   const { download, bytes, stated: said } = await exported(app, () => app.by('export-bounce').check());
@@ -44,6 +44,14 @@ test('the fewest morph targets for the tolerance are exported, and the dialog sh
   expect(json.meshes[0].primitives[0].targets).toHaveLength(targetsIn(said));
   const rough = await stated(app, () => type(app, 'export-tolerance', '1'));
   expect(targetsIn(rough)).toBeLessThan(targetsIn(said));
+  // The name of the file, or the default one.
+  for (const [typed, name] of [
+    ['a/b: c', 'ab- c'],
+    ['  ', 'cactus'],
+  ] as const) {
+    await type(app, 'export-name', typed);
+    await expect(app.by('export-name')).toHaveValue(name);
+  }
   await app.expectNoProblems();
 });
 

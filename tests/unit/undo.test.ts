@@ -1,10 +1,12 @@
 /** Undo and redo after cancelled and refused edits, and while files are read. */
 import { expect, it, vi } from 'vitest';
+import type { Pin } from '../../web/engine/api/types.ts';
 import { ServedDocument } from '../../web/app/session/served-document.ts';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Opener } from '../../web/app/sources/opener.ts';
 import { createUndo } from '../../web/app/sources/undo.ts';
 import { renameKey, setEncoding, setMotion } from '../../web/model/edits.ts';
+import { reorientedDoc } from '../../web/model/orientation.ts';
 import type { Orientation } from '../../web/model/orientation.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -81,6 +83,20 @@ it('an edit made while the turn of the files is undone stays, and the turn leave
   expect(reorient).toHaveBeenCalledExactlyOnceWith(before, null);
   expect(store.get().doc.motion.boundary).toBe('hermite');
   expect(store.history()).toMatchObject({ past: [{ label: 'ends' }], future: [] });
+});
+
+it('an edit made while a turn of the files is undone can be undone as well, and pins turn back in both states', async () => {
+  const { store, undo, end, after } = turned();
+  const larger = { before: after!, after: { ...after!, unit: 10 } };
+  const pins = (y: number): Pin[] => [{ vertex: 0, radius: 0.1, path: [{ time: 0, move: [0, y, 0] }] }];
+  store.edit('pins', (one) => setMotion(one, { pins: pins(1) }));
+  store.turned('unit', larger, (one) => reorientedDoc(one, larger.before, larger.after));
+  undo.undo();
+  store.edit('ends', (one) => setMotion(one, { boundary: 'hermite' }));
+  await end();
+  expect(store.get().doc.motion).toMatchObject({ boundary: 'hermite', pins: pins(1) });
+  undo.undo();
+  expect(store.get().doc.motion).toMatchObject({ boundary: doc.motion.boundary, pins: pins(1) });
 });
 
 it('an edit made while the turn of the files is redone stays, below the turn', async () => {

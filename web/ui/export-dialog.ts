@@ -22,7 +22,7 @@ import type { Component, Fields } from './dom.ts';
 import { h, memo, setField, setHidden, setText } from './dom.ts';
 import type { Change, FieldsProps } from './export-fields.ts';
 import { createPictureFields, createTimeFields } from './export-fields.ts';
-import { exportName } from './export-name.ts';
+import { exportName, safeName } from './export-name.ts';
 
 export interface ExportDialogProps extends Omit<Playing, 'own'> {
   request: ExportRequest;
@@ -260,7 +260,12 @@ function createName(change: Change): Component<ExportDialogProps> {
     maxlength: 100,
     'data-testid': 'export-name',
     'aria-label': 'Name of the file, and of the animation in it',
-    onchange: () => change({ name: field.value.trim() === usual ? '' : field.value.trim() }),
+    onchange() {
+      const name = safeName(field.value.trim());
+      // The field keeps the focus, and then `setField` does not change it.
+      field.value = name || usual;
+      change({ name: name === usual ? '' : name });
+    },
   });
   return {
     element: fieldRow('Name', field),

@@ -113,10 +113,13 @@ export function createStore(initial: AppState, now: () => number = () => perform
     },
     undo(step = past.at(-1)) {
       if (!step) return;
-      const left = past.filter((one) => one !== step);
-      // Below later edits, only a turn of the files can be undone.
-      if (step === past.at(-1)) go(step.doc, { past: left, future: [...future, { ...step, doc: state.doc }] });
-      else go(turnedBy(state.doc, step.turn?.after, step.turn?.before), { past: left, future });
+      const earlier = past.slice(0, past.indexOf(step));
+      if (step === past.at(-1))
+        return go(step.doc, { past: earlier, future: [...future, { ...step, doc: state.doc }] });
+      // Below later edits, only a turn of the files can be undone. These edits keep their steps.
+      const back = (doc: Doc): Doc => turnedBy(doc, step.turn?.after, step.turn?.before);
+      const later = past.slice(earlier.length + 1).map((one) => ({ ...one, doc: back(one.doc) }));
+      go(back(state.doc), { past: [...earlier, ...later], future });
     },
     redo(step = future.at(-1)) {
       if (!step) return;
