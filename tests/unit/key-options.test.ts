@@ -17,7 +17,7 @@ import { SHAPING_NUMBERS } from '../../web/model/shaping.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
-const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.5), keyRef(2, 'c', 1));
+const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b/c', 0.5), keyRef(2, 'c', 1));
 
 describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
   const option: NumberOption & { default: number } = PER_KEY[name];

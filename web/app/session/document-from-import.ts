@@ -1,7 +1,6 @@
 /** The initial document of an import: its keys, and the options of a saved project. */
 import { ENCODING, MOTION } from '../../engine/api/option-table.ts';
 import type { OptionTable, ShapeName } from '../../engine/api/option-table.ts';
-import { modelName } from '../../engine/api/paths.ts';
 import type { KeysInfo, SequenceOptions } from '../../engine/api/types.ts';
 import type { PageOptions } from '../../model/page-options.ts';
 import { forPage } from '../../model/page-options.ts';
@@ -45,5 +44,5 @@ function tangentPose(project: Project, end: ShapeName, pool: PosePool): number |
 const A_TIME = /^-?\d+(\.\d+)?(e[+-]?\d+)? s$/;
 
 function ownName(name: string): string {
-  return A_TIME.test(name) ? '' : modelName(name);
+  return A_TIME.test(name) ? '' : name;
 }
