@@ -32,7 +32,9 @@ test('an animation is saved as OBJ, PC2 and MDD in a zip, or as keys and in-betw
   expect(keys).toEqual(['cactus.csv', 'cactus.glb', 'cactus.py']);
 });
 
-test('the fewest morph targets for the tolerance are exported, and the dialog shows their number and the name', async ({ app }) => {
+test('the fewest morph targets for the tolerance are exported, and the dialog shows their number and the name', async ({
+  app,
+}) => {
   await app.open();
   const targetsIn = (text: string): number => Number(/(\d+) morph targets/.exec(text)![1]);
   const { download, bytes, stated: said } = await exported(app, () => app.by('export-bounce').check());
