@@ -1,7 +1,7 @@
 /** The times of a fitted motion's own shapes. */
 import { expect, it } from 'vitest';
 import { MOTION_DEFAULTS } from '../../web/engine/api/types.ts';
-import { fitTimes, sampledIntervals } from '../../web/engine/caller/fit-times.ts';
+import { fitCount, fitTimes } from '../../web/engine/caller/fit-times.ts';
 
 const sampledOptions = (spaceSamples: number) => ({ ...MOTION_DEFAULTS, method: 'lengths' as const, spaceSamples });
 
@@ -11,8 +11,15 @@ it('spaces times evenly between keys, in proportion to their intervals', () => {
   expect(times.map(({ key }) => key)).toEqual([0, -1, 1, -1, -1, -1, 2]);
 });
 
-it('includes every key if there are more keys than samples', () => {
-  expect(fitTimes([0, 1, 1.5, 4], sampledOptions(2)).map(({ key }) => key)).toEqual([0, 1, 2, 3]);
+it('has a time between any two keys, however many keys there are and however uneven their times', () => {
+  expect(fitTimes([0, 1, 1.5, 4], sampledOptions(2)).map(({ key }) => key)).toEqual([0, -1, 1, -1, 2, -1, 3]);
+  expect(fitTimes([0, 0.02, 1], sampledOptions(6)).map(({ time }) => time)).toEqual([
+    0, 0.01, 0.02, 0.265, 0.51, 0.755, 1,
+  ]);
+  const keys = Array.from({ length: 40 }, (_, i) => i);
+  expect(fitTimes(keys, sampledOptions(24)).map(({ time }) => time)).toEqual(
+    Array.from({ length: 79 }, (_, i) => i / 2),
+  );
 });
 
 it('has equally many times in each interval if lengths are kept', () => {
@@ -26,13 +33,15 @@ it('has equally many times in each interval if lengths are kept', () => {
   ]);
 });
 
-it.each([
-  [[0, 1, 2, 3], 3, [false, false, false]],
-  [[0, 1, 2, 3], 4, [true, false, false]],
-  [[0, 1, 2, 3], 6, [true, true, true]],
-  [[0, 0.9, 2, 3], 3, [false, false, false]],
-  [[0, 0.4, 10, 20], 2, [false, false, false]],
-  [[0, 0.02, 1], 24, [true, true]],
-])('intervals of %j with %i samples have shapes of their own or need none: %j', (keyTimes, samples, sampled) => {
-  expect(sampledIntervals(fitTimes(keyTimes, sampledOptions(samples)))).toEqual(sampled);
-});
+it.each([sampledOptions(24), sampledOptions(2), { ...MOTION_DEFAULTS, keepLengths: 3 }])(
+  'counts the times between the keys without listing them',
+  (options) => {
+    for (const keys of [2, 3, 25]) {
+      const times = fitTimes(
+        Array.from({ length: keys }, (_, i) => i),
+        options,
+      );
+      expect(fitCount(keys, options)).toBe(times.length - keys);
+    }
+  },
+);

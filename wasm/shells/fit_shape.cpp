@@ -6,13 +6,14 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostFitSteps = 60;
+constexpr int mostFitSteps = 200;
 constexpr double firstDamping = 1e-3, mostDamping = 1e6;
 constexpr double fitStop = 1e-6;  // stops at steps shorter than this share of the shape's size
 
 }  // namespace
 
-std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& target, Positions shape, double size) {
+std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& target, Positions shape, double size,
+                                   const ShapeTest& isAllowed) {
   const ShellMetric& metric = system.metric();
   ShellMeasures error = metric.difference(metric.measuresOf(shape), target);
   double energy = metric.squaredNorm(error);
@@ -29,7 +30,7 @@ std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& targ
       addScaled(trial, -1, change);
       ShellMeasures trialError = metric.difference(metric.measuresOf(trial), target);
       const double trialEnergy = metric.squaredNorm(trialError);
-      better = trialEnergy < energy;
+      better = trialEnergy < energy && isAllowed(trial);
       if (better) shape = std::move(trial), error = std::move(trialError), energy = trialEnergy;
     }
   }

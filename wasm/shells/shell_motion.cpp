@@ -1,6 +1,7 @@
 #include "shells/shell_motion.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/base/centroid.h"
@@ -68,12 +69,22 @@ Welded weldedOf(const std::vector<Triangle>& faces, const std::vector<Positions>
   return welded;
 }
 
+// The least area of each triangle that a fit may reach: none has less than a small share of its least area in the keys.
 // The angles of a triangle without area jump, so such a fit is far from its neighbours in time.
-bool collapses(const Positions& shape, const Welded& mesh) {
-  return std::ranges::any_of(mesh.faces, [&](const Triangle& face) {
-    const double area = surfaceArea(shape, {face});
-    return std::ranges::all_of(mesh.keys, [&](const Positions& key) { return area < flat * surfaceArea(key, {face}); });
-  });
+std::vector<double> leastAreas(const Welded& mesh) {
+  std::vector<double> areas;
+  for (const Triangle& face : mesh.faces) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Positions& key : mesh.keys) least = std::min(least, surfaceArea(key, {face}));
+    areas.push_back(flat * least);
+  }
+  return areas;
+}
+
+bool collapses(const Positions& shape, const std::vector<Triangle>& faces, const std::vector<double>& leastArea) {
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (surfaceArea(shape, {faces[f]}) < leastArea[f]) return true;
+  return false;
 }
 
 // Fits every sample. If one fit in an interval fails, all its samples keep their starts, because the motion would jump
@@ -83,6 +94,7 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
   const std::vector<ShellMeasures> measures = system.metric().measuresOfKeys(mesh.keys);
   ShellShapes found{mesh.starts, {}, {}, true, 0};
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
+  const std::vector<double> leastArea = leastAreas(mesh);
   std::size_t intervalStart = 0;
   for (std::size_t s = 0; s < samples.size(); ++s) {
     reportFraction(onProgress, static_cast<double>(s) / static_cast<double>(samples.size()));
@@ -90,8 +102,12 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
       intervalStart = s + 1;
       continue;
     }
-    auto shape = fitShape(system, blendOf(measures, samples[s].weights), mesh.starts[s], mesh.size);
-    if (shape && !collapses(*shape, mesh)) {
+    const bool isFlat = collapses(mesh.starts[s], mesh.faces, leastArea);
+    const auto isAllowed = [&](const Positions& trial) {
+      return isFlat || !collapses(trial, mesh.faces, leastArea);
+    };
+    auto shape = fitShape(system, blendOf(measures, samples[s].weights), mesh.starts[s], mesh.size, isAllowed);
+    if (shape && !collapses(*shape, mesh.faces, leastArea)) {
       moveOnto(*shape, mesh.starts[s], components);
       found.shapes[s] = std::move(*shape);
       continue;
@@ -103,25 +119,71 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
   return found;
 }
 
-// Shapes of intervals without a fit stay LRI's.
+// The level of each sample, from coarse to fine in time: 0 at the keys, 1 halfway between them, 2 halfway between these,
+// and so on.
+std::vector<int> levelsOf(const std::vector<ShellSample>& samples) {
+  std::vector<int> levels(samples.size(), 0);
+  const auto halve = [&](const auto& self, std::size_t from, std::size_t to, int level) -> void {
+    const std::size_t middle = (from + to) / 2;
+    if (middle == from) return;
+    levels[middle] = level;
+    self(self, from, middle, level + 1);
+    self(self, middle, to, level + 1);
+  };
+  for (std::size_t s = 1, from = 0; s < samples.size(); ++s) {
+    if (samples[s].key < 0) continue;
+    halve(halve, from, s, 1);
+    from = s;
+  }
+  return levels;
+}
+
+// Minimises first with one shape between two keys, which are those of kept lengths, then with more and more. Between
+// distant keys, the search would end far from the minimum if all shapes were free at once. Shapes of intervals without
+// a fit stay LRI's.
 void minimiseBending(ShellSystem& system, const Welded& mesh, const std::vector<ShellSample>& samples,
                      ShellShapes& found, const FractionReport& onProgress) {
-  std::vector<double> times;
   std::vector<int> interval(samples.size());  // by its last key
   std::vector<char> fixed(samples.size());
   for (std::size_t s = samples.size(); s-- > 0;) {
     interval[s] = samples[s].key >= 0 ? samples[s].key : interval[s + 1];
     fixed[s] = samples[s].key >= 0 || std::count(found.failed.begin(), found.failed.end(), interval[s]) > 0;
   }
-  for (const ShellSample& s : samples) times.push_back(s.time);
-  ShellSpline spline(system, times, mesh.size);
-  const std::vector<char> unchanged = spline.minimise(found.shapes, fixed, onProgress);
-  found.finished = spline.finished();
+  const std::vector<Positions> fits = found.shapes;
+  const std::vector<int> levels = levelsOf(samples);
+  const int finest = *std::ranges::max_element(levels);
+  std::vector<char> unchanged(samples.size());
+  for (int level = 1; level <= finest; ++level) {
+    std::vector<std::size_t> members;
+    std::vector<double> times;
+    std::vector<Positions> shapes;
+    std::vector<char> isFixed, isNew;
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      if (levels[s] > level) continue;
+      members.push_back(s);
+      times.push_back(samples[s].time);
+      shapes.push_back(found.shapes[s]);
+      isFixed.push_back(fixed[s]);
+      isNew.push_back(level > 1 && levels[s] == level && !fixed[s]);
+    }
+    ShellSpline spline(system, times, mesh.size);
+    spline.moveToMeans(shapes, isNew);
+    const double share = 1.0 / finest;
+    const std::vector<char> stayed =
+        spline.minimise(shapes, isFixed, partOf(onProgress, (level - 1) * share, level * share));
+    found.finished = spline.finished();
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      found.shapes[members[i]] = std::move(shapes[i]);
+      unchanged[members[i]] = stayed[i];
+    }
+  }
+  for (std::size_t s = 0; s < samples.size(); ++s)
+    if (unchanged[s] && (found.stiff.empty() || found.stiff.back() != interval[s])) found.stiff.push_back(interval[s]);
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
   for (std::size_t s = 0; s < samples.size(); ++s) {
     if (fixed[s]) continue;
-    moveOnto(found.shapes[s], mesh.starts[s], components);
-    if (unchanged[s] && (found.stiff.empty() || found.stiff.back() != interval[s])) found.stiff.push_back(interval[s]);
+    if (std::ranges::count(found.stiff, interval[s]) > 0) found.shapes[s] = fits[s];
+    else moveOnto(found.shapes[s], mesh.starts[s], components);
   }
 }
 

@@ -12,9 +12,10 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostSplineSteps = 20, mostHalvings = 10;
-constexpr int mostTrials = 60;      // bounds the time
+constexpr int mostSplineSteps = 40, mostHalvings = 10;
+constexpr int mostTrials = 120;     // bounds the time
 constexpr double leastFall = 1e-4;  // stops when a step lowers the energy by less than this fraction
+constexpr double negligible = 1e-6;  // stops at this share of the energy |z'|^2 of the path, with a range of 1
 constexpr int mostMeanSteps = 60;
 constexpr double meanStop = 1e-8;  // stops at steps shorter than this share of the shape's size
 constexpr double slow = 0.3;       // factors again if a step is longer than this share of the previous step
@@ -117,6 +118,18 @@ Positions ShellSpline::adjointOf(const Positions& mean, const ShellMeasures& mid
     direction = std::move(next);
   }
   return solution;
+}
+
+void ShellSpline::moveToMeans(std::vector<Positions>& shapes, const std::vector<char>& chosen) {
+  std::vector<ShellMeasures> measures;
+  for (const Positions& shape : shapes) measures.push_back(system_->metric().measuresOf(shape));
+  for (int k = 1; k + 1 < static_cast<int>(shapes.size()); ++k) {
+    Positions mean = shapes[k];
+    ShellMeasures middle;
+    if (!chosen[k] || !findMean(k, measures, mean, middle)) continue;
+    measures[k] = system_->metric().measuresOf(mean);
+    shapes[k] = std::move(mean);
+  }
 }
 
 double ShellSpline::energy(const std::vector<Positions>& shapes, std::vector<Positions>* gradient) {
@@ -273,6 +286,15 @@ std::vector<char> ShellSpline::minimise(std::vector<Positions>& shapes, const st
   return unchanged;
 }
 
+// The mean of |z'|^2 over the path, with a range of 1.
+double ShellSpline::speedOf(const std::vector<Positions>& shapes) const {
+  const ShellMetric& metric = system_->metric();
+  double sum = 0;
+  for (std::size_t k = 1; k < shapes.size(); ++k)
+    sum += metric.squaredNorm(metric.difference(metric.measuresOf(shapes[k]), metric.measuresOf(shapes[k - 1])));
+  return sum * static_cast<double>(shapes.size() - 1);
+}
+
 // Returns the time of the term that rises most where no step lowers the energy, or why it ended.
 int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>& fixed,
                          const FractionReport& onProgress) {
@@ -289,13 +311,13 @@ int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>
   if (!preconditioner) return cutShort;
   release(gradient, fixed);
   Memory memory;
-  const double first = energy;
-  double length = 1, fall = first;
+  const double least = negligible * this->speedOf(shapes);
+  double length = 1;
   for (; steps_ < mostSplineSteps && trials_ < mostTrials; ++steps_) {
     reportFraction(onProgress, std::max(double(steps_) / mostSplineSteps, double(trials_) / mostTrials));
     const Path direction = memory.direction(gradient, [&](const Path& g) { return preconditioner->apply(g); });
     const double slope = dotOf(gradient, direction);
-    if (!(slope > leastFall * energy)) return converged;
+    if (energy <= least || !(slope > leastFall * energy)) return converged;
     length = std::min(1.0, 4 * length);
     const Path means = means_;
     const std::vector<double> terms = terms_;
@@ -319,12 +341,11 @@ int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>
     addScaledPath(moved, -1, shapes), addScaledPath(changed, -1, gradient);
     memory.add(std::move(moved), std::move(changed));
     shapes = std::move(trial), gradient = std::move(trialGradient);
-    fall = energy - trialEnergy;
+    const double fall = energy - trialEnergy;
     energy = trialEnergy;
     if (fall < leastFall * energy) return converged;
   }
-  // Between two keys the least energy is 0, so it falls by a share in every step.
-  return fall < leastFall * first ? converged : cutShort;
+  return cutShort;
 }
 
 }  // namespace shapespline

@@ -32,6 +32,10 @@ class ShellSpline {
   /// if a mean is not found.
   double energy(const std::vector<Positions>& shapes, std::vector<Positions>* gradient = nullptr);
 
+  /// Replaces the chosen shapes by the means of their neighbours, from the first to the last; where a mean is not found,
+  /// the shape stays.
+  void moveToMeans(std::vector<Positions>& shapes, const std::vector<char>& chosen);
+
   /// Improves the shapes that are not fixed, until a step hardly lowers the energy. Where no step lowers it, mostly
   /// because a triangle collapses in a mean, that term is omitted and its three shapes stay. Returns one entry per
   /// shape: whether it stayed as it was for this reason, or because the search ended early (`finished`). onProgress:
@@ -45,6 +49,7 @@ class ShellSpline {
 
  private:
   bool findMean(int k, const std::vector<ShellMeasures>& measures, Positions& mean, ShellMeasures& middle);
+  double speedOf(const std::vector<Positions>& shapes) const;
   int descend(std::vector<Positions>& shapes, const std::vector<char>& fixed, const FractionReport& onProgress);
   Positions adjointOf(const Positions& mean, const ShellMeasures& middle, const ShellMeasures& away);
 

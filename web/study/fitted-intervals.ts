@@ -24,7 +24,7 @@ const ABOUT_FITS: readonly string[] = [
   'lengths-not-fitted',
   'bending-not-minimised',
   'bending-search-ended',
-  'intervals-not-sampled',
+  'bends-more-than-lri',
 ];
 
 /** The motion's warnings about its fits. */

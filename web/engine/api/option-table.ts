@@ -275,7 +275,7 @@ export const MOTION = {
     page: 'spaceFaces',
     undo: 'fitted mesh',
   },
-  /** Number of intervals between the times of the fitted shapes. */
+  /** Number of intervals between the times of the fitted shapes. Each interval between keys has at least two. */
   spaceSamples: {
     kind: 'number',
     whole: true,
@@ -284,7 +284,7 @@ export const MOTION = {
     default: 24,
     flag: 'space-samples',
     value: 'K',
-    help: 'methods lengths and shell: fit shapes at K + 1 times; default: 24',
+    help: 'methods lengths and shell: fit shapes at K + 1 times or more, one between two keys; default: 24',
     page: 'spaceSamples',
     undo: 'fitted shapes',
   },

@@ -10,7 +10,7 @@ export interface FitTime {
 
 /**
  * The times of all keys, and evenly spaced times between them. With a fitted method, `spaceSamples` intervals in total,
- * at least one between two keys. Otherwise, `keepLengths` times between two keys.
+ * or two between two keys if these are more. Otherwise, `keepLengths` times between two keys.
  */
 export function fitTimes(
   keyTimes: readonly number[],
@@ -28,26 +28,23 @@ export function fitTimes(
   return times;
 }
 
-/** Distributes `total` samples over the intervals, at least 1 each. The next one always goes to the widest spacing. */
+/** Distributes `total` samples over the intervals, at least 2 each. The next one always goes to the widest spacing. */
 function shareOut(lengths: readonly number[], total: number): number[] {
-  const counts = lengths.map(() => 1);
-  for (let left = total - lengths.length; left > 0; --left) {
+  const counts = lengths.map(() => 2);
+  for (let left = total - 2 * lengths.length; left > 0; --left) {
     const spacings = lengths.map((length, i) => length / counts[i]!);
     ++counts[spacings.indexOf(Math.max(...spacings))]!;
   }
   return counts;
 }
 
-/**
- * Whether each interval between keys has a fitted shape, or is so short beside the spacing of the others that it needs
- * none.
- */
-export function sampledIntervals(times: readonly FitTime[]): boolean[] {
-  const widest = Math.max(...times.slice(1).map(({ time }, i) => time - times[i]!.time));
-  const places = times.flatMap(({ key }, i) => (key >= 0 ? [i] : []));
-  const isAny = places.length < times.length;
-  return places.slice(1).map((end, i) => {
-    const start = places[i]!;
-    return end - start > 1 || (isAny && times[end]!.time - times[start]!.time < widest / 2);
-  });
+/** The number of times between the keys, without listing them. */
+export function fitCount(
+  keys: number,
+  { method, keepLengths, spaceSamples }: Pick<MotionOptions, 'method' | 'keepLengths' | 'spaceSamples'>,
+): number {
+  const intervals = keys - 1;
+  return METHOD[method].curve === 'fitted'
+    ? Math.max(spaceSamples, 2 * intervals) - intervals
+    : keepLengths * intervals;
 }

@@ -23,8 +23,9 @@ import {
 } from '../api/types.ts';
 import type { KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type { ExportSource } from './export-source.ts';
-import { fitTimes, sampledIntervals, type FitTime } from './fit-times.ts';
+import { fitCount, fitTimes, type FitTime } from './fit-times.ts';
 import { MotionClient } from './motion.ts';
+import { meanBending } from './shell-bending.ts';
 import type { ShapeClient } from './shape.ts';
 import type { ShellsWorker } from './worker-client.ts';
 
@@ -34,9 +35,14 @@ const MOST_COARSE = 4000;
 /** Largest number of keys and fitted shapes. */
 const MOST_MOTION_KEYS = 2000;
 
-/** Progress when the starts are ready, and when the shapes are fitted. */
+/** Progress when the starts are ready, the shapes fitted, the motion through them made, and its bending measured. */
 const STARTED = 0.3;
 const FITTED = 0.7;
+const MADE = 0.9;
+const COMPARED = 0.95;
+
+/** Smallest share by which a motion must bend more than LRI's to be named. */
+const NOTICEABLE = 0.01;
 
 type Sample = RequestOf<'fitShells'>['samples'][number];
 type Report = NonNullable<CallOptions['onProgress']>;
@@ -104,16 +110,22 @@ function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions 
   );
 }
 
-/** Counts the shapes before any is fitted, because fits may take minutes. Fitted methods limit their number. */
-function checkCount({ method, keepLengths }: MotionOptions, keys: number): void {
-  if (METHOD[method].curve === 'fitted' || keys + (keys - 1) * keepLengths <= MOST_MOTION_KEYS) return;
+/** Counts the shapes before any is fitted, because fits may take minutes. */
+function checkCount(options: MotionOptions, keys: number): void {
+  const { method, keepLengths } = options;
+  const shapes = fitCount(keys, options);
+  if (keys + shapes <= MOST_MOTION_KEYS) return;
   const count = (n: number): string => Math.floor(n).toLocaleString('en');
+  const isMethod = METHOD[method].curve === 'fitted';
+  const each = isMethod ? 1 : keepLengths;
+  const fewer = isMethod
+    ? "Use the method 'lri'"
+    : `Set keepLengths to ${count((MOST_MOTION_KEYS - keys) / (keys - 1))}`;
   throw new EngineError(
     'too-large',
-    `With keepLengths ${keepLengths}, ${count(keys)} keys need ${count((keys - 1) * keepLengths)} shapes between them, ` +
-      `but a motion can have at most ${count(MOST_MOTION_KEYS)} keys and shapes in all. Set keepLengths to ` +
-      `${count((MOST_MOTION_KEYS - keys) / (keys - 1))}, or use at most ` +
-      `${count((MOST_MOTION_KEYS + keepLengths) / (keepLengths + 1))} keys.`,
+    `With ${isMethod ? `the method '${method}'` : `keepLengths ${keepLengths}`}, ${count(keys)} keys need ` +
+      `${count(shapes)} shapes between them, but a motion can have at most ${count(MOST_MOTION_KEYS)} keys and shapes ` +
+      `in all. ${fewer}, or use at most ${count((MOST_MOTION_KEYS + each) / (each + 1))} keys.`,
   );
 }
 
@@ -143,6 +155,27 @@ class Fit {
       return await this.motionThrough(fitted, open);
     } finally {
       led?.dispose();
+    }
+  }
+
+  /** With a warning if the shape spline bends less: fits on a coarse mesh may lose more than they gain. */
+  private async compare(motion: FittedMotion): Promise<void> {
+    const plain = await this.shape.motion(this.startOptions());
+    try {
+      const bendingOf = (one: Motion, call: Call): Promise<number> =>
+        meanBending(
+          this.shape.parts.keys,
+          { range: one.range, frame: async (t) => (await one.evaluateMany([t]))[0]! },
+          this.worker,
+          call,
+        );
+      const [own, lri] = [
+        await bendingOf(motion, this.part(MADE, COMPARED)),
+        await bendingOf(plain, this.part(COMPARED, 1)),
+      ];
+      if (own > (1 + NOTICEABLE) * lri) motion.warn(bendsMore(own / lri - 1));
+    } finally {
+      plain.dispose();
     }
   }
 
@@ -253,17 +286,18 @@ class Fit {
         { ...this.spec.options, method: 'lri', keepLengths: 0, tension: [], bias: [], inPlace },
         through.info.times,
       );
-      const state = await inner.make(spec, this.part(0.8, 1));
-      const sampled = sampledIntervals(this.times);
+      const state = await inner.make(spec, this.part(0.8, MADE));
       const warnings = [
         ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings.map(this.ofKeys)]),
         ...failed.map(notFitted),
         ...stiff.map(notSmoothed),
-        ...notSampled(sampled, this.spec.options),
         ...(finished ? [] : [UNFINISHED]),
       ];
-      const fitted = sampled.map((is, i) => is && !failed.includes(i + 1) && !stiff.includes(i + 1));
-      return new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings }, fitted);
+      const fitted = this.spec.keyTimes.slice(1).map((_, i) => !failed.includes(i + 1) && !stiff.includes(i + 1));
+      const motion = new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings }, fitted);
+      const isMethod = METHOD[this.spec.options.method].curve === 'fitted';
+      if (isMethod && fitted.includes(true)) await this.compare(motion);
+      return motion;
     } catch (error) {
       inner.dispose();
       throw error;
@@ -318,14 +352,16 @@ function notSmoothed(key: number): Warning {
   };
 }
 
-/** Names the first interval without a fitted shape of its own. */
-function notSampled(sampled: readonly boolean[], { spaceSamples }: MotionOptions): Warning[] {
-  const count = sampled.filter((is) => !is).length;
-  if (count === 0) return [];
-  const message =
-    `${count} of the ${sampled.length} intervals between keys have no fitted shape, because ${spaceSamples} intervals ` +
-    'are fitted in all. The shape spline (LRI) is shown there. Fit more intervals (--space-samples), or use fewer keys.';
-  return [{ ...NO_PLACE, code: 'intervals-not-sampled', message, count, key: sampled.indexOf(false) + 1 }];
+function bendsMore(share: number): Warning {
+  const percent = share < 10 ? `${(100 * share).toFixed(share < 0.1 ? 1 : 0)} %` : `${share.toFixed(0)} times`;
+  return {
+    ...NO_PLACE,
+    code: 'bends-more-than-lri',
+    message:
+      `By edge lengths and angles, this motion bends ${percent} more than the shape spline (LRI). Add keys, or use the ` +
+      "method 'lri'.",
+    count: 0,
+  };
 }
 
 const UNFINISHED: Warning = {
@@ -408,6 +444,11 @@ export class FittedMotion extends MotionClient implements Sequence {
     } finally {
       plain.dispose();
     }
+  }
+
+  /** Adds a warning, before others have the motion. */
+  warn(warning: Warning): void {
+    this.state = { ...this.state, warnings: [...this.state.warnings, warning] };
   }
 
   protected override get keysShape(): ShapeClient {

@@ -13,7 +13,7 @@ import { KeyArrays } from './keyframes.ts';
 import { MotionClient } from './motion.ts';
 import { orderBeside } from './order-beside.ts';
 import { Scheduler, urgency } from './scheduler.ts';
-import type { CoarseMesh } from './shell-bending.ts';
+import type { MeasuredMesh } from './shell-bending.ts';
 import type { CoreWorker, ShellsWorker, WorkerCall } from './worker-client.ts';
 
 export interface ShapeParts {
@@ -40,7 +40,7 @@ export class ShapeClient implements Shape {
   /** Fitted motions that end with this shape. */
   readonly led = new Set<FittedMotion>();
   /** The mesh on which bending is measured, once it is made. */
-  readonly coarse: { mesh: CoarseMesh | null } = { mesh: null };
+  readonly coarse: { mesh: MeasuredMesh | null } = { mesh: null };
 
   private constructor(
     readonly parts: ShapeParts,

@@ -6,7 +6,9 @@ import type { CallOptions } from '../api/api.ts';
 import { invalidOption, untilAborted } from '../api/errors.ts';
 import { partOf } from '../api/progress.ts';
 import { ENCODING_DEFAULTS, type Frame } from '../api/types.ts';
+import type { KeyData } from '../wire/protocol.ts';
 import type { ShapeClient } from './shape.ts';
+import type { ShellsWorker } from './worker-client.ts';
 
 /** Largest mesh that is measured as it is, and size of the coarse mesh of others. */
 const MOST_FACES = 1000;
@@ -17,8 +19,8 @@ const COARSE = 0.3;
 
 type Report = NonNullable<CallOptions['onProgress']>;
 
-/** The measured mesh. */
-export interface CoarseMesh {
+/** The measured mesh: the shape's, or a coarse one. */
+export interface MeasuredMesh {
   faces: Uint32Array;
   keys: readonly Float32Array[];
   /** Positions on this mesh, 3 x its vertices, of a shape. */
@@ -26,15 +28,13 @@ export interface CoarseMesh {
 }
 
 /** The motion to measure. */
-export interface Measured {
-  /** The shape of its keys. */
-  shape: ShapeClient;
+interface Measured {
   range: readonly [number, number];
   frame(t: number): Promise<Frame>;
 }
 
 export async function shellBending(
-  { shape, range, frame }: Measured,
+  { shape, ...motion }: Measured & { shape: ShapeClient },
   times: readonly number[],
   call: CallOptions,
 ): Promise<number[]> {
@@ -42,6 +42,35 @@ export async function shellBending(
   const measured = partOf(report, shape.coarse.mesh ? 0 : COARSE, 1);
   const mesh = shape.coarse.mesh ?? (await coarseMesh(shape, { ...call, onProgress: partOf(report, 0, COARSE) }));
   shape.coarse.mesh = mesh;
+  const worker = shape.parts.shellsWorker();
+  try {
+    return await bendingOn(mesh, motion, times, worker, { signal, onProgress: measured });
+  } finally {
+    worker.terminate(invalidOption('The measure has ended.'));
+  }
+}
+
+/** The mean over the range, on the whole mesh. */
+export async function meanBending(
+  { info, positions: keys }: KeyData,
+  motion: Measured,
+  worker: ShellsWorker,
+  call: CallOptions & { onProgress: Report },
+): Promise<number> {
+  const [first, last] = motion.range;
+  const times = Array.from({ length: STEPS - 1 }, (_, i) => first + ((last - first) * (i + 1)) / STEPS);
+  const mesh = { faces: info.faces, keys, shapeOf: (positions: Float32Array) => positions.slice() };
+  const energies = await bendingOn(mesh, motion, times, worker, call);
+  return energies.reduce((sum, energy) => sum + energy / energies.length, 0);
+}
+
+async function bendingOn(
+  mesh: MeasuredMesh,
+  { range, frame }: Measured,
+  times: readonly number[],
+  worker: ShellsWorker,
+  { signal, onProgress }: CallOptions & { onProgress: Report },
+): Promise<number[]> {
   const step = (range[1] - range[0]) / STEPS;
   const { sampled, steps } = stepsAround(times, step);
   const shapes: Float32Array[] = [];
@@ -49,16 +78,11 @@ export async function shellBending(
     const { positions, release } = await untilAborted(signal, frame(t));
     shapes.push(mesh.shapeOf(positions));
     release();
-    measured({ stage: 'evaluating', fraction: shapes.length / sampled.length });
+    onProgress({ stage: 'evaluating', fraction: shapes.length / sampled.length });
   }
-  const worker = shape.parts.shellsWorker();
-  try {
-    const request = { faces: mesh.faces, keys: mesh.keys, shapes, steps, step };
-    const { energy } = await untilAborted(signal, worker.call('shellBending', request));
-    return energy.map((one) => one ?? NaN);
-  } finally {
-    worker.terminate(invalidOption('The measure has ended.'));
-  }
+  const request = { faces: mesh.faces, keys: mesh.keys, shapes, steps, step };
+  const { energy } = await untilAborted(signal, worker.call('shellBending', request));
+  return energy.map((one) => one ?? NaN);
 }
 
 /** The times a step before and after these times; times on a common grid share shapes. */
@@ -81,7 +105,7 @@ function stepsAround(times: readonly number[], step: number) {
 async function coarseMesh(
   { parts: { keys, encode } }: ShapeClient,
   call: CallOptions & { onProgress: Report },
-): Promise<CoarseMesh> {
+): Promise<MeasuredMesh> {
   const { faces } = keys.info;
   if (faces.length / 3 <= MOST_FACES) return { faces, keys: keys.positions, shapeOf: (positions) => positions.slice() };
   const led = await encode(
