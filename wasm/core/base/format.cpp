@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace shapespline {
 
@@ -49,6 +50,11 @@ std::string shortNumber(double number) {
   if (!scientific) return digits;
   const std::string power = std::to_string(std::abs(exponent));
   return digits + (exponent < 0 ? "e-" : "e+") + (power.size() < 2 ? "0" : "") + power;
+}
+
+std::string angleText(double radians) {
+  const double degrees = radians * 180 / std::numbers::pi;
+  return (std::abs(degrees) < 1e15 ? grouped(std::llround(degrees)) : shortNumber(degrees)) + " degrees";
 }
 
 }  // namespace shapespline

@@ -327,6 +327,17 @@ std::vector<double> PatchMotion::disagreement(const CurvePoint& point) const {
   return angle;
 }
 
+std::vector<double> PatchMotion::overshoot(const CurvePoint& point) const {
+  std::vector<Vec3> past(own_.increment.front().size(), Vec3::Zero());
+  for (const StepShare& s : point.steps) {
+    const double outside = s.share - std::clamp(s.share, 0.0, 1.0);
+    for (std::size_t k = 0; k < past.size(); ++k) past[k] += outside * own_.increment[s.step][k];
+  }
+  std::vector<double> angle;
+  for (const Vec3& vector : past) angle.push_back(vector.norm());
+  return angle;
+}
+
 void PatchMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const {
   const Solver& solver = point.closes ? *loop_ : *open_;
   patches_.connection.at(point, turns.bridges, scratch.connection);

@@ -40,6 +40,10 @@ class PatchMotion {
   /// Angle between each patch's rotation and its own path, in radians, at a point of an open curve.
   std::vector<double> disagreement(const CurvePoint& point) const;
 
+  /// How far each patch rotates past its keys at a point of an open curve, in radians: the sum of its increments, each
+  /// times the part of its share outside 0 to 1.
+  std::vector<double> overshoot(const CurvePoint& point) const;
+
   const PatchCoordinates& coordinates() const { return patches_; }
   LocalFramePoses poses() const { return {patches_.patches.ofFace, patches_.rotation}; }
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/format.h"
+
 namespace shapespline {
 
 namespace {
@@ -22,8 +24,6 @@ constexpr int fewestFaces = 4;
 // `reach`: distance beyond the keys that the page shows, in mean intervals. `openBeyond`: above this mean disagreement,
 // noise in the keys moves the shape there by percents of its diagonal. Ordinary poses reach 25 degrees.
 constexpr double reach = 0.8, openBeyond = 30 / degrees;
-
-std::string angleText(double radians) { return std::to_string(std::lround(radians * degrees)) + " degrees"; }
 
 class TurnWarnings {
  public:

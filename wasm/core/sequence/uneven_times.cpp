@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "core/base/format.h"
@@ -17,6 +18,9 @@ constexpr double unevenFactor = 4;
 // and 3.6 one interval beyond the last.
 constexpr double betweenFactor = 3, beyondFactor = 8;
 constexpr int samples = 8;  // per interval
+// Larger rotations past the keys are reported. Beyond the ends, fast rotations continue far.
+constexpr double betweenAngle = std::numbers::pi / 2, beyondAngle = 4 * std::numbers::pi;
+constexpr double mostOutside = 0.25;  // as rotations, for edge lengths
 
 struct Suspect {
   double time, weight, ratio;
@@ -62,20 +66,44 @@ std::vector<Suspect> suspectsOf(const Motion& motion) {
   return suspects;
 }
 
-struct Box {
-  Vec3 low, high;
-
-  explicit Box(const WeldedShape& shape) : low(shape.poses[0][0]), high(low) {
-    for (int j = 0; j < shape.keys; ++j)
-      for (const Vec3& p : shape.poses[j]) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  }
-
-  // Distance from the box in multiples of its diagonal; infinite for NaN.
-  double distanceOf(const Vec3& p) const {
-    const double out = (p - p.cwiseMax(low).cwiseMin(high)).norm() / (high - low).norm();
-    return std::isfinite(out) ? out : std::numeric_limits<double>::infinity();
-  }
+/// How far the motion leaves its keys, in words, and a face where.
+struct Overshoot {
+  std::string text;
+  int face = -1;
 };
+
+Overshoot ofRotations(const EncodedShape& encoded, const Motion& motion, const Suspect& suspect) {
+  const std::vector<double> angles = encoded.lri().patches().overshoot(motion.at(suspect.time));
+  const auto furthest = std::ranges::max_element(angles);
+  if (!(*furthest > (suspect.beyond ? beyondAngle : betweenAngle))) return {};
+  const std::vector<int>& patches = encoded.lri().patchOfInputFace();
+  const auto face = std::ranges::find(patches, static_cast<int>(furthest - angles.begin()));
+  return {angleText(*furthest), static_cast<int>(face - patches.begin())};
+}
+
+// Edge lengths outside those of the keys, as a share of their sum.
+Overshoot ofLengths(const EncodedShape& encoded, const Positions& shape) {
+  const InputMesh& input = encoded.input();
+  double outside = 0, whole = 0, most = 0;
+  int face = -1;
+  for (std::size_t f = 0; f < input.faces.size(); ++f)
+    for (int c = 0; c < 3; ++c) {
+      const int a = input.faces[f][c], b = input.faces[f][(c + 1) % 3];
+      double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+      for (int j = 0; j < encoded.shape().keys; ++j) {
+        const Positions& key = encoded.shape().poses[j];
+        const double length = (key[input.welding.weldedOfRaw[b]] - key[input.welding.weldedOfRaw[a]]).norm();
+        shortest = std::min(shortest, length), longest = std::max(longest, length);
+      }
+      const double length = (shape[b] - shape[a]).norm();
+      const double past = std::max({length - longest, shortest - length, 0.0});
+      outside += past, whole += longest;
+      if (!(past <= most)) most = past, face = static_cast<int>(f);
+    }
+  if (outside <= mostOutside * whole) return {};
+  const double share = 100 * outside / whole;
+  return {std::isfinite(share) ? grouped(std::llround(share)) + " % of their edge lengths" : "an unlimited distance", face};
+}
 
 std::string times(double factor) {
   return (factor < 10     ? shortNumber(std::round(10 * factor) / 10)
@@ -84,9 +112,8 @@ std::string times(double factor) {
          " times";
 }
 
-Warning warningOf(const Suspect& suspect, const KeySpan& span, double distance, int face) {
-  const std::string far = std::isfinite(distance) ? times(distance) + " their size" : "an unlimited distance";
-  const std::string away = "the motion overshoots the keys by " + far + ", ";
+Warning warningOf(const Suspect& suspect, const KeySpan& span, const Overshoot& overshoot) {
+  const std::string away = "the motion overshoots the keys by " + overshoot.text + ", ";
   const std::string where = suspect.beyond == 0
                                 ? "Between key " + std::to_string(span.from + 1) + " and key " +
                                       std::to_string(span.to + 1) + " " + away + "because this interval is " +
@@ -96,7 +123,7 @@ Warning warningOf(const Suspect& suspect, const KeySpan& span, double distance, 
                                       " as long as the " + (suspect.beyond < 0 ? "first." : "last.");
   return {"uneven-times",
           where + " Space the keys more evenly (Space keys in the Motion panel; on the command line, --key-times).", 1,
-          suspect.beyond < 0 ? span.from : span.to, face};
+          suspect.beyond < 0 ? span.from : span.to, overshoot.face};
 }
 
 }  // namespace
@@ -106,18 +133,16 @@ std::vector<Warning> unevenTimesWarnings(const EncodedShape& encoded, const Moti
   std::vector<Warning> warnings;
   const std::vector<Suspect> suspects = suspectsOf(motion);
   if (suspects.empty()) return warnings;
-  const Box box(encoded.shape());
   const std::vector<KeySpan> spans = motion.curve().spans();
-  const std::vector<Triangle>& faces = encoded.input().faces;
   for (const Suspect& suspect : suspects) {
-    Positions shape;
-    shapeAt(suspect.time, shape);
-    double farthest = 1;
-    int face = -1;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if (const double distance = box.distanceOf(shape[faces[f][0]]); distance > farthest)
-        farthest = distance, face = static_cast<int>(f);
-    if (face >= 0) warnings.push_back(warningOf(suspect, spans[suspect.span], farthest, face));
+    Overshoot found;
+    if (motion.inLri()) found = ofRotations(encoded, motion, suspect);
+    if (found.face < 0) {
+      Positions shape;
+      shapeAt(suspect.time, shape);
+      found = ofLengths(encoded, shape);
+    }
+    if (found.face >= 0) warnings.push_back(warningOf(suspect, spans[suspect.span], found));
   }
   return warnings;
 }
