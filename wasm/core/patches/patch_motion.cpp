@@ -317,14 +317,19 @@ Quaternion PatchMotion::addedTurn(const CurvePoint& point, const PatchTurns& tur
   return turn;
 }
 
-std::vector<double> PatchMotion::disagreement(const CurvePoint& point) const {
+PatchMotion::Disagreement PatchMotion::disagreement(const CurvePoint& point) const {
   Scratch scratch;
   LocalFrames frames;
   at(point, {}, scratch, frames);
-  std::vector<double> angle;
+  Disagreement result;
   for (std::size_t k = 0; k < scratch.path.size(); ++k)
-    angle.push_back(scratch.path[k].angularDistance(frames.rotation[k]));
-  return angle;
+    result.ofPatch.push_back(scratch.path[k].angularDistance(frames.rotation[k]));
+  for (std::size_t l = 0; l < scratch.connection.size(); ++l) {
+    const auto [from, to, edges] = patches_.graph.links()[l];
+    const Quaternion between = frames.rotation[from].conjugate() * frames.rotation[to];
+    result.ofLinks = std::max(result.ofLinks, between.angularDistance(scratch.connection[l]));
+  }
+  return result;
 }
 
 std::vector<double> PatchMotion::overshoot(const CurvePoint& point) const {

@@ -37,8 +37,12 @@ class PatchMotion {
   /// The local frames at `point`. At a key, they equal the encoded ones.
   void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
-  /// Angle between each patch's rotation and its own path, in radians, at a point of an open curve.
-  std::vector<double> disagreement(const CurvePoint& point) const;
+  /// Angles at a point of an open curve, in radians.
+  struct Disagreement {
+    std::vector<double> ofPatch;  ///< between each patch's rotation and its own path
+    double ofLinks = 0;           ///< the largest between a link's rotation and its own; 0 if links form a tree
+  };
+  Disagreement disagreement(const CurvePoint& point) const;
 
   /// How far each patch rotates past its keys at a point of an open curve, in radians: the sum of its increments, each
   /// times the part of its share outside 0 to 1.

@@ -23,7 +23,7 @@ constexpr int fewestFaces = 4;
 
 // `reach`: distance beyond the keys that the page shows, in mean intervals. `openBeyond`: above this mean disagreement,
 // noise in the keys moves the shape there by percents of its diagonal. Ordinary poses reach 25 degrees.
-constexpr double reach = 0.8, openBeyond = 30 / degrees;
+constexpr double reach = 0.8, openBeyond = 30 / degrees, agreeing = 1 / degrees;
 
 class TurnWarnings {
  public:
@@ -138,7 +138,9 @@ class TurnWarnings {
   // Adds no warning if the neighbouring interval already has one. interval: its last key, as in Warning::key.
   void addBeyond(const CurvePoint& point, int interval, int key, const std::string& where) {
     if (std::any_of(warnings_.begin(), warnings_.end(), [&](const Warning& w) { return w.key == interval; })) return;
-    const std::vector<double> angle = motion_.disagreement(point);
+    const auto [angle, ofLinks] = motion_.disagreement(point);
+    // Links that agree determine all rotations, so noise hardly moves the shape.
+    if (ofLinks < agreeing) return;
     const std::vector<double>& area = patches_.graph.area();
     std::vector<int> found;
     double sum = 0, total = 0;
