@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "files.h"
+#include "io/import_hints.h"
 
 namespace shapespline::test::point_cache_test {
 
@@ -205,6 +206,23 @@ TEST_CASE("files without an up axis give a hint if they stand on z") {
   };
   CHECK(has(codes("a.off", onFeet(true))));
   CHECK(!has(codes("a.off", onFeet(false))));
+}
+
+TEST_CASE("keys too far apart in an animation are named, as long as they are evenly spaced") {
+  const auto isNamed = [](const std::vector<double>& places, const std::vector<double>& times, int animation = 0) {
+    Import import;
+    import.animation = animation;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      import.keyframes.keys.push_back({"", times[k], {Vec3(places[k], 0, 0), Vec3(0, 1, 0)}});
+    warnOfDistantKeys(import);
+    return import.warnings.size() == 1 && import.warnings[0].code == "keys-far-apart";
+  };
+  const std::vector<double> even = {0, 1, 2, 3}, uneven = {0, 1, 2, 4}, swinging = {0, 1, 0, 1}, going = {0, 1, 2, 2};
+  CHECK(isNamed(swinging, even));
+  CHECK(!isNamed(going, even));
+  CHECK(!isNamed(swinging, uneven));
+  CHECK(!isNamed({0, 1, 0}, {0, 1, 2}));
+  CHECK(!isNamed(swinging, even, -1));
 }
 
 }  // namespace shapespline::test::point_cache_test

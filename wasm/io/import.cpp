@@ -231,6 +231,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   if (Status times = setTimes(keys->keyframes, options.keyTimes); !times) return times.error();
   if (Status valid = validate(keys->keyframes); !valid) return withFile(valid.error(), meshes, keys->keyframes);
   warnOfRounding(*keys);
+  warnOfDistantKeys(*keys);
   return keys;
 }
 
