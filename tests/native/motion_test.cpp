@@ -228,4 +228,26 @@ TEST_CASE("the keys are in their own principal plane, and the spline bends less 
   CHECK(s.featureCurve()->bendingEnergy({0.25})[0] < 1e-6 * s.featureCurve()->bendingEnergy({0.5})[0]);
 }
 
+TEST_CASE("keys of needles are exact in single precision too") {
+  for (const double slenderness : {300.0, 2e3, 1e4, 1e5}) {
+    CAPTURE(slenderness);
+    const double step = 1 / slenderness;
+    Shape ribbon;
+    for (int i = 0; i <= 40; ++i)
+      for (const double y : {0.0, 1.0}) ribbon.positions.emplace_back(i * step, y, 0);
+    for (int i = 0; i < 40; ++i)
+      ribbon.faces.push_back({2 * i, 2 * i + 2, 2 * i + 1}), ribbon.faces.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+    const auto rolled = [&](double angle) {
+      return [=](const Vec3& p) -> Vec3 {
+        const double radius = 40 * step / angle, turn = p.x() / radius;
+        return {radius * std::sin(turn), p.y(), radius * (1 - std::cos(turn))};
+      };
+    };
+    const Keyframes k = keyframes(ribbon, {rolled(0.01), rolled(1), rolled(2)});
+    Sequence sequence = sequenceOf(k, {});
+    for (const Key& key : k.keys)
+      CHECK(largestDistance(shapeAt(sequence, key.time), key.positions) < 1e-5 * diagonalOf(k));
+  }
+}
+
 }  // namespace shapespline::test::motion_test

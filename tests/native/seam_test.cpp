@@ -170,6 +170,23 @@ TEST_CASE("seam: starting with another key gives the same loop") {
     checkSameLoop(walk.name, walk.keyframes, periodic(), alongCircle(walk.degrees), true);
 }
 
+TEST_CASE("seam: a loop that ends turned says what its export does, unless it stays in place") {
+  const auto angleOf = [](const Keyframes& keys, bool inPlace) {
+    MotionOptions motion = periodic();
+    motion.inPlace = inPlace;
+    std::string found;
+    const Sequence sequence = sequenceOf(keys, doublePrecision(), motion);
+    for (const Warning& w : sequence.warnings())
+      if (w.code == "loop-turns") found = w.message.substr(0, w.message.find(" from its start"));
+    return found;
+  };
+  const Vec3 up(0, 1, 0);
+  const Keyframes spin = keyframes(bar(), {unmoved, turn(up, radians(100)), turn(up, radians(200))});
+  CHECK(angleOf(spin, false) == "Each period of the loop ends 160 degrees");
+  CHECK(angleOf(spin, true).empty());
+  CHECK(angleOf(keyframes(bar(), {unmoved, bend(1), turn(up, 0, Vec3(5, 0, 0))}), false).empty());
+}
+
 TEST_CASE("seam: one more period of a walk adds its rigid motion once more") {
   for (const Walk& walk : walks()) {
     CAPTURE(walk.name);

@@ -1,6 +1,7 @@
 #include "core/sequence/motion.h"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 #include "core/base/format.h"
@@ -121,6 +122,7 @@ Curve Motion::naturalCurve() const {
 
 void Motion::collectWarnings(const EncodedShape& encoded) {
   warnings_ = encoded.warnings();
+  warnOfTurnedLoop(encoded.shape());
   if (blendsVertices()) return;
   const LriSpace& lri = encoded.lri();
   warnings_.insert(warnings_.end(), lri.warnings().begin(), lri.warnings().end());
@@ -131,6 +133,18 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
     if (w.face >= 0) w.face = encoded.input().inputFaceOf[w.face];
   warnings_.insert(warnings_.end(), turns.begin(), turns.end());
   if (held_) warnOfTurnsNotHeld();
+}
+
+void Motion::warnOfTurnedLoop(const WeldedShape& shape) {
+  constexpr double leastTurn = std::numbers::pi / 180;
+  if (!curve_.closesOnLastKey() || options_.inPlace) return;
+  const double angle = shape.closing->rotation.angularDistance(Quaternion::Identity());
+  if (angle < leastTurn) return;
+  warnings_.push_back({"loop-turns",
+                       "Each period of the loop ends " + angleText(angle) +
+                           " from its start. An exported period jumps back when it is repeated, unless it is exported "
+                           "without travel (on the command line, --in-place).",
+                       1, shape.keys - 1});
 }
 
 void Motion::warnOfTurnsNotHeld() {

@@ -60,6 +60,7 @@ class Motion {
       : curve_(std::move(curve)), times_(std::move(times)), options_(options) {}
   Status hold(const EncodedShape& encoded, const Motion* before);
   void collectWarnings(const EncodedShape& encoded);
+  void warnOfTurnedLoop(const WeldedShape& shape);
   void warnOfTurnsNotHeld();
   std::vector<Warning> patchWarnings(const EncodedShape& encoded) const;
 

@@ -5,17 +5,44 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/mesh/measures.h"
 #include "core/space/vertex_space.h"
 
 namespace shapespline {
+
+namespace {
+
+// Single precision misses the keys where triangles are this slender. Squared longest edge over twice the area.
+constexpr double slender = 500;
+constexpr double mostMissed = 1e-5;  // share of the diagonal
+
+bool hasNeedles(const WeldedShape& shape) {
+  for (int j = 0; j < shape.keys; ++j)
+    for (const Triangle& f : shape.faces) {
+      const Positions& p = shape.poses[j];
+      const Vec3 a = p[f[1]] - p[f[0]], b = p[f[2]] - p[f[0]];
+      const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+      const double twiceArea = a.cross(b).norm();
+      if (twiceArea > 0 && longest > slender * twiceArea) return true;
+    }
+  return false;
+}
+
+}  // namespace
 
 Result<LriSpace> LriSpace::create(const WeldedKeys& keys, const ShapeTopology& topology, const LriOptions& options,
                                   const StageProgress& progress, OrderSource order) {
   LriSpace space(keys, options);
   if (Status status = space.encodePatchesOrGhost(topology, options, progress); !status) return status.error();
-  const Status made = options.precision == Precision::Single
-                          ? space.makeReconstructor<float>(topology, options, order, progress)
-                          : space.makeReconstructor<double>(topology, options, order, progress);
+  Status made = options.precision == Precision::Single
+                    ? space.makeReconstructor<float>(topology, options, order, progress)
+                    : space.makeReconstructor<double>(topology, options, order, progress);
+  if (made && options.precision == Precision::Single && hasNeedles(keys.shape) && space.missesKeys()) {
+    LriOptions exact = options;
+    exact.precision = Precision::Exact;
+    space.reconstructor_.reset();
+    made = space.makeReconstructor<double>(topology, exact, nullptr, progress);
+  }
   if (!made) return made.error();
   const Stage factorising{progress, "factorising"};
   Stopwatch watch;
@@ -76,6 +103,31 @@ Status LriSpace::makeReconstructor(const ShapeTopology& topology, const LriOptio
   stats_.encodings = ghost_ ? 2 : 1;
   stats_.factorisations = stats_.encodings + 1;
   return {};
+}
+
+// Whether some key is reconstructed worse than single precision promises. With a ghost and the paper's transfer, keys
+// are missed in any precision.
+bool LriSpace::missesKeys() const {
+  if (ghost_) return false;
+  const Columns columns{keys_->shape.keys};
+  std::vector<const Positions*> keys;
+  for (int j = 0; j < columns.keys; ++j) keys.push_back(&keys_->shape.poses[j]);
+  const double most = mostMissed * boundingDiagonal(keys);
+  Scratch scratch;
+  LocalFrames frames;
+  Positions positions;
+  for (int j = 0; j < columns.keys; ++j) {
+    const CurvePoint point = blendedPoint(Weights::Unit(columns.count(), j), columns);
+    localFramesAt(point, {}, scratch, frames);
+    withReconstructor([&]<class Real>(const Reconstructor<Real>& r) {
+      typename Reconstructor<Real>::Scratch own;
+      r.reconstruct(point, frames, own, own.padded);
+      r.positionsOf(own.padded, positions);
+    });
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (!((positions[v] - (*keys[j])[v]).norm() <= most)) return true;
+  }
+  return false;
 }
 
 void LriSpace::describeGhost() {

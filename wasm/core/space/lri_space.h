@@ -125,6 +125,7 @@ class LriSpace {
   // Coordinates for the metric: the ghost's, if any.
   PoseCoordinates poseCoordinates() const;
   Positions ghostOf(const Positions& positions, const Eigen::VectorXd& weights) const;
+  bool missesKeys() const;
   void describeGhost();
   void collectWarnings(int wantedGhostFaces);
 
