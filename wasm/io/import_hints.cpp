@@ -189,10 +189,11 @@ void warnOfDistantKeys(Import& import) {
     }
   }
   if (!(second > mostTurning * mostTurning * first)) return;
-  import.warnings.push_back({"keys-far-apart",
-                             "From key to key, the animation turns back more than it goes on, so a spline swings "
-                             "between the keys. Add keys: take more from the animation (on the command line, --sample).",
-                             1});
+  import.warnings.push_back(
+      {"keys-far-apart",
+       "From key to key, the animation turns back more than it goes on, so a spline swings "
+       "between the keys. Add keys: take more from the animation (on the command line, --sample).",
+       1});
 }
 
 Standing standingOf(const Keyframes& keyframes, bool flat) {

@@ -27,8 +27,8 @@ void warnOfSizes(const std::vector<std::string>& where, Import& import);
 /// Whether all keys have the same pose.
 bool allSame(const Keyframes& keyframes);
 
-/// Warns of at least four evenly spaced keys of an animation whose second differences are so much larger than the first
-/// (rms over vertices and keys) that straight lines are closer to the animation than a spline.
+/// Warns of at least four evenly spaced keys of an animation whose second differences exceed 1.4 times the first (rms
+/// over vertices and keys). Straight lines are then closer to the animation than a spline.
 void warnOfDistantKeys(Import& import);
 
 /// The likely up axis of shapes that are imported as Y up.

@@ -13,7 +13,7 @@ constexpr double fitStop = 1e-6;  // stops at steps shorter than this share of t
 }  // namespace
 
 std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& target, Positions shape, double size,
-                                   const ShapeTest& isAllowed) {
+                                  const ShapeTest& isAllowed) {
   const ShellMetric& metric = system.metric();
   ShellMeasures error = metric.difference(metric.measuresOf(shape), target);
   double energy = metric.squaredNorm(error);

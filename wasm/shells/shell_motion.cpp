@@ -103,9 +103,7 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
       continue;
     }
     const bool isFlat = collapses(mesh.starts[s], mesh.faces, leastArea);
-    const auto isAllowed = [&](const Positions& trial) {
-      return isFlat || !collapses(trial, mesh.faces, leastArea);
-    };
+    const auto isAllowed = [&](const Positions& trial) { return isFlat || !collapses(trial, mesh.faces, leastArea); };
     auto shape = fitShape(system, blendOf(measures, samples[s].weights), mesh.starts[s], mesh.size, isAllowed);
     if (shape && !collapses(*shape, mesh.faces, leastArea)) {
       moveOnto(*shape, mesh.starts[s], components);
@@ -119,8 +117,8 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
   return found;
 }
 
-// The level of each sample, from coarse to fine in time: 0 at the keys, 1 halfway between them, 2 halfway between these,
-// and so on.
+// The level of each sample, from coarse to fine in time: 0 at the keys, 1 halfway between them, 2 halfway between
+// these, and so on.
 std::vector<int> levelsOf(const std::vector<ShellSample>& samples) {
   std::vector<int> levels(samples.size(), 0);
   const auto halve = [&](const auto& self, std::size_t from, std::size_t to, int level) -> void {

@@ -13,8 +13,8 @@ namespace shapespline {
 namespace {
 
 constexpr int mostSplineSteps = 40, mostHalvings = 10;
-constexpr int mostTrials = 120;     // bounds the time
-constexpr double leastFall = 1e-4;  // stops when a step lowers the energy by less than this fraction
+constexpr int mostTrials = 120;      // bounds the time
+constexpr double leastFall = 1e-4;   // stops when a step lowers the energy by less than this fraction
 constexpr double negligible = 1e-6;  // stops at this share of the energy |z'|^2 of the path, with a range of 1
 constexpr int mostMeanSteps = 60;
 constexpr double meanStop = 1e-8;  // stops at steps shorter than this share of the shape's size

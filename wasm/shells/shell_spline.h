@@ -32,8 +32,8 @@ class ShellSpline {
   /// if a mean is not found.
   double energy(const std::vector<Positions>& shapes, std::vector<Positions>* gradient = nullptr);
 
-  /// Replaces the chosen shapes by the means of their neighbours, from the first to the last; where a mean is not found,
-  /// the shape stays.
+  /// Replaces the chosen shapes by the means of their neighbours, from the first to the last; where a mean is not
+  /// found, the shape stays.
   void moveToMeans(std::vector<Positions>& shapes, const std::vector<char>& chosen);
 
   /// Improves the shapes that are not fixed, until a step hardly lowers the energy. Where no step lowers it, mostly

@@ -102,7 +102,8 @@ Overshoot ofLengths(const EncodedShape& encoded, const Positions& shape) {
     }
   if (outside <= mostOutside * whole) return {};
   const double share = 100 * outside / whole;
-  return {std::isfinite(share) ? grouped(std::llround(share)) + " % of their edge lengths" : "an unlimited distance", face};
+  return {std::isfinite(share) ? grouped(std::llround(share)) + " % of their edge lengths" : "an unlimited distance",
+          face};
 }
 
 std::string times(double factor) {
