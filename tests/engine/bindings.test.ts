@@ -70,7 +70,6 @@ describe('the bindings', () => {
       at({ method: 'cubic-vertex' }, 0.8),
       at({ method: 'rotation-strain' }, 0.8),
       at({ method: 'rimd' }, 0.8),
-      at({ ownPaths: 'absolute' }, 0.8),
       at({ tension: [0, 1, 0] }, 0.8),
       at({ bias: [0, 1, 0] }, 0.8),
       at({ bias: [0, -1, 0] }, 0.8),

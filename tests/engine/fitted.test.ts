@@ -132,7 +132,6 @@ describe('lengths', () => {
       [{ startTangent: poses[0]! }, 'end tangents'],
       [{ tension: [0.5, 0] }, 'tension or bias'],
       [{ turns: [{ key: 1, turns: 1 }] }, 'full turns'],
-      [{ ownPaths: 'root' }, 'own paths of faces'],
     ] as const) {
       const failure = await failureOf(engine.createSequence(keys, { ...options, method: 'lengths' } as object));
       expect(failure.code).toBe('invalid-option');

@@ -1,10 +1,9 @@
 /** Motions of the method `lri` through shapes that keep lengths: measures, unsupported options, keys in warnings. */
 import { describe, expect, it } from 'vitest';
 import type { Keys, Motion } from '../../web/engine/api/api.ts';
-import { missedLengths } from '../../web/app/analysis/missed-lengths.ts';
 import { folderOf, runCli } from './support/cli.ts';
 import { dataFile, hasData } from './support/data.ts';
-import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
+import { failureOf, frameAt, testEngine } from './support/engines.ts';
 import { poseFiles } from './support/glb.ts';
 import { bar, bent, largestDistance, moved, rolledSheet, split } from './support/shapes.ts';
 
@@ -40,15 +39,6 @@ async function deviations(motion: Motion, keys: Keys): Promise<{ area: number; l
     lengths: 100 * Math.sqrt(sum / times.length / from.length),
   };
 }
-
-const missed = (motion: Motion, keys: Keys): Promise<number | null> =>
-  missedLengths({
-    motion,
-    faces: keys.info.faces,
-    keys: keys.info.times.length,
-    key: (index) => keys.positions(index),
-    signal: new AbortController().signal,
-  });
 
 it('too many keys are refused with their own number before any shape is fitted', async () => {
   const { faces, poses } = rolledSheet(2, 1);
@@ -108,7 +98,6 @@ describe('kept lengths', () => {
       [{ boundary: 'periodic' }, "ends other than 'natural'"],
       [{ boundary: 'hermite' }, "ends other than 'natural'"],
       [{ turns: [{ key: 1, turns: 1 }] }, 'full turns'],
-      [{ ownPaths: 'root' }, 'own paths of faces'],
     ] as const) {
       const { message } = await failureOf(engine.createSequence(keys, { ...options, keepLengths: 1 } as object));
       expect(message).toBe(`The option keepLengths does not support ${what}. Set keepLengths to 0.`);
@@ -163,50 +152,13 @@ describe('kept lengths', () => {
     expect(await run('--keep-lengths', '1', '--hold', 'on', '--output', 'motion.glb')).toBe(2);
   });
 
-  it('are proposed for sheets only', async () => {
-    const keys = await sheet(8);
-    expect(await missed(await engine.createSequence(keys), keys)).toBeGreaterThan(0.02);
-    const bend = (await bendKeys(engine)).keys;
-    expect(await missed(await engine.createSequence(bend), bend)).toBeNull();
-  });
-
-  it('are proposed and kept for split vertices as for a welded mesh', async () => {
+  it('are kept for split vertices as for a welded mesh', async () => {
     const { faces, poses } = rolledSheet(8, 3.5);
     const [one, apart] = [await keysOf({ faces, poses }), await keysOf(split(faces, poses))];
     const plain = await engine.createSequence(one);
-    const found = await missed(await engine.createSequence(apart), apart);
-    expect(found).toBeCloseTo((await missed(plain, one))!, 4);
     const kept = await engine.createSequence(apart, { keepLengths: 1 });
     expect(kept.warnings.map(({ code }) => code)).not.toContain('lengths-not-fitted');
     expect((await deviations(kept, apart)).area).toBeLessThan((await deviations(plain, one)).area / 3);
-  });
-
-  it('are not proposed where a sheet folds, with welded or split vertices', async () => {
-    const { faces, poses } = rolledSheet(8, 3.5);
-    const vertices = poses[0]!.length / 3;
-    // Two triangles beside the sheet, folded by 120 degrees in the second key.
-    const hinged = {
-      faces: Uint32Array.of(...faces, ...[0, 1, 2, 1, 3, 2].map((v) => vertices + v)),
-      poses: poses.map((pose, key) => {
-        const angle = (key * 2 * Math.PI) / 3;
-        return Float32Array.of(...pose, 2, 0, 0, 3, -1, 0, 3, 1, 0, 3 + Math.cos(angle), 0, Math.sin(angle));
-      }),
-    };
-    for (const mesh of [hinged, split(hinged.faces, hinged.poses)]) {
-      const keys = await keysOf(mesh);
-      expect(await missed(await engine.createSequence(keys), keys)).toBeNull();
-    }
-  });
-
-  it('have the same error if a tangent pose is given', async () => {
-    const { faces, poses } = rolledSheet(8, 3.5);
-    const keys = await engine.createKeys({
-      faces,
-      poses: [...poses, poses[0]!].map((positions, i) => ({ name: `${i}`, time: i, positions })),
-    });
-    const plain = await missed(await engine.createSequence(keys), keys);
-    const tangent = await engine.createSequence(keys, { startTangent: poses[1]! });
-    expect(await missed(tangent, keys)).toBeCloseTo(plain!, 4);
   });
 
   const plate = ['turns/plate/plate121_rolledA.ply', 'turns/plate/plate121_rolledB.ply'];
@@ -216,7 +168,6 @@ describe('kept lengths', () => {
     const before = await deviations(plain, keys);
     expect(before.lengths).toBeGreaterThan(5);
     expect(before.area).toBeGreaterThan(3);
-    expect(await missed(plain, keys)).toBeGreaterThan(0.02);
     for (const [keepLengths, most] of [
       [1, 1.3],
       [3, 1.2],
@@ -225,11 +176,5 @@ describe('kept lengths', () => {
       expect(lengths).toBeLessThan(most);
       expect(area).toBeLessThan(0.1);
     }
-  });
-
-  const cactus = ['cactus/cactus-1.glb', 'cactus/cactus-2.glb', 'cactus/cactus-3.glb'];
-  it.skipIf(!hasData)('are not proposed for a cactus', async () => {
-    const keys = await engine.importKeyframes(cactus.map(dataFile));
-    expect(await missed(await engine.createSequence(keys), keys)).toBeNull();
   });
 });

@@ -191,7 +191,6 @@ describe('shapespline measure', () => {
     [['--boundary', 'periodic', '--tension', '0,1,0'], 'lri,lengths,shell'],
     [['--boundary', 'hermite', '--start-speed', '0'], 'lri,geodesic,linear,lengths'],
     [['--keep-lengths', '1'], 'lri,rimd,cubic-vertex'],
-    [['--own-paths', 'root'], 'lri,rimd'],
     [['--ghost-faces', '60', '--transfer', 'paper'], 'lri,rimd,linear,rotation-strain'],
   ])('leaves %j out of the methods that lack it, in %s', { timeout: 60_000 }, async (options, methods) => {
     const folder = await folderOf([await rigFile(file)]);

@@ -88,30 +88,6 @@ describe('a sequence', () => {
     sequence.dispose();
   });
 
-  it('has own paths of faces, which pass through the keys', async () => {
-    const { mesh, poses } = bend;
-    const twisted = moved(mesh, (x, y, z) => {
-      const [c, s] = [Math.cos(z / 4), Math.sin(z / 4)];
-      return [c * x - s * y, s * x + c * y, z];
-    });
-    const files = poseFiles(mesh, [poses[0]!, poses[2]!, twisted]);
-    const keys = await engine.importKeyframes(files, { keyTimes: [0, 0.5, 1] });
-    const sequence = await engine.createSequence(keys);
-    const plain = await positionsAt(sequence, 0.3);
-    for (const ownPaths of ['absolute', 'root'] as const) {
-      await sequence.update({ ownPaths });
-      const own = largestDistance(await positionsAt(sequence, 0.3), plain);
-      expect(own).toBeGreaterThan(1e-3);
-      expect(own).toBeLessThan(0.5);
-      expect(largestDistance(await positionsAt(sequence, 0.5), poses[2]!)).toBeLessThan(1e-4);
-    }
-    const { code } = await failureOf(sequence.update({ turns: [{ key: 1, turns: 1 }] }));
-    expect(code).toBe('invalid-option');
-    await sequence.update({ ownPaths: 'off' });
-    expect(await positionsAt(sequence, 0.3)).toEqual(plain);
-    sequence.dispose();
-  });
-
   it('measures an open surface like the page, at any position', async () => {
     const { positions, indices } = bar();
     const open = { positions: positions.map((value) => value + 7), indices: indices.slice(6) };

@@ -31,7 +31,6 @@ std::vector<Change> changes() {
           change("cubic vertex", [](Change& c) { c.motion.method = Method::CubicVertex; }),
           change("rotation-strain", [](Change& c) { c.motion.method = Method::RotationStrain; }),
           change("rimd", [](Change& c) { c.motion.method = Method::Rimd; }),
-          change("own paths", [](Change& c) { c.motion.ownPaths = OwnPaths::Root; }),
           change("hermite, speeds 4 and 0",
                  [](Change& c) {
                    c.motion.boundary = BoundaryKind::Hermite;

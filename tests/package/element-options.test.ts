@@ -16,7 +16,7 @@ const REFITTED: readonly Attributes[] = [
   { method: 'linear' },
   { method: 'geodesic', 'in-place': '' },
   { tension: '1 0.5', bias: '0 1' },
-  { 'own-paths': 'root', compare: 'linear' },
+  { compare: 'linear' },
   { 'key-times': '0 2' },
   { 'key-times': '-1 0.5', boundary: 'hermite', 'start-speed': '0' },
   {},

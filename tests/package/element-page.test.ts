@@ -383,7 +383,6 @@ it.each<[string, Partial<SequenceOptions>]>([
   ['hold', { hold: 'on', pins: [{ vertex: 0, radius: 0.1 }], tension: [0, 1, 0], turns: [{ key: 2, turns: 1 }] }],
   ['loop', { boundary: 'periodic' }],
   ['kept', { keepLengths: 1 }],
-  ['paths', { ownPaths: 'root', boundary: 'hermite' }],
   ['ghost', { ghostFaces: 60, transfer: 'paper' }],
 ])('opens what the embed dialog writes for every method beside a project: %s', async (name, options) => {
   const mesh = bar();

@@ -24,7 +24,6 @@ const state: AppState = {
       startSpeed: 0,
       endSpeed: 2.5,
       keepLengths: 2,
-      ownPaths: 'root',
       spaceFaces: 500,
       spaceSamples: 12,
     },

@@ -6,6 +6,7 @@ import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sou
 import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
 import { ENCODING, MOTION, PER_KEY } from '../../web/engine/api/option-table.ts';
 import { SEQUENCE_DEFAULTS, type KeysInfo } from '../../web/engine/api/types.ts';
+import { withoutGone } from '../../web/engine/api/gone-options.ts';
 import { keptDoc } from '../../web/model/kept-document.ts';
 import { turnsOf } from '../../web/model/shaping.ts';
 import { DEFAULT_MOTION, EMPTY_STATE } from '../../web/model/state.ts';
@@ -31,12 +32,15 @@ function spelt(doc: Doc): object {
 
 /** Current names of renamed choices. */
 const asNow = (text: string): string =>
-  text.replace(/(hold\W+)(contact|anchored)/, '$1on').replace(/(precision\W+)double/, '$1exact');
+  text
+    .replace(/(hold\W+)(contact|anchored)/, '$1on')
+    .replace(/(precision\W+)double/, '$1exact')
+    .replace(/&ownPaths=\w+/, '');
 
 /** Fields missing in a fixture were added later and have their defaults. */
 const withDefaults = <T extends { motion: object }>(expected: T): T => ({
   ...expected,
-  motion: { ...DEFAULT_MOTION, ...expected.motion },
+  motion: { ...DEFAULT_MOTION, ...withoutGone(expected.motion) },
 });
 
 /** Poses included in a project are numbered after its three keys. */

@@ -2,57 +2,42 @@
 import { expect, it } from 'vitest';
 import { buildKey, sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import { motionFor } from '../../web/engine/api/method-options.ts';
-import { setEncoding, setMotion, setTurns } from '../../web/model/edits.ts';
-import { departs, splineOptions, whyNoLengths, whyNoPaths } from '../../web/model/spline-options.ts';
+import { setMotion, setTurns } from '../../web/model/edits.ts';
+import { departs, whyNoLengths } from '../../web/model/spline-options.ts';
 import { DEFAULT_VIEW } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
 const plain = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 1));
 const kept = setMotion(plain, { keepLengths: 2 });
-const paths = setMotion(plain, { ownPaths: 'absolute' });
 
-const main = (doc: Doc) => {
+const lengthsOf = (doc: Doc): number => {
   const plan = sequencePlan(doc);
-  const { keepLengths, ownPaths } = motionFor(plan.motion, plan.variants[0]!);
-  return { keepLengths, ownPaths };
+  return motionFor(plan.motion, plan.variants[0]!).keepLengths;
 };
 
 it('lengths can be kept with natural ends, without holding and added turns', () => {
-  expect(main(kept)).toEqual({ keepLengths: 2, ownPaths: 'off' });
+  expect(lengthsOf(kept)).toBe(2);
   for (const [doc, why] of [
     [setMotion(kept, { boundary: 'periodic' }), 'ends'],
     [setMotion(kept, { hold: 'on' }), 'held'],
     [setMotion(kept, { pins: [{ vertex: 0, radius: 0.1 }] }), 'held'],
     [setTurns(kept, 1, { turns: 1 }), 'turns'],
-    [setMotion(kept, { ownPaths: 'root' }), 'paths'],
   ] as const) {
     expect(whyNoLengths(doc)).toBe(why);
-    expect(main(doc).keepLengths).toBe(0);
+    expect(lengthsOf(doc)).toBe(0);
     // The choice stays in the document.
     expect(doc.motion.keepLengths).toBe(2);
   }
 });
 
-it('own paths are available for the shape spline without added turns', () => {
-  expect(main(paths).ownPaths).toBe('absolute');
-  expect(whyNoPaths(setTurns(paths, 1, { turns: 1 }))).toBe('turns');
-  expect(main(setTurns(paths, 1, { turns: 1 })).ownPaths).toBe('off');
-  const led = setEncoding(paths, { ghostFaces: 500, transfer: 'paper' });
-  expect(whyNoPaths(led)).toBe('transfer');
-  expect(main(led).ownPaths).toBe('off');
-  expect(splineOptions(setMotion(paths, { method: 'rimd' }))).toEqual({ keepLengths: 0, ownPaths: 'off' });
-});
-
-it('a motion with one of them is compared with the published one', () => {
+it('a motion with kept lengths is compared with the published one', () => {
   expect(departs(plain)).toBe(false);
-  for (const doc of [kept, paths]) {
-    expect(departs(doc)).toBe(true);
-    const plan = sequencePlan(doc, { ...DEFAULT_VIEW, compare: ['lri', 'geodesic'] });
-    expect(plan.variants.map(({ plain: published }) => published)).toEqual([undefined, true, undefined]);
-    for (const variant of plan.variants.slice(1))
-      expect(motionFor(plan.motion, variant)).toMatchObject({ keepLengths: 0, ownPaths: 'off' });
-  }
+  expect(departs(kept)).toBe(true);
+  const plan = sequencePlan(kept, { ...DEFAULT_VIEW, compare: ['lri', 'geodesic'] });
+  expect(plan.variants.map(({ plain: published }) => published)).toEqual([undefined, true, undefined]);
+  for (const variant of plan.variants.slice(1))
+    expect(motionFor(plan.motion, variant)).toMatchObject({ keepLengths: 0 });
 });
 
 it('shapes are fitted again on another mesh or at other times, and other motions stay', () => {

@@ -8,7 +8,6 @@ import type { Context, Ways } from './actions/context.ts';
 import { ACTIONS } from './actions/table.ts';
 import { createAnalysisCache } from './analysis/analysis-cache.ts';
 import { createMotionSpeed } from './analysis/motion-speed.ts';
-import type { ProposalParts, Proposals } from './analysis/proposals.ts';
 import { createDisplay } from './drawing/display.ts';
 import { applyLook, followState, sessionEvents } from './follow-state.ts';
 import { factsOf } from './guide/facts.ts';
@@ -47,7 +46,6 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     viewState,
     feedback,
     onOffer: offers.imported.offer,
-    onAnimation: () => context.proposals.follow(),
     onGuide(fragment) {
       if (fragment === null) void guide.now?.close();
       else openGuide(fragment).catch(feedback.onError);
@@ -72,11 +70,6 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       towards: () => endTangents(store.get().doc),
       onSpeed: (speedCurve, mostSpeeds) => viewState.change({ speedCurve, mostSpeeds }),
     }),
-    proposals: proposalsOf(
-      session,
-      () => context,
-      (proposal) => offers.option.offer(proposal && { ...proposal, onAccept: () => commands.motion(proposal.change) }),
-    ),
     takeFiles: new TakeFiles({
       store,
       files: ways.files,
@@ -107,27 +100,6 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   void display.scene.viewer.firstSeen.then(redraw);
   applyLook(context);
   redraw();
-}
-
-function proposalsOf(session: Session, app: () => Context, onProposal: ProposalParts['onProposal']): Proposals {
-  const loaded = lazy(async () => {
-    const { createProposals } = await import('./analysis/proposals.ts');
-    return createProposals({
-      session,
-      animation: () => app().animation.now?.atHand ?? null,
-      ms: () => app().viewState.get().ms ?? 1,
-      isQuiet: () => app().guide.now?.isOpen === true || session.store.get().view.present !== null,
-      onProposal,
-    });
-  });
-  // Offline without the file, the page proposes nothing.
-  return {
-    follow: () =>
-      void loaded.get().then(
-        ({ follow }) => follow(),
-        () => undefined,
-      ),
-  };
 }
 
 async function loadGuide(

@@ -68,7 +68,7 @@ export function sessionEvents(app: () => Context): SessionEvents {
 }
 
 /** The motions match the document. */
-function showServed({ session, display, viewState, feedback, analysis, motionSpeed, proposals }: Context): void {
+function showServed({ session, display, viewState, feedback, analysis, motionSpeed }: Context): void {
   const main = session.sequence();
   if (!main) return;
   viewState.change({ warnings: warningsOf(session) });
@@ -77,7 +77,6 @@ function showServed({ session, display, viewState, feedback, analysis, motionSpe
   display.playback.frameLoop.follow(session.store.get().time);
   analysis.invalidate();
   motionSpeed.refresh();
-  proposals.follow();
   display.pinPaths.refresh();
   display.timePictures.forget();
   display.thumbnails.refresh();

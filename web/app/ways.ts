@@ -29,8 +29,6 @@ export interface WaysParts {
   feedback: Feedback;
   /** Offers actions for an import's warnings; null for none. */
   onOffer(offer: Offer | null): void;
-  /** The animation beside the motion has changed. */
-  onAnimation(): void;
   /** The URL names a page of the guide. */
   onGuide(fragment: string | null): void;
 }
@@ -94,7 +92,6 @@ export function createWays(parts: WaysParts): Ways {
     display.scene.setOriginal(reference && info && originalOf(reference, info.faces));
     viewState.change({ original: reference !== null });
     analysis.invalidate();
-    parts.onAnimation();
     await display.playback.frameLoop.request(store.get().time);
   };
   const undo = createUndo({ store, files, titleOf });

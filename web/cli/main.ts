@@ -1,5 +1,6 @@
 #!/usr/bin/env node
 /** Entry point for the terminal: 0 success, 1 bad input, 2 wrong usage; one line on stderr states the problem. */
+import { goneFlags } from '../engine/api/gone-options.ts';
 import { version } from '../../package.json';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { parseArguments, UsageError, type Arguments, type Known } from './arguments.ts';
@@ -37,6 +38,7 @@ async function run([first, ...rest]: string[]): Promise<string> {
   }
   const args = parseArguments(words, command.known);
   if (args.flags.has('help')) return HELP;
+  for (const flag of goneFlags(args.values)) sayError(`warning: --${flag} is gone, and has no effect`);
   const { text, warnings } = await command.run(args);
   for (const warning of warnings) sayError(`warning: ${warning}`);
   return text;

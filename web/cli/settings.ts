@@ -1,4 +1,5 @@
 /** The options of the commands, from the engine's table: names, parsing and help. */
+import { GONE_FLAGS } from '../engine/api/gone-options.ts';
 import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import { choiceNow, wrongWith, wrongWithList } from '../engine/api/options.ts';
@@ -86,7 +87,7 @@ function known(flags: Flag[], own: string[], several: string[] = [], bare: strin
     .filter(({ option }) => option.kind === 'names' || option.kind === 'pins')
     .map(({ flag }) => flag);
   return {
-    options: new Set([...named(true), ...own]),
+    options: new Set([...named(true), ...own, ...GONE_FLAGS]),
     repeated: new Set([...repeated, ...several]),
     flags: new Set([...named(false), ...bare, 'help']),
   };
@@ -237,7 +238,7 @@ export function withProject(
 
 /** Refuses options that cannot be combined, by the names of their flags. */
 function checkTogether(options: Partial<SequenceOptions>): void {
-  const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
+  const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [] } = options;
   if (METHOD[method].curve === 'fitted') checkFitted(options, method);
   checkKept(options);
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
@@ -246,8 +247,6 @@ function checkTogether(options: Partial<SequenceOptions>): void {
     );
   if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
     throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} requires --method lri`);
-  if (ownPaths !== 'off' && method !== OWN_METHOD) throw new UsageError(`--own-paths requires --method ${OWN_METHOD}`);
-  if (ownPaths !== 'off' && turns.length > 0) throw new UsageError('--own-paths cannot be combined with --turns');
   if (!METHOD[method].turns && turns.length > 0) throw new UsageError('--turns requires --method lri or geodesic');
 }
 
@@ -277,13 +276,12 @@ export function checkFit(args: Arguments, options: Partial<SequenceOptions>, met
 function checkKept({ method = OWN_METHOD, keepLengths = 0, ...options }: Partial<SequenceOptions>): void {
   if (keepLengths === 0) return;
   if (method !== OWN_METHOD) throw new UsageError(`--keep-lengths requires --method ${OWN_METHOD}`);
-  const { boundary = 'natural', hold = 'off', pins = [], turns = [], ownPaths = 'off' } = options;
+  const { boundary = 'natural', hold = 'off', pins = [], turns = [] } = options;
   const others: [boolean, string][] = [
     [boundary !== 'natural', 'boundary'],
     [hold !== 'off', 'hold'],
     [pins.length > 0, 'pin'],
     [turns.length > 0, 'turns'],
-    [ownPaths !== 'off', 'own-paths'],
   ];
   const [, flag] = others.find(([isGiven]) => isGiven) ?? [];
   if (flag === 'boundary') throw new UsageError('--keep-lengths requires --boundary natural');

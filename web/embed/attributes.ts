@@ -193,7 +193,6 @@ const MOVED = pick(MOTION, [
   'startSpeed',
   'endSpeed',
   'period',
-  'ownPaths',
   'keepLengths',
   'inPlace',
 ]);

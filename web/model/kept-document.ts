@@ -1,4 +1,5 @@
 /** Documents stored in a browser between visits. Earlier versions stored options per key in separate lists. */
+import { withoutGone } from '../engine/api/gone-options.ts';
 import type { Doc } from './state.ts';
 import { EMPTY_STATE } from './state.ts';
 import type { Shaping } from './shaping.ts';
@@ -23,7 +24,7 @@ export function keptDoc({ keys, motion, encoding, tension, bias, turns, partTurn
       ...key,
       shaping: shaping ? { ...DEFAULT_SHAPING, ...shaping } : before(index),
     })),
-    motion: { ...empty.motion, ...motion },
+    motion: { ...empty.motion, ...withoutGone(motion ?? {}) },
     encoding: { ...empty.encoding, ...encoding },
   };
 }

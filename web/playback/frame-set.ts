@@ -7,7 +7,7 @@ export interface Variant {
   method: Method;
   /** Number of faces of the ghost mesh; 0 without one. */
   ghost: number;
-  /** The method as published, without holding, pins, kept lengths and own paths. */
+  /** The method as published, without holding, pins and kept lengths. */
   plain?: true;
 }
 

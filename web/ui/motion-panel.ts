@@ -116,9 +116,9 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
   );
   return {
     elements: [method.element, hint, comparison],
-    update({ motion, encoding, keys, compare, fitted, disabled }) {
+    update({ motion, keys, compare, fitted, disabled }) {
       compared = compare;
-      const departing = departs({ motion, encoding, keys });
+      const departing = departs({ motion, keys });
       method.update(motion.method);
       const where = fittedText(fitted);
       setText(hint, `${METHOD_WORDS[motion.method].hint}${where && ` Here ${where} between keys; see the warnings.`}`);

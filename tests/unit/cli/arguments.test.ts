@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { GONE_FLAGS, goneFlags } from '../../../web/engine/api/gone-options.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../../../web/engine/api/option-table.ts';
 import { parseArguments, UsageError } from '../../../web/cli/arguments.ts';
 import {
@@ -46,7 +47,8 @@ describe('the command line', () => {
 
   it('explains every option', () => {
     const named = new Set([...HELP.matchAll(/--([a-z-]+)/g)].map(([, name]) => name));
-    for (const name of [...COMPLETE.options, ...COMPLETE.flags]) expect(named).toContain(name);
+    const offered = [...COMPLETE.options, ...COMPLETE.flags].filter((name) => !GONE_FLAGS.includes(name));
+    for (const name of offered) expect(named).toContain(name);
   });
 
   it('offers the options of the table, with the same text', () => {
@@ -138,10 +140,10 @@ describe('the values of options', () => {
       });
   });
 
-  it('refuse own paths with full turns, and with other methods', () => {
-    for (const other of ['--method=linear', '--method=geodesic', '--method=rimd', '--turns=2:1'])
-      expect(() => sequenceOptions(parse('--own-paths=root', other))).toThrow(/--own-paths/);
-    expect(sequenceOptions(parse('--own-paths=absolute'))).toEqual({ ownPaths: 'absolute' });
+  it('take flags of earlier versions without effect', () => {
+    expect(sequenceOptions(parse('--own-paths=absolute', '--method=linear'))).toEqual({ method: 'linear' });
+    expect(goneFlags(parse('--own-paths=absolute').values)).toEqual(['own-paths']);
+    expect(goneFlags(parse('--own-paths=off').values)).toEqual([]);
   });
 
   it('refuse kept lengths with other methods, ends and options', () => {
@@ -152,7 +154,6 @@ describe('the values of options', () => {
       '--hold=on',
       '--pin=3',
       '--turns=2:1',
-      '--own-paths=root',
     ])
       expect(() => sequenceOptions(parse('--keep-lengths=1', other))).toThrow(/--keep-lengths/);
     expect(() => sequenceOptions(parse('--keep-lengths=4'))).toThrow(/from 0 to 3/);

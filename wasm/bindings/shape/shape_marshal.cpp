@@ -14,8 +14,6 @@ constexpr std::pair<const char*, Method> methods[] = {{"lri", Method::Lri},
                                                       {"rimd", Method::Rimd}};
 constexpr std::pair<const char*, BoundaryKind> boundaries[] = {
     {"natural", BoundaryKind::Natural}, {"hermite", BoundaryKind::Hermite}, {"periodic", BoundaryKind::Periodic}};
-constexpr std::pair<const char*, OwnPaths> ownPaths[] = {
-    {"off", OwnPaths::Off}, {"absolute", OwnPaths::Absolute}, {"root", OwnPaths::Root}};
 constexpr std::pair<const char*, Stretch> stretches[] = {{"linear", Stretch::Linear}, {"log", Stretch::Log}};
 constexpr std::pair<const char*, Transfer> transfers[] = {{"exact", Transfer::Exact}, {"paper", Transfer::Paper}};
 
@@ -23,7 +21,6 @@ constexpr std::pair<const char*, Transfer> transfers[] = {{"exact", Transfer::Ex
 
 void from_json(const nlohmann::json& json, Method& value) { value = bindings::named(json, methods); }
 void from_json(const nlohmann::json& json, BoundaryKind& value) { value = bindings::named(json, boundaries); }
-void from_json(const nlohmann::json& json, OwnPaths& value) { value = bindings::named(json, ownPaths); }
 void from_json(const nlohmann::json& json, Stretch& value) { value = bindings::named(json, stretches); }
 void from_json(const nlohmann::json& json, Transfer& value) { value = bindings::named(json, transfers); }
 
@@ -79,7 +76,6 @@ MotionOptions motionFrom(const Json& json) {
   motion.bias = json.at("bias").get<std::vector<double>>();
   motion.turns = json.at("turns").get<std::vector<AddedTurns>>();
   for (const Json& pin : json.at("pins")) motion.pins.push_back(pinFrom(pin));
-  motion.ownPaths = json.at("ownPaths");
   motion.inPlace = json.at("inPlace");
   return motion;
 }

@@ -281,16 +281,6 @@ void Reconstructor<Real>::positionsOf(const PaddedShape<Real>& shape, Positions&
 }
 
 template <class Real>
-void Reconstructor<Real>::rotationsAt(const CurvePoint& point, const LocalFrames& frames, Scratch& scratch,
-                                      RotationBlocks<Real>& rotations, ForkJoin* forkJoin) const {
-  scratch.matrices.clear();
-  for (const Quaternion& q : frames.rotation)
-    for (int k = 0; k < 4; ++k) scratch.matrices.push_back(static_cast<Real>(q.coeffs()[k]));
-  kernel_.rotations(lri_.face, scratch.matrices, lri_.face.weights(poseWeights(point, shape_->roles())), rotations,
-                    forkJoin);
-}
-
-template <class Real>
 void Reconstructor<Real>::stretchesAt(const CurvePoint& point, std::vector<Real>& stretch) const {
   kernel_.stretches(lri_.face, lri_.face.weights(poseWeights(point, shape_->roles())), stretch);
 }

@@ -75,10 +75,6 @@ class Reconstructor {
   Reconstruction reconstruct(const CurvePoint& point, const RotationBlocks<Real>& rotations, Scratch& scratch,
                              PaddedShape<Real>& shape, ForkJoin* forkJoin = nullptr) const;
 
-  /// R_f of every face at `point` with the given frames, in kernel layout. Undefined for faces without area.
-  void rotationsAt(const CurvePoint& point, const LocalFrames& frames, Scratch& scratch,
-                   RotationBlocks<Real>& rotations, ForkJoin* forkJoin = nullptr) const;
-
   /// S_f of every face at `point`, in kernel layout (face_kernel.h).
   void stretchesAt(const CurvePoint& point, std::vector<Real>& stretch) const;
 

@@ -56,13 +56,6 @@ Status EncodedShape::makeFaceSpace(Method method) {
   return {};
 }
 
-Status EncodedShape::makeOwnPaths(OwnPaths base) {
-  if (Status status = checkStretches(); !status) return status;
-  auto& paths = base == OwnPaths::Root ? rootPaths_ : ownPaths_;
-  if (!paths) paths = std::make_unique<const OwnPathsSpace>(*keys_, lri(), base);
-  return {};
-}
-
 void EncodedShape::numberComponents() {
   const ShapeTopology& topology = *topology_;
   // A component that torn faces divide rotates with the part that comes first in the tree.

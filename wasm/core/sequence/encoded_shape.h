@@ -37,15 +37,11 @@ class EncodedShape {
   /// have no separate stretches.
   Status makeFaceSpace(Method method);
 
-  /// Builds the space of own paths unless it exists. base: not Off. Requirements and errors as for makeFaceSpace.
-  Status makeOwnPaths(OwnPaths base);
-
   /// LRI space must exist.
   const LriSpace& lri() const { return assert(lri_), *lri_; }
   const VertexSpace& vertices() const { return assert(vertices_), *vertices_; }
   const RotationStrainSpace& rotationStrain() const { return assert(rotationStrain_), *rotationStrain_; }
   const RimdSpace& rimd() const { return assert(rimd_), *rimd_; }
-  const OwnPathsSpace& ownPaths(OwnPaths base) const { return *(base == OwnPaths::Root ? rootPaths_ : ownPaths_); }
   bool hasLri() const { return lri_ != nullptr; }
 
   /// Component of each input face, numbered by its first face in the input; -1 without area.
@@ -76,7 +72,6 @@ class EncodedShape {
   std::optional<VertexSpace> vertices_;
   std::unique_ptr<const RotationStrainSpace> rotationStrain_;
   std::unique_ptr<const RimdSpace> rimd_;
-  std::unique_ptr<const OwnPathsSpace> ownPaths_, rootPaths_;  // absolute, and relative to the largest frame
   std::vector<int> componentOfInputFace_;
   std::vector<int> firstFaceOf_;  // a face of each component in the welded mesh, whose part carries the others
   std::vector<Warning> warnings_;

@@ -97,10 +97,6 @@ Reconstruction Evaluator::solve(const EncodedShape& encoded, const Motion& motio
   }
   encoded.lri().localFramesAt(point, motion.turns(), framesScratch_, frames_);
   stats_.localFramesMs = watch.lap();
-  if (const OwnPaths base = motion.options().ownPaths; base != OwnPaths::Off) {
-    encoded.ownPaths(base).rotationsAt(point, frames_, reconstructor, own.scratch, own.own, own.rotations, forkJoin);
-    return reconstructor.reconstruct(point, own.rotations, own.scratch, padded, forkJoin);
-  }
   const Reconstruction found = reconstructor.reconstruct(point, frames_, own.scratch, padded, forkJoin);
   if (motion.options().method != Method::Rimd) return found;
   return encoded.rimd().improve(point, reconstructor, rimdScratch_, own.scratch, padded, forkJoin);

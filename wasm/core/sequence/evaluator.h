@@ -64,7 +64,7 @@ class Evaluator {
   template <class Real>
   struct Solved {
     typename Reconstructor<Real>::Scratch scratch;
-    RotationBlocks<Real> rotations, own;  // for methods with separate face rotations
+    RotationBlocks<Real> rotations;  // for methods with separate face rotations
     PaddedShape<Real> padded;
   };
   Solved<float>& solved(const Reconstructor<float>&) { return single_; }

@@ -34,14 +34,6 @@ bool addsTurns(const MotionOptions& o) {
   return std::any_of(o.turns.begin(), o.turns.end(), [](const AddedTurns& t) { return t.turns != 0; });
 }
 
-Status checkOwnPaths(const MotionOptions& o) {
-  if (o.ownPaths == OwnPaths::Off || (o.method == Method::Lri && !addsTurns(o))) return {};
-  return Error{ErrorCode::InvalidOption,
-               o.method == Method::Lri
-                   ? "Full turns and own paths of faces cannot be combined. Remove the turns, or switch own paths off."
-                   : "Own paths of faces require the method 'lri'. Switch them off."};
-}
-
 // These methods rotate each face separately, without patches. So they cannot add turns, hold resting parts or pin.
 Status checkFaceMethod(const MotionOptions& o) {
   if (!turnsFaces(o.method)) return {};
@@ -75,7 +67,6 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
   if (Status status = checkTurns(options.turns, shape.keys, encoded.componentCount()); !status) return status.error();
   if (Status status = checkFaceMethod(options); !status) return status.error();
-  if (Status status = checkOwnPaths(options); !status) return status.error();
   Result<Curve> curve = Curve::fit(keyTimes, curveOptions(shape, options));
   if (!curve) return curve.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);

@@ -8,7 +8,6 @@
 #include "core/hold/held_motion.h"
 #include "core/hold/pin.h"
 #include "core/space/lri_space.h"
-#include "core/space/own_paths_space.h"
 #include "core/spline/rotation_spline.h"
 #include "core/spline/spline.h"
 
@@ -43,10 +42,9 @@ struct MotionOptions {
   /// the previous key; towards -1, the difference to the next key. An end key uses its only difference.
   std::vector<double> bias;
   std::vector<AddedTurns> turns;
-  bool hold = false;                  ///< keep resting parts in place (hold/); with Method::Lri and three or more keys
-  std::vector<Pin> pins;              ///< with Method::Lri
-  OwnPaths ownPaths = OwnPaths::Off;  ///< with Method::Lri, without added turns
-  bool inPlace = false;               ///< remove the translation accumulated along the sequence
+  bool hold = false;      ///< keep resting parts in place (hold/); with Method::Lri and three or more keys
+  std::vector<Pin> pins;  ///< with Method::Lri
+  bool inPlace = false;   ///< remove the translation accumulated along the sequence
 };
 
 /// Options that change the encoding and require a new shape.

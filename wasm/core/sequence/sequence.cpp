@@ -50,7 +50,7 @@ std::vector<double> timesOf(const Keyframes& keyframes) {
 Result<Sequence> Sequence::fit(std::shared_ptr<SharedShape> shape, std::vector<double> keyTimes,
                                const MotionOptions& motion, const Sequence* before, const StageProgress& progress,
                                OrderSource order) {
-  if (Status status = shape->makeSpaces(motion, progress, order); !status) return status.error();
+  if (Status status = shape->makeSpace(motion.method, progress, order); !status) return status.error();
   auto fitted = Motion::fit(shape->encoded(), std::move(keyTimes), motion, before ? &before->motion_ : nullptr);
   if (!fitted) return fitted.error();
   Sequence sequence(std::move(shape), std::move(*fitted));
@@ -76,7 +76,7 @@ void Sequence::collectWarnings() {
 }
 
 Status Sequence::update(const MotionOptions& options, const std::vector<double>& keyTimes) {
-  if (Status status = shape_->makeSpaces(options); !status) return status.error();
+  if (Status status = shape_->makeSpace(options.method); !status) return status.error();
   auto motion = Motion::fit(encoded(), keyTimes, options, &motion_);
   if (!motion) return motion.error();
   motion_ = std::move(*motion);

@@ -33,12 +33,6 @@ Status SharedShape::makeSpace(Method method, const StageProgress& progress, Orde
   return turnsFaces(method) ? encoded_.makeFaceSpace(method) : Status();
 }
 
-Status SharedShape::makeSpaces(const MotionOptions& motion, const StageProgress& progress, OrderSource order) {
-  if (Status status = makeSpace(motion.method, progress, order); !status) return status;
-  const bool own = motion.ownPaths != OwnPaths::Off && motion.method == Method::Lri;
-  return own ? encoded_.makeOwnPaths(motion.ownPaths) : Status();
-}
-
 Status SharedShape::makeLri(const StageProgress& progress, OrderSource order) {
   if (encoded_.hasLri()) return {};
   double reached = 0;

@@ -22,8 +22,6 @@ class SharedShape {
   /// Builds the space for a method's motions unless it exists. progress: as above. order: as for LriSpace::create.
   /// Errors: those of LriSpace::create and of EncodedShape::makeFaceSpace.
   Status makeSpace(Method method, const StageProgress& progress = {}, OrderSource order = nullptr);
-  /// Builds all spaces for a motion.
-  Status makeSpaces(const MotionOptions& motion, const StageProgress& progress = {}, OrderSource order = nullptr);
 
   const EncodedShape& encoded() const { return encoded_; }
   Evaluator& evaluator() { return evaluator_; }

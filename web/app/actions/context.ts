@@ -6,7 +6,6 @@ import type { Offer } from '../../ui/messages.ts';
 import type { ThemeSwitch } from '../../ui/theme.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { MotionSpeedFollower } from '../analysis/motion-speed.ts';
-import type { Proposals } from '../analysis/proposals.ts';
 import type { Display } from '../drawing/display.ts';
 import type { ExportController } from '../export/export-controller.ts';
 import type { RememberedFiles } from '../kept/remembered-files.ts';
@@ -28,7 +27,6 @@ export interface Context extends Ways {
   theme: ThemeSwitch;
   analysis: AnalysisCache;
   motionSpeed: MotionSpeedFollower;
-  proposals: Proposals;
   takeFiles: TakeFiles;
   /** Offers follow-up actions for the files just opened; null withdraws the offer. */
   offerImport(offer: Offer | null): void;

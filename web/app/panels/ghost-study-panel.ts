@@ -124,9 +124,7 @@ const studyOf: Measure = async ({ engine, store, range }, poses, signal, onProgr
     const options = {
       ...encodingFor(plan, variant!, poses.keys),
       ...motionFor(plan.motion, variant!),
-      // Both ways of following a ghost mesh are measured, and the paper's has no own paths.
       keepLengths: 0,
-      ownPaths: 'off' as const,
       placement: plan.encoding.placement,
     };
     const call = { times: studyTimes(...range()), signal, onProgress };

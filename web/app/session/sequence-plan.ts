@@ -7,7 +7,7 @@ import type { EncodingOptions, Method, MotionOptions, Pin } from '../../engine/a
 import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
 import type { Doc, View } from '../../model/state.ts';
-import { departs, splineOptions } from '../../model/spline-options.ts';
+import { departs, keptLengths } from '../../model/spline-options.ts';
 import { DEFAULT_VIEW, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
@@ -51,7 +51,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
       ...rest,
       pins: pinsFor(doc),
       ...listsOf(keys.map((key) => key.shaping)),
-      ...splineOptions(doc),
+      keepLengths: keptLengths(doc),
       inPlace: false,
     },
     variants: [

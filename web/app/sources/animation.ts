@@ -11,7 +11,6 @@ import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
 import type { ReferenceMotion, TimedShapes } from '../../study/reference-motion.ts';
 import { MOST_SAMPLED } from '../../engine/api/option-table.ts';
-import { splineOptions } from '../../model/spline-options.ts';
 import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
@@ -76,13 +75,12 @@ export class Animation {
       const reference = await this.referenceOf(animation, signal);
       const { doc } = store.get();
       const { boundary, method } = doc.motion;
-      const { ownPaths } = splineOptions(doc);
       const { stretch } = doc.encoding;
       if (!reference) return null;
       return fewestKeys(engine, reference, {
         tolerance: percent / 100,
         most: MOST_SAMPLED,
-        options: { method, stretch, ownPaths, boundary: boundary === 'periodic' ? 'natural' : boundary },
+        options: { method, stretch, boundary: boundary === 'periodic' ? 'natural' : boundary },
         signal,
         onProgress: onWorking,
       });
@@ -97,15 +95,6 @@ export class Animation {
     const given = this.truthNow;
     if (given) return spread(given.motion, () => keyRange(store, workspace));
     return this.guarded((signal) => this.referenceOf(workspace.info?.animation ?? -1, signal));
-  }
-
-  /** The animation of the keys if it has been read, and plays at the times of the keys; else null. */
-  get atHand(): TimedShapes | null {
-    const { workspace, store } = this.parts;
-    const { info } = workspace;
-    if (!info || !this.isRead(this.howNow(info.animation))) return null;
-    const { keys } = store.get().doc;
-    return keys.every(({ pose, time }) => info.times[pose] === time) ? this.read!.motion : null;
   }
 
   /** Compares with other files' animation instead of the keys' from now on; false if it is not used. */

@@ -2,6 +2,7 @@
  * Converts the state of a built-in sample to a link's fragment and back. Only differences from the defaults are
  * written. Links are untrusted, so invalid values are left out.
  */
+import { goneIn } from '../../engine/api/gone-options.ts';
 import { METHODS } from '../../engine/api/methods.ts';
 import { ENCODING, MOST_TIME, MOST_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import type { Option } from '../../engine/api/option-table.ts';
@@ -127,6 +128,7 @@ export function readPermalink(fragment: string): Permalink | null {
     if (text && value === undefined) unfit.push(name);
     return value;
   };
+  unfit.push(...goneIn(Object.fromEntries(params)));
   return {
     sample,
     keys: take('keys', readKeys) ?? null,

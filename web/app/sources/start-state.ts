@@ -1,4 +1,5 @@
 /** Initial state of opened content: document, view, time and playback. */
+import { goneIn, goneSentence } from '../../engine/api/gone-options.ts';
 import type { KeysInfo } from '../../engine/api/types.ts';
 import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
@@ -43,7 +44,16 @@ export function startOf(
   const { doc: base, lost } = settings ? carriedSettings(read, pool, settings, before) : { doc: read, lost: [] };
   const begun = begins === 'files' ? ofFiles(base, info) : begins ? ofSample(base, begins) : base;
   const initial = turn && present ? restored(present, pool, turn) : begun;
-  if (left) return { initial, doc: restored(left, pool), camera: leftView(left).camera, link: null, lost };
+  if (left) {
+    const gone = goneSentence(goneIn(left.state.doc.motion));
+    return {
+      initial,
+      doc: restored(left, pool),
+      camera: leftView(left).camera,
+      link: null,
+      lost: gone ? [...lost, gone] : lost,
+    };
+  }
   const doc = request.link ? applyPermalink(initial, request.link, info.report.components) : initial;
   const link = request.link ? outside(request.link, doc, pool) : null;
   return { initial, doc, camera: link?.view.camera ?? null, link, lost };

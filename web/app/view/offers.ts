@@ -6,10 +6,8 @@ export function createOffers() {
   const notReopened = createOffer('not-reopened');
   const imported = createOffer('import-offer');
   const pose = createOffer('pose-offer');
-  const option = createOffer('option-offer');
-  const all = [newVersion, notReopened, imported, pose, option];
+  const all = [newVersion, notReopened, imported, pose];
   return {
-    option,
     newVersion,
     notReopened,
     imported,

@@ -5,8 +5,8 @@ import type { EncodingOptions, Method, MotionOptions } from './types.ts';
 
 /**
  * The options that a method uses; the others have no effect. Straight motion has no end derivatives, and fitted motion
- * has natural ends and no tension. Some methods ignore holding and added turns, and only the shape spline keeps lengths
- * and has own paths. `plain`: as published, without holding, pins, kept lengths and own paths.
+ * has natural ends and no tension. Some methods ignore holding and added turns, and only the shape spline keeps
+ * lengths. `plain`: as published, without holding, pins and kept lengths.
  */
 export function motionFor<T extends Omit<MotionOptions, 'method'>>(
   options: T,
@@ -14,7 +14,7 @@ export function motionFor<T extends Omit<MotionOptions, 'method'>>(
 ): T & { method: Method } {
   const { curve, holds, turns } = METHOD[method];
   const { hold, pins } = plain || !holds ? MOTION_DEFAULTS : options;
-  const { keepLengths, ownPaths } = plain || method !== OWN_METHOD ? MOTION_DEFAULTS : options;
+  const { keepLengths } = plain || method !== OWN_METHOD ? MOTION_DEFAULTS : options;
   return {
     ...options,
     method,
@@ -22,7 +22,6 @@ export function motionFor<T extends Omit<MotionOptions, 'method'>>(
     hold,
     pins: [...pins],
     keepLengths,
-    ownPaths,
     turns: turns ? options.turns : [],
     ...(curve === 'fitted' && { tension: [], bias: [] }),
   };

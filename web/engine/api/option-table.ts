@@ -233,19 +233,6 @@ export const MOTION = {
     page: 'period',
     undo: 'period',
   },
-  /** This option requires the method 'lri' and no added turns. */
-  ownPaths: {
-    kind: 'choice',
-    choices: ['off', 'absolute', 'root'],
-    default: 'off',
-    flag: 'own-paths',
-    help:
-      'rotate each face on its own path between keys, fading to the path of its patch where the two differ greatly. ' +
-      'absolute is closer to sampled animations; root takes rotations relative to the largest patch, so rotating a key ' +
-      'has no effect; default: off',
-    page: 'ownPaths',
-    undo: 'own paths',
-  },
   /**
    * Number of shapes between two neighbouring keys that are fitted to splined edge lengths and angles, for the method
    * 'lri'. They depend on the key times, so this is an option of the motion.

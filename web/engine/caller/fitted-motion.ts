@@ -90,7 +90,7 @@ export async function fitMotion(
  */
 function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions | null): void {
   checkCount(options, keyTimes.length);
-  const { method, hold, pins, boundary, tension, bias, turns, ownPaths } = options;
+  const { method, hold, pins, boundary, tension, bias, turns } = options;
   const isMethod = METHOD[method].curve === 'fitted';
   const wanted: [boolean, string][] = [
     [hold === 'on', 'keeping resting parts in place'],
@@ -99,7 +99,6 @@ function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions 
     [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'end tangents'],
     [isMethod && [...tension, ...bias].some((value) => value !== 0), 'tension or bias'],
     [turns.some((one) => one.turns !== 0), 'full turns'],
-    [ownPaths !== 'off', 'own paths of faces'],
   ];
   const [, what] = wanted.find(([isWanted]) => isWanted) ?? [];
   if (!what) return;

@@ -2,6 +2,7 @@
  * A project: the content of `extras.shapespline` in an exported GLB, which restores keys, times and options. The core
  * reads the keys (wasm/io/gltf/project.h), this file the options. The text is untrusted.
  */
+import { goneIn, withoutGone } from '../api/gone-options.ts';
 import { ENCODING, MOTION, SHAPES, optionsIn } from '../api/option-table.ts';
 import { checkProject, choiceNow } from '../api/options.ts';
 import type { Point, SequenceOptions } from '../api/types.ts';
@@ -87,7 +88,7 @@ export function readOptions(text: string): SequenceOptions | null {
   try {
     const { version, options } = record(JSON.parse(text));
     if (version !== VERSION) return null;
-    const written = record(options);
+    const written = withoutGone(record(options));
     const choices = [MOTION, ENCODING]
       .flatMap(optionsIn)
       .filter(([name]) => name in written)
@@ -96,6 +97,15 @@ export function readOptions(text: string): SequenceOptions | null {
     return checkProject({ ...written, ...Object.fromEntries([...choices, ...shapes]) });
   } catch {
     return null;
+  }
+}
+
+/** The names of a project's options that are gone and were in use. */
+export function goneOptions(text: string): string[] {
+  try {
+    return goneIn(record(record(JSON.parse(text))['options']));
+  } catch {
+    return [];
   }
 }
 

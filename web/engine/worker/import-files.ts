@@ -1,9 +1,10 @@
 /** Reads files into keys, inside a worker. Compressed meshes are decoded first; a project also provides options. */
+import { goneSentence } from '../api/gone-options.ts';
 import type { OnProgress } from './wasm-calls.ts';
 import type { ImportedInfo, WasmFiles } from './wasm-files.ts';
 import { jsonOf } from './gltf-text.ts';
 import { drawnImages } from './image-size.ts';
-import { readMesh, readOptions, readPlayed, readSpeed } from '../wire/project.ts';
+import { goneOptions, readMesh, readOptions, readPlayed, readSpeed } from '../wire/project.ts';
 import { SHAPES } from '../api/option-table.ts';
 import type { KeyData } from '../wire/protocol.ts';
 import { NO_PLACE } from '../api/types.ts';
@@ -48,6 +49,7 @@ export async function importFiles(
   const { images, warnings } = drawnImages(scene.images, scene.materials);
   const project = info.project === '' ? null : readOptions(info.project);
   const unreadable = info.project !== '' && !project ? [UNREADABLE] : [];
+  const gone = goneSentence(goneOptions(info.project));
   const changed = info.project === '' ? null : changedMesh(info.project, info.report);
   // Shapes computed on the original mesh do not fit another mesh.
   if (project && changed) for (const name of SHAPES) project[name] = null;
@@ -60,6 +62,7 @@ export async function importFiles(
         ...info.warnings,
         ...warnings,
         ...unreadable,
+        ...(gone ? [{ ...NO_PLACE, code: 'gone-option', message: gone, count: 1 }] : []),
         ...(changed ? [changed] : []),
         ...lostProject(files, info),
       ],

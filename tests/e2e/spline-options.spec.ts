@@ -1,12 +1,12 @@
 /**
- * The offer of an option that suits the keys. In a browser, because the offer comes while the real page plays, runs
- * in its workers, and is accepted by a click; its conditions have unit and engine tests.
+ * Options of the shape spline. In a browser, because the panel is loaded while the real page plays, and its choice runs
+ * in the page's workers; what rules an option out has unit tests.
  */
 import { poseFiles } from '../engine/support/glb.ts';
 import { rolledSheet } from '../engine/support/shapes.ts';
 import { expect, test } from './support.ts';
 
-test('for a sheet, the page offers to keep its lengths; the panel shows the option and resets it', async ({ app }) => {
+test('lengths of a sheet are kept and released in the panel', async ({ app }) => {
   const { faces, poses } = rolledSheet(8, 3.5);
   const files = poseFiles({ positions: poses[0]!, indices: faces }, poses);
   await app.open();
@@ -15,15 +15,13 @@ test('for a sheet, the page offers to keep its lengths; the panel shows the opti
     .setInputFiles(
       files.map(({ name, bytes }) => ({ name, mimeType: 'model/gltf-binary', buffer: Buffer.from(bytes) })),
     );
-  await expect(app.by('option-offer')).toContainText('lengths of edges');
+  await expect.poll(async () => (await app.state()).source.kind).toBe('files');
   const before = await app.positionsAt(0.5);
-  await app.by('option-offer-accept').click();
-  await expect(app.by('option-offer')).toBeHidden();
+  await app.by('spline-options').click();
+  await app.by('keep-lengths-1').check();
   await app.settled();
-  expect((await app.state()).doc.motion.keepLengths).toBe(1);
   expect(await app.positionsAt(0.5)).not.toEqual(before);
   await expect(app.by('spline-options')).toContainText('lengths kept');
-  await app.by('spline-options').click();
   await app.by('keep-lengths-0').check();
   await app.settled();
   expect(await app.positionsAt(0.5)).toEqual(before);
