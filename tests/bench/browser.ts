@@ -67,7 +67,6 @@ export async function browserRunner(repository: string): Promise<Runner> {
     motion: (mesh, motion) => call('motionOf', addressOf(mesh), motion),
     resolutions: (coarse, fine) => call('resolutionsOf', addressOf(coarse), addressOf(fine)),
     keys: (few, many, count) => call('keysOf', addressOf(few), addressOf(many), count),
-    threads: (mesh) => call('threadsOf', addressOf(mesh)),
     close: async () => {
       await browser.close();
       server.close();

@@ -11,20 +11,15 @@ import { benchArguments, type Wanted } from '../../wasm/toolchain/bench-argument
 import { browserRunner } from './browser.ts';
 import { exportTable } from './exports.ts';
 import { benchDrop } from './drop.ts';
-import { benchGhostInBrowser } from './ghost-browser.ts';
-import { benchGhost } from './ghost.ts';
-import { benchInputs } from './inputs.ts';
 import { FEW_KEYS, MANY_KEYS } from './key-counts.ts';
 import { withNative } from './native.ts';
 import { nodeRunner } from './node-runner.ts';
 import { TABLE_2 } from './paper.ts';
 import type { Runner } from './runner.ts';
 import { report, type Results } from './report.ts';
-import { benchEmbed } from './embed.ts';
 import { holdTables } from './hold.ts';
 import { benchStart } from './start.ts';
 import type { Family } from './tables.ts';
-import { threadsLine } from './threads.ts';
 
 // The path is relative to the bundle, build/node/bench.mjs.
 const repository = fileURLToPath(new URL('../../', import.meta.url));
@@ -100,7 +95,7 @@ async function runAll(runner: Runner, sizes: number[]): Promise<Results> {
   return results;
 }
 
-function save(text: string, kind: '' | '-browser' | '-exports' | '-hold' | '-inputs'): void {
+function save(text: string, kind: '' | '-browser' | '-exports' | '-hold'): void {
   const { version } = JSON.parse(readFileSync(path.join(repository, 'package.json'), 'utf8')) as { version: string };
   const file = path.join(repository, 'tests/bench/results', `${version}${kind}.md`);
   mkdirSync(path.dirname(file), { recursive: true });
@@ -128,12 +123,6 @@ function bench(wanted: Wanted): Promise<void> {
   });
 }
 
-function benchThreads(wanted: Wanted): Promise<void> {
-  return withRunner(wanted.browser, async (runner) => {
-    for (const faces of facesOf(wanted)) console.log(threadsLine(await runner.threads(meshOf(faces))));
-  });
-}
-
 async function benchExports({ sizes, save: wanted }: Wanted): Promise<void> {
   const meshBytes = (faces: number): Uint8Array => readFileSync(meshOf(faces));
   const place = { repository, folder: path.join(folder, 'exports'), meshOf: meshBytes, say };
@@ -148,23 +137,12 @@ async function benchHold({ files, save: wanted }: Wanted): Promise<void> {
   if (wanted) save(`# Motions that hold what rests: ${machine()}\n\n${text}\n`, '-hold');
 }
 
-async function benchAllInputs({ files, save: wanted }: Wanted): Promise<void> {
-  const text = await benchInputs(files, say);
-  console.log(text);
-  if (wanted) save(`# Small inputs that ask for much work: ${machine()}\n\n${text}\n`, '-inputs');
-}
-
 const benches: Record<Wanted['what'], (wanted: Wanted) => Promise<void>> = {
   stages: bench,
-  threads: benchThreads,
   exports: benchExports,
-  ghost: benchGhost,
-  'ghost browser': benchGhostInBrowser,
-  embed: benchEmbed,
   start: benchStart,
   drop: ({ sizes }) => benchDrop(sizes?.map(({ faces }) => faces) ?? [332_000], meshOf),
   hold: benchHold,
-  inputs: benchAllInputs,
 };
 const wanted = benchArguments(process.argv.slice(2));
 await benches[wanted.what](wanted);

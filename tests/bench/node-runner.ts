@@ -6,10 +6,9 @@ import { compareKeys } from './key-counts.ts';
 import { measure } from './measure.ts';
 import { REFERENCE, type Runner } from './runner.ts';
 import { compareResolutions } from './resolutions.ts';
-import { compareThreads } from './threads.ts';
 import { runMotion } from './whole-sequences.ts';
 
-/** Targets are for one thread; `threads` measures two. */
+/** Targets are for one thread. */
 const ONE_THREAD = { threadsUrl: null };
 
 /** `reader`: the module that measures memory bandwidth. */
@@ -36,7 +35,6 @@ export function nodeRunner(reader: string): Runner {
       withEngine((engine) => compareResolutions(engine, bytesOf(coarse), bytesOf(fine)), ONE_THREAD),
     keys: (few, many, count) =>
       withEngine((engine) => compareKeys(engine, bytesOf(few), bytesOf(many), count), ONE_THREAD),
-    threads: (mesh) => withEngine((one) => withEngine((two) => compareThreads([one, two], bytesOf(mesh))), ONE_THREAD),
     close: () => Promise.resolve(),
   };
 }

@@ -8,7 +8,6 @@ import { compareKeys, type KeysRun } from './key-counts.ts';
 import { measure, type Run } from './measure.ts';
 import { REFERENCE } from './runner.ts';
 import { compareResolutions, type Resolutions } from './resolutions.ts';
-import { compareThreads, type ThreadsRun } from './threads.ts';
 import { runMotion, type Motion, type MotionRun } from './whole-sequences.ts';
 
 const spawn: Spawn = (events) => {
@@ -31,11 +30,10 @@ const compile = async (name: string): Promise<WebAssembly.Module> =>
   WebAssembly.compile(await fetchBytes(beside(`wasm/${name}.wasm`)));
 
 /** Targets are for one thread. */
-async function withEngine<T>(work: (engine: Engine) => Promise<T>, threads: 1 | 2 = 1): Promise<T> {
-  const threaded = threads === 2 ? onlyOnce(() => compile('shapespline_threads')) : null;
+async function withEngine<T>(work: (engine: Engine) => Promise<T>): Promise<T> {
   const filesModule = onlyOnce(() => compile('shapespline_files'));
   const shellsModule = onlyOnce(() => compile('shapespline_shells'));
-  const engine = new EngineClient({ spawn, module: compile('shapespline'), filesModule, shellsModule, threaded });
+  const engine = new EngineClient({ spawn, module: compile('shapespline'), filesModule, shellsModule, threaded: null });
   try {
     return await work(engine);
   } finally {
@@ -67,8 +65,4 @@ export function resolutionsOf(coarse: string, fine: string): Promise<Resolutions
 
 export function keysOf(few: string, many: string, count: number): Promise<KeysRun> {
   return withEngine(async (engine) => compareKeys(engine, await meshOf(few), await meshOf(many), count));
-}
-
-export function threadsOf(mesh: string): Promise<ThreadsRun> {
-  return withEngine((one) => withEngine(async (two) => compareThreads([one, two], await meshOf(mesh)), 2));
 }

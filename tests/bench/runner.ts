@@ -3,7 +3,6 @@ import type { RunNative } from './native-round.ts';
 import type { KeysRun } from './key-counts.ts';
 import type { Run } from './measure.ts';
 import type { Resolutions } from './resolutions.ts';
-import type { ThreadsRun } from './threads.ts';
 import type { Motion, MotionRun } from './whole-sequences.ts';
 
 export interface Runner {
@@ -15,7 +14,6 @@ export interface Runner {
   resolutions(coarse: string, fine: string): Promise<Resolutions>;
   /** `many` has `count` keys. */
   keys(few: string, many: string, count: number): Promise<KeysRun>;
-  threads(mesh: string): Promise<ThreadsRun>;
   close(): Promise<void>;
 }
 

@@ -20,34 +20,18 @@ describe('the arguments of npm run bench --', () => {
     expect(benchArguments([])).toEqual({ what: 'stages', sizes: null, files: [], browser: false, save: false });
     expect(benchArguments(['64,4000000', '--save', '--browser'])).toEqual({
       what: 'stages',
-      sizes: [
-        { faces: 64, keys: null },
-        { faces: 4_000_000, keys: null },
-      ],
+      sizes: [{ faces: 64 }, { faces: 4_000_000 }],
       files: [],
       browser: true,
       save: true,
     });
-    expect(benchArguments(['threads', '--browser'])).toMatchObject({ what: 'threads', sizes: null, browser: true });
     expect(benchArguments(['exports', '2000', '--save'])).toEqual({
       what: 'exports',
-      sizes: [{ faces: 2000, keys: null }],
+      sizes: [{ faces: 2000 }],
       files: [],
       browser: false,
       save: true,
     });
-    expect(benchArguments(['ghost', '85000:10,1000'])).toMatchObject({
-      what: 'ghost',
-      sizes: [
-        { faces: 85_000, keys: 10 },
-        { faces: 1000, keys: null },
-      ],
-    });
-    expect(benchArguments(['embed', '1000'])).toMatchObject({ what: 'embed', sizes: [{ faces: 1000 }] });
-    expect(() => benchArguments(['embed', '--browser'])).toThrow();
-    expect(benchArguments(['inputs'])).toMatchObject({ what: 'inputs', files: [], save: false });
-    expect(benchArguments(['inputs', '7'])).toMatchObject({ what: 'inputs', files: ['7'] });
-    expect(() => benchArguments(['inputs', 'all'])).toThrow();
     expect(benchArguments(['start'])).toMatchObject({ what: 'start', sizes: null, save: false });
     expect(() => benchArguments(['start', '1000'])).toThrow();
     expect(benchArguments(['drop', '1000'])).toMatchObject({ what: 'drop', sizes: [{ faces: 1000 }] });
@@ -60,10 +44,6 @@ describe('the arguments of npm run bench --', () => {
     });
     expect(() => benchArguments(['hold'])).toThrow();
     expect(() => benchArguments(['hold', 'walk.glb', '--browser'])).toThrow();
-    expect(benchArguments(['ghost', 'browser', '1000'])).toMatchObject({
-      what: 'ghost browser',
-      sizes: [{ faces: 1000, keys: null }],
-    });
   });
 
   it.each([
@@ -74,17 +54,11 @@ describe('the arguments of npm run bench --', () => {
     '1000.5',
     '1000,',
     '1000 2000',
-    '1000:3',
     '--fast',
-    'threads --save',
-    'threads 1000:3',
-    'ghost 1000:1',
-    'ghost 1000:101',
-    'ghost --browser',
+    'stages',
+    'start 1000',
+    'drop --save',
     'exports --browser',
-    'exports 1000:3',
-    'ghost browser 1000:3',
-    'ghost browser nonsense',
   ])('are refused where they make no sense: %s', (words) => {
     expect(() => benchArguments(words.split(' '))).toThrow('usage: npm run bench');
   });

@@ -1,13 +1,7 @@
-export interface Size {
-  faces: number;
-  /** null if none were given. */
-  keys: number | null;
-}
-
 export interface Wanted {
-  what: 'stages' | 'threads' | 'exports' | 'ghost' | 'ghost browser' | 'embed' | 'start' | 'drop' | 'hold' | 'inputs';
+  what: 'stages' | 'exports' | 'start' | 'drop' | 'hold';
   /** null: the default sizes. */
-  sizes: Size[] | null;
+  sizes: { faces: number }[] | null;
   /** Animations, for `hold`. */
   files: string[];
   browser: boolean;
