@@ -3,10 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { documentFromImport } from '../../web/app/session/document-from-import.ts';
 import type { PosePool } from '../../web/app/session/pose-pool.ts';
 import { applyPermalink, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
-import { readOptions, writeProject } from '../../web/engine/wire/project.ts';
+import { goneOptions, readOptions, writeProject } from '../../web/engine/wire/project.ts';
 import { ENCODING, MOTION, PER_KEY } from '../../web/engine/api/option-table.ts';
 import { SEQUENCE_DEFAULTS, type KeysInfo } from '../../web/engine/api/types.ts';
-import { withoutGone } from '../../web/engine/api/gone-options.ts';
+import { goneIn, goneSentence, withoutGone } from '../../web/engine/api/gone-options.ts';
 import { keptDoc } from '../../web/model/kept-document.ts';
 import { turnsOf } from '../../web/model/shaping.ts';
 import { DEFAULT_MOTION, EMPTY_STATE } from '../../web/model/state.ts';
@@ -56,6 +56,17 @@ describe('links and documents of older versions', () => {
     expect(writePermalink({ ...EMPTY_STATE, source: { kind: 'sample', id: 'cactus' }, doc, time: 0.25 }, initial)).toBe(
       asNow(link),
     );
+  });
+
+  it('drop an option that is gone, and name it if it was in use', () => {
+    const unfit = (value: string): string[] => readPermalink(`sample=cactus&ownPaths=${value}`)!.unfit;
+    expect([unfit('root'), unfit('off')]).toEqual([['ownPaths'], []]);
+    const project = (ownPaths: string): string[] => goneOptions(JSON.stringify({ options: { ownPaths } }));
+    expect([project('absolute'), project('off'), goneOptions('no JSON')]).toEqual([['ownPaths'], [], []]);
+    expect(goneSentence(project('absolute'))).toMatch(/own paths of faces/);
+    const stored = { keys: [], motion: { ...DEFAULT_MOTION, ownPaths: 'root' } };
+    expect(keptDoc(stored).motion).toEqual(DEFAULT_MOTION);
+    expect(goneIn(stored.motion)).toEqual(['ownPaths']);
   });
 
   it('are stored here for every option of a link', () => {
