@@ -333,8 +333,9 @@ test(
         at = { x: x + width / 2, y: y + height / 2 };
         await app.dragOver(files, at);
         await expect(app.by('drop-zone')).toHaveText(/is compared with the motion$/, { timeout: 500 });
-        // Plots above are complete.
+        // Plots above are complete, and panels that load once a frame has been timed have grown.
         await app.settled();
+        await app.page.waitForTimeout(500);
         expect(await app.by('truth-pick').boundingBox()).toEqual({ x, y, width, height });
       }).toPass();
       await app.drop(files, at);
