@@ -74,11 +74,13 @@ struct Overshoot {
 
 Overshoot ofRotations(const EncodedShape& encoded, const Motion& motion, const Suspect& suspect) {
   const std::vector<double> angles = encoded.lri().patches().overshoot(motion.at(suspect.time));
-  const auto furthest = std::ranges::max_element(angles);
-  if (!(*furthest > (suspect.beyond ? beyondAngle : betweenAngle))) return {};
   const std::vector<int>& patches = encoded.lri().patchOfInputFace();
-  const auto face = std::ranges::find(patches, static_cast<int>(furthest - angles.begin()));
-  return {angleText(*furthest), static_cast<int>(face - patches.begin())};
+  double furthest = suspect.beyond ? beyondAngle : betweenAngle;
+  int face = -1;
+  // A ghost mesh may have patches without a face of the input.
+  for (std::size_t f = 0; f < patches.size(); ++f)
+    if (patches[f] >= 0 && angles[patches[f]] > furthest) furthest = angles[patches[f]], face = static_cast<int>(f);
+  return {angleText(furthest), face};
 }
 
 // Edge lengths outside those of the keys, as a share of their sum.

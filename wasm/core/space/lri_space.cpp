@@ -12,8 +12,8 @@ namespace shapespline {
 
 namespace {
 
-// Single precision misses the keys where triangles are this slender. Squared longest edge over twice the area.
-constexpr double slender = 500;
+// Squared longest edge over twice the area. Single precision can miss the keys only with more slender triangles.
+constexpr double slender = 100;
 constexpr double mostMissed = 1e-5;  // share of the diagonal
 
 bool hasNeedles(const WeldedShape& shape) {
