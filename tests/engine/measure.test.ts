@@ -207,7 +207,9 @@ describe('shapespline measure', () => {
     expect(column(read(all), volume)).toEqual(column(read(own), volume));
     if (options[0] !== '--boundary') {
       const plain = await measured('--methods', last);
-      expect(column(read(all), `${last} volume`)).toEqual(column(read(plain), `${last} volume`));
+      const volumes = column(read(plain), `${last} volume`);
+      for (const [i, value] of column(read(all), `${last} volume`).entries())
+        expect(Number(value) / Number(volumes[i])).toBeCloseTo(1, 6);
     }
   });
 

@@ -142,7 +142,7 @@ void checkSameLoop(const std::string& what, const Keyframes& k, const MotionOpti
       const double t = start + (end - start) * (i + 0.3) / 12;
       largest = std::max(largest, largestDistance(shapeAt(sequence, t), shapeAt(other, t)));
     }
-    CHECK(largest < 1e-6 * diagonalOf(k));
+    CHECK(largest < 2e-6 * diagonalOf(k));
   }
 }
 

@@ -293,7 +293,7 @@ TEST_CASE("shells: the spline goes on where a mean is not found, and its shapes 
 }
 
 TEST_CASE("shells: a search that ends at its limit of steps says so") {
-  const Keyframes far = keyframes(sheet(5), {roll(0.3, 9), roll(1.9, -9), roll(2.5, 9), roll(0.9, -9)}),
+  const Keyframes far = keyframes(sheet(5), {roll(0.3, 7), roll(1.5, -7), roll(2.5, 7), roll(1.2, -7)}),
                   near = rolledSheet(5);
   CHECK(!fitted(far, samplesOf(far, 24), ShellMethod::Spline).finished);
   CHECK(fitted(near, samplesOf(near, 8), ShellMethod::Spline).finished);

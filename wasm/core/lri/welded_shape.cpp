@@ -4,11 +4,13 @@
 
 namespace shapespline {
 
-FaceFrame referenceFrame(const WeldedShape& shape, int face) {
-  const Positions& p = shape.poses[shape.reference];
+FaceFrame frameIn(const WeldedShape& shape, int face, int column) {
+  const Positions& p = shape.poses[column];
   const Triangle& t = shape.faces[face];
   return faceFrame(p[t[0]], p[t[1]], p[t[2]]);
 }
+
+FaceFrame referenceFrame(const WeldedShape& shape, int face) { return frameIn(shape, face, shape.reference); }
 
 FaceDeformation deformationOf(const WeldedShape& shape, int face, const FaceFrame& frame, int column) {
   const Positions& p = shape.poses[column];

@@ -44,9 +44,10 @@ struct WeldedShape {
   }
 };
 
+FaceFrame frameIn(const WeldedShape& shape, int face, int column);
 FaceFrame referenceFrame(const WeldedShape& shape, int face);
 
-/// R_f and S_f in one pose of a face with area. frame: its referenceFrame().
+/// R_f and S_f in one pose of a face with area, relative to `frame`.
 FaceDeformation deformationOf(const WeldedShape& shape, int face, const FaceFrame& frame, int column);
 Quaternion rotationOf(const WeldedShape& shape, int face, int column);
 

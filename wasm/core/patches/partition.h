@@ -25,9 +25,9 @@ struct FaceRotations {
 struct PatchInput {
   const FaceGraph& graph;
   const Components& components;
-  const std::vector<double>& area;  ///< in the reference pose
-  const Positions& centroid;        ///< in the reference pose
-  const FaceRotations& rotations;   ///< compared poses first; none of them needs to be the reference
+  const std::vector<double>& area;  ///< in one pose, the origin
+  const Positions& centroid;        ///< in the origin
+  const FaceRotations& rotations;   ///< relative to the origin; compared poses first
   int comparedPoses;                ///< the partition compares the first poses of `rotations`, this many
 };
 

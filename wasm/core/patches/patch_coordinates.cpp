@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/patches/central_key.h"
 #include "core/patches/turn_branches.h"
 #include "core/rotation/turn_choice.h"
 
@@ -19,10 +20,13 @@ std::vector<Quaternion> turnsOf(const std::vector<Quaternion>& from, const std::
 
 class PatchEncoder {
  public:
-  PatchEncoder(const WeldedShape& shape, const ShapeTopology& topology) : shape_(shape), topology_(topology) {}
+  PatchEncoder(const WeldedShape& shape, const ShapeTopology& topology) : shape_(shape), topology_(topology) {
+    out_.origin = centralKey(shape, topology);
+  }
 
   Result<PatchCoordinates> run(int wantedPatches, const FractionReport& onProgress) {
     partition(wantedPatches, onProgress);
+    makeReferenceUnrotated();
     encodePairs();
     if (Status status = encodeConnections(shape_, collectLinks(), std::move(area_), out_); !status)
       return status.error();
@@ -32,18 +36,18 @@ class PatchEncoder {
  private:
   void partition(int wantedPatches, const FractionReport& onProgress) {
     const int m = shape_.faceCount();
-    std::vector<int> columns;  // columns with computed rotations; the reference has none
+    std::vector<int> columns;  // columns with computed rotations; the origin has none
     for (int c = 0; c < shape_.columns(); ++c)
-      if (c != shape_.reference && !shape_.repeatsFirst(c)) columns.push_back(c);
+      if (c != out_.origin && !shape_.repeatsFirst(c)) columns.push_back(c);
     const int compared = static_cast<int>(columns.size());  // the last key of a loop repeats the first
-    if (shape_.closing && shape_.reference != shape_.keys - 1) columns.push_back(shape_.keys - 1);
+    if (shape_.closing) columns.push_back(shape_.keys - 1);
     std::vector<double> area(m, 0);
     Positions centroid(m, Vec3::Zero());
     FaceRotations rotations(m, static_cast<int>(columns.size()));
     const auto measure = [&](int f) {
-      const FaceFrame frame = referenceFrame(shape_, f);
+      const FaceFrame frame = frameIn(shape_, f, out_.origin);
       area[f] = topology_.whole(f) * frame.area;
-      centroid[f] = centroidOf(shape_.poses[shape_.reference], shape_.faces[f]);
+      centroid[f] = centroidOf(shape_.poses[out_.origin], shape_.faces[f]);
       Quaternion* rotation = rotations.of(f);
       for (const int c : columns) *rotation++ = Quaternion(deformationOf(shape_, f, frame, c).rotation);
     };
@@ -73,6 +77,16 @@ class PatchEncoder {
     out_.rotation.assign(shape_.columns(), std::vector<Quaternion>(out_.patches.count, Quaternion::Identity()));
     for (std::size_t i = 0; i < columns.size(); ++i)
       for (int k = 0; k < out_.patches.count; ++k) out_.rotation[columns[i]][k] = mean[columns.size() * k + i].mean();
+  }
+
+  // Rotates each frame by a constant, so it does not rotate in the reference pose.
+  void makeReferenceUnrotated() {
+    if (shape_.reference == out_.origin) return;
+    const std::vector<Quaternion> reference = out_.rotation[shape_.reference];
+    for (int c = 0; c < shape_.columns(); ++c)
+      for (std::size_t k = 0; k < reference.size(); ++k)
+        out_.rotation[c][k] = c == shape_.reference ? Quaternion::Identity()
+                                                    : (out_.rotation[c][k] * reference[k].conjugate()).normalized();
   }
 
   // Finds senses for faces, independent of the patches. A patch takes the sense of most of its area.
@@ -134,7 +148,7 @@ class PatchEncoder {
 
   const WeldedShape& shape_;
   const ShapeTopology& topology_;
-  std::vector<double> area_;  // area of each patch in the reference pose
+  std::vector<double> area_;  // area of each patch in the origin
   PatchCoordinates out_;
 };
 

@@ -14,7 +14,8 @@ namespace shapespline {
 
 struct PatchCoordinates {
   Patches patches;
-  std::vector<double> faceArea;  ///< in the reference pose, times the share of a face that is not torn; 0 without area
+  int origin = 0;                ///< the key that partition and mean rotations are relative to (central_key.h)
+  std::vector<double> faceArea;  ///< in the origin, times the share of a face that is not torn; 0 without area
   std::vector<std::vector<Quaternion>> rotation;  ///< G_k: rotation[column][patch]
   /// turn[step][patch]: G_to G_from^T, with the sense as its sign (turn_senses.h); empty for missing steps
   std::vector<std::vector<Quaternion>> turn;

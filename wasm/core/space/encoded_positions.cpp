@@ -15,12 +15,15 @@ ShapeCoordinates encodeShape(const PoseCoordinates& poses, const WeldedShape& sh
   for (int f = 0; f < shape.faceCount(); ++f) {
     if (area[f] == 0) continue;
     const Triangle& t = shape.faces[f];
-    const FaceFrame frame = referenceFrame(shape, f);
-    deformed[f] = deformation(frame, positions[t[0]], positions[t[1]], positions[t[2]]);
-    mean[patches.ofFace[f]].add(Quaternion(deformed[f].rotation), area[f]);
+    const auto deformedFrom = [&](int column) {
+      return deformation(frameIn(shape, f, column), positions[t[0]], positions[t[1]], positions[t[2]]);
+    };
+    deformed[f] = deformedFrom(shape.reference);
+    mean[patches.ofFace[f]].add(Quaternion(deformedFrom(poses.patches.origin).rotation), area[f]);
   }
   std::vector<Quaternion> rotation;
-  for (const RotationMean& m : mean) rotation.push_back(m.mean());
+  for (std::size_t k = 0; k < mean.size(); ++k)
+    rotation.push_back(mean[k].mean() * poses.patches.rotation[poses.patches.origin][k]);
   for (int f = 0; f < shape.faceCount(); ++f) {
     if (area[f] == 0) continue;
     Vec3 near = Vec3::Zero();

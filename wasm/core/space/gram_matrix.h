@@ -13,7 +13,7 @@
 namespace shapespline {
 
 /// Inner products of the coordinates' columns (poses), columns x columns. The metric weights face numbers by the face's
-/// share of the reference area and patch pairs by their share of the shared edges, and divides mean positions by the
+/// share of the area and patch pairs by their share of the shared edges, and divides mean positions by the
 /// diagonal. Angles are in radians. The mean rotation has its own path and is excluded.
 /// other: an additional shape as the last row and column, or null.
 Eigen::MatrixXd gramMatrix(const PoseCoordinates& poses, const WeldedShape& shape, double diagonal,
