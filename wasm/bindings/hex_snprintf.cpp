@@ -1,5 +1,6 @@
 // A minimal snprintf: the JSON library uses it to write hexadecimal numbers in messages and escaped text. The C
-// library's version would add 128-bit decimals and the texts of all error numbers.
+// library's version would add 128-bit decimals and the texts of all error numbers. Any other format is a trap, not a
+// wrong text.
 #include <cstdarg>
 #include <cstddef>
 
@@ -19,6 +20,7 @@ extern "C" int snprintf(char* text, std::size_t size, const char* format, ...) {
     int digits = 0;
     for (++format; *format == '.' || *format == 'h' || (*format >= '0' && *format <= '9'); ++format)
       if (*format > '0' && *format <= '9') digits = *format - '0';
+    if (*format != 'x' && *format != 'X') __builtin_trap();
     const char letter = *format == 'X' ? 'A' : 'a';
     const unsigned number = va_arg(numbers, unsigned);
     for (int k = 7; k >= 0; --k)

@@ -27,7 +27,10 @@ struct Box {
 Box boxOf(std::span<const Key> keys) {
   Box box{keys[0].positions[0], keys[0].positions[0]};
   for (const Key& key : keys)
-    for (const Vec3& p : key.positions) box.low = box.low.cwiseMin(p), box.high = box.high.cwiseMax(p);
+    for (const Vec3& p : key.positions) {
+      box.low = box.low.cwiseMin(p);
+      box.high = box.high.cwiseMax(p);
+    }
   return box;
 }
 

@@ -30,7 +30,10 @@ struct FrameReader {
   Result<Positions> read(std::size_t index) {
     if (held && last == index) return *held;
     auto frame = source.frame(index);
-    if (frame) last = index, held = *frame;
+    if (frame) {
+      last = index;
+      held = *frame;
+    }
     return frame;
   }
 

@@ -47,7 +47,10 @@ std::string whatToDo(const FileFacts& facts) {
 // Area of the faces that are flat within a hundredth of the extent, at either end of an axis.
 std::array<double, 2> flatAreas(const Positions& positions, const std::vector<Triangle>& faces, int axis) {
   double low = positions[0][axis], high = low;
-  for (const Vec3& p : positions) low = std::min(low, p[axis]), high = std::max(high, p[axis]);
+  for (const Vec3& p : positions) {
+    low = std::min(low, p[axis]);
+    high = std::max(high, p[axis]);
+  }
   const double slack = (high - low) / 100;
   std::array<double, 2> areas{};
   for (const Triangle& f : faces) {
@@ -75,7 +78,8 @@ Vec3 centreOfArea(const Positions& positions, const std::vector<Triangle>& faces
   for (const Triangle& f : faces) {
     const Vec3 &a = positions[f[0]], &b = positions[f[1]], &c = positions[f[2]];
     const double area = (b - a).cross(c - a).norm();
-    sum += area * centroidOf(positions, f), all += area;
+    sum += area * centroidOf(positions, f);
+    all += area;
   }
   return all > 0 ? Vec3(sum / all) : positions[0];
 }
@@ -86,7 +90,10 @@ double footing(const Positions& positions, const Vec3& centre, int axis) {
   constexpr int directions = 32;
   constexpr double feet = 0.05;  // share of the height
   Vec3 least = positions[0], most = positions[0];
-  for (const Vec3& p : positions) least = least.cwiseMin(p), most = most.cwiseMax(p);
+  for (const Vec3& p : positions) {
+    least = least.cwiseMin(p);
+    most = most.cwiseMax(p);
+  }
   const Vec3 extent = most - least;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::array<double, directions> reach;
@@ -115,7 +122,10 @@ bool isOnFloorOf(const Positions& positions, int axis, int other) {
   const Positions* one = &positions;
   const double near = 0.03 * boundingDiagonal({&one, 1});
   double least = positions[0][axis], leastOther = positions[0][other];
-  for (const Vec3& p : positions) least = std::min(least, p[axis]), leastOther = std::min(leastOther, p[other]);
+  for (const Vec3& p : positions) {
+    least = std::min(least, p[axis]);
+    leastOther = std::min(leastOther, p[other]);
+  }
   return std::abs(least) <= near && std::abs(leastOther) > near;
 }
 
@@ -202,8 +212,10 @@ Standing standingOf(const Keyframes& keyframes, bool flat) {
   for (const Key& key : keyframes.keys) {
     if (key.positions.empty()) continue;
     const int vote = standsRather(key.positions, keyframes.faces);
-    alongZ += vote > 0, alongY += vote < 0;
-    onZ = onZ && isOnFloorOf(key.positions, 2, 1), onY = onY && isOnFloorOf(key.positions, 1, 2);
+    alongZ += vote > 0;
+    alongY += vote < 0;
+    onZ = onZ && isOnFloorOf(key.positions, 2, 1);
+    onY = onY && isOnFloorOf(key.positions, 1, 2);
   }
   flat = flat && !keyframes.keys.empty() && hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces);
   if (onZ && (alongZ > 0 || flat) && alongY == 0) return Standing::AlongZ;

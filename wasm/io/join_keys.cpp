@@ -37,7 +37,10 @@ Split splitBy(const std::vector<int>& cornerOf, const Welding& points, const std
     if (out.vertexOf[v] < 0) out.vertexOf[v] = there;
     if (points.weldedOfRaw[out.vertexOf[v]] == point) continue;
     const auto [copy, isNew] = copyAt.try_emplace({v, point}, n + static_cast<int>(out.copyOf.size()));
-    if (isNew) out.copyOf.push_back(v), out.vertexOf.push_back(there);
+    if (isNew) {
+      out.copyOf.push_back(v);
+      out.vertexOf.push_back(there);
+    }
     v = copy->second;
   }
   return out;

@@ -102,7 +102,10 @@ struct Names {
       const auto read = numberAt(path, at);
       if (!read) continue;
       const Numbered one = withSign(*read, unsignedOnes);
-      if (const int count = counts.at(one.sequence); count > most) best = one, most = count;
+      if (const int count = counts.at(one.sequence); count > most) {
+        best = one;
+        most = count;
+      }
     }
     return best;
   }

@@ -200,8 +200,10 @@ struct Matcher {
       return;
     }
     const std::size_t step = a.positions.size() / mostPoints + 1;
-    for (std::size_t v = 0; v < a.positions.size(); v += step)
-      from.push_back(a.positions[v]), to.push_back(b.positions[v]);
+    for (std::size_t v = 0; v < a.positions.size(); v += step) {
+      from.push_back(a.positions[v]);
+      to.push_back(b.positions[v]);
+    }
   }
 
   Placement placementOf(const Pairs& pairs) {

@@ -51,7 +51,10 @@ bool belongTogether(const std::vector<int>& a, int countA, const std::vector<int
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<int> ofA(countA, 0), ofB(countB, 0);
-  for (const auto& [pointA, pointB] : pairs) ++ofA[pointA], ++ofB[pointB];
+  for (const auto& [pointA, pointB] : pairs) {
+    ++ofA[pointA];
+    ++ofB[pointB];
+  }
   return std::all_of(pairs.begin(), pairs.end(),
                      [&](const auto& pair) { return ofA[pair.first] == 1 || ofB[pair.second] == 1; });
 }

@@ -161,7 +161,10 @@ Change turnedQuad(const Match& match, const Votes& votes, const QuadPair& pair) 
   for (int s = 0; s < 4; ++s) {
     int sum = 0;
     for (int i = 0; i < 4; ++i) sum += votes.of(mesh[i], pose[(i + s) % 4], f, g);
-    if (sum > best) best = sum, turn = s;
+    if (sum > best) {
+      best = sum;
+      turn = s;
+    }
   }
   Change change{best - now, f, g, {}};
   for (int k = 0; k < 6; ++k) {
@@ -180,7 +183,10 @@ Change turnedTriangle(const Match& match, const Votes& votes, int f) {
   for (int s = 0; s < 3; ++s) {
     int sum = 0;
     for (int i = 0; i < 3; ++i) sum += votes.of(3 * f + i, 3 * f + (i + s) % 3, f, f);
-    if (sum > best) best = sum, turn = s;
+    if (sum > best) {
+      best = sum;
+      turn = s;
+    }
   }
   Change change{best - now, f, f, {}};
   for (int k = 0; k < 6; ++k) change.corners[k] = {3 * f + k % 3, 3 * f + (k + turn) % 3};

@@ -31,7 +31,11 @@ std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& targ
       ShellMeasures trialError = metric.difference(metric.measuresOf(trial), target);
       const double trialEnergy = metric.squaredNorm(trialError);
       better = trialEnergy < energy && isAllowed(trial);
-      if (better) shape = std::move(trial), error = std::move(trialError), energy = trialEnergy;
+      if (better) {
+        shape = std::move(trial);
+        error = std::move(trialError);
+        energy = trialEnergy;
+      }
     }
   }
   return std::nullopt;

@@ -77,7 +77,8 @@ Positions LedShape::follow(const Positions& raw, const Positions& from, const Po
       const int i = faces_[f][c], j = faces_[f][endOf(c)], leading = leader_.faceOf[f];
       const Vec3 side = cotangent_[f][c] * (shape[i] - shape[j]);
       const Vec3 wanted = leading < 0 ? side : deformation[leading] * side;
-      at(i) += wanted, at(j) -= wanted;
+      at(i) += wanted;
+      at(j) -= wanted;
     }
   solver_.solve(work.data());
   Positions solution;
@@ -98,9 +99,12 @@ void LedShape::place(Positions& solution, const Positions& shape, const Position
   for (std::size_t v = 0; v < shape.size(); ++v) {
     if (componentOf_[v] < 0) continue;
     Sum& sum = sums[componentOf_[v]];
-    sum.offset += shape[v] - solution[v], ++sum.count;
-    if (const int leading = leader_.vertexOf[welding_.rawOfWelded[v]]; leading >= 0)
-      sum.moved += to[leading] - from[leading], ++sum.led;
+    sum.offset += shape[v] - solution[v];
+    ++sum.count;
+    if (const int leading = leader_.vertexOf[welding_.rawOfWelded[v]]; leading >= 0) {
+      sum.moved += to[leading] - from[leading];
+      ++sum.led;
+    }
   }
   for (std::size_t v = 0; v < shape.size(); ++v) {
     if (componentOf_[v] < 0) continue;

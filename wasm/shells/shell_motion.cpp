@@ -21,7 +21,10 @@ constexpr double flat = 1e-3;  // a triangle with a smaller share of its least a
 
 std::vector<std::vector<int>> componentsOf(const std::vector<Triangle>& faces, int vertices) {
   UnionFind sets(vertices);
-  for (const Triangle& f : faces) sets.join(f[0], f[1]), sets.join(f[0], f[2]);
+  for (const Triangle& f : faces) {
+    sets.join(f[0], f[1]);
+    sets.join(f[0], f[2]);
+  }
   std::vector<std::vector<int>> members(vertices);
   for (int v = 0; v < vertices; ++v) members[sets.find(v)].push_back(v);
   std::erase_if(members, [](const std::vector<int>& list) { return list.empty(); });
@@ -33,7 +36,10 @@ std::vector<std::vector<int>> componentsOf(const std::vector<Triangle>& faces, i
 void moveOnto(Positions& shape, const Positions& place, const std::vector<std::vector<int>>& components) {
   for (const std::vector<int>& component : components) {
     Positions from, to;
-    for (const int v : component) from.push_back(shape[v]), to.push_back(place[v]);
+    for (const int v : component) {
+      from.push_back(shape[v]);
+      to.push_back(place[v]);
+    }
     const Mat3 rotation = fitRigid(from, to).rotation;
     const Vec3 a = centroidOf(from), b = centroidOf(to);
     for (const int v : component) shape[v] = rotation * (shape[v] - a) + b;

@@ -80,7 +80,12 @@ bool ShellSpline::findMean(int k, const std::vector<ShellMeasures>& measures, Po
     // For steps this short, the energy differs only by rounding.
     const bool better = trialEnergy < energy || length < 1e-6;
     refresh = !better || length > slow * last;
-    if (better) mean = std::move(trial), error = std::move(trialError), energy = trialEnergy, last = length;
+    if (better) {
+      mean = std::move(trial);
+      error = std::move(trialError);
+      energy = trialEnergy;
+      last = length;
+    }
     damping = better ? std::max(damping * 0.1, lightDamping) : damping * 10;
   }
   return false;
@@ -338,9 +343,11 @@ int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>
     const double trialEnergy = this->energy(trial, &trialGradient);
     release(trialGradient, fixed);
     Path moved = trial, changed = trialGradient;
-    addScaledPath(moved, -1, shapes), addScaledPath(changed, -1, gradient);
+    addScaledPath(moved, -1, shapes);
+    addScaledPath(changed, -1, gradient);
     memory.add(std::move(moved), std::move(changed));
-    shapes = std::move(trial), gradient = std::move(trialGradient);
+    shapes = std::move(trial);
+    gradient = std::move(trialGradient);
     const double fall = energy - trialEnergy;
     energy = trialEnergy;
     if (fall < leastFall * energy) return converged;

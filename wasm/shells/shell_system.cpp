@@ -28,7 +28,10 @@ Result<ShellSystem> ShellSystem::create(const ShellMetric& metric) {
   Graph vertices;
   std::vector<std::vector<int>> neighbours(metric.vertexCount());
   for (const Block& b : system.blocks_)
-    if (b.lower != b.higher) neighbours[b.lower].push_back(b.higher), neighbours[b.higher].push_back(b.lower);
+    if (b.lower != b.higher) {
+      neighbours[b.lower].push_back(b.higher);
+      neighbours[b.higher].push_back(b.lower);
+    }
   for (std::vector<int>& list : neighbours) {
     std::sort(list.begin(), list.end());
     vertices.neighbour.insert(vertices.neighbour.end(), list.begin(), list.end());

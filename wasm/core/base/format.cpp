@@ -21,7 +21,10 @@ std::string leadingDigits(double number, int digits, int& exponent) {
     return std::nearbyint(number * std::pow(10.0, shift / 2) * std::pow(10.0, shift - shift / 2));
   };
   double whole = scaled();
-  if (whole >= std::pow(10.0, digits)) ++exponent, whole = scaled();
+  if (whole >= std::pow(10.0, digits)) {
+    ++exponent;
+    whole = scaled();
+  }
   std::string text = std::to_string(static_cast<std::int64_t>(whole));
   return std::string(std::max(0, digits - static_cast<int>(text.size())), '0') + text;
 }

@@ -39,7 +39,8 @@ int bitOfEachDouble(Mask m) {
   return static_cast<int>(wasm_i64x2_bitmask((v128_t)m));
 }
 inline void storeThree(float* p, Floats v) {
-  wasm_v128_store64_lane(p, (v128_t)v, 0), wasm_v128_store32_lane(p + 2, (v128_t)v, 2);
+  wasm_v128_store64_lane(p, (v128_t)v, 0);
+  wasm_v128_store32_lane(p + 2, (v128_t)v, 2);
 }
 #elif SHAPESPLINE_SIMD_SSE
 inline Floats squareRoot(Floats v) { return _mm_sqrt_ps(v); }
@@ -67,7 +68,11 @@ template <class Mask>
 int bitOfEachDouble(Mask m) {
   return static_cast<int>((m[0] & 1) | (m[1] & 2));
 }
-inline void storeThree(float* p, Floats v) { p[0] = v[0], p[1] = v[1], p[2] = v[2]; }
+inline void storeThree(float* p, Floats v) {
+  p[0] = v[0];
+  p[1] = v[1];
+  p[2] = v[2];
+}
 #endif
 
 }  // namespace registers
@@ -136,7 +141,10 @@ struct Double4 {
   }
   static Double4 splat(double s) { return {Double2::splat(s), Double2::splat(s)}; }
   static Double4 zero() { return {Double2::zero(), Double2::zero()}; }
-  void store(double* p) const { low.store(p), high.store(p + 2); }
+  void store(double* p) const {
+    low.store(p);
+    high.store(p + 2);
+  }
   friend Double4 operator+(Double4 a, Double4 b) { return {a.low + b.low, a.high + b.high}; }
   friend Double4 operator-(Double4 a, Double4 b) { return {a.low - b.low, a.high - b.high}; }
   friend Double4 operator*(Double4 a, Double4 b) { return {a.low * b.low, a.high * b.high}; }
@@ -184,14 +192,20 @@ inline int alone(int i) {
 /// Transposes a 4 x 4 block.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   const Float4 ab = interleaveLow(a, b), cd = interleaveLow(c, d), AB = interleaveHigh(a, b), CD = interleaveHigh(c, d);
-  a = lowHalves(ab, cd), b = highHalves(ab, cd), c = lowHalves(AB, CD), d = highHalves(AB, CD);
+  a = lowHalves(ab, cd);
+  b = highHalves(ab, cd);
+  c = lowHalves(AB, CD);
+  d = highHalves(AB, CD);
 }
 inline void transpose(Double4& a, Double4& b, Double4& c, Double4& d) {
   const Double4 p = {lowHalves(a.low, b.low), lowHalves(c.low, d.low)};
   const Double4 q = {highHalves(a.low, b.low), highHalves(c.low, d.low)};
   const Double4 r = {lowHalves(a.high, b.high), lowHalves(c.high, d.high)};
   const Double4 s = {highHalves(a.high, b.high), highHalves(c.high, d.high)};
-  a = p, b = q, c = r, d = s;
+  a = p;
+  b = q;
+  c = r;
+  d = s;
 }
 
 }  // namespace shapespline

@@ -29,7 +29,8 @@ class UnionFind {
 
   /// Returns false if a and b are already in one set.
   bool join(int a, int b) {
-    a = find(a), b = find(b);
+    a = find(a);
+    b = find(b);
     if (a == b) return false;
     parent_[std::max(a, b)] = std::min(a, b);
     return true;

@@ -53,7 +53,10 @@ std::vector<int> correspondingFaces(const WeldedShape& shape, const ShapeTopolog
     for (int c : candidates) {
       const Triangle& t = ghost.faces[c];
       const double distance = squaredDistance(centroid, g[t[0]], g[t[1]], g[t[2]]);
-      if (distance < best - margin) best = distance, face = c;
+      if (distance < best - margin) {
+        best = distance;
+        face = c;
+      }
     }
     return face;
   };

@@ -15,12 +15,20 @@ struct Quadric {
   /// Adds the squared distance from a plane through the vertex. normal: unit.
   void addPlane(const Vec3& normal, double weight) {
     const Vec3 w = weight * normal;
-    xx += w.x() * normal.x(), xy += w.x() * normal.y(), xz += w.x() * normal.z();
-    yy += w.y() * normal.y(), yz += w.y() * normal.z(), zz += w.z() * normal.z();
+    xx += w.x() * normal.x();
+    xy += w.x() * normal.y();
+    xz += w.x() * normal.z();
+    yy += w.y() * normal.y();
+    yz += w.y() * normal.z();
+    zz += w.z() * normal.z();
   }
 
   /// Adds the squared distance from the vertex itself.
-  void addPoint(double weight) { xx += weight, yy += weight, zz += weight; }
+  void addPoint(double weight) {
+    xx += weight;
+    yy += weight;
+    zz += weight;
+  }
 
   double at(const Vec3& d) const {
     return d.x() * (xx * d.x() + 2 * (xy * d.y() + xz * d.z() + x)) + d.y() * (yy * d.y() + 2 * (yz * d.z() + y)) +
@@ -38,8 +46,16 @@ struct Quadric {
   }
 
   Quadric& operator+=(const Quadric& o) {
-    xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
-    x += o.x, y += o.y, z += o.z, c += o.c;
+    xx += o.xx;
+    xy += o.xy;
+    xz += o.xz;
+    yy += o.yy;
+    yz += o.yz;
+    zz += o.zz;
+    x += o.x;
+    y += o.y;
+    z += o.z;
+    c += o.c;
     return *this;
   }
 

@@ -135,7 +135,10 @@ class Simplifier {
     count_.assign(budget_.least.size(), 0);
     std::vector<Triangle> distinct;
     for (int f = 0; f < m; ++f)
-      if (!repeated[f]) distinct.push_back(faces[f]), ++count_[component[f]];
+      if (!repeated[f]) {
+        distinct.push_back(faces[f]);
+        ++count_[component[f]];
+      }
     onProgress_(setUpShare / 8);
     return distinct;
   }
@@ -305,7 +308,10 @@ class Simplifier {
     ghost.joinedComponents = budget_.joined;
     std::vector<int> number(n, -1), kept;
     for (int v = 0; v < n; ++v)
-      if (mesh_.valence(v) > 0) number[v] = static_cast<int>(kept.size()), kept.push_back(v);
+      if (mesh_.valence(v) > 0) {
+        number[v] = static_cast<int>(kept.size());
+        kept.push_back(v);
+      }
     for (int f = 0; f < faceCount_; ++f)
       if (!mesh_.isGone(f)) {
         const Triangle& t = mesh_.face(f);
@@ -337,7 +343,10 @@ class Simplifier {
       const int g = ghost.ghostOf[v];
       if (g < 0) continue;
       const double distance = (reference[v] - at[g]).squaredNorm();
-      if (distance < nearest[g]) nearest[g] = distance, ghost.vertexOf[g] = v;
+      if (distance < nearest[g]) {
+        nearest[g] = distance;
+        ghost.vertexOf[g] = v;
+      }
     }
   }
 

@@ -47,8 +47,11 @@ ArapRotation::ArapRotation(const HoldInput& input, const AffineResponse& modes) 
   frameShare_.assign(frames, 0.0);
   std::vector<double> patchArea(modes.planes().size(), 0.0);
   for (std::size_t f = 0; f < area.size(); ++f)
-    if (const int frame = input.mesh.localFrameOf[f], patch = input.patchOfFace[f]; frame >= 0 && patch >= 0)
-      patchOfFrame_[frame] = patch, frameShare_[frame] += area[f], patchArea[patch] += area[f];
+    if (const int frame = input.mesh.localFrameOf[f], patch = input.patchOfFace[f]; frame >= 0 && patch >= 0) {
+      patchOfFrame_[frame] = patch;
+      frameShare_[frame] += area[f];
+      patchArea[patch] += area[f];
+    }
   for (std::size_t k = 0; k < frames; ++k)
     if (patchOfFrame_[k] >= 0) frameShare_[k] /= patchArea[patchOfFrame_[k]];
   const WeldedShape& shape = input.mesh.shape;

@@ -8,7 +8,9 @@ namespace {
 
 // Used instead of Eigen's products, which are not inlined in code compiled for size.
 void addScaled(double scale, const double* vector, double* sum) {
-  sum[0] += scale * vector[0], sum[1] += scale * vector[1], sum[2] += scale * vector[2];
+  sum[0] += scale * vector[0];
+  sum[1] += scale * vector[1];
+  sum[2] += scale * vector[2];
 }
 
 }  // namespace
@@ -114,7 +116,9 @@ void readXyzp(const std::vector<float>& xyzp, const std::vector<int>& slot, cons
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const float* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
     double* p = positions[v].data();
-    p[0] = at[0] + move[0], p[1] = at[1] + move[1], p[2] = at[2] + move[2];
+    p[0] = at[0] + move[0];
+    p[1] = at[1] + move[1];
+    p[2] = at[2] + move[2];
   }
 }
 
@@ -123,7 +127,9 @@ void addXyzp(const std::vector<Real>& xyzp, const std::vector<int>& slot, Positi
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Real* at = &xyzp[4 * static_cast<std::size_t>(slot[v])];
     double* p = positions[v].data();
-    p[0] += at[0], p[1] += at[1], p[2] += at[2];
+    p[0] += at[0];
+    p[1] += at[1];
+    p[2] += at[2];
   }
 }
 

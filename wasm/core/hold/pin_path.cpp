@@ -26,7 +26,10 @@ PinPath::PinPath(const std::vector<PathKey>& keys, const Curve& along, const std
 Status PinPath::fit(const std::vector<double>& times, const Curve& along) {
   if (times.size() < 2) return {};
   CurveOptions options;
-  if (along.periodic()) options.boundary = BoundaryKind::Periodic, options.period = period_;
+  if (along.periodic()) {
+    options.boundary = BoundaryKind::Periodic;
+    options.period = period_;
+  }
   auto curve = Curve::fit(times, options);
   if (!curve) return curve.error();
   curve_ = std::move(*curve);

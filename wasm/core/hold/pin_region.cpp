@@ -31,7 +31,10 @@ std::vector<char> inBallAround(const WeldedShape& shape, int vertex, double radi
   for (std::size_t i = 0; i < found.size(); ++i)
     for (const int f : facesAt.of(found[i]))
       for (const int v : shape.faces[f])
-        if (!in[v] && (p[v] - p[vertex]).norm() <= radius) in[v] = 1, found.push_back(v);
+        if (!in[v] && (p[v] - p[vertex]).norm() <= radius) {
+          in[v] = 1;
+          found.push_back(v);
+        }
   return in;
 }
 

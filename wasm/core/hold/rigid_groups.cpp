@@ -37,7 +37,10 @@ std::vector<int> rigidGroupsOf(const HoldMesh& mesh) {
   const std::vector<Triangle>& faces = mesh.shape.faces;
   UnionFind joined(mesh.shape.vertexCount());
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (mesh.localFrameOf[f] >= 0) joined.join(faces[f][0], faces[f][1]), joined.join(faces[f][0], faces[f][2]);
+    if (mesh.localFrameOf[f] >= 0) {
+      joined.join(faces[f][0], faces[f][1]);
+      joined.join(faces[f][0], faces[f][2]);
+    }
   for (const ComponentJoint& joint : mesh.joints)
     if (staysJoined(mesh, joint)) joined.join(faces[joint.anchorFace][0], faces[joint.contactFace][0]);
   for (const LooseVertex& loose : mesh.loose) joined.join(faces[loose.anchorFace][0], loose.vertex);

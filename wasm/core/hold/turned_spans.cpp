@@ -27,7 +27,10 @@ std::vector<double> heldShares(const Curve& curve, const std::vector<AddedTurns>
   std::vector<double> shares;
   int components = 0;
   bool any = false;
-  for (const AddedTurns& added : turns) components = std::max(components, added.component + 1), any |= added.turns != 0;
+  for (const AddedTurns& added : turns) {
+    components = std::max(components, added.component + 1);
+    any |= added.turns != 0;
+  }
   if (!any) return shares;
   const std::vector<KeySpan> spans = curve.spans();
   const KeySteps steps{static_cast<int>(spans.size()) + 1};

@@ -50,7 +50,10 @@ class CarriedEncoder {
       std::vector<Mat3> distinctTurn;
       std::vector<Vec3> distinctOffset;
       for (int c = 0; c < shape_.columns(); ++c)
-        if (!shape_.repeatsFirst(c)) distinctTurn.push_back(turn[c]), distinctOffset.push_back(joint.offset[c]);
+        if (!shape_.repeatsFirst(c)) {
+          distinctTurn.push_back(turn[c]);
+          distinctOffset.push_back(joint.offset[c]);
+        }
       joint.pivot = stillPoint(distinctTurn, distinctOffset);
       for (int c = 0; c < shape_.columns(); ++c) joint.offset[c] += turn[c] * joint.pivot;
       out_.joints.push_back(std::move(joint));
@@ -63,7 +66,10 @@ class CarriedEncoder {
     const double columns = static_cast<double>(turn.size());
     Mat3 meanTurn = Mat3::Zero(), normal = Mat3::Zero();
     Vec3 meanOffset = Vec3::Zero(), right = Vec3::Zero();
-    for (std::size_t c = 0; c < turn.size(); ++c) meanTurn += turn[c] / columns, meanOffset += offset[c] / columns;
+    for (std::size_t c = 0; c < turn.size(); ++c) {
+      meanTurn += turn[c] / columns;
+      meanOffset += offset[c] / columns;
+    }
     for (std::size_t c = 0; c < turn.size(); ++c) {
       const Mat3 a = turn[c] - meanTurn;
       normal += a.transpose() * a / columns;
@@ -109,7 +115,10 @@ class CarriedEncoder {
       for (int f : facesAt.of(v)) {
         if (topology_.hasArea[f]) continue;
         for (int u : shape_.faces[f])
-          if (anchor[u] < 0) anchor[u] = anchor[v], settled.push_back(u);
+          if (anchor[u] < 0) {
+            anchor[u] = anchor[v];
+            settled.push_back(u);
+          }
       }
     }
   }
@@ -127,7 +136,10 @@ class CarriedEncoder {
     std::vector<char> met(anchor.size(), 0);
     for (int first = 0; first < shape_.vertexCount(); ++first) {
       if (anchor[first] >= 0) continue;
-      if (!search) search.emplace(poses, partOf, 1), shared = search->sharedLabels(everyLabel);
+      if (!search) {
+        search.emplace(poses, partOf, 1);
+        shared = search->sharedLabels(everyLabel);
+      }
       const std::vector<int> group = looseGroup(facesAt, first, met);
       Contact nearest;
       std::vector<int> lastFound;
@@ -143,7 +155,10 @@ class CarriedEncoder {
     for (std::size_t i = 0; i < group.size(); ++i)
       for (int f : facesAt.of(group[i]))
         for (int v : shape_.faces[f])
-          if (!met[v]) met[v] = 1, group.push_back(v);
+          if (!met[v]) {
+            met[v] = 1;
+            group.push_back(v);
+          }
     return group;
   }
 

@@ -102,7 +102,10 @@ class Encoder {
     };
     drain();
     for (int f : wild)
-      if (open[f]) next.emplace_back(f, -1), drain();
+      if (open[f]) {
+        next.emplace_back(f, -1);
+        drain();
+      }
   }
 
   // Proceeds from the reference pose, which has no rotation, to both ends. Reversed keys then unwrap equally.
@@ -129,7 +132,10 @@ class Encoder {
         if (angle <= ambiguousTurn) continue;
         ++found.count;
         found.area += referenceFrame(shape_, f).area / area;
-        if (angle > furthest) furthest = angle, found.worst = f;
+        if (angle > furthest) {
+          furthest = angle;
+          found.worst = f;
+        }
       }
     }
   }

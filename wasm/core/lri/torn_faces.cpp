@@ -103,7 +103,10 @@ std::vector<int> anchorsOf(const WeldedShape& shape, const ShapeTopology& topolo
   const auto settle = [&](int f, int anchorFace) {
     anchor[f] = anchorFace;
     for (int v : shape.faces[f])
-      if (nearest[v] < 0) nearest[v] = anchorFace, reached.push_back(v);
+      if (nearest[v] < 0) {
+        nearest[v] = anchorFace;
+        reached.push_back(v);
+      }
   };
   topology.eachUsedFace([&](int f) { settle(f, f); });
   const VertexFaces facesAt = facesOfVertices(shape.vertexCount(), shape.faces);

@@ -65,9 +65,15 @@ class Walk {
     if (crowded && crossed_[side]) return;
     for (int other = next_[side]; other != side; other = next_[other]) {
       meet(other);
-      if (crowded) crossed_[other] = 1, crowded_.push_back(other);
+      if (crowded) {
+        crossed_[other] = 1;
+        crowded_.push_back(other);
+      }
     }
-    if (crowded) crossed_[side] = 1, crowded_.push_back(side);
+    if (crowded) {
+      crossed_[side] = 1;
+      crowded_.push_back(side);
+    }
   }
 
   void meet(int side) {
@@ -154,7 +160,8 @@ class Orderer {
     for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
       const std::array<double, 6> x = lengths(s, pose), y = lengths(t, pose);
       for (int i = 0; i < 6; ++i) {
-        sumA[i] += x[i], sumB[i] += y[i];
+        sumA[i] += x[i];
+        sumB[i] += y[i];
         if (mayCompareByPose && byPose == 0) byPose = inSteps(y[i]) - inSteps(x[i]);
       }
     }
@@ -179,8 +186,10 @@ class Orderer {
   // Compares the walks that begin at two sides, face by face.
   int compareWalks(int a, int b) {
     while (walks_.size() < 2) walks_.emplace_back(next_);
-    walks_[0].forget(), walks_[1].forget();
-    walks_[0].begin(a), walks_[1].begin(b);
+    walks_[0].forget();
+    walks_[1].forget();
+    walks_[0].begin(a);
+    walks_[1].begin(b);
     for (std::size_t i = 0; i < comparedFaces; ++i, ++compared_) {
       const int x = walks_[0].step(), y = walks_[1].step();
       if (x < 0 && y < 0) return 0;
@@ -264,7 +273,10 @@ class Orderer {
     vertices.reserve(farness_.size());
     std::vector<char> met(farness_.size(), 0);
     const auto meet = [&](int v) {
-      if (!met[v]) met[v] = 1, vertices.push_back(v);
+      if (!met[v]) {
+        met[v] = 1;
+        vertices.push_back(v);
+      }
     };
     inBlocks(onProgress, sides.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)

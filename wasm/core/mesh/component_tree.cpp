@@ -102,7 +102,10 @@ ComponentTree linkComponents(const std::vector<Triangle>& faces, const Component
     const Triangle& t = faces[f];
     for (const Positions* p : poses) area[c] += ((*p)[t[1]] - (*p)[t[0]]).cross((*p)[t[2]] - (*p)[t[0]]).norm() / 2;
     for (int v : t)
-      if (faceOfVertex[v] < 0) componentOfVertex[v] = c, faceOfVertex[v] = f;
+      if (faceOfVertex[v] < 0) {
+        componentOfVertex[v] = c;
+        faceOfVertex[v] = f;
+      }
   }
 
   const auto smaller = [](double a, double b) { return coarse(a) < coarse(b); };  // coarse, so rounding does not decide

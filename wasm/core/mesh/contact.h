@@ -60,7 +60,10 @@ class ContactSearch {
 
     void compare(int other, const Positions& positions) {
       const double distance = (positions[other] - from).squaredNorm();
-      if (distance < squared || (distance == squared && other < vertex)) squared = distance, vertex = other;
+      if (distance < squared || (distance == squared && other < vertex)) {
+        squared = distance;
+        vertex = other;
+      }
     }
   };
 

@@ -135,7 +135,10 @@ int countComponents(int vertexCount, const std::vector<Triangle>& faces, const s
   inBlocks(onProgress, faces.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       if (!use[f]) continue;
-      for (int v : faces[f]) components += !seen[v], seen[v] = 1;
+      for (int v : faces[f]) {
+        components += !seen[v];
+        seen[v] = 1;
+      }
       for (int c = 1; c < 3; ++c) components -= joined.join(faces[f][0], faces[f][c]);
     }
   });
@@ -218,7 +221,10 @@ std::vector<char> facesWithArea(const std::vector<Triangle>& faces, std::span<co
 double boundingDiagonal(std::span<const Positions* const> poses) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Positions* pose : poses)
-    for (const Vec3& p : *pose) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    for (const Vec3& p : *pose) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
   return (high.array() >= low.array()).all() ? (high - low).norm() : 0;
 }
 

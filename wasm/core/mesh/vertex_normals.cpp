@@ -35,9 +35,14 @@ void normalise(Float4 (&sum)[4]) {
   transpose(x, y, z, w);
   const Float4 largest = larger(larger(magnitude(x), magnitude(y)), magnitude(z));
   const int flat = notPositive(largest);
-  x = x / largest, y = y / largest, z = z / largest, w = Float4::zero();
+  x = x / largest;
+  y = y / largest;
+  z = z / largest;
+  w = Float4::zero();
   const Float4 shorten = Float4::splat(1) / squareRoot((x * x + y * y) + z * z);
-  x = x * shorten, y = y * shorten, z = z * shorten;
+  x = x * shorten;
+  y = y * shorten;
+  z = z * shorten;
   transpose(x, y, z, w);
   if (!flat) return;
   constexpr float up[4] = {0, 0, 1, 0};

@@ -7,24 +7,24 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostFaces = 2000;
-// Keys are equally central if their mean squares differ by less. Noise then does not choose between symmetric keys.
+constexpr int mostFaces = 500;
+// Weight of the reference, relative to all keys. Between symmetric keys, it decides instead of noise.
 constexpr double equallyCentral = 1e-5;
 
-// A triangle with the mean metric of a face over the keys: it favours no key.
-FaceFrame commonFrame(const WeldedShape& shape, int face, int keys) {
-  const Triangle& t = shape.faces[face];
-  const auto edge = [&](int key, int corner) -> Vec3 { return shape.poses[key][t[corner]] - shape.poses[key][t[0]]; };
-  double squares = 0, products = 0, heights = 0;
+// A triangle with mean edges and area of a face: it favours no key.
+FaceFrame commonFrame(const WeldedShape& shape, const Triangle& t, int keys) {
+  double squares = 0, products = 0, areas = 0;
   for (int j = 0; j < keys; ++j) {
-    squares += edge(j, 1).squaredNorm() / keys;
-    products += edge(j, 1).dot(edge(j, 2)) / keys;
+    const Positions& p = shape.poses[j];
+    const Vec3 b = p[t[1]] - p[t[0]], c = p[t[2]] - p[t[0]];
+    squares += b.squaredNorm() / keys;
+    products += b.dot(c) / keys;
+    areas += b.cross(c).squaredNorm() / keys;
   }
-  for (int j = 0; j < keys; ++j) heights += (edge(j, 2) - products / squares * edge(j, 1)).squaredNorm() / keys;
   FaceFrame frame;
   frame.basis.setIdentity();
-  frame.edges << std::sqrt(squares), products / std::sqrt(squares), 0, std::sqrt(heights);
-  frame.area = std::sqrt(squares * heights) / 2;
+  frame.edges << std::sqrt(squares), products / std::sqrt(squares), 0, std::sqrt(areas / squares);
+  frame.area = std::sqrt(areas);
   return frame;
 }
 
@@ -34,29 +34,20 @@ int centralKey(const WeldedShape& shape, const ShapeTopology& topology) {
   const int keys = shape.keys - (shape.closing ? 1 : 0);
   const int stride = topology.usedFaces() / mostFaces + 1;
   int visited = 0;
-  double total = 0;
-  std::vector<double> toAll(keys, 0), toReference(keys, 0);  // sums of area times the trace of the relative rotation
+  std::vector<double> agreement(keys, 0);  // sum of cos^2 of half the relative angles
+  std::vector<Quaternion> rotation(keys);
   topology.eachUsedFace([&](int f) {
     if (visited++ % stride != 0) return;
-    const FaceFrame frame = commonFrame(shape, f, keys);
-    std::vector<Mat3> rotation;
-    Mat3 sum = Mat3::Zero();
+    const FaceFrame frame = commonFrame(shape, shape.faces[f], keys);
+    for (int j = 0; j < keys; ++j) rotation[j] = Quaternion(deformationOf(shape, f, frame, j).rotation);
+    const Quaternion& reference = rotation[shape.reference % keys];
     for (int j = 0; j < keys; ++j) {
-      rotation.push_back(deformationOf(shape, f, frame, j).rotation);
-      sum += rotation.back();
+      double sum = equallyCentral * keys * std::pow(rotation[j].dot(reference), 2);
+      for (const Quaternion& other : rotation) sum += std::pow(rotation[j].dot(other), 2);
+      agreement[j] += frame.area * sum;
     }
-    const Mat3 reference = deformationOf(shape, f, frame, shape.reference).rotation;
-    for (int j = 0; j < keys; ++j) {
-      toAll[j] += frame.area * rotation[j].cwiseProduct(sum).sum();
-      toReference[j] += frame.area * rotation[j].cwiseProduct(reference).sum();
-    }
-    total += frame.area * keys;
   });
-  const double most = *std::max_element(toAll.begin(), toAll.end()) - equallyCentral * total;
-  int central = -1;
-  for (int j = 0; j < keys; ++j)
-    if (toAll[j] >= most && (central < 0 || toReference[j] > toReference[central])) central = j;
-  return central;
+  return static_cast<int>(std::max_element(agreement.begin(), agreement.end()) - agreement.begin());
 }
 
 }  // namespace shapespline

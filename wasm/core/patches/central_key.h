@@ -7,7 +7,7 @@
 namespace shapespline {
 
 /// The key with the least mean square rotation to all keys, over the faces. Among keys that are equally central, such
-/// as two keys, the one that is nearest to the reference pose. Visits at most 2,000 faces.
+/// as two keys, the one that is nearest to the reference pose. Visits at most 500 faces.
 int centralKey(const WeldedShape& shape, const ShapeTopology& topology);
 
 }  // namespace shapespline

@@ -68,7 +68,10 @@ FaceClusters clusterFaces(const PatchInput& input, int largest, const FractionRe
       for (const int f : members)
         for (const int g : input.graph.of(f)) {
           const int other = clusters.ofFace[g];
-          if (lastMet[other] != c) lastMet[other] = c, clusters.graph.item.push_back(other);
+          if (lastMet[other] != c) {
+            lastMet[other] = c;
+            clusters.graph.item.push_back(other);
+          }
         }
       clusters.graph.start.push_back(static_cast<int>(clusters.graph.item.size()));
     }

@@ -125,7 +125,10 @@ class Partition {
     std::vector<std::vector<int>> members(in_.components.count);
     int used = 0;
     for (int f = 0; f < faceCount_; ++f)
-      if (in_.components.ofFace[f] >= 0) members[in_.components.ofFace[f]].push_back(f), ++used;
+      if (in_.components.ofFace[f] >= 0) {
+        members[in_.components.ofFace[f]].push_back(f);
+        ++used;
+      }
     for (int component = 0; component < in_.components.count; ++component) {
       const auto size = static_cast<int>(members[component].size());
       const auto share = static_cast<int>(std::lround(static_cast<double>(wanted) * size / std::max(1, used)));
@@ -136,7 +139,10 @@ class Partition {
   void chooseSeedsOf(int component, const std::vector<int>& members, int count, int wanted, int perSeed) {
     double area = 0;
     Vec3 middle = Vec3::Zero();
-    for (int f : members) area += in_.area[f], middle += in_.area[f] * in_.centroid[f];
+    for (int f : members) {
+      area += in_.area[f];
+      middle += in_.area[f] * in_.centroid[f];
+    }
     middle /= area;
     const double inverseRadiusSquared = count * std::numbers::pi / area;
 
@@ -199,14 +205,20 @@ class Partition {
   std::vector<int> within(const std::vector<Centre>& centres) const {
     const std::vector<int>& patch = patches_.ofFace;
     std::vector<int> result(faceCount_, -1), queue;
-    for (const Centre& centre : centres) result[centre.seed] = patch[centre.seed], queue.push_back(centre.seed);
+    for (const Centre& centre : centres) {
+      result[centre.seed] = patch[centre.seed];
+      queue.push_back(centre.seed);
+    }
     const auto isInside = [&](int f) {
       const std::span<const int> neighbours = in_.graph.of(f);
       return std::all_of(neighbours.begin(), neighbours.end(), [&](int g) { return patch[g] == patch[f]; });
     };
     for (std::size_t i = 0; i < queue.size(); ++i)
       for (const int f : in_.graph.of(queue[i]))
-        if (result[f] < 0 && patch[f] == patch[queue[i]] && isInside(f)) result[f] = patch[f], queue.push_back(f);
+        if (result[f] < 0 && patch[f] == patch[queue[i]] && isInside(f)) {
+          result[f] = patch[f];
+          queue.push_back(f);
+        }
     return result;
   }
 
@@ -274,7 +286,10 @@ class Partition {
     std::vector<double> best(count, std::numeric_limits<double>::infinity());
     eachFace(partOf(onProgress, 0.5, 1), [&](int f, int k) {
       const double c = cost(f, centres_[k]);
-      if (c < best[k]) best[k] = c, centres_[k].seed = f;
+      if (c < best[k]) {
+        best[k] = c;
+        centres_[k].seed = f;
+      }
     });
   }
 

@@ -83,10 +83,9 @@ class PatchEncoder {
   void makeReferenceUnrotated() {
     if (shape_.reference == out_.origin) return;
     const std::vector<Quaternion> reference = out_.rotation[shape_.reference];
-    for (int c = 0; c < shape_.columns(); ++c)
-      for (std::size_t k = 0; k < reference.size(); ++k)
-        out_.rotation[c][k] = c == shape_.reference ? Quaternion::Identity()
-                                                    : (out_.rotation[c][k] * reference[k].conjugate()).normalized();
+    for (std::vector<Quaternion>& column : out_.rotation)
+      for (std::size_t k = 0; k < column.size(); ++k) column[k] = (column[k] * reference[k].conjugate()).normalized();
+    for (Quaternion& q : out_.rotation[shape_.reference]) q.setIdentity();
   }
 
   // Finds senses for faces, independent of the patches. A patch takes the sense of most of its area.

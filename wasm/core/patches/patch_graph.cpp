@@ -21,7 +21,10 @@ PatchGraph::PatchGraph(std::vector<PatchLink> links, std::vector<double> area)
     : links_(std::move(links)), area_(std::move(area)) {
   long long edges = 0, neighbours = 0;
   for (const PatchLink& link : links_)
-    if (link.sharedEdges > 0) edges += link.sharedEdges, ++neighbours;
+    if (link.sharedEdges > 0) {
+      edges += link.sharedEdges;
+      ++neighbours;
+    }
   if (neighbours > 0) meanSharedEdges_ = static_cast<double>(edges) / static_cast<double>(neighbours);
   ends_ = compressedRows<End>(patchCount(), [&](auto add) {
     for (int l = 0; l < static_cast<int>(links_.size()); ++l) {
@@ -60,7 +63,8 @@ PatchTree PatchGraph::grow(const std::vector<double>& cost, int root, bool along
       if (reached[patch]) continue;
       reached[patch] = 1;
       isWithin = !(sum + unreached * distance[patch] > bound.sum);
-      sum += area_[patch] * distance[patch], unreached -= bound.reachesAll ? area_[patch] : 0;
+      sum += area_[patch] * distance[patch];
+      unreached -= bound.reachesAll ? area_[patch] : 0;
       tree.order.push_back(patch);
       for (const End& end : ends_.of(patch)) {
         const double there = (alongPaths ? distance[patch] : 0) + cost[end.link];
@@ -96,7 +100,10 @@ PatchTree PatchGraph::centreTree(const std::vector<double>& cost) const {
     double sum = 0;
     for (int k = 0; k < count; ++k) sum += area_[k] / total * distance[k];
     sum = std::nearbyint(sum);
-    if (sum < least) least = sum, best = std::move(tree);
+    if (sum < least) {
+      least = sum;
+      best = std::move(tree);
+    }
   }
   return best;
 }

@@ -46,7 +46,11 @@ Vec3 wheelAxis(const Positions& positions, const std::vector<Triangle>& faces, c
   double count = 0;
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (int v : faces[f])
-      if (ofPart[f]) mean += positions[v], second += positions[v] * positions[v].transpose(), count += 1;
+      if (ofPart[f]) {
+        mean += positions[v];
+        second += positions[v] * positions[v].transpose();
+        count += 1;
+      }
   const Mat3 covariance = second / count - mean / count * (mean / count).transpose();
   return Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors().col(0);  // the flat direction
 }
@@ -109,7 +113,10 @@ PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) cons
   const auto cost = [&](const std::vector<Vec3>& increment) {
     const std::vector<double>& area = patches_.graph.area();
     double sum = 0, total = 0;
-    for (std::size_t k = 0; k < area.size(); ++k) sum += area[k] * increment[k].squaredNorm(), total += area[k];
+    for (std::size_t k = 0; k < area.size(); ++k) {
+      sum += area[k] * increment[k].squaredNorm();
+      total += area[k];
+    }
     return sum / total;
   };
   TurnOptions& o = turns.options;
@@ -120,8 +127,11 @@ PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) cons
   turns.other = ownIncrements(solver, step, partWay, !flipped);
   o.other = meanTurn(step, turns.other);
   o.otherCost = cost(turns.other);
-  if (o.otherCost < o.cost)
-    std::swap(o.cost, o.otherCost), std::swap(o.turn, o.other), std::swap(turns.first, turns.other);
+  if (o.otherCost < o.cost) {
+    std::swap(o.cost, o.otherCost);
+    std::swap(o.turn, o.other);
+    std::swap(turns.first, turns.other);
+  }
   const double openCost = std::pow(ambiguousTurn / (twoPi - ambiguousTurn), 2);
   o.isOpen = o.cost > openCost * o.otherCost;
   return turns;
@@ -218,7 +228,10 @@ std::vector<Vec3> PatchMotion::ownIncrements(const Solver& solver, int step, con
       for (std::size_t i = 0; i < shares.size(); ++i)
         distance +=
             std::pow(rotation[i][k].angularDistance(own_.key[from][k] * expQuaternion(shares[i] * candidate)), 2);
-      if (distance < least * (1 - 1e-9) - 1e-12) least = distance, increment[k] = candidate;
+      if (distance < least * (1 - 1e-9) - 1e-12) {
+        least = distance;
+        increment[k] = candidate;
+      }
     }
   }
   return increment;
@@ -251,7 +264,8 @@ std::vector<double> PatchMotion::evennessWeights(bool isLoop) const {
     for (int s = 1; s <= last; ++s) bend[k] += (turn(s) - turn(s - 1)).squaredNorm();
     if (isLoop) bend[k] += (turn(0) - turn(last)).squaredNorm();
     else if (closing_) bend[k] += (closing_->rotation * turn(0) - turn(last)).squaredNorm();
-    sum += weight[k] * bend[k], total += weight[k];
+    sum += weight[k] * bend[k];
+    total += weight[k];
   }
   for (std::size_t k = 0; k < weight.size(); ++k) weight[k] /= bend[k] * total / sum + leastShare;
   return weight;

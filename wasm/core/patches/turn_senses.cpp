@@ -34,14 +34,20 @@ class SignedSets {
     bool flipped = false;
     for (; parent_[x] != x; x = parent_[x]) {
       const int next = parent_[x];  // path halving
-      if (parent_[next] != next) flipped_[x] ^= flipped_[next], parent_[x] = parent_[next];
+      if (parent_[next] != next) {
+        flipped_[x] ^= flipped_[next];
+        parent_[x] = parent_[next];
+      }
       flipped ^= flipped_[x] != 0;
     }
     return {x, flipped};
   }
 
   // Both must be representatives.
-  void join(int set, int other, bool flipped) { parent_[other] = set, flipped_[other] = flipped; }
+  void join(int set, int other, bool flipped) {
+    parent_[other] = set;
+    flipped_[other] = flipped;
+  }
 
  private:
   std::vector<int> parent_;
@@ -95,8 +101,10 @@ class SenseSearch {
         sets_.join(std::min(a.set, b.set), std::max(a.set, b.set), a.flipped ^ b.flipped ^ (dot(joints_[j]) < 0));
       }
     std::vector<double> sum(area_.size(), 0);
-    for (std::size_t i = 0; i < area_.size(); ++i)
-      total_ += area_[i], sum[sets_.find(static_cast<int>(i)).set] += area_[i];
+    for (std::size_t i = 0; i < area_.size(); ++i) {
+      total_ += area_[i];
+      sum[sets_.find(static_cast<int>(i)).set] += area_[i];
+    }
     area_ = std::move(sum);
   }
 

@@ -8,7 +8,7 @@
 
 #include "core/base/simd.h"
 #include "core/lri/face_frame.h"
-#include "core/reconstruct/lane_quaternion.h"
+#include "core/reconstruct/rodrigues.h"
 #include "core/reconstruct/stretch_limits.h"
 
 namespace shapespline {
@@ -37,7 +37,9 @@ Vector3<Lanes<Real>> load(const Four<Real>* v) {
 
 template <class Real>
 void store(const Vector3<Lanes<Real>>& from, Four<Real>* v) {
-  from.x.store(v[0]), from.y.store(v[1]), from.z.store(v[2]);
+  from.x.store(v[0]);
+  from.y.store(v[1]);
+  from.z.store(v[2]);
 }
 
 // Number of blocks per kernel step, and the data passed between steps. Each step is a short loop that fits the
@@ -72,8 +74,12 @@ void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>&
   for (const auto& [stored, weight] : weights.stored) {
     const L w = L::splat(weight);
     const Real* const column = columnOf(block, stored);
-    add(r.x, w, column), add(r.y, w, column + faceLanes), add(r.z, w, column + 2 * faceLanes);
-    add(s.x, w, column + 3 * faceLanes), add(s.y, w, column + 4 * faceLanes), add(s.z, w, column + 5 * faceLanes);
+    add(r.x, w, column);
+    add(r.y, w, column + faceLanes);
+    add(r.z, w, column + 2 * faceLanes);
+    add(s.x, w, column + 3 * faceLanes);
+    add(s.y, w, column + 4 * faceLanes);
+    add(s.z, w, column + 5 * faceLanes);
   }
   store(r, passing.number);
   store(s, passing.number + 3);
@@ -124,7 +130,8 @@ Extremes<Lanes<Real>> extremesOfKeys(const EndKey& end, const Real* block, Real 
   for (int column = 0; column < end.storedKeys; ++column) {
     const auto [xx, xy, yy] = loadThree(columnOf(block, column) + 3 * faceLanes);
     const auto [mean, spread] = eigenvalues(xx, yy, xy * xy);
-    result.low = smaller(result.low, mean - spread), result.high = larger(result.high, mean + spread);
+    result.low = smaller(result.low, mean - spread);
+    result.high = larger(result.high, mean + spread);
   }
   return result;
 }
@@ -139,8 +146,10 @@ void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Rea
   const Real rest = isLog ? 0 : 1;
   const auto [low, high] = extremesOfKeys(end, block, rest);
   Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{L::splat(rest), L::zero(), L::splat(rest)};
-  if (end.column >= 0)
-    r = loadThree(columnOf(block, end.column)), s = loadThree(columnOf(block, end.column) + 3 * faceLanes);
+  if (end.column >= 0) {
+    r = loadThree(columnOf(block, end.column));
+    s = loadThree(columnOf(block, end.column) + 3 * faceLanes);
+  }
   const auto turn = load(passing.number), change = load(passing.number + 3);
   const Symmetric<L> d{change.x, change.y, change.z};
 
@@ -149,7 +158,8 @@ void goOnFrom(const EndKey& end, const Real* block, Stretch stretch, Passing<Rea
   // A nearly flat face in the end key would have no significant room above the limit, so the room is slightly enlarged.
   Symmetric<L> room{s.x - least, s.y, s.z - least};
   const L little = (room.xx + room.yy) * L::splat(64 * std::numeric_limits<Real>::epsilon());
-  room.xx = room.xx + little, room.yy = room.yy + little;
+  room.xx = room.xx + little;
+  room.yy = room.yy + little;
   L u = nearness(room, d);
   if (isLog) u = larger(u, nearness(Symmetric<L>{high + margin - s.x, L::zero() - s.y, high + margin - s.z}, -d));
   const L f = easing(u);
@@ -165,7 +175,9 @@ void exponentiate(Passing<Real>& passing) {
     Mat2 m;
     m << static_cast<double>(xx[i]), static_cast<double>(xy[i]), static_cast<double>(xy[i]), static_cast<double>(yy[i]);
     m = expSymmetric(m);
-    xx[i] = static_cast<Real>(m(0, 0)), xy[i] = static_cast<Real>(m(0, 1)), yy[i] = static_cast<Real>(m(1, 1));
+    xx[i] = static_cast<Real>(m(0, 0));
+    xy[i] = static_cast<Real>(m(0, 1));
+    yy[i] = static_cast<Real>(m(1, 1));
   }
 }
 
@@ -179,7 +191,8 @@ template <class Real>
 void findFactors(Passing<Real>& passing) {
   const auto r = load(passing.number);
   const Rodrigues<Real> f = rodrigues<Real>(r.x * r.x + r.y * r.y + r.z * r.z);
-  f.a.store(passing.factor[0]), f.b.store(passing.factor[1]);
+  f.a.store(passing.factor[0]);
+  f.b.store(passing.factor[1]);
 }
 
 // Uses the rotations of four faces as unit quaternions q instead of exp(r). Rodrigues' formula then has the vector of q
@@ -189,7 +202,8 @@ void takeRotations(const Real* rotations, Passing<Real>& passing) {
   using L = Lanes<Real>;
   store(loadThree(rotations), passing.number);
   const L w = L::load(rotations + 3 * faceLanes);
-  (w + w).store(passing.factor[0]), L::splat(2).store(passing.factor[1]);
+  (w + w).store(passing.factor[0]);
+  L::splat(2).store(passing.factor[1]);
 }
 
 // exp(r) [t1 t2] S g for corners 0 and 1.
@@ -322,36 +336,6 @@ IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const 
       }
   }
   return found;
-}
-
-template <class Real>
-void FaceKernel<Real>::rotations(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                                 const ColumnWeights<Real>& weights, RotationBlocks<Real>& rotations,
-                                 ForkJoin* forkJoin) const {
-  rotations.resize(blocks_.size() * rotationBlock);
-  const std::size_t middle = blocks_.size() / 2;
-  inTwo(forkJoin, [&](int half) {
-    for (std::size_t b = half == 0 ? 0 : middle; b < (half == 0 ? middle : blocks_.size()); ++b)
-      blockRotation(b, coordinates, frames, weights, &rotations[b * rotationBlock]);
-  });
-}
-
-template <class Real>
-void FaceKernel<Real>::blockRotation(std::size_t block, const FaceCoordinates<Real>& coordinates,
-                                     const std::vector<Real>& frames, const ColumnWeights<Real>& weights,
-                                     Real* rotation) const {
-  using L = Lanes<Real>;
-  Passing<Real> passing;
-  const Real* const numbers = coordinates.block(static_cast<int>(block));
-  blend(numbers, weights, passing);
-  if (weights.end) goOnFrom(*weights.end, numbers, stretch_, passing);
-  alignas(32) Real frame[rotationBlock];
-  for (int lane = 0; lane < faceLanes; ++lane)
-    for (int k = 0; k < 4; ++k)
-      frame[k * faceLanes + lane] = frames[4 * static_cast<std::size_t>(blocks_[block].frame[lane]) + k];
-  const auto r = load(passing.number);
-  const L half = L::splat(Real(0.5));
-  storeUnit(loadRotations<L>(frame) * expOfHalves(half * r.x, half * r.y, half * r.z), rotation);
 }
 
 template <class Real>

@@ -64,18 +64,11 @@ class FaceKernel {
   IndefiniteFaces accumulate(const FaceCoordinates<Real>& coordinates, const FaceTurns<Real>& turns,
                              const ColumnWeights<Real>& weights, Real* rhs, ForkJoin* forkJoin = nullptr) const;
 
-  /// R_f of every face, as used by accumulate(). frames: G of each frame as x, y, z, w.
-  void rotations(const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                 const ColumnWeights<Real>& weights, RotationBlocks<Real>& rotations,
-                 ForkJoin* forkJoin = nullptr) const;
-
   /// S_f of every face, as used by accumulate(): xx, xy, yy in the tangent frame, [block][number][lane].
   void stretches(const FaceCoordinates<Real>& coordinates, const ColumnWeights<Real>& weights,
                  std::vector<Real>& stretch) const;
 
  private:
-  void blockRotation(std::size_t block, const FaceCoordinates<Real>& coordinates, const std::vector<Real>& frames,
-                     const ColumnWeights<Real>& weights, Real* rotation) const;
   [[gnu::noinline]] IndefiniteFaces accumulateRange(const FaceRange& range, const FaceCoordinates<Real>& coordinates,
                                                     const FaceTurns<Real>& turns, const ColumnWeights<Real>& weights,
                                                     Real* rhs) const;

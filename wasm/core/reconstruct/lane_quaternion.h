@@ -52,8 +52,10 @@ LaneQuaternion<L> expOfHalves(const L& x, const L& y, const L& z) {
 template <class L, class Real>
 void storeUnit(const LaneQuaternion<L>& q, Real* to) {
   const L f = L::splat(1) / squareRoot(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  (f * q.x).store(to), (f * q.y).store(to + faceLanes);
-  (f * q.z).store(to + 2 * faceLanes), (f * q.w).store(to + 3 * faceLanes);
+  (f * q.x).store(to);
+  (f * q.y).store(to + faceLanes);
+  (f * q.z).store(to + 2 * faceLanes);
+  (f * q.w).store(to + 3 * faceLanes);
 }
 
 }  // namespace shapespline

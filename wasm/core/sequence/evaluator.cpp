@@ -51,7 +51,9 @@ void Evaluator::blend(const EncodedShape& encoded, const Motion& motion, const s
 // Stores the shape in `padded_`.
 void Evaluator::reconstruct(const EncodedShape& encoded, const Motion& motion, const CurvePoint& point, Frame& frame) {
   const Reconstruction found = reconstruct(encoded, motion, point, padded_, forkJoin_);
-  stats_.facesMs = found.facesMs, stats_.solveMs = found.solveMs, stats_.positionsMs = found.positionsMs;
+  stats_.facesMs = found.facesMs;
+  stats_.solveMs = found.solveMs;
+  stats_.positionsMs = found.positionsMs;
   frame.indefiniteFaces = found.indefiniteFaces;
   frame.indefiniteFace = found.indefiniteFaces > 0 ? encoded.input().inputFaceOf[found.indefiniteFace] : -1;
 }

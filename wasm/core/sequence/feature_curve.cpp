@@ -142,7 +142,8 @@ double FeatureCurve::squaredLength(const Eigen::VectorXd& poseWeights) const {
 
 double FeatureCurve::squaredDistance(int key, int other) const {
   Eigen::VectorXd step = Eigen::VectorXd::Zero(shape_.columns());
-  step[key] = 1, step[other] = -1;
+  step[key] = 1;
+  step[other] = -1;
   return squaredLength(step);
 }
 

@@ -28,7 +28,10 @@ Result<std::shared_ptr<SharedShape>> SharedShape::encode(Keyframes keyframes, co
 }
 
 Status SharedShape::makeSpace(Method method, const StageProgress& progress, OrderSource order) {
-  if (blendsVertices(method)) return encoded_.makeVertices(), Status();
+  if (blendsVertices(method)) {
+    encoded_.makeVertices();
+    return {};
+  }
   if (Status status = makeLri(progress, order); !status) return status;
   return turnsFaces(method) ? encoded_.makeFaceSpace(method) : Status();
 }

@@ -93,7 +93,10 @@ class TurnWarnings {
       for (int k = 0; k < patches_.patches.count; ++k)
         if (patches_.patches.componentOf[k] == patches_.bridgedComponent[b]) found.push_back(k);
       ++count;
-      if (angle > furthest) furthest = angle, face = faceOf(patches_.graph.links()[first + b].to);
+      if (angle > furthest) {
+        furthest = angle;
+        face = faceOf(patches_.graph.links()[first + b].to);
+      }
     }
     if (count == 0) return;
     const bool one = count == 1;
@@ -117,13 +120,21 @@ class TurnWarnings {
       ++count;
       found.insert(found.end(), {i, j});
       const double badness = angle / ambiguousTurn + residual / ambiguousResidual;
-      if (badness > furthest) furthest = badness, angleThere = angle, face = faceOf(j);
+      if (badness > furthest) {
+        furthest = badness;
+        angleThere = angle;
+        face = faceOf(j);
+      }
     }
     for (const OpenTurn& open : patches_.openTurns[step_]) {
       ++count;
       found.push_back(open.part);
       const double badness = open.angle / ambiguousTurn;
-      if (badness > furthest) furthest = badness, angleThere = open.angle, face = faceOf(open.part);
+      if (badness > furthest) {
+        furthest = badness;
+        angleThere = open.angle;
+        face = faceOf(open.part);
+      }
     }
     if (count == 0) return;
     std::sort(found.begin(), found.end());
@@ -146,7 +157,8 @@ class TurnWarnings {
     double sum = 0, total = 0;
     int worst = 0;
     for (int k = 0; k < static_cast<int>(angle.size()); ++k) {
-      sum += area[k] * angle[k], total += area[k];
+      sum += area[k] * angle[k];
+      total += area[k];
       if (angle[k] > openBeyond) found.push_back(k);
       if (area[k] * angle[k] > area[worst] * angle[worst]) worst = k;
     }

@@ -79,7 +79,10 @@ Overshoot ofRotations(const EncodedShape& encoded, const Motion& motion, const S
   int face = -1;
   // A ghost mesh may have patches without a face of the input.
   for (std::size_t f = 0; f < patches.size(); ++f)
-    if (patches[f] >= 0 && angles[patches[f]] > furthest) furthest = angles[patches[f]], face = static_cast<int>(f);
+    if (patches[f] >= 0 && angles[patches[f]] > furthest) {
+      furthest = angles[patches[f]];
+      face = static_cast<int>(f);
+    }
   return {angleText(furthest), face};
 }
 
@@ -95,12 +98,17 @@ Overshoot ofLengths(const EncodedShape& encoded, const Positions& shape) {
       for (int j = 0; j < encoded.shape().keys; ++j) {
         const Positions& key = encoded.shape().poses[j];
         const double length = (key[input.welding.weldedOfRaw[b]] - key[input.welding.weldedOfRaw[a]]).norm();
-        shortest = std::min(shortest, length), longest = std::max(longest, length);
+        shortest = std::min(shortest, length);
+        longest = std::max(longest, length);
       }
       const double length = (shape[b] - shape[a]).norm();
       const double past = std::max({length - longest, shortest - length, 0.0});
-      outside += past, whole += longest;
-      if (!(past <= most)) most = past, face = static_cast<int>(f);
+      outside += past;
+      whole += longest;
+      if (!(past <= most)) {
+        most = past;
+        face = static_cast<int>(f);
+      }
     }
   if (outside <= mostOutside * whole) return {};
   const double share = 100 * outside / whole;

@@ -58,7 +58,10 @@ void putInOrder(WeldedShape& shape, InputMesh& input, const FractionReport& onPr
   // The last key of a loop repeats the first. It must not count twice, because any key could be the first.
   Positions repeated;
   const auto last = shape.poses.begin() + (shape.keys - 1);
-  if (shape.closing) repeated = std::move(*last), shape.poses.erase(last);
+  if (shape.closing) {
+    repeated = std::move(*last);
+    shape.poses.erase(last);
+  }
   const MeshOrder order = canonicalOrder(shape.faces, shape.poses, onProgress);
   if (shape.closing) shape.poses.insert(shape.poses.begin() + (shape.keys - 1), std::move(repeated));
   shape.faces = order.apply(shape.faces);
@@ -82,9 +85,14 @@ Result<WeldedKeys> weldKeys(Keyframes keyframes, const EncodingOptions& options,
   InputMesh& input = keys.input;
   shape.keys = keyframes.keyCount();
   shape.reference = options.reference;
-  if (options.startTangent)
-    shape.startTangent = static_cast<int>(poses.size()), poses.push_back(&*options.startTangent);
-  if (options.endTangent) shape.endTangent = static_cast<int>(poses.size()), poses.push_back(&*options.endTangent);
+  if (options.startTangent) {
+    shape.startTangent = static_cast<int>(poses.size());
+    poses.push_back(&*options.startTangent);
+  }
+  if (options.endTangent) {
+    shape.endTangent = static_cast<int>(poses.size());
+    poses.push_back(&*options.endTangent);
+  }
   for (const Positions* pose : poses) keys.diagonal = std::max(keys.diagonal, boundingDiagonal({&pose, 1}));
   input.faces = std::move(keyframes.faces);
   input.welding = weld(poses, weldTolerances(poses), partOf(onProgress, 0, 0.5));

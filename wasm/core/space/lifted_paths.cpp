@@ -75,7 +75,10 @@ class Lift {
       if (topology_.components.ofFace[f] != component) continue;
       double largest = 0;
       for (const int s : lifted_) largest = std::max(largest, out_.paths.increment[s][f].norm());
-      if (onGrid(largest) < least) least = onGrid(largest), calmest = f;
+      if (onGrid(largest) < least) {
+        least = onGrid(largest);
+        calmest = f;
+      }
     }
     return calmest;
   }
@@ -169,8 +172,12 @@ class Lift {
       const double own = referenceFrame(shape_, f).area;
       area += own;
       if (largest <= std::numbers::pi) return;
-      ++torn.count, torn.area += own;
-      if (largest > furthest) furthest = largest, torn.worst = f;
+      ++torn.count;
+      torn.area += own;
+      if (largest > furthest) {
+        furthest = largest;
+        torn.worst = f;
+      }
     });
     torn.area /= area;
     return torn;

@@ -31,8 +31,14 @@ struct Tile {
     return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
   }
   void store(double* p) const {
-    a0.store(p), b0.store(p + 2), a1.store(p + 4), b1.store(p + 6);
-    a2.store(p + 8), b2.store(p + 10), a3.store(p + 12), b3.store(p + 14);
+    a0.store(p);
+    b0.store(p + 2);
+    a1.store(p + 4);
+    b1.store(p + 6);
+    a2.store(p + 8);
+    b2.store(p + 10);
+    a3.store(p + 12);
+    b3.store(p + 14);
   }
 };
 
@@ -41,13 +47,17 @@ inline Tile less(Tile t, const double* rows, const double* columns, int depth) {
   for (const double* end = rows + 4 * static_cast<std::ptrdiff_t>(depth); rows != end; rows += 4, columns += 4) {
     const Double2 a = Double2::load(rows), b = Double2::load(rows + 2);
     Double2 c = Double2::loadSplat(columns);
-    t.a0 = t.a0 - a * c, t.b0 = t.b0 - b * c;
+    t.a0 = t.a0 - a * c;
+    t.b0 = t.b0 - b * c;
     c = Double2::loadSplat(columns + 1);
-    t.a1 = t.a1 - a * c, t.b1 = t.b1 - b * c;
+    t.a1 = t.a1 - a * c;
+    t.b1 = t.b1 - b * c;
     c = Double2::loadSplat(columns + 2);
-    t.a2 = t.a2 - a * c, t.b2 = t.b2 - b * c;
+    t.a2 = t.a2 - a * c;
+    t.b2 = t.b2 - b * c;
     c = Double2::loadSplat(columns + 3);
-    t.a3 = t.a3 - a * c, t.b3 = t.b3 - b * c;
+    t.a3 = t.a3 - a * c;
+    t.b3 = t.b3 - b * c;
   }
   return t;
 }
@@ -57,15 +67,33 @@ inline Tile solved(Tile t, const double* inverse) {
   const auto entry = [&](int i, int j) { return Double2::loadSplat(inverse + 4 * i + j); };
   Double2 e = entry(3, 0);
   Double2 a = t.a0 * e, b = t.b0 * e;
-  e = entry(3, 1), a = a + t.a1 * e, b = b + t.b1 * e;
-  e = entry(3, 2), a = a + t.a2 * e, b = b + t.b2 * e;
-  e = entry(3, 3), t.a3 = a + t.a3 * e, t.b3 = b + t.b3 * e;
-  e = entry(2, 0), a = t.a0 * e, b = t.b0 * e;
-  e = entry(2, 1), a = a + t.a1 * e, b = b + t.b1 * e;
-  e = entry(2, 2), t.a2 = a + t.a2 * e, t.b2 = b + t.b2 * e;
-  e = entry(1, 0), a = t.a0 * e, b = t.b0 * e;
-  e = entry(1, 1), t.a1 = a + t.a1 * e, t.b1 = b + t.b1 * e;
-  e = entry(0, 0), t.a0 = t.a0 * e, t.b0 = t.b0 * e;
+  e = entry(3, 1);
+  a = a + t.a1 * e;
+  b = b + t.b1 * e;
+  e = entry(3, 2);
+  a = a + t.a2 * e;
+  b = b + t.b2 * e;
+  e = entry(3, 3);
+  t.a3 = a + t.a3 * e;
+  t.b3 = b + t.b3 * e;
+  e = entry(2, 0);
+  a = t.a0 * e;
+  b = t.b0 * e;
+  e = entry(2, 1);
+  a = a + t.a1 * e;
+  b = b + t.b1 * e;
+  e = entry(2, 2);
+  t.a2 = a + t.a2 * e;
+  t.b2 = b + t.b2 * e;
+  e = entry(1, 0);
+  a = t.a0 * e;
+  b = t.b0 * e;
+  e = entry(1, 1);
+  t.a1 = a + t.a1 * e;
+  t.b1 = b + t.b1 * e;
+  e = entry(0, 0);
+  t.a0 = t.a0 * e;
+  t.b0 = t.b0 * e;
   return t;
 }
 

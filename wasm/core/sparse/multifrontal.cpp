@@ -71,7 +71,10 @@ void addStrip(const double* strip, int i, int begin, int end, double* part, cons
   } else {
     for (; k < square; ++k, strip += 4) {
       const int column = 4 * to[k];
-      a[column] += strip[0], b[column] += strip[1], c[column] += strip[2], d[column] += strip[3];
+      a[column] += strip[0];
+      b[column] += strip[1];
+      c[column] += strip[2];
+      d[column] += strip[3];
     }
   }
   for (; k < end; ++k, strip += 4)

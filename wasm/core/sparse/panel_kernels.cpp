@@ -128,9 +128,12 @@ void forwardPanel(const Scalar* values, int columns, const int* row, int rows, S
     for (y = own; y != end; y += 4, values += 8) {
       const V k = V::load(values), l = V::load(values + 4);
       const V vx = V::loadSplat(y), vy = V::loadSplat(y + 1), vz = V::loadSplat(y + 2);
-      g.x = g.x - k * vx, h.x = h.x - l * vx;
-      g.y = g.y - k * vy, h.y = h.y - l * vy;
-      g.z = g.z - k * vz, h.z = h.z - l * vz;
+      g.x = g.x - k * vx;
+      h.x = h.x - l * vx;
+      g.y = g.y - k * vy;
+      h.y = h.y - l * vy;
+      g.z = g.z - k * vz;
+      h.z = h.z - l * vz;
     }
     addTo(g, x, row);
     addTo(h, x, row + 4);
@@ -147,7 +150,9 @@ const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Scalar*
     values = stepBack(values, 4);
     sum = stepBack(sum, 12);
     const V l = V::load(values);
-    add(sum, l * g.x), add(sum + 4, l * g.y), add(sum + 8, l * g.z);
+    add(sum, l * g.x);
+    add(sum + 4, l * g.y);
+    add(sum + 8, l * g.z);
   }
   return values;
 }
@@ -161,7 +166,9 @@ const Scalar* addProducts(const Scalar* values, const Group<V>& g, const Group<V
     values = stepBack(values, 8);
     sum = stepBack(sum, 12);
     const V k = V::load(values), l = V::load(values + 4);
-    add(sum, k * g.x, l * h.x), add(sum + 4, k * g.y, l * h.y), add(sum + 8, k * g.z, l * h.z);
+    add(sum, k * g.x, l * h.x);
+    add(sum + 4, k * g.y, l * h.y);
+    add(sum + 8, k * g.z, l * h.z);
   }
   return values;
 }
@@ -175,10 +182,12 @@ void backwardPanel(const Scalar* values, int columns, const int* row, int rows, 
   if (rows == 0) {
     std::fill(sums, end, Scalar(0));
   } else if (rows % 8 != 0) {
-    row -= 4, rows -= 4;
+    row -= 4;
+    rows -= 4;
     values = addProducts<V, true>(values, gather<V>(x, row), sums, end);
   } else {
-    row -= 8, rows -= 8;
+    row -= 8;
+    rows -= 8;
     values = addProducts<V, true>(values, gather<V>(x, row), gather<V>(x, row + 4), sums, end);
   }
   for (; rows > 0; rows -= 8) {

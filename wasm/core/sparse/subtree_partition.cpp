@@ -31,7 +31,10 @@ std::vector<int> cutTree(const SymbolicFactor& symbolic) {
     before += work[s];
     top += above[s + 1];
     const std::int64_t longest = std::max(before, total - before - top) + top;
-    if (longest < least) least = longest, split = s + 1;
+    if (longest < least) {
+      least = longest;
+      split = s + 1;
+    }
   }
   std::vector<int> part(count);
   for (int s = 0; s < count; ++s) part[s] = s < split ? 0 : firstDescendant[s] < split ? topPart : 1;

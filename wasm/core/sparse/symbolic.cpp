@@ -160,7 +160,10 @@ SymbolicFactor analyseFactor(const Graph& graph, const std::vector<int>& order, 
       eliminationTree(permuted(graph, order, partOf(onProgress, 0, 0.15)), partOf(onProgress, 0.15, 0.2));
   const std::vector<int> post = postorder(parent);
   std::vector<int> postordered(size), inverse(size), postParent(size);
-  for (int p = 0; p < size; ++p) inverse[post[p]] = p, postordered[p] = order[post[p]];
+  for (int p = 0; p < size; ++p) {
+    inverse[post[p]] = p;
+    postordered[p] = order[post[p]];
+  }
   for (int p = 0; p < size; ++p) postParent[p] = parent[post[p]] == -1 ? -1 : inverse[parent[post[p]]];
 
   std::vector<int> supernodeOf;

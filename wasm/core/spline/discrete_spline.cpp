@@ -49,11 +49,14 @@ Affine secondDifferences(const Grid& grid, Index columns) {
 Affine endDifferences(const Grid& grid, const RowVectorXd& startSlope, const RowVectorXd& endSlope) {
   Affine bend = nothing(2, grid.samples, startSlope.size());
   const Index last = grid.samples - 1;
-  bend.samples(0, 1) = 2, bend.samples(0, 0) = -2;
-  bend.samples(1, last - 1) = 2, bend.samples(1, last) = -2;
+  bend.samples(0, 1) = 2;
+  bend.samples(0, 0) = -2;
+  bend.samples(1, last - 1) = 2;
+  bend.samples(1, last) = -2;
   bend.columns.row(0) = -2 * grid.step * startSlope;
   bend.columns.row(1) = 2 * grid.step * endSlope;
-  bend.samples *= std::sqrt(0.5), bend.columns *= std::sqrt(0.5);
+  bend.samples *= std::sqrt(0.5);
+  bend.columns *= std::sqrt(0.5);
   return bend;
 }
 

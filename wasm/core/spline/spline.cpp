@@ -49,7 +49,8 @@ SlopeRows openSlopes(const VectorXd& quotient, const CurveOptions& options) {
   if (options.boundary == BoundaryKind::Hermite) {
     diagonal[0] = diagonal[last] = 1;
     const double start = options.startSpeed * quotient[0], end = options.endSpeed * quotient[last - 1];
-    rhs(0, 0) = -start, rhs(last, last) = end;
+    rhs(0, 0) = -start;
+    rhs(last, last) = end;
     (options.startShape ? rhs.startTangent(0) : rhs(0, 1)) = start;
     (options.endShape ? rhs.endTangent(last) : rhs(last, last - 1)) = -end;
   } else {  // natural: zero second derivative
@@ -194,8 +195,14 @@ Weights Curve::atKnots(double t, int derivative) const {
   const double u = (t - knots_[i].time) / h;
   Weights result = Weights::Zero(last + 3);
   if (linear_) {
-    if (derivative == 0) result[i] = 1 - u, result[i + 1] = u;
-    if (derivative == 1) result[i] = -1 / h, result[i + 1] = 1 / h;
+    if (derivative == 0) {
+      result[i] = 1 - u;
+      result[i + 1] = u;
+    }
+    if (derivative == 1) {
+      result[i] = -1 / h;
+      result[i + 1] = 1 / h;
+    }
     return result;
   }
   if (u < 0 || u > 1) {  // beyond the ends (paper section 3.2): f(t) = f(t_e) + f'(t_e) (t - t_e)
@@ -207,14 +214,20 @@ Weights Curve::atKnots(double t, int derivative) const {
   double v0, v1, s0, s1;  // cubic Hermite basis and its derivatives
   if (derivative == 0) {
     const double w = 1 - u;
-    v0 = w * w * (1 + 2 * u), v1 = u * u * (3 - 2 * u);
-    s0 = h * u * w * w, s1 = -h * u * u * w;
+    v0 = w * w * (1 + 2 * u);
+    v1 = u * u * (3 - 2 * u);
+    s0 = h * u * w * w;
+    s1 = -h * u * u * w;
   } else if (derivative == 1) {
-    v1 = 6 * u * (1 - u) / h, v0 = -v1;
-    s0 = (1 - u) * (1 - 3 * u), s1 = u * (3 * u - 2);
+    v1 = 6 * u * (1 - u) / h;
+    v0 = -v1;
+    s0 = (1 - u) * (1 - 3 * u);
+    s1 = u * (3 * u - 2);
   } else {
-    v1 = (6 - 12 * u) / (h * h), v0 = -v1;
-    s0 = (6 * u - 4) / h, s1 = (6 * u - 2) / h;
+    v1 = (6 - 12 * u) / (h * h);
+    v0 = -v1;
+    s0 = (6 * u - 4) / h;
+    s1 = (6 * u - 2) / h;
   }
   slope_.addTo(result, i, s0);
   slope_.addTo(result, i + 1, s1);

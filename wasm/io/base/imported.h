@@ -73,7 +73,10 @@ struct Import {
   std::string roundedIn;  ///< display name of the file with the largest rounding
 
   void noteRounding(double distance, const std::string& where) {
-    if (distance > rounding) rounding = distance, roundedIn = where;
+    if (distance > rounding) {
+      rounding = distance;
+      roundedIn = where;
+    }
   }
   /// JSON of extras.shapespline if the keys come from a saved project, else empty.
   std::string project;

@@ -13,7 +13,9 @@ std::vector<MaterialGroup> completeGroups(const Scene& scene, int faces) {
   int next = 0;
   const auto add = [&](int end, int material) {
     end = std::min(end, faces);
-    if (end > next) out.push_back({next, end - next, material}), next = end;
+    if (end <= next) return;
+    out.push_back({next, end - next, material});
+    next = end;
   };
   for (const MaterialGroup& g : scene.groups) {
     add(g.start, -1);

@@ -28,7 +28,9 @@ Result<std::vector<std::uint8_t>> GlbBuilder::finish() {
   const auto word = [&](std::uint64_t value) {
     for (int shift = 0; shift < 32; shift += 8) head += static_cast<char>(value >> shift & 0xff);
   };
-  word(2), word(total), word(text.size());
+  word(2);
+  word(total);
+  word(text.size());
   head += "JSON" + text;
   word(bin.size());
   head += std::string("BIN\0", 4);

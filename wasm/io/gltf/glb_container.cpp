@@ -56,7 +56,10 @@ Result<GlbChunks> splitGlb(std::span<const std::uint8_t> bytes, const std::strin
     if (index > 0 && type == jsonChunk) return brokenGlb(where, "it has two JSON chunks");
     if (index == 0) chunks.json = {reinterpret_cast<const char*>(content.data()), content.size()};
     if (type == binChunk && index != 1) return brokenGlb(where, "its BIN chunk is not the second chunk");
-    if (type == binChunk) chunks.bin = content, chunks.hasBin = true;
+    if (type == binChunk) {
+      chunks.bin = content;
+      chunks.hasBin = true;
+    }
   }
   return chunks;
 }

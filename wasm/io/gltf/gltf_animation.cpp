@@ -211,7 +211,8 @@ struct AnimationReader {
       auto curve = curveOf(source, sampler, {target.path, {node}, target.weight}, name);
       if (!curve && !out.error) out.error = curve.error();
       AnimationCurve unread;
-      unread.path = target.path, unread.node = node < count ? node : -1;
+      unread.path = target.path;
+      unread.node = node < count ? node : -1;
       out.curves.push_back(curve ? std::move(*curve) : unread);
     }
   }

@@ -18,15 +18,20 @@ struct LookReader {
   std::vector<int> newImage;  // new index of each image in doc.images; -1 until used
   int brokenTextures = 0, otherCoordinates = 0;
 
+  int brokenTexture() {
+    ++brokenTextures;
+    return -1;
+  }
+
   // Index into doc.images of a texture's source, or of an extension's source that most browsers decode.
   int sourceImage(int texture) {
     if (texture < 0) return -1;
-    if (texture >= static_cast<int>(doc.model.textures.size())) return ++brokenTextures, -1;
+    if (texture >= static_cast<int>(doc.model.textures.size())) return brokenTexture();
     const tinygltf::Texture& t = doc.model.textures[texture];
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"})
       if (const auto it = t.extensions.find(extension); it != t.extensions.end() && it->second.Has("source"))
         if (const int image = it->second.Get("source").GetNumberAsInt(); hasBytes(image)) return doc.imageOf[image];
-    if (!hasBytes(t.source)) return ++brokenTextures, -1;
+    if (!hasBytes(t.source)) return brokenTexture();
     return doc.imageOf[t.source];
   }
 
@@ -46,8 +51,9 @@ struct LookReader {
 
   // Only the base colour's set of texture coordinates is kept.
   int keepImage(int texture, int coordinates, int kept) {
-    if (texture >= 0 && coordinates != kept) return ++otherCoordinates, -1;
-    return keepImage(texture);
+    if (texture < 0 || coordinates == kept) return keepImage(texture);
+    ++otherCoordinates;
+    return -1;
   }
 
   static Material::Wrap wrapOf(int mode) {

@@ -72,14 +72,20 @@ struct LookWriter {
     if (m.emissive != std::array<float, 3>{0, 0, 0}) out["emissiveFactor"] = m.emissive;
     if (json t = texture(m.baseColorImage, m); !t.is_null()) pbr["baseColorTexture"] = t;
     if (json t = texture(m.metallicRoughnessImage, m); !t.is_null()) pbr["metallicRoughnessTexture"] = t;
-    if (json t = texture(m.normalImage, m); !t.is_null())
-      out["normalTexture"] = t, out["normalTexture"]["scale"] = m.normalScale;
-    if (json t = texture(m.occlusionImage, m); !t.is_null())
-      out["occlusionTexture"] = t, out["occlusionTexture"]["strength"] = m.occlusionStrength;
+    if (json t = texture(m.normalImage, m); !t.is_null()) {
+      out["normalTexture"] = t;
+      out["normalTexture"]["scale"] = m.normalScale;
+    }
+    if (json t = texture(m.occlusionImage, m); !t.is_null()) {
+      out["occlusionTexture"] = t;
+      out["occlusionTexture"]["strength"] = m.occlusionStrength;
+    }
     if (json t = texture(m.emissiveImage, m); !t.is_null()) out["emissiveTexture"] = t;
     out["pbrMetallicRoughness"] = std::move(pbr);
-    if (m.unlit)
-      use("KHR_materials_unlit", "extensionsUsed"), out["extensions"]["KHR_materials_unlit"] = json::object();
+    if (m.unlit) {
+      use("KHR_materials_unlit", "extensionsUsed");
+      out["extensions"]["KHR_materials_unlit"] = json::object();
+    }
     return out;
   }
 

@@ -445,7 +445,8 @@ struct KeyReader {
     std::move(own.begin(), own.end(), std::back_inserter(all));
     for (std::size_t i = 0; i < all.size(); ++i) all[i].index = static_cast<int>(i);
     PosingAnimations posing = posingAnimations(doc, scene.graph, wanted, std::move(all));
-    animations = std::move(posing.sound), broken = std::move(posing.broken);
+    animations = std::move(posing.sound);
+    broken = std::move(posing.broken);
     out.animations = infosOf(animations);
     findGroups();
     targets = joinTargets(doc, visibleNodes(scene, wanted, scene.graph.visible));

@@ -126,7 +126,8 @@ struct AnimationWriter {
     for (int k = 0; k < frameCount(); ++k) {
       if (Status frame = readFrame(k, p, n); !frame) return frame;
       if (k == 0) {
-        firstShape = p, firstNormals = n;
+        firstShape = p;
+        firstNormals = n;
         divide();
       } else {
         n.resize(firstNormals.size());

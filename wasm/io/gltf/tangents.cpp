@@ -26,7 +26,10 @@ std::vector<float> tangentsOf(std::span<const float> positions, std::span<const 
     const Vec2 d1 = vec2(uvs, b) - vec2(uvs, a), d2 = vec2(uvs, c) - vec2(uvs, a);
     const double sign = d1.x() * d2.y() - d1.y() * d2.x() < 0 ? -1 : 1;
     const Vec3 u = sign * (e1 * d2.y() - e2 * d1.y()), v = sign * (e2 * d1.x() - e1 * d2.x());
-    for (int corner : {a, b, c}) along[corner] += u, across[corner] += v;
+    for (int corner : {a, b, c}) {
+      along[corner] += u;
+      across[corner] += v;
+    }
   }
   std::vector<float> out(4 * n);
   for (std::size_t i = 0; i < n; ++i) {

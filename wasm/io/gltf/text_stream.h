@@ -7,16 +7,22 @@ namespace shapespline {
 
 class TextStream {
  public:
-  TextStream& operator<<(const std::string& text) { return text_ += text, *this; }
-  TextStream& operator<<(const char* text) { return text_ += text, *this; }
-  TextStream& operator<<(char c) { return text_ += c, *this; }
+  TextStream& operator<<(const std::string& text) { return add(text); }
+  TextStream& operator<<(const char* text) { return add(text); }
+  TextStream& operator<<(char c) { return add(c); }
   template <class Number>
   TextStream& operator<<(Number number) {
-    return text_ += std::to_string(number), *this;
+    return add(std::to_string(number));
   }
   const std::string& str() const { return text_; }
 
  private:
+  template <class Text>
+  TextStream& add(const Text& text) {
+    text_ += text;
+    return *this;
+  }
+
   std::string text_;
 };
 

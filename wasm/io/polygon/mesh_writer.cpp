@@ -108,7 +108,10 @@ struct ObjWriter {
   void vectors(const char* name, std::span<const float> values) {
     for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
       sink.text(name);
-      for (int c = 0; c < 3; ++c) sink.text(" "), sink.number(values[i + c]);
+      for (int c = 0; c < 3; ++c) {
+        sink.text(" ");
+        sink.number(values[i + c]);
+      }
       sink.text("\n");
     }
   }
@@ -133,13 +136,18 @@ struct ObjWriter {
     if (offset.value == Vec3::Zero() || offset.added) return;
     sink.text("# Positions here and in the point cache are relative to this offset: add it to them.\n");
     sink.text("# shapespline offset");
-    for (double value : offset.value) sink.text(" "), sink.decimal(value, decimalsFor(0, std::abs(value) + 1));
+    for (double value : offset.value) {
+      sink.text(" ");
+      sink.decimal(value, decimalsFor(0, std::abs(value) + 1));
+    }
     sink.text("\n");
   }
 
   void coordinates() {
     for (std::size_t i = 0; i + 1 < scene.uvs.size(); i += 2) {
-      sink.text("vt "), sink.number(scene.uvs[i]), sink.text(" ");
+      sink.text("vt ");
+      sink.number(scene.uvs[i]);
+      sink.text(" ");
       sink.number(1 - scene.uvs[i + 1]);  // OBJ counts v from below
       sink.text("\n");
     }
@@ -153,10 +161,16 @@ struct ObjWriter {
 
   void corner(int drawn) {
     const int vertex = vertexOf(drawn) + 1;
-    sink.text(" "), sink.number(vertex);
-    if (hasUvs()) sink.text("/"), sink.number(drawn + 1);
-    else if (hasNormals) sink.text("/");
-    if (hasNormals) sink.text("/"), sink.number(vertex);
+    sink.text(" ");
+    sink.number(vertex);
+    if (hasUvs()) {
+      sink.text("/");
+      sink.number(drawn + 1);
+    } else if (hasNormals) sink.text("/");
+    if (hasNormals) {
+      sink.text("/");
+      sink.number(vertex);
+    }
   }
 
   void face(std::span<const int> corners) {
@@ -199,7 +213,11 @@ struct ObjWriter {
 
   void write(std::span<const float> values, std::span<const float> normals, const MeshOffset& offset) {
     comment(offset);
-    if (!library.file.empty()) sink.text("mtllib "), sink.text(library.file), sink.text("\n");
+    if (!library.file.empty()) {
+      sink.text("mtllib ");
+      sink.text(library.file);
+      sink.text("\n");
+    }
     positions(values, offset);
     coordinates();
     vectors("vn", normals);
@@ -207,12 +225,14 @@ struct ObjWriter {
     std::size_t next = 0;
     for (int count : scene.polygons) {
       if (count < 1 || next + count > drawn.size()) break;
-      object(next), material(next);
+      object(next);
+      material(next);
       polygon(drawn.subspan(next, count));
       next += count;
     }
     for (; next < drawn.size(); ++next) {
-      object(next), material(next);
+      object(next);
+      material(next);
       face(drawn[next]);
     }
   }
@@ -243,8 +263,12 @@ Result<std::vector<std::uint8_t>> writePly(std::span<const float> positions, con
   TextSink sink{out};
   sink.text("ply\nformat binary_little_endian 1.0\nelement vertex ");
   sink.number(positions.size() / 3);
-  for (std::string_view axis : {"x", "y", "z"})
-    sink.text("\nproperty "), sink.text(type), sink.text(" "), sink.text(axis);
+  for (std::string_view axis : {"x", "y", "z"}) {
+    sink.text("\nproperty ");
+    sink.text(type);
+    sink.text(" ");
+    sink.text(axis);
+  }
   sink.text("\nelement face ");
   sink.number(faces.size());
   sink.text("\nproperty list uchar int vertex_indices\nend_header\n");

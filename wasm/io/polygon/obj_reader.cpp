@@ -122,7 +122,10 @@ struct MtlReader {
     unclear += isUnclear;
     const double alpha = isUnclear ? 1 : opacity.value_or(1 - transparency.value_or(0));
     auto& color = current->baseColor;
-    if (alpha < 1) current->alphaMode = Material::Alpha::Blend, color[3] = static_cast<float>(std::max(alpha, 0.0));
+    if (alpha < 1) {
+      current->alphaMode = Material::Alpha::Blend;
+      color[3] = static_cast<float>(std::max(alpha, 0.0));
+    }
     // Programs that show an image instead of the colour write black.
     if (hasImage && color[0] == 0 && color[1] == 0 && color[2] == 0) color = {1, 1, 1, color[3]};
     opacity = transparency = {};
@@ -469,7 +472,10 @@ struct ObjReader {
     for (int& t : cornerCoordinate) {
       if (t < 0) continue;
       ++given;
-      if (!usable(t)) ++broken, t = -1;
+      if (!usable(t)) {
+        ++broken;
+        t = -1;
+      }
     }
     if (broken > 0)
       mesh.warnings.push_back({"texture-coordinates",
@@ -492,8 +498,10 @@ struct ObjReader {
     auto& groups = mesh.scene.groups;
     for (MaterialGroup& group : groups) {  // a library may come after its use
       if (group.name.empty()) continue;
-      if (const auto it = materialOf.find(group.name); it != materialOf.end())
-        group.material = it->second, group.name.clear();
+      if (const auto it = materialOf.find(group.name); it != materialOf.end()) {
+        group.material = it->second;
+        group.name.clear();
+      }
     }
     if (groups.empty() || groups[0].start > 0) groups.insert(groups.begin(), {0, 0, -1});
     for (std::size_t g = 0; g < groups.size(); ++g)

@@ -118,7 +118,10 @@ struct OffReader {
                      -1, -1, mesh.polygonCount()};
     }
     if (corners >= 3) mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
-    else mesh.corners.resize(start), ++leftOut;
+    else {
+      mesh.corners.resize(start);
+      ++leftOut;
+    }
     int further = 0;
     while (further < 3 && takeNumber(line, number)) ++further;
     hasFaceColors |= further == 3;

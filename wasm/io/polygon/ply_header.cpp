@@ -96,8 +96,10 @@ struct HeaderReader {
         if (!hasFormat) return malformed("the header does not state a format");
         return std::move(header);
       }
-      if (word == "format") status = readFormat(line), hasFormat = true;
-      else if (word == "element") status = readElement(line);
+      if (word == "format") {
+        status = readFormat(line);
+        hasFormat = true;
+      } else if (word == "element") status = readElement(line);
       else if (word == "property") status = readProperty(line);
       else if (word == "comment") header.byBlender |= line.find("Blender") != std::string_view::npos;
       else if (word != "obj_info" && !word.empty())

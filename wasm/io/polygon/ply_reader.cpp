@@ -277,7 +277,8 @@ struct PlyReader {
       mesh.corners.insert(mesh.corners.end(), {turned ? b : a, turned ? a : b, vertex});
       mesh.ends.push_back(static_cast<int>(mesh.corners.size()));
     }
-    strip.before[0] = b, strip.before[1] = vertex;
+    strip.before[0] = b;
+    strip.before[1] = vertex;
   }
 
   Status readStrips(const PlyElement& element) {

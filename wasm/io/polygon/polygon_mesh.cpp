@@ -84,7 +84,10 @@ void cutEars(const Polygon& p, PolygonCuts& cuts) {
     for (int i = 0; i < ring.size(); ++i) {
       if (!isEar[i]) continue;
       const double length = p.diagonal(ring.at(i - 1), ring.at(i + 1));
-      if (best < 0 || length < shortest) best = i, shortest = length;
+      if (best < 0 || length < shortest) {
+        best = i;
+        shortest = length;
+      }
     }
     // For self-intersecting or flat polygons, any cut works if all keys share it. The flattest one covers least.
     if (best < 0) {

@@ -69,7 +69,10 @@ bool parseNumber(std::string_view word, double& value) {
     if (digits < 19) mantissa = 10 * mantissa + (word[at] - '0');
   if (at < word.size() && word[at] == '.')
     for (++at; at < word.size() && isDigit(word[at]); ++at, ++digits)
-      if (digits < 19) mantissa = 10 * mantissa + (word[at] - '0'), --exponent;
+      if (digits < 19) {
+        mantissa = 10 * mantissa + (word[at] - '0');
+        --exponent;
+      }
   if (digits == 0 || digits > 19) return slowNumber(word, value);
   if (at < word.size() && (word[at] == 'e' || word[at] == 'E')) {
     std::string_view rest = word.substr(at + 1);
