@@ -194,23 +194,6 @@ TEST_CASE("a rigid motion does not change with holding") {
   }
 }
 
-TEST_CASE("a held motion follows a common rigid motion and changes of the units of length and time exactly") {
-  const Keyframes k = standing();
-  const Map moved = turn({0.3, -1, 2}, 2.2, Vec3(4, -3, 9));
-  Keyframes other = k;
-  for (Key& key : other.keys) {
-    key.time *= 60;
-    for (Vec3& p : key.positions) p = 1000 * moved(p);
-  }
-  Sequence s = make(k, holding()), t = make(other, holding());
-  for (const double time : {-0.4, 0.3, 1.7, 2.8, 3.3, 4.4}) {
-    Positions expected = shapeAt(s, time);
-    for (Vec3& p : expected) p = 1000 * moved(p);
-    // Slopes of vertices are stored in single precision.
-    CHECK(largestDistance(expected, shapeAt(t, 60 * time)) < 1e-5 * diagonalOf(other));
-  }
-}
-
 TEST_CASE("rounding and a common rigid motion do not affect what rests") {
   // The lower half creeps by about 1e-5 of the size, or rests up to rounding or exactly, for four spans. Then it walks.
   const Shape shape = bar();
@@ -246,31 +229,6 @@ TEST_CASE("rounding and a common rigid motion do not affect what rests") {
     CHECK(rounded < 1e-7);
     CHECK(turned < 1e-7);
   }
-}
-
-TEST_CASE("switching holding on and off gives the same motions bit for bit") {
-  const Keyframes k = standing();
-  std::vector<double> times;
-  for (const Key& key : k.keys) times.push_back(key.time);
-  Sequence plain = make(k, {}), updated = make(k, {});
-  Sequence s = make(k, holding());
-  REQUIRE(updated.update(holding(), times).ok());
-  CHECK(shapeAt(updated, 1.4) == shapeAt(s, 1.4));
-  CHECK(shapeAt(updated, 1.4) == shapeAt(updated, 1.4));
-  // Handles are reused if the keys' times are unchanged, and rebuilt otherwise.
-  MotionOptions tense = holding();
-  tense.tension = {0, 0.5, 0, 0.3, 0};
-  std::vector<double> later = times;
-  later[2] = 1.8;
-  Keyframes moved = k;
-  moved.keys[2].time = later[2];
-  REQUIRE(updated.update(tense, times).ok());
-  Sequence fresh = make(k, tense), freshLater = make(moved, tense);
-  CHECK(shapeAt(updated, 1.4) == shapeAt(fresh, 1.4));
-  REQUIRE(updated.update(tense, later).ok());
-  CHECK(shapeAt(updated, 1.4) == shapeAt(freshLater, 1.4));
-  REQUIRE(updated.update({}, times).ok());
-  CHECK(shapeAt(updated, 1.4) == shapeAt(plain, 1.4));
 }
 
 TEST_CASE("holding factors once when it is switched on, for any other changes") {

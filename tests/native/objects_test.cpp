@@ -154,6 +154,8 @@ TEST_CASE("objects without names are matched by shape, and similar ones by posit
   CHECK(rules(shapes) == "ss");
   checkMoved(joined({plain(-3), plain(3)}, {plain(3), plain(-3)}), shiftBy);
   checkMoved(joined({plain(-3), plain(0, true), plain(3)}, {plain(3), plain(-3), plain(0, true)}), shiftBy);
+  // One file has more objects, whose default numbers differ.
+  checkMoved(joined({plain(-3)}, {plain(0, true), plain(-3)}), shiftBy);
   // Both have one name.
   const Object left{"Eye", "", {-3, 0, 0}}, right{"Eye", "", {3, 0, 0}};
   checkMoved(joined({left, right}, {right, left}), shiftBy);
@@ -193,23 +195,6 @@ TEST_CASE("names of parent nodes distinguish objects with the same name") {
                                      .add("b.glb", nested({{"right", -3}, {"left", 3}}, Vec3::Zero())));
   CHECK(rules(import) == "nn");
   CHECK(import.keyframes.keys[1].positions[0].x() == doctest::Approx(3));
-}
-
-TEST_CASE("objects that some files do not have are excluded, with a warning") {
-  const auto leftOut = [](const Import& import) {
-    return std::any_of(import.warnings.begin(), import.warnings.end(),
-                       [](const Warning& w) { return w.code == "left-out-objects"; });
-  };
-  const Import more = joined({leftBox, rightBox}, {hatObject, rightBox, leftBox});
-  checkMoved(more, shiftBy);
-  CHECK(leftOut(more));
-  const Import fewer = joined({hatObject, leftBox, rightBox}, {rightBox, leftBox});
-  checkMoved(fewer, shiftBy);
-  CHECK(leftOut(fewer));
-  CHECK(fewer.keyframes.vertexCount() == 16);
-  // Default numbers of unnamed meshes refer to other objects.
-  const auto plain = [](double x, bool pyramid = false) { return Object{"", "", {x, 0, 0}, pyramid}; };
-  checkMoved(joined({plain(-3)}, {plain(0, true), plain(-3)}), shiftBy);
 }
 
 TEST_CASE("a chosen object is found in files with other names") {

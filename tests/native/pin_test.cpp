@@ -37,13 +37,6 @@ Sequence make(const Keyframes& k, const MotionOptions& motion = {}) { return seq
 
 }  // namespace
 
-TEST_CASE("a pin that follows its own spline leaves the keys exact, and moves the shape between them") {
-  const Keyframes k = swaying();
-  Sequence plain = make(k), s = make(k, pinned(atTip(k)));
-  for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-7 * diagonalOf(k));
-  CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(plain, 1.8)) > 1e-3 * diagonalOf(k));
-}
-
 TEST_CASE("a fixed pin has its position in its key, and distant parts hardly move") {
   const Keyframes k = swaying();
   const Pin pin = atTip(k, 0);
@@ -57,89 +50,55 @@ TEST_CASE("a fixed pin has its position in its key, and distant parts hardly mov
   CHECK(largestDistance(shapeAt(s, 0), k.keys[0].positions) < 1e-7 * diagonalOf(k));
 }
 
-TEST_CASE("a pinned motion is smooth, pure, and fades out an interval beyond the ends") {
-  const Keyframes k = swaying();
-  for (const Pin& pin : {atTip(k), atTip(k, 1), atTip(k, -1, dragged())}) {
-    Sequence plain = make(k), s = make(k, pinned(pin));
-    const Sweep found = sweep(s);
-    CHECK(found.growth <= 4);
-    CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
-    CHECK(shapeAt(s, 1.3) == shapeAt(s, 1.3));
-    for (const double t : {-1.0, -2.0, 4.5, 6.0}) CHECK(shapeAt(s, t) == shapeAt(plain, t));
-    std::vector<double> times;
-    for (const Key& key : k.keys) times.push_back(key.time);
-    REQUIRE(plain.update(pinned(pin), times).ok());
-    CHECK(shapeAt(plain, 1.3) == shapeAt(s, 1.3));
-  }
-}
-
-TEST_CASE("a common rigid motion moves a pinned motion, and a rigid motion does not change") {
+TEST_CASE("pins with and without holding, at every boundary: keys, smoothness, rigid motions, fading, purity") {
   const Keyframes k = swaying();
   const Mat3 r = expRotation(Vec3(0.3, -1, 2));
   Keyframes other = k;
   for (Key& key : other.keys)
     for (Vec3& p : key.positions) p = r * p + Vec3(4, -3, 9);
-  Pin pin = atTip(k, -1, dragged()), moved = pin;
-  for (PathKey& key : moved.path) key.move = r * key.move;
-  Sequence s = make(k, pinned(pin)), t = make(other, pinned(moved));
-  for (const double time : {-0.4, 0.3, 1.7, 2.8, 3.9}) {
-    Positions expected = shapeAt(s, time);
-    for (Vec3& p : expected) p = r * p + Vec3(4, -3, 9);
-    CHECK(largestDistance(expected, shapeAt(t, time)) < 1e-5 * diagonalOf(k));
-  }
-  for (const double angle : {40.0, 100.0, 170.0}) {
-    std::vector<Map> maps;
-    for (int j = 0; j < 4; ++j) maps.push_back(turn({1, 2, 0.5}, radians(angle) * j, Vec3(j * j, 2 * j, 0)));
-    const Keyframes rigid = keyframes(bar(), maps);
-    Sequence plain = make(rigid), held = make(rigid, pinned({tip(rigid), 0.08}));
-    for (const double time : {0.1, 0.45, 0.8})
-      CHECK(largestDistance(shapeAt(held, time), shapeAt(plain, time)) < 1e-6 * diagonalOf(rigid));
-  }
-}
-
-TEST_CASE("pins with holding, at every boundary: keys, smoothness, rigid motions, fading") {
-  const Keyframes k = swaying();
-  const Mat3 r = expRotation(Vec3(0.3, -1, 2));
-  Keyframes other = k;
-  for (Key& key : other.keys)
-    for (Vec3& p : key.positions) p = r * p + Vec3(4, -3, 9);
+  std::vector<double> times;
+  for (const Key& key : k.keys) times.push_back(key.time);
   std::vector<Map> turns;
   for (int j = 0; j < 4; ++j) turns.push_back(turn({1, 2, 0.5}, radians(100.0) * j, Vec3(j * j, 2 * j, 0)));
   const Keyframes rigid = keyframes(bar(), turns);
-  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
-    CAPTURE(static_cast<int>(boundary));
-    MotionOptions plain, motion;
-    plain.boundary = motion.boundary = boundary;
-    motion.hold = true;
-    motion.pins = {everyPin(k).front()};
-    Sequence free = make(k, plain), exact = make(k, motion);
-    for (const Key& key : k.keys)
-      CHECK(largestDistance(shapeAt(exact, key.time), key.positions) < 1e-7 * diagonalOf(k));
-    motion.pins = everyPin(k);
-    Sequence s = make(k, motion);
-    CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(free, 1.8)) > 1e-3 * diagonalOf(k));
-    const Sweep found = sweep(s);
-    CHECK(found.growth <= 4);
-    CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
-    CHECK(shapeAt(s, 1.3) == shapeAt(s, 1.3));
-    if (boundary != BoundaryKind::Periodic)
-      for (const double t : {-1.0, -2.0, 4.5, 6.0}) CHECK(shapeAt(s, t) == shapeAt(free, t));
+  for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic})
+    for (const bool hold : {true, false}) {
+      CAPTURE(static_cast<int>(boundary));
+      CAPTURE(hold);
+      MotionOptions plain, motion;
+      plain.boundary = motion.boundary = boundary;
+      motion.hold = hold;
+      motion.pins = {everyPin(k).front()};
+      Sequence free = make(k, plain), exact = make(k, motion);
+      for (const Key& key : k.keys)
+        CHECK(largestDistance(shapeAt(exact, key.time), key.positions) < 1e-7 * diagonalOf(k));
+      motion.pins = everyPin(k);
+      Sequence s = make(k, motion);
+      CHECK(largestDistance(shapeAt(s, 1.8), shapeAt(free, 1.8)) > 1e-3 * diagonalOf(k));
+      const Sweep found = sweep(s);
+      CHECK(found.growth <= 4);
+      CHECK(found.zoomedStep <= std::max(1e-4, 3 * found.step * found.zoomedSpacing / found.spacing));
+      CHECK(shapeAt(s, 1.3) == shapeAt(s, 1.3));
+      REQUIRE(exact.update(motion, times).ok());
+      CHECK(shapeAt(exact, 1.3) == shapeAt(s, 1.3));
+      if (boundary != BoundaryKind::Periodic)
+        for (const double t : {-1.0, -2.0, 4.5, 6.0}) CHECK(shapeAt(s, t) == shapeAt(free, t));
 
-    MotionOptions moved = motion;
-    for (Pin& pin : moved.pins)
-      for (PathKey& key : pin.path) key.move = r * key.move;
-    Sequence t = make(other, moved);
-    for (const double time : {0.3, 1.7, 2.8}) {
-      Positions expected = shapeAt(s, time);
-      for (Vec3& p : expected) p = r * p + Vec3(4, -3, 9);
-      CHECK(largestDistance(expected, shapeAt(t, time)) < 1e-5 * diagonalOf(k));
+      MotionOptions moved = motion;
+      for (Pin& pin : moved.pins)
+        for (PathKey& key : pin.path) key.move = r * key.move;
+      Sequence t = make(other, moved);
+      for (const double time : {0.3, 1.7, 2.8}) {
+        Positions expected = shapeAt(s, time);
+        for (Vec3& p : expected) p = r * p + Vec3(4, -3, 9);
+        CHECK(largestDistance(expected, shapeAt(t, time)) < 1e-5 * diagonalOf(k));
+      }
+
+      motion.pins = {everyPin(rigid).front()};
+      Sequence turning = make(rigid, plain), held = make(rigid, motion);
+      for (const double time : {0.1, 0.45, 0.8})
+        CHECK(largestDistance(shapeAt(held, time), shapeAt(turning, time)) < 1e-6 * diagonalOf(rigid));
     }
-
-    motion.pins = {everyPin(rigid).front()};
-    Sequence turning = make(rigid, plain), held = make(rigid, motion);
-    for (const double time : {0.1, 0.45, 0.8})
-      CHECK(largestDistance(shapeAt(held, time), shapeAt(turning, time)) < 1e-6 * diagonalOf(rigid));
-  }
 }
 
 TEST_CASE("a pin moves the parts of its body, but no other object") {

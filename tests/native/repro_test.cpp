@@ -60,18 +60,6 @@ const Warning* warningOf(const Sequence& sequence, const std::string& code) {
   return nullptr;
 }
 
-// Largest distance between hat and bar.
-double largestGap(const Keyframes& hat) {
-  Sequence sequence = sequenceOf(hat, doublePrecision());
-  const int under = vertexUnderHat(hat);
-  double largest = 0;
-  for (int i = 0; i <= 40; ++i) {
-    const Positions p = shapeAt(sequence, i / 20.0);
-    largest = std::max(largest, (p.back() - p[under]).norm());
-  }
-  return largest;
-}
-
 }  // namespace
 
 TEST_CASE("repro: a wheel keeps turning in one direction") {
@@ -207,31 +195,6 @@ TEST_CASE("repro: invalid added turns and key times are refused") {
   }
   CHECK(sequence.update({}, {0, 1e-320, 2e-320, 1}).error().code == ErrorCode::TimesNotIncreasing);
   CHECK(sequence.update({}, {0, 1e-9, 0.5, 1}).ok());
-}
-
-TEST_CASE("repro: a hat that vanishes in one key stays in place") {
-  for (const int small : {0, 1, 2}) {
-    CAPTURE(small);
-    // The limit is the gap of a nearly vanishing hat: 0.02 in the keys, 0.07 between them.
-    CHECK(largestGap(shrinkingHat(small, 0)) < largestGap(shrinkingHat(small, 0.01)) + 0.01);
-  }
-}
-
-TEST_CASE("repro: a mirrored key is named") {
-  Sequence sequence = sequenceOf(mirroredKey(), doublePrecision());
-  const Warning* warning = warningOf(sequence, "mirrored-key");
-  REQUIRE(warning != nullptr);
-  CHECK(warning->key == 1);
-  Sequence plain = sequenceOf(keyframes(box(1, 1.4, 6, 3, 4, 12), {bend(0), bend(0.7), bend(1.4)}), doublePrecision());
-  CHECK(warningOf(plain, "mirrored-key") == nullptr);
-}
-
-TEST_CASE("repro: a distant key welds no further vertices") {
-  const auto welded = [](double lengths) {
-    return sequenceOf(farKey(lengths), doublePrecision()).stats().weldedVertices;
-  };
-  CHECK(farKey(0).vertexCount() == welded(0));
-  CHECK(welded(3900) == welded(0));
 }
 
 }  // namespace shapespline::test::repro_test

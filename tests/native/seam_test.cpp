@@ -187,21 +187,29 @@ TEST_CASE("seam: a loop that ends turned says what its export does, unless it st
   CHECK(angleOf(keyframes(bar(), {unmoved, bend(1), turn(up, 0, Vec3(5, 0, 0))}), false).empty());
 }
 
-TEST_CASE("seam: one more period of a walk adds its rigid motion once more") {
-  for (const Walk& walk : walks()) {
-    CAPTURE(walk.name);
-    Sequence sequence = sequenceOf(walk.keyframes, doublePrecision(), periodic());
-    const double period = sequence.range().second - sequence.range().first;
-    for (const int periods : {1, 2, 5, -3})
-      for (const double t : {0.0, 0.4, 1.5, period - 0.1}) {
-        CAPTURE(periods);
-        CAPTURE(t);
-        const Positions expected = mapped(shapeAt(sequence, t), alongCircle(periods * walk.degrees));
-        const double off =
-            largestDistance(expected, shapeAt(sequence, t + periods * period)) / diagonalOf(walk.keyframes);
-        CHECK(off < 1e-6);
-      }
-  }
+TEST_CASE("seam: one more period of a walk adds its rigid motion once more, in every method") {
+  for (const Walk& walk : walks())
+    for (const Method method :
+         {Method::Lri, Method::RotationStrain, Method::Rimd, Method::Linear, Method::CubicVertex}) {
+      CAPTURE(walk.name);
+      CAPTURE(int(method));
+      MotionOptions motion = periodic();
+      motion.method = method;
+      Sequence sequence = sequenceOf(walk.keyframes, doublePrecision(), motion);
+      const double period = sequence.range().second - sequence.range().first, diagonal = diagonalOf(walk.keyframes);
+      for (const int periods : {1, 2, 5, -3})
+        for (const double t : {0.0, 0.4, 1.5, period - 0.1}) {
+          CAPTURE(periods);
+          CAPTURE(t);
+          const Positions expected = mapped(shapeAt(sequence, t), alongCircle(periods * walk.degrees));
+          const double off = largestDistance(expected, shapeAt(sequence, t + periods * period)) / diagonal;
+          CHECK(off < (method == Method::RotationStrain ? 1e-9 : method == Method::Lri ? 1e-8 : 1e-6));
+        }
+      if (method == Method::RotationStrain) CHECK(sweep(sequence).growth < 2);
+      const Positions end = shapeAt(sequence, period - 1e-9);
+      CHECK(largestDistance(end, walk.keyframes.keys.back().positions) < 1e-6 * diagonal);
+      CHECK(largestDistance(end, shapeAt(sequence, period + 1e-9)) < 1e-6 * diagonal);
+    }
 }
 
 }  // namespace shapespline::test::seam_test

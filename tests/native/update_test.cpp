@@ -42,6 +42,12 @@ std::vector<Change> changes() {
           change("tension", [](Change& c) { c.motion.tension = {0, 0.5, 1, -0.5}; }),
           change("bias", [](Change& c) { c.motion.bias = {0, 0.5, -1, 1}; }),
           change("held", [](Change& c) { c.motion.hold = true; }),
+          change("held, tension", [](Change& c) { c.motion.hold = true, c.motion.tension = {0, 0.5, 0, 0.3}; }),
+          change("held, tension, key times",
+                 [](Change& c) {
+                   c.motion.hold = true, c.motion.tension = {0, 0.5, 0, 0.3};
+                   c.times = {0, 0.2, 0.9, 1.5};
+                 }),
           change("turns", [](Change& c) { c.motion.turns = {{2, 1}}; }),
           change("turns of a component", [](Change& c) { c.motion.turns = {{1, -1, 1}}; }),
           change("in place", [](Change& c) { c.motion.inPlace = true; }),

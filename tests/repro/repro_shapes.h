@@ -133,14 +133,6 @@ inline Keyframes shrinkingHat(int small, double scale) {
   }
   return roundedToFloat(std::move(k));
 }
-/// The vertex of the bar under the hat. The hat's lowest vertex is the last vertex of the shape.
-inline int vertexUnderHat(const Keyframes& k) {
-  const Positions& p = k.keys[0].positions;
-  const auto nearer = [&](const Vec3& a, const Vec3& b) {
-    return (a - Vec3(0, 0, 10)).norm() < (b - Vec3(0, 0, 10)).norm();
-  };
-  return static_cast<int>(std::min_element(p.begin(), p.end(), nearer) - p.begin());
-}
 
 /// A bar that bends; key 1 is the mirror image of its pose.
 inline Keyframes mirroredKey() {
