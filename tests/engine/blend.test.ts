@@ -24,21 +24,6 @@ const blended = async (weights: number[]): Promise<Float32Array> => {
 };
 
 describe('a blend of keys', () => {
-  it('is a key if it has all the weight, and a shape of the motion with the weights of its curve', async () => {
-    for (const key of [0, 1, 2]) {
-      const weights = [0, 0, 0];
-      weights[key] = 1;
-      expect(largestDistance(await blended(weights), bend.poses[key]!)).toBeLessThan(1e-5 * size);
-    }
-    const times = [-0.2, 0.3, 0.8, 1.1];
-    const { weights } = await bend.sequence.shapePlane(times);
-    for (const [index, t] of times.entries()) {
-      const shape = await blended(weights.slice(3 * index, 3 * index + 3));
-      if (t < 0 || t > 1) continue; // beyond the keys, the motion limits its stretch
-      expect(largestDistance(shape, (await frameAt(bend.sequence, t)).positions)).toBeLessThan(1e-5 * size);
-    }
-  });
-
   it('is a different shape off the curve, independent of earlier shapes', async () => {
     const weights = [0.8, -0.6, 0.8];
     const shape = await blended(weights);
@@ -65,61 +50,6 @@ describe('a blend of keys', () => {
     expect(await sentence([0.5, 0.5, 0.5])).toBe('The weights of a blend must sum to 1, not 1.5.');
     expect(await sentence([NaN, 1, 0])).toBe('The weights of a blend must be numbers, one per key.');
     await bend.sequence.evaluateBlend([1 / 3, 1 / 3, 1 / 3 + 9e-7]);
-  });
-});
-
-describe('the discretised minimisation', () => {
-  it('approaches the spline with more samples', async () => {
-    const off = async (samples: number): Promise<number> => {
-      const { times, plane, energy, curveEnergy } = await bend.sequence.discretePath(samples);
-      expect(times).toHaveLength(samples);
-      expect(curveEnergy).toBeGreaterThanOrEqual(energy);
-      const { curve } = await bend.sequence.shapePlane(times);
-      return Math.max(...curve.map((value, index) => Math.abs(value - plane[index]!)));
-    };
-    const [coarse, fine] = [await off(21), await off(81)];
-    expect(fine).toBeLessThan(coarse / 14); // the order is two, so the ideal ratio is 16
-  });
-
-  it('refuses invalid numbers of samples', async () => {
-    for (const samples of [2, 1001, 1.5]) {
-      expect((await failureOf(bend.sequence.discretePath(samples))).code).toBe('invalid-option');
-    }
-  });
-});
-
-describe('one face', () => {
-  it('has its coordinates over time, and at the keys', async () => {
-    const { patch, numbers, natural } = await bend.sequence.faceCurve(7, [0, 0.5, 1]);
-    expect(patch).toBe((await bend.sequence.patches())[7]);
-    expect(numbers).toHaveLength(18);
-    // In the reference pose, rotations and stretches are trivial.
-    [0, 0, 0, 1, 0, 1].forEach((value, index) => expect(numbers[index]).toBeCloseTo(value, 6));
-    expect(natural).toEqual(numbers);
-    expect((await failureOf(bend.sequence.faceCurve(1e6, [0]))).code).toBe('invalid-option');
-  });
-});
-
-describe('one patch', () => {
-  it('rotates relative to each neighbour inversely to that neighbour, and not in the reference pose', async () => {
-    const times = [0, 0.4, 1];
-    const patch = (await bend.sequence.patches())[7]!;
-    const { neighbours, numbers, natural } = await bend.sequence.patchCurve(patch, times);
-    const width = 1 + 4 * neighbours.length;
-    expect(neighbours.length).toBeGreaterThan(0);
-    expect(numbers).toHaveLength(times.length * width);
-    expect(natural).toEqual(numbers);
-    expect(numbers[0]).toBeCloseTo(1, 6);
-    for (const [k, other] of neighbours.entries()) {
-      const turn = (row: number): number[] => numbers.slice(row * width + 1 + 4 * k, row * width + 5 + 4 * k);
-      [1, 0, 0, 0].forEach((value, i) => expect(turn(0)[i]).toBeCloseTo(value, 6));
-      const back = await bend.sequence.patchCurve(other, times);
-      const from = 1 + 4 * back.neighbours.length + 1 + 4 * back.neighbours.indexOf(patch);
-      const [w, x, y, z] = back.numbers.slice(from, from + 4) as [number, number, number, number];
-      [w, -x, -y, -z].forEach((value, i) => expect(turn(1)[i]).toBeCloseTo(value, 6));
-    }
-    expect((await failureOf(bend.sequence.patchCurve(-1, [0]))).code).toBe('invalid-option');
-    expect((await failureOf(bend.sequence.patchCurve(5000, [0]))).code).toBe('invalid-option');
   });
 });
 

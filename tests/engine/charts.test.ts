@@ -96,48 +96,4 @@ describe.skipIf(!hasData)('charts of real keys with large turns', () => {
       expect(Math.max(...energy)).toBeGreaterThan(1);
     },
   );
-
-  it('cat: a few slivers do not determine the stretch of a patch', async () => {
-    const { sequence, from, to } = await opened(cats);
-    const patchOf = await sequence.patches();
-    const times = between(from, to, 12);
-    // Some patches contain only slivers, which do stretch a hundredfold.
-    const large = [...new Set(patchOf)].filter((patch) => patchOf.filter((of) => of === patch).length > 8);
-    expect(large.length).toBeGreaterThan(150);
-    for (const patch of large) {
-      const { neighbours, numbers } = await sequence.patchCurve(patch, times);
-      const stretch = rowsOf(numbers, 1 + 4 * neighbours.length).map(([value]) => value!);
-      expect(Math.max(...stretch), `patch ${patch + 1}`).toBeLessThan(8);
-      expect(Math.min(...stretch), `patch ${patch + 1}`).toBeGreaterThan(-4);
-    }
-  });
-
-  it('cat: the stretch of a patch is the mean over its area', async () => {
-    const { sequence, keys } = await opened(cats);
-    const patchOf = await sequence.patches();
-    const rest = keys.positions(0);
-    const corner = (face: number, which: number): number[] => {
-      const at = 3 * keys.info.faces[3 * face + which]!;
-      return [...rest.subarray(at, at + 3)];
-    };
-    const areaOf = (face: number): number => {
-      const [a, b, c] = [0, 1, 2].map((which) => corner(face, which)) as [number[], number[], number[]];
-      const [u, v] = [b, c].map((to) => to.map((value, axis) => value - a[axis]!)) as [number[], number[]];
-      return Math.hypot(...[0, 1, 2].map((k) => u[(k + 1) % 3]! * v[(k + 2) % 3]! - u[(k + 2) % 3]! * v[(k + 1) % 3]!));
-    };
-    const [, time] = keys.info.times;
-    for (const patch of [2, 50, 175]) {
-      const faces = [...patchOf.keys()].filter((face) => patchOf[face] === patch);
-      const stretches = await Promise.all(
-        faces.map(async (face) => {
-          const { numbers } = await sequence.faceCurve(face, [time!]);
-          return (numbers[3]! + numbers[5]!) / 2;
-        }),
-      );
-      const areas = faces.map(areaOf);
-      const mean = stretches.reduce((sum, value, i) => sum + value * areas[i]!, 0) / areas.reduce((a, b) => a + b, 0);
-      const { numbers } = await sequence.patchCurve(patch, [time!]);
-      expect(numbers[0]! / mean, `patch ${patch + 1}`).toBeCloseTo(1, 4);
-    }
-  });
 });

@@ -92,32 +92,6 @@ describe('inspect', () => {
     expect([code, (JSON.parse(stdout) as { warnings: object[] }).warnings]).toEqual([0, []]);
   });
 
-  it.each(['NFC', 'NFD'])(
-    'finds files whose accents are composed in another way than in the model: %s',
-    async (form) => {
-      const text = (content: string): Uint8Array => new TextEncoder().encode(content);
-      const [onDisk, other] = [form, form === 'NFC' ? 'NFD' : 'NFC'].map((one) => 'Gr\u00f6\u00dfe'.normalize(one));
-      const faces = (z: number): Uint8Array =>
-        text(`mtllib ${other}.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 ${z}\nusemtl red\nf 1 2 3\n`);
-      const [gltf, bin] = gltfPair('a', poses[0]!, `${encodeURIComponent(other!)}.bin`);
-      const where = await folderOf([
-        { name: 'a.obj', bytes: faces(0) },
-        { name: 'b.obj', bytes: faces(1) },
-        { name: `${onDisk}.mtl`, bytes: text('newmtl red\nKd 1 0 0\n') },
-        gltf!,
-        ...gltfPair('b', poses[1]!),
-        { name: `${onDisk}.bin`, bytes: bin!.bytes },
-      ]);
-      for (const pair of [
-        ['a.obj', 'b.obj'],
-        ['a.gltf', 'b.gltf'],
-      ]) {
-        const { code, stdout } = await runCli(where, 'inspect', ...pair);
-        expect([code, (JSON.parse(stdout) as { warnings: object[] }).warnings]).toEqual([0, []]);
-      }
-    },
-  );
-
   it('reads nothing outside that folder', async () => {
     const where = await folderOf([...gltfPair('a', poses[0]!), ...gltfPair('b', poses[1]!)]);
     await mkdir(path.join(where, 'inner'));
@@ -467,23 +441,6 @@ describe('complete with a ghost mesh', () => {
     };
     expect(await opened()).toMatchObject({ sequence: { ghostFaces: 80 } });
     expect(await opened('--ghost-faces=off')).toMatchObject({ sequence: { ghostFaces: 0 } });
-  });
-});
-
-describe('files with different objects', () => {
-  it('are poses of their common objects, with a warning', async () => {
-    const thing = (x: number): string => `o Thing\nv 0 0 0\nv 1 0 0\nv ${x} 1 0\nf 1 2 3\n`;
-    const floor = 'o Floor\nv 9 0 0\nv 9 0 9\nv 0 0 9\nf 4 5 6\n';
-    const place = await folderOf([
-      { name: 'a.obj', bytes: new TextEncoder().encode(thing(0) + floor) },
-      { name: 'b.obj', bytes: new TextEncoder().encode(thing(0.5)) },
-    ]);
-    const { code, stdout } = await runCli(place, 'inspect', 'a.obj', 'b.obj');
-    expect(code).toBe(0);
-    const found = JSON.parse(stdout) as { faces: number; warnings: { code: string; message: string }[] };
-    expect(found.faces).toBe(1);
-    expect(found.warnings.map(({ code: kind }) => kind)).toEqual(['left-out-objects']);
-    expect(found.warnings[0]!.message).toContain('"Thing"');
   });
 });
 

@@ -75,18 +75,6 @@ describe.skipIf(!hasData)('real files', () => {
     },
   );
 
-  it('as OBJ poses import in the order given', async () => {
-    for (const folder of ['obj/wolf', 'obj/lowpoly-cat']) {
-      const names = dataFiles(folder).filter((name) => name.endsWith('.obj'));
-      expect(names).toHaveLength(folder === 'obj/wolf' ? 6 : 7);
-      const poses = names.filter((name) => !name.includes('reference'));
-      const sequence = await engine.createSequence(await load(poses));
-      expect((await frameAt(sequence, 0.3)).positions.every(Number.isFinite)).toBe(true);
-      await expectPlayed(sequence, { frames: 4 });
-      sequence.dispose();
-    }
-  });
-
   const plies = (folder: string): string[] => dataFiles(folder).filter((name) => name.endsWith('.ply'));
   const poses = (folder: string): string[] =>
     dataFiles(folder).filter((name) => name.endsWith('.obj') && !name.includes('reference'));

@@ -8,10 +8,9 @@ import type { ExportedFile } from '../../web/engine/api/types.ts';
 import { draco, meshopt, quantised } from './support/compress.ts';
 import { bendKeys, bendSequence, failureOf, frameAt, testEngine, type Bend } from './support/engines.ts';
 import { expectPlayed, expectValid, exported } from './support/exported.ts';
-import { poseFiles } from './support/glb.ts';
 import { paintedFile } from './support/painted.ts';
 import { rigFile } from './support/rig.ts';
-import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';
+import { bar, diagonal, largestDistance } from './support/shapes.ts';
 import { threePlayer } from './support/three-player.ts';
 
 /** The JSON chunk of a GLB. */
@@ -180,29 +179,6 @@ describe('an animated GLB', () => {
     );
   });
 
-  it('opens as an animation on request', async () => {
-    const bytes = await exported(bend.sequence, { frames: 5 });
-    const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes }], { sample: 3 });
-    expect([info.times, info.project]).toEqual([[0, 0.5, 1], null]);
-  });
-
-  it('with broken options still opens, with a warning', async () => {
-    const bytes = await exported(bend.sequence, { frames: 5 });
-    const text = new TextDecoder('latin1').decode(bytes).replace('"boundary":"natural"', '"boundary":"nothing"');
-    const broken = Uint8Array.from(text, (character) => character.charCodeAt(0));
-    const { info } = await engine.importKeyframes([{ name: 'a.glb', bytes: broken }]);
-    expect([info.times, info.project]).toEqual([[0, 0.5, 1], null]);
-    expect(info.warnings.map(({ code }) => code)).toContain('project-options-ignored');
-  });
-
-  it('has the stated size', async () => {
-    for (const frames of [3, 60]) {
-      const { bytes } = await bend.sequence.planExport({ frames });
-      const written = (await exported(bend.sequence, { frames })).length;
-      expect(Math.abs(bytes - written)).toBeLessThan(0.1 * written);
-    }
-  });
-
   it('has the fewest targets for its tolerance, states its error, and is exact at the keys', async () => {
     const targets: number[] = [];
     for (const tolerance of [1, 0.1, 0.02]) {
@@ -229,13 +205,6 @@ describe('an animated GLB', () => {
     }
     expect(targets).toEqual([...targets].sort((a, b) => a - b));
     expect(targets[1]).toBeLessThan(30);
-  });
-
-  it('uses the fewest whole frames if a frame rate is given', async () => {
-    const { times } = await bend.sequence.planExport({ fps: 240 });
-    for (const t of times) expect(Math.abs(t * 240 - Math.round(t * 240))).toBeLessThan(1e-6);
-    expect(times.length).toBeLessThan(40);
-    expect((await bend.sequence.planExport({ fps: 24, tolerance: 0 })).times).toHaveLength(25);
   });
 
   it('names its nodes, mesh, materials and targets', async () => {
@@ -358,53 +327,7 @@ describe('an animated GLB', () => {
   });
 });
 
-describe('the largest animation', () => {
-  it('opens again, and a larger one is refused at once @all', async () => {
-    const box = bar(1, 1);
-    const sequence = await engine.createSequence(
-      await engine.importKeyframes(poseFiles(box, [box.positions, bent(box, 30)])),
-    );
-    const bytes = await exported(sequence, { frames: 4000 });
-    const again = await engine.importKeyframes([{ name: 'long.glb', bytes }]);
-    expect([again.info.times, again.info.animations]).toMatchObject([[0, 1], [{ keys: 4000 }]]);
-    const sampled = await engine.importKeyframes([{ name: 'long.glb', bytes }], { sample: 3 });
-    expect(largestDistance(sampled.positions(1), (await frameAt(sequence, 0.5)).positions)).toBeLessThan(1e-2);
-
-    const stages: string[] = [];
-    for (const refused of [
-      sequence.planExport({ frames: 4001 }),
-      sequence.export({ frames: 4001 }, { onProgress: ({ stage }) => stages.push(stage) }),
-    ]) {
-      const failure = await failureOf(refused);
-      expect(failure.code).toBe('too-large');
-      expect(failure.message).toBe(
-        'With 4,001 frames, the file would be too large to open here again: its 4,000 morph targets need more than 16,000,000 weights. ' +
-          'Export fewer frames, or an OBJ sequence.',
-      );
-    }
-    expect(stages).toEqual([]);
-    expect((await sequence.planExport({ frames: 4001, format: 'obj' })).times).toHaveLength(4001);
-    sequence.dispose();
-  });
-});
-
 describe('single shapes and series of files', () => {
-  it('are a pose as GLB, OBJ or PLY that opens again', async () => {
-    const t = 0.3;
-    const wanted = (await frameAt(bend.sequence, t)).positions;
-    for (const format of ['glb', 'obj', 'ply'] as const) {
-      const bytes = await exported(bend.sequence, { format, pose: t });
-      if (format === 'glb') await expectValid(bytes);
-      const files = [
-        { name: `a.${format}`, bytes },
-        { name: `b.${format}`, bytes },
-      ];
-      const keys = await engine.importKeyframes(files);
-      expect(largestDistance(keys.positions(0), wanted)).toBeLessThan(1e-6);
-      expect(keys.info.faces).toEqual(bend.mesh.indices);
-    }
-  });
-
   it('are numbered files, exactly one for each requested time', async () => {
     const files = await bend.sequence.export({ format: 'obj', times: [1.3, -0.3, 0.5] });
     expect(files.map(({ name }) => name)).toEqual(['0000.obj', '0001.obj', '0002.obj']);

@@ -6,7 +6,7 @@ import type { Keys } from '../../web/engine/api/api.ts';
 import { readPose } from '../../web/engine/api/read-poses.ts';
 import type { InputFile } from '../../web/engine/api/types.ts';
 import { folderOf, runCli } from './support/cli.ts';
-import { failureOf, frameAt, testEngine } from './support/engines.ts';
+import { frameAt, testEngine } from './support/engines.ts';
 import { expectValid } from './support/exported.ts';
 import { meshGlb } from './support/glb.ts';
 import { bar, bent, diagonal, largestDistance } from './support/shapes.ts';
@@ -44,23 +44,6 @@ const UTM: Place = [432_100, 5, 5_412_345];
 const PLACES: Place[] = [[300, 0, 150], [1000, 0, 500], [5000, 0, 2500], [85_227, 10, 446_522], UTM];
 
 describe('a shape far from the origin', () => {
-  it.each(PLACES)('at %d, %d, %d has the same motion as at the origin', async (...place) => {
-    const [far, near] = [
-      await engine.importKeyframes(filesAt(place)),
-      await engine.importKeyframes(filesAt([0, 0, 0])),
-    ];
-    const [there, here] = [await engine.createSequence(far), await engine.createSequence(near)];
-    const size = near.info.report.diagonal;
-    for (const t of [0, 0.4, 1, 1.7, 2, 2.5]) {
-      const moved = at(far.info.offset, (await frameAt(there, t)).positions);
-      const expected = at(place, (await frameAt(here, t)).positions);
-      expect(largestDistance(moved, expected)).toBeLessThan(2e-6 * size);
-    }
-    expect(far.info.warnings).toEqual([]);
-    there.dispose();
-    here.dispose();
-  });
-
   it.each(PLACES.map((place) => [`${place.join(', ')}${place === UTM ? '' : ' @all'}`, place] as const))(
     'at %s is exported within the error that the plan states',
     async (_, place) => {
@@ -99,15 +82,6 @@ describe('a shape far from the origin', () => {
     },
   );
 
-  it('accepts further poses from any file', async () => {
-    const keys = await engine.importKeyframes(filesAt(UTM));
-    const further = poseAt([UTM[0] + 40, UTM[1], UTM[2] - 9], 33);
-    const pose = await readPose(engine, [{ name: 'further.obj', bytes: obj(further) }], keys);
-    expect(largestDistance(at(keys.info.offset, pose), further)).toBeLessThan(4e-6);
-    const refused = await failureOf(engine.importKeyframes(filesAt(UTM), { offset: [1, 2] as never }));
-    expect(refused).toMatchObject({ code: 'invalid-option' });
-  });
-
   it('keeps a tangent of a saved project, which is relative to the same offset', async () => {
     const keys = await engine.importKeyframes(filesAt(UTM));
     const startTangent = await readPose(engine, [{ name: 't.obj', bytes: obj(poseAt(UTM, -40)) }], keys);
@@ -117,18 +91,6 @@ describe('a shape far from the origin', () => {
     expect(again.info.offset).toEqual(keys.info.offset);
     expect(again.info.project!.startTangent).toEqual(startTangent);
     sequence.dispose();
-  });
-
-  it('that a GLB stores in single precision gives a warning with the error', async () => {
-    const stored = angles.map((degrees, i) => ({
-      name: `${i}.glb`,
-      bytes: meshGlb(mesh, Float32Array.from(poseAt(UTM, degrees))),
-    }));
-    const { info } = await engine.importKeyframes(stored);
-    const warning = info.warnings.find(({ code }) => code === 'rounded-positions');
-    expect(warning?.message).toMatch(
-      /^\d\.glb \(key \d\) stores positions .* by up to 0\.2[5-9]\d* \(\d+\.?\d* % of its size\)/,
-    );
   });
 });
 

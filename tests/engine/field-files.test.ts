@@ -162,17 +162,6 @@ describe('files of other programs', () => {
     for (const [key, t] of keys.info.times.entries())
       expect(largestDistance(keys.positions(key), poser.positionsAt(t))).toBeLessThan(1e-5);
   });
-
-  it('with materials of specular colour and glossiness keep their colour in exports', async () => {
-    const files = [field('specgloss-a.glb'), field('specgloss-b.glb')];
-    const folder = await folderOf(files);
-    await runCli(folder, 'complete', ...files.map(({ name }) => name), '--output', 'm.glb');
-    const json = glbParts(readFileSync(path.join(folder, 'm.glb'))).json as Record<string, unknown>;
-    const [material] = json.materials as { pbrMetallicRoughness: Record<string, number | number[]> }[];
-    const { baseColorFactor, metallicFactor, roughnessFactor } = material!.pbrMetallicRoughness;
-    const values = [baseColorFactor!, metallicFactor!, roughnessFactor!].flat();
-    expect(values.map((value) => Number(value.toFixed(3)))).toEqual([0.1, 0.3, 0.8, 1, 0, 0.8]);
-  });
 });
 
 describe('messages', () => {

@@ -1,10 +1,8 @@
 /** Methods that fit shapes while a motion is made: kept measures, unsupported options, cancellation. */
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
-import { folderOf, runCli } from './support/cli.ts';
 import { dataFile, hasData } from './support/data.ts';
 import { bendKeys, failureOf, frameAt, testEngine } from './support/engines.ts';
-import { poseFiles } from './support/glb.ts';
 import { bar, bent, diagonal, foam, largestDistance, rolledSheet, type Mesh } from './support/shapes.ts';
 
 const engine = testEngine();
@@ -181,20 +179,6 @@ describe('lengths', () => {
     expect(fractions.every((one, i) => i === 0 || one >= fractions[i - 1]!)).toBe(true);
     const again = await engine.createSequence(keys, { method: 'lengths', spaceSamples: 3 });
     expect(again.range).toEqual([0, 1]);
-  });
-
-  it('is a method of the command line', async () => {
-    const mesh = bar();
-    const files = poseFiles(mesh, [mesh.positions, bent(mesh, 60)]);
-    const folder = await folderOf(files);
-    const names = files.map(({ name }) => name);
-    const run = (...words: string[]): ReturnType<typeof runCli> => runCli(folder, ...words, ...names);
-    const fitted = ['--method', 'lengths', '--space-samples', '3', '--output', 'motion.glb'];
-    expect((await run('complete', ...fitted)).code).toBe(0);
-    expect((await run('complete', ...fitted, '--boundary', 'periodic')).code).toBe(2);
-    const { code, stdout } = await run('measure', '--methods', 'lri,shell', '--space-samples', '3', '--frames', '3');
-    expect(code).toBe(0);
-    expect(stdout).toMatch(/^time,.*lri volume.*shell volume/m);
   });
 
   it("writes a project of the user's own keys", async () => {

@@ -4,7 +4,6 @@ import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import { kgBetween, studyGhosts } from '../../web/study/ghost-study.ts';
 import { KgError } from '../../web/study/kg-error.ts';
 import type { InputFile, Progress, SequenceOptions } from '../../web/engine/api/types.ts';
-import { dataFile, hasData } from './support/data.ts';
 import { bendKeys, bendSequence, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar, diagonal, largestDistance } from './support/shapes.ts';
 
@@ -36,27 +35,6 @@ describe('a ghost mesh', () => {
     sequence.dispose();
   });
 
-  it('can have vertices off the vertices of the shape', async () => {
-    const { sequence, poses } = await bendSequence(engine, { ghostFaces: 80, placement: 'optimal' });
-    const distance = largestDistance(
-      await sequence.ghostPositions(1),
-      pick(poses[2]!, (await sequence.ghost())!.vertexOf),
-    );
-    expect(distance).toBeGreaterThan(1e-4 * diagonal(poses[2]!));
-    expect(distance).toBeLessThan(0.1 * diagonal(poses[2]!));
-    sequence.dispose();
-  });
-
-  it('is off by default, and if the shape has too few faces', async () => {
-    for (const options of [{}, { ghostFaces: 5000 }]) {
-      const { sequence } = await bendSequence(engine, options);
-      expect(await sequence.ghost()).toBeNull();
-      expect((await failureOf(sequence.ghostPositions(0))).code).toBe('invalid-option');
-      expect(sequence.warnings.map(({ code }) => code)).toEqual('ghostFaces' in options ? ['ghost-off'] : []);
-      sequence.dispose();
-    }
-  });
-
   it('is used by every refit, but not by vertex blends', async () => {
     const { sequence, keys } = await bendSequence(engine, { ghostFaces: 80 });
     const full = await engine.createSequence(keys);
@@ -72,24 +50,6 @@ describe('a ghost mesh', () => {
     const { encodeMs, factorMs } = await sequence.stats();
     expect([encodeMs, factorMs]).toEqual([before.encodeMs, before.factorMs]);
     for (const one of [sequence, full]) one.dispose();
-  });
-
-  it('reports increasing fractions while it is made', async () => {
-    const { keys } = await bendKeys(engine, bar(6, 60));
-    const seen: Progress[] = [];
-    (
-      await engine.createSequence(keys, { ghostFaces: 500 }, { onProgress: (progress) => seen.push(progress) })
-    ).dispose();
-    expect(seen.map(({ stage }) => stage).filter((stage, i, all) => stage !== all[i - 1])).toEqual([
-      'welding',
-      'simplifying',
-      'matching',
-      'encoding',
-      'ordering',
-      'factorising',
-    ]);
-    expect(seen.map(({ fraction }) => fraction)).toEqual(seen.map(({ fraction }) => fraction).sort((a, b) => a - b));
-    expect(seen.at(-1)!.fraction).toBe(1);
   });
 
   it('can be cancelled within a second while it is made, and leaves the earlier motion unchanged', async () => {
@@ -212,8 +172,4 @@ describe('2,000 ghost faces', () => {
       if (keys.info.report.faces > 2000) await check(keys, { boundary });
     },
   );
-
-  it.skipIf(!hasData)('keep the cactus close to its motion without a ghost', async () => {
-    await check(await engine.importKeyframes([1, 2, 3].map((i) => dataFile(`cactus/cactus-${i}.glb`))), {});
-  });
 });

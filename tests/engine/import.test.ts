@@ -95,14 +95,6 @@ describe('importing', () => {
     expect(keys.info.project).toBeNull();
   });
 
-  it('reads a mesh and its morph targets', async () => {
-    const keys = await engine.importKeyframes([named('morph.glb', meshGlb(mesh, straight, [bent(mesh, 30), curved]))], {
-      keyTimes: [0, 1, 5],
-    });
-    expect(keys.info.times).toEqual([0, 1, 5]);
-    keys.positions(2).forEach((value, i) => expect(value).toBeCloseTo(curved[i]!, 5));
-  });
-
   it('places poses without times one second apart', async () => {
     const poses = await engine.importKeyframes([first, good[1]!, { ...first, name: 'pose-3.glb' }]);
     expect(poses.info.times).toEqual([0, 1, 2]);
@@ -148,17 +140,6 @@ describe('importing', () => {
     sequence.dispose();
   });
 
-  it('reports seams, components and defects', async () => {
-    const twice: Mesh = {
-      positions: Float32Array.from([...straight, ...straight.map((v, i) => (i % 3 === 0 ? v + 3 : v)), 9, 9, 9]),
-      indices: Uint32Array.from([...mesh.indices, ...[...mesh.indices].slice(3).map((v) => v + straight.length / 3)]),
-    };
-    const { info } = await engine.importKeyframes(
-      poseFiles(twice, [twice.positions, twice.positions.map((v) => 2 * v)]),
-    );
-    expect(info.report).toMatchObject({ components: 2, boundaryEdges: 3, unreferencedVertices: 1 });
-  });
-
   it.each(bad)('refuses %s, alone and as the second of two files', async (_, file, code, says) => {
     const { sequence } = await bendSequence(engine);
     const before = (await frameAt(sequence, 0.4)).positions;
@@ -187,23 +168,6 @@ describe('importing', () => {
       place: { file: 'other.glb' },
     });
     keys.dispose();
-  });
-
-  it('names the vertex and the face of an error', async () => {
-    const at = async (file: InputFile) => (await failureOf(engine.importKeyframes([first, file]))).place;
-    expect(await at(named('nan.glb', meshGlb(mesh, withNaN())))).toMatchObject({ key: 1, vertex: 17 });
-    expect(await at(named('faces.glb', meshGlb({ ...mesh, indices: otherFaces(mesh, 5) }, curved)))).toMatchObject({
-      key: 1,
-      face: 5,
-    });
-  });
-
-  it('imports the repaired file after refusing the broken one', async () => {
-    await failureOf(engine.importKeyframes([first, named('nan.glb', meshGlb(mesh, withNaN()))]));
-    expect((await engine.importKeyframes([first, named('mended.glb', meshGlb(mesh, curved))])).info.names).toEqual([
-      'pose-1',
-      'mended',
-    ]);
   });
 
   it('refuses a single key, invalid times, and invalid calls', async () => {

@@ -1,11 +1,8 @@
 /** Motions of the method `lri` through shapes that keep lengths: measures, unsupported options, keys in warnings. */
 import { describe, expect, it } from 'vitest';
 import type { Keys, Motion } from '../../web/engine/api/api.ts';
-import { folderOf, runCli } from './support/cli.ts';
-import { dataFile, hasData } from './support/data.ts';
 import { failureOf, frameAt, testEngine } from './support/engines.ts';
-import { poseFiles } from './support/glb.ts';
-import { bar, bent, largestDistance, moved, rolledSheet, split } from './support/shapes.ts';
+import { bar, largestDistance, moved, rolledSheet, split } from './support/shapes.ts';
 
 const engine = testEngine();
 
@@ -138,20 +135,6 @@ describe('kept lengths', () => {
     expect(texts('ambiguous-turn')[0]).toEqual([1, 'Between key 1 and key 2 t']);
   });
 
-  it("write a project of the user's own keys, and are an option of the command line", async () => {
-    const keys = await sheet(4);
-    const sequence = await engine.createSequence(keys, { keepLengths: 2 });
-    const back = await engine.importKeyframes(await sequence.export());
-    expect(back.info.times).toEqual([0, 1]);
-    expect(back.info.project).toMatchObject({ method: 'lri', keepLengths: 2 });
-    const mesh = bar();
-    const files = poseFiles(mesh, [mesh.positions, bent(mesh, 60)]);
-    const run = async (...words: string[]): Promise<number | null> =>
-      (await runCli(await folderOf(files), 'complete', ...words, ...files.map(({ name }) => name))).code;
-    expect(await run('--keep-lengths', '1', '--output', 'motion.glb')).toBe(0);
-    expect(await run('--keep-lengths', '1', '--hold', 'on', '--output', 'motion.glb')).toBe(2);
-  });
-
   it('are kept for split vertices as for a welded mesh', async () => {
     const { faces, poses } = rolledSheet(8, 3.5);
     const [one, apart] = [await keysOf({ faces, poses }), await keysOf(split(faces, poses))];
@@ -159,22 +142,5 @@ describe('kept lengths', () => {
     const kept = await engine.createSequence(apart, { keepLengths: 1 });
     expect(kept.warnings.map(({ code }) => code)).not.toContain('lengths-not-fitted');
     expect((await deviations(kept, apart)).area).toBeLessThan((await deviations(plain, one)).area / 3);
-  });
-
-  const plate = ['turns/plate/plate121_rolledA.ply', 'turns/plate/plate121_rolledB.ply'];
-  it.skipIf(!hasData)('are kept for a plate rolled up in two directions', async () => {
-    const keys = await engine.importKeyframes(plate.map(dataFile), { keyTimes: [0, 1] });
-    const plain = await engine.createSequence(keys);
-    const before = await deviations(plain, keys);
-    expect(before.lengths).toBeGreaterThan(5);
-    expect(before.area).toBeGreaterThan(3);
-    for (const [keepLengths, most] of [
-      [1, 1.3],
-      [3, 1.2],
-    ] as const) {
-      const { area, lengths } = await deviations(await engine.createSequence(keys, { keepLengths }), keys);
-      expect(lengths).toBeLessThan(most);
-      expect(area).toBeLessThan(0.1);
-    }
   });
 });

@@ -1,5 +1,3 @@
-/** OBJ files with texture seams: the motion uses the files' own vertices, and the look is unchanged. */
-import { WebIO } from '@gltf-transform/core';
 import { describe, expect, it } from 'vitest';
 import type { Keys } from '../../web/engine/api/api.ts';
 import type { InputFile } from '../../web/engine/api/types.ts';
@@ -42,33 +40,7 @@ function corners({ info }: Keys): number[] {
   ]);
 }
 
-/** Texture coordinates of the corners in a GLB. */
-async function coordinatesOf(bytes: Uint8Array): Promise<number[]> {
-  const document = await new WebIO().readBinary(bytes as Uint8Array<ArrayBuffer>);
-  const [primitive] = document.getRoot().listMeshes()[0]!.listPrimitives();
-  const coordinates = primitive!.getAttribute('TEXCOORD_0')!;
-  return Array.from(primitive!.getIndices()!.getArray() as Uint16Array).flatMap((v) =>
-    coordinates.getElement(v, [0, 0]),
-  );
-}
-
 describe('an OBJ whose texture has seams', () => {
-  it('keeps its vertices and faces, and lists the vertices that are drawn twice', async () => {
-    const { info } = await engine.importKeyframes([...files, ...paint]);
-    expect(info.report).toMatchObject({ vertices, weldedVertices: vertices, faces: mesh.indices.length / 3 });
-    expect(info.warnings).toEqual([]);
-    expect(info.faces).toEqual(mesh.indices);
-    expect(info.scene.images).toMatchObject([{ mimeType: 'image/png', scale: 1 }]);
-    const { copyOf, indices } = info.scene.seams!;
-    expect(info.scene.uvs).toHaveLength(2 * (vertices + copyOf.length));
-    expect(Array.from(indices, (v) => (v < vertices ? v : copyOf[v - vertices]!))).toEqual(Array.from(mesh.indices));
-    const wanted = Array.from(mesh.indices).flatMap((v, i) => [
-      Math.fround(v / vertices),
-      Math.floor(i / 3) % 2 ? 0.25 : 0.75,
-    ]);
-    expect(corners(await engine.importKeyframes([...files, ...paint]))).toEqual(wanted);
-  });
-
   it('is exported as a valid GLB that three.js plays, and that opens again as the same project', async () => {
     const keys = await engine.importKeyframes([...files, ...paint]);
     const sequence = await engine.createSequence(keys, { boundary: 'hermite', startSpeed: 2, endTangent: poses[1]! });
@@ -99,37 +71,5 @@ describe('an OBJ whose texture has seams', () => {
     const [pose] = await other.export({ format: 'glb', pose: 0.3 });
     expect((await engine.importKeyframes([pose!, files[0]!])).info.report.vertices).toBe(vertices);
     for (const one of [sequence, other]) one.dispose();
-  });
-
-  it('is exported as OBJ files with the vertices, faces and coordinates of the input', async () => {
-    const keys = await engine.importKeyframes([...files, ...paint]);
-    const sequence = await engine.createSequence(keys);
-    const written = await sequence.export({ format: 'obj', frames: 3 });
-    const plan = await sequence.planExport({ format: 'obj', frames: 3 });
-    expect(Math.abs(plan.bytes / written.reduce((sum, { bytes }) => sum + bytes.length, 0) - 1)).toBeLessThan(0.35);
-    const again = await engine.importKeyframes(written);
-    expect(again.info.faces).toEqual(mesh.indices);
-    expect(corners(again)).toEqual(corners(keys));
-    expect(
-      largestDistance(again.positions(1), (await frameAt(sequence, keys.info.times.at(-1)! / 2)).positions),
-    ).toBeLessThan(1e-5);
-    sequence.dispose();
-  });
-
-  it('keeps its coordinates in the GLB without a texture, and its own vertices when that is opened again', async () => {
-    const keys = await engine.importKeyframes(files);
-    expect(keys.info.warnings.map(({ code }) => code)).toEqual(['missing-materials']);
-    const sequence = await engine.createSequence(keys);
-    expect((await sequence.stats()).weldedVertices).toBe(vertices);
-    const bytes = await exported(sequence, { frames: 3 });
-    await expectValid(bytes);
-    expect(await coordinatesOf(bytes)).toEqual(corners(keys));
-    const player = await threePlayer(bytes);
-    expect(largestDistance(player.positionsAt(0), keys.positions(0))).toBeLessThan(1e-6 * diagonal(poses[0]!));
-    const again = await engine.importKeyframes([{ name: 'again.glb', bytes }]);
-    expect(again.info.report).toMatchObject({ vertices, weldedVertices: vertices });
-    expect(again.info.faces).toEqual(keys.info.faces);
-    expect(corners(again)).toEqual(corners(keys));
-    sequence.dispose();
   });
 });

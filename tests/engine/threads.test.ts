@@ -5,7 +5,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import createWasm from '../../build/wasm/shapespline.mjs';
 import createThreaded from '../../build/wasm/shapespline_threads.mjs';
 import { WasmCore } from '../../web/engine/worker/wasm-core.ts';
-import type { Frame, Progress } from '../../web/engine/api/types.ts';
+import type { Frame } from '../../web/engine/api/types.ts';
 import type { CoreModule, CreateWasmModule } from '../../web/engine/worker/wasm-module.ts';
 import { provideOrder, type SharedOrder, sharedOrder } from '../../web/engine/wire/shared-order.ts';
 import { bendData, compiled, createBend, kept, type LocalCore, motion } from './support/core.ts';
@@ -110,37 +110,6 @@ describe('a large sequence', () => {
     const other = [...found.filter((_, at) => at % 2), ...found.filter((_, at) => !(at % 2))];
     expect(factorBy(Int32Array.from(other))).toBeGreaterThan(own);
   });
-
-  it('is also made if the worker that finds its order ends early', async () => {
-    const large = bar(40, 250);
-    const began = performance.now();
-    const [one, two] = await Promise.all(
-      [testEngine(), testEngine({ workerUrl: faultyWorker })].map(async (engine) =>
-        engine.createSequence((await bendKeys(engine, large)).keys, { patches: 201 }),
-      ),
-    );
-    // Without a reply, the worker would wait for a minute.
-    expect(performance.now() - began).toBeLessThan(60_000);
-    expect(bytes(await frameAt(two!, 0.3)).equals(bytes(await frameAt(one!, 0.3)))).toBe(true);
-  });
-
-  it.runIf(existsSync(THREADS_OF_PROCESS))(
-    'can be cancelled while it waits for its order, and ends all threads',
-    async () => {
-      const before = readdirSync(THREADS_OF_PROCESS).length;
-      const engine = testEngine({ workerUrl: faultyWorker });
-      const { keys } = await bendKeys(engine, bar(40, 250));
-      const controller = new AbortController();
-      // Encoding is complete, so only the order is missing from here on.
-      const onProgress = ({ stage }: Progress): void => {
-        if (stage === 'ordering') setTimeout(() => controller.abort(), 500);
-      };
-      const made = engine.createSequence(keys, { patches: 202 }, { signal: controller.signal, onProgress });
-      expect((await failureOf(made)).code).toBe('cancelled');
-      engine.dispose();
-      await expect.poll(() => readdirSync(THREADS_OF_PROCESS).length, { timeout: 10_000 }).toBeLessThanOrEqual(before);
-    },
-  );
 
   it.runIf(existsSync(THREADS_OF_PROCESS))('ends with its second thread', async () => {
     const before = readdirSync(THREADS_OF_PROCESS).length;
