@@ -5,7 +5,6 @@ import * as esbuild from 'esbuild';
 import * as vite7 from 'vite';
 import * as vite8 from 'vite8';
 import { beforeAll, describe, expect, it } from 'vitest';
-import webpack from 'webpack';
 import { host, outcomeOf } from './support/browser.ts';
 import { sumInNode } from './support/expected.ts';
 import { newProject, type Outcome, packageIn, script } from './support/project.ts';
@@ -42,44 +41,10 @@ describe.each([
       await server.close();
     }
   });
-
-  it('builds it', async () => {
-    const folder = await newProject();
-    await vite.build({ ...settings(folder), base: './' });
-    await expectRunsAt(await host([path.join(folder, 'dist')]));
-  });
-});
-
-it('webpack 5 builds it', async () => {
-  const folder = await newProject();
-  const output = path.join(folder, 'dist');
-  const stats = await new Promise<webpack.Stats | undefined>((resolve, reject) =>
-    webpack(
-      { mode: 'production', context: folder, entry: './main.js', output: { path: output, filename: 'main.js' } },
-      (error, done) => (error ? reject(error) : resolve(done)),
-    ),
-  );
-  expect(stats?.toJson({ all: false, errors: true, warnings: true })).toMatchObject({ errors: [] });
-  await expectRunsAt(await host([output, folder, path.join(folder, 'public')]));
 });
 
 /** esbuild keeps URLs unchanged, so the test copies these files, as the package's README describes. */
 const copied = ['worker.js', 'codecs.js', 'shapespline.wasm', 'shapespline_files.wasm', 'draco_decoder_gltf.wasm'];
-
-it('esbuild builds it, with the files next to the script', async () => {
-  const folder = await newProject();
-  const output = path.join(folder, 'dist');
-  await esbuild.build({
-    absWorkingDir: folder,
-    entryPoints: ['main.js'],
-    bundle: true,
-    format: 'esm',
-    outdir: output,
-    logLevel: 'error',
-  });
-  for (const name of copied) cpSync(path.join(packageIn(folder), name), path.join(output, name));
-  await expectRunsAt(await host([output, folder, path.join(folder, 'public')]));
-});
 
 it('esbuild builds it for a classic script, with the URLs of all files except the one next to the wasm', async () => {
   const first =

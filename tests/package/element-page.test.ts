@@ -363,22 +363,6 @@ it('camera, colours, motion and range follow the attributes, and a camera moved 
   expect(await page.locator('#a [part=timeline]').getAttribute('aria-valuemin')).toBe('-0.5');
 });
 
-it('compared methods are shown side by side with their names, and play together', async () => {
-  const page = await openElements(
-    `<shape-spline id="a" src="${KEYS}" compare="linear geodesic" controls></shape-spline>`,
-  );
-  await when(page, 'load');
-  expect(await page.locator('#a [part=name]').allTextContents()).toEqual(['Shape spline', 'Morph targets', 'Geodesic']);
-  const inside = await on(page, (shape) => {
-    const whole = shape.getBoundingClientRect();
-    const names = [...shape.shadowRoot!.querySelectorAll('[part=name]')].map((name) => name.getBoundingClientRect());
-    return names.every(
-      ({ left, right, bottom }) => left >= whole.left && right <= whole.right && bottom <= whole.bottom,
-    );
-  });
-  expect(inside).toBe(true);
-});
-
 it.each<[string, Partial<SequenceOptions>]>([
   ['hold', { hold: 'on', pins: [{ vertex: 0, radius: 0.1 }], tension: [0, 1, 0], turns: [{ key: 2, turns: 1 }] }],
   ['loop', { boundary: 'periodic' }],

@@ -149,24 +149,6 @@ it('focus() focuses the shape; a text poster covers it until it is dismissed', a
   expect(await page.locator('#a .poster').isVisible()).toBe(false);
 });
 
-it('a wrong value is reported once on the console, and the default is used', async () => {
-  const said: string[] = [];
-  const page = await openElements('');
-  page.on('console', (message) => void said.push(message.text()));
-  await page.waitForFunction(() => customElements.get('shape-spline'));
-  await page.evaluate((keys) => {
-    document.body.innerHTML = `<shape-spline id="a" src="${keys}" patches="2.5" range="5 5"></shape-spline>`;
-  }, KEYS);
-  await when(page, 'load');
-  expect(await on(page, (shape) => [shape.range, shape.duration])).toEqual([null, 1]);
-  await expect
-    .poll(() => said.filter((text) => text.startsWith('<shape-spline>')))
-    .toEqual([
-      '<shape-spline>: patches="2.5" must be a whole number.',
-      '<shape-spline>: range="5 5" must be two numbers, the smaller number first.',
-    ]);
-});
-
 it('a removed element has no report and no duration, and is paused', async () => {
   const page = await openElements(`<shape-spline id="a" src="${KEYS}" loop></shape-spline>`, CALM);
   await when(page, 'load');

@@ -1,6 +1,6 @@
 /** The custom element from the tarball: its one-file build from another host, bundled, and its types. */
 import { execFile } from 'node:child_process';
-import { cpSync, existsSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, readdirSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
 import * as esbuild from 'esbuild';
@@ -14,9 +14,6 @@ import { newProject, packageIn } from './support/project.ts';
 const there = existsSync(path.join(packageIn(inject('installed')), 'element.js'));
 
 const MARKUP = '<shape-spline src="pose-0.glb pose-1.glb" loading="eager" alt="A bar"></shape-spline>';
-const page = (module: string): string =>
-  `<!doctype html><title>A page</title>${MARKUP}<script type="module" src="${module}"></script>` +
-  '<script type="module" src="./main.js"></script>';
 
 const BUNDLED = `<!doctype html>${MARKUP}<script type="module" src="./main.js"></script>`;
 
@@ -63,18 +60,6 @@ async function problemsOf(folder: string): Promise<string> {
 }
 
 describe.skipIf(!there)('the element', () => {
-  it('is one file from another host, under a strict policy', async () => {
-    const headers = { 'access-control-allow-origin': '*' };
-    const library = await host([packageIn(inject('installed'))], { name: '127.0.0.1', headers });
-    const folder = await newProject({ 'index.html': page(`${library}cdn.js`), 'main.js': WATCH });
-    rmSync(path.join(folder, 'node_modules'), { recursive: true });
-    const policy =
-      "default-src 'none'; script-src 'self' LIBRARY 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
-      "connect-src 'self' LIBRARY blob: data:; worker-src blob:";
-    const strict = { 'content-security-policy': policy.replaceAll('LIBRARY', new URL(library).origin) };
-    expect(await outcomeOf(await host([folder, path.join(folder, 'public')], { headers: strict }))).toEqual(SHOWN);
-  });
-
   it('is shown by the example page of the README, on a plain server and on those of Vite by default', async () => {
     const readme = readFileSync(path.join(packageIn(inject('installed')), 'README.md'), 'utf8');
     const [html] = /<!doctype html>\n<meta charset[^`]*/.exec(readme)!;

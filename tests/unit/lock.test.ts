@@ -42,15 +42,6 @@ const said = (child: Child, words: string) =>
   });
 
 describe('the lock of a checkout', () => {
-  it('states its owner and start, and is removed afterwards', async () => {
-    await whileHolding(lock, () => {
-      const holder = JSON.parse(readFileSync(lock, 'utf8')) as { pid: number; since: string };
-      expect(holder.pid).toBe(process.pid);
-      expect(Math.abs(Date.now() - Date.parse(holder.since))).toBeLessThan(60_000);
-    });
-    expect(readdirSync(folder)).toEqual([]);
-  });
-
   it('is released by an action that fails', async () => {
     await expect(whileHolding(lock, () => Promise.reject(new Error('failed')))).rejects.toThrow('failed');
     expect(existsSync(lock)).toBe(false);
@@ -65,15 +56,6 @@ describe('the lock of a checkout', () => {
     writeFileSync(lock, content);
     expect(await whileHolding(lock, () => 'done')).toBe('done');
     expect(readdirSync(folder)).toEqual([]);
-  });
-
-  it('is taken over from a killed process', async () => {
-    const child = holding(`console.log('held'); await new Promise((wake) => setTimeout(wake, 60_000));`);
-    await said(child, 'held');
-    child.kill('SIGKILL');
-    await ended(child);
-    expect(existsSync(lock)).toBe(true);
-    expect(await whileHolding(lock, () => 'done')).toBe('done');
   });
 
   it('is waited for, with a message', async () => {

@@ -26,13 +26,6 @@ it('a project restores the turns of the whole shape and its parts', () => {
   expect(sequencePlan(doc).motion.turns).toEqual([whole, ...parts]);
 });
 
-it('a project from before parts could turn opens unchanged', () => {
-  const doc = opened([whole]);
-  expect(turnsIn(doc)).toEqual([[], [{ turns: -2 }], []]);
-  expect(sequencePlan(doc).motion.turns).toEqual([whole]);
-  expect(sequencePlan(opened()).motion.turns).toEqual([]);
-});
-
 it('the first key has no turns', () => {
   expect(sequencePlan(setTurns(opened(), 0, { component: 1, turns: 1 })).motion.turns).toEqual([]);
 });

@@ -24,14 +24,6 @@ describe('a project', () => {
     expect(read).toEqual(options);
   });
 
-  it('from before turns could name a component opens unchanged', () => {
-    const old =
-      '{"version":1,"keys":{"times":[0,1],"names":["a","b"],"frames":[0,9]},"options":{"reference":0,"patches":0,"stretch":"linear",' +
-      '"ghostFaces":0,"transfer":"exact","placement":"vertices","precision":"single","method":"lri","boundary":"natural","startSpeed":1,' +
-      '"endSpeed":1,"period":null,"tension":[],"bias":[],"turns":[{"key":1,"turns":-2}],"inPlace":false,"startTangent":null,"endTangent":null}}';
-    expect(readOptions(old)).toEqual({ ...SEQUENCE_DEFAULTS, turns: [{ key: 1, turns: -2 }] });
-  });
-
   it('names its keys as the importer expects', () => {
     expect(JSON.parse(writeProject(keys, SEQUENCE_DEFAULTS, mesh))).toMatchObject({ version: 1, keys });
   });
