@@ -142,33 +142,6 @@ test('marks and numbers of many keys do not overlap', { tag: '@all' }, async ({ 
   expect(Math.min(...gaps)).toBeGreaterThan(0);
 });
 
-test('another animation and number of keys take effect at once and can be undone', { tag: '@all' }, async ({ app }) => {
-  await app.open();
-  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
-  await app.by('opening-close').click();
-  await expect(app.by('opening')).toBeHidden();
-  await expect(app.by('sampling')).toBeVisible();
-  await app.by('boundary-periodic').check();
-  await app.settled();
-  const before = await app.state();
-  await app.by('animation').selectOption({ index: 1 });
-  await expect.poll(() => keyTimes(app)).not.toEqual(before.doc.keys.map((key) => key.time));
-  await app.settled();
-  await app.by('sample-count').fill('5');
-  await app.by('sample-count').press('Enter');
-  await expect.poll(async () => (await keyTimes(app)).length).toBe(5);
-  await app.settled();
-  // Motion settings do not depend on the keys.
-  expect((await app.state()).doc.motion.boundary).toBe('periodic');
-  await app.by('undo').click();
-  await expect.poll(async () => (await keyTimes(app)).length).toBe(8);
-  await app.settled();
-  await app.by('undo').click();
-  await expect.poll(async () => (await app.state()).doc).toEqual(before.doc);
-  await app.settled();
-  await app.expectNoProblems();
-});
-
 test('the fewest keys for an error are found, and the animation is shown next to the motion', { tag: '@all' }, async ({
   app,
 }) => {

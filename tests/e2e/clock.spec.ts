@@ -118,32 +118,6 @@ test('the wheel zooms about the pointer; ticks, playhead and margins follow', as
   await app.expectNoProblems();
 });
 
-test('when zoomed in, the timeline follows the playhead, and a dragged key follows the pointer', async ({ app }) => {
-  await app.open();
-  const { page } = app;
-  await app.setTime(0.5);
-  for (let step = 0; step < 3; step += 1) await page.keyboard.press('+');
-  const [low, high] = await windowOf(app);
-  expect(1.8 / (high - low)).toBeCloseTo(8, 6);
-  await app.nextFrame();
-  const { y, width } = await track(app);
-  const from = await xOf(app, 0.5);
-  await page.mouse.move(from, y);
-  await page.mouse.down();
-  await page.mouse.move(from + 60, y, { steps: 5 });
-  await page.mouse.up();
-  expect((await app.state()).doc.keys[1]!.time).toBeCloseTo(0.5 + (60 / width) * (high - low), 3);
-  await app.setTime(0.97);
-  await expect
-    .poll(async () => {
-      const [a, b] = await windowOf(app);
-      return a <= 0.97 && b >= 0.97;
-    })
-    .toBe(true);
-  await expect(page.locator('.knob')).toBeVisible();
-  await expect(app.by('overview')).toBeVisible();
-});
-
 test('two fingers zoom', async ({ app }) => {
   await app.open();
   const { left, width, y } = await track(app);

@@ -130,17 +130,6 @@ test('shows the volumes of a large shape as well', { tag: '@all' }, async ({ app
   }
 });
 
-test('shows both volumes while the time changes', async ({ app }) => {
-  await app.open({ hash: SPLIT });
-  const [lri, linear] = (await volumes(app)) as [number, number];
-  expect(lri).toBe(100);
-  expect(linear).toBeLessThan(55);
-  await app.setTime(0.1);
-  await expect.poll(async () => (await volumes(app))[1]).toBeGreaterThan(linear + 10);
-  await app.setTime(0);
-  await expect.poll(() => volumes(app)).toEqual([100, 100]);
-});
-
 test('S shows the divider between any motion and a blend, and removes both again', async ({ app }) => {
   await app.open({ sample: 'cactus' });
   await app.page.keyboard.press('s');

@@ -127,24 +127,3 @@ test('poses without times are one second apart, as the timeline shows, and play 
   await expect(app.by('export-duration')).toHaveValue('2');
   await expect(app.by('export-speed')).toHaveText('as played here');
 });
-
-test('a link restores the whole view', async ({ app, page }) => {
-  await app.open();
-  await app.by('boundary-hermite').check();
-  await app.by('method').selectOption('cubic-vertex');
-  await app.by('view-right').click();
-  await app.setTime(0.37);
-  await app.settled();
-  await expect.poll(() => page.evaluate(() => location.hash)).toContain('t=0.37');
-  const [state, positions] = [await app.state(), await app.positions()];
-  const { hash } = new URL(page.url());
-  await page.goto('about:blank');
-  await app.open({ hash });
-  const again = await app.state();
-  expect(again.doc).toEqual(state.doc);
-  expect(again.time).toBe(0.37);
-  expect(await app.positions()).toEqual(positions);
-  again.view.camera!.position.forEach((value, axis) =>
-    expect(value).toBeCloseTo(state.view.camera!.position[axis]!, 3),
-  );
-});

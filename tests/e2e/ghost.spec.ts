@@ -146,34 +146,6 @@ test('the difference from the motion without a ghost is shown in colours, with i
   await app.expectNoProblems();
 });
 
-test('three sizes of the ghost are shown next to the full solve, each coloured by its difference', {
-  tag: '@all',
-}, async ({ app }) => {
-  await app.open({ hash: '#sample=cactus&ghostFaces=300&transfer=paper&ghostSizes=1&t=0.25' });
-  const tiles = ['300', '600', '1,200'];
-  for (const [index, faces] of tiles.entries())
-    await expect(app.by(`tile-${index}`)).toContainText(`Ghost of ${faces} faces`);
-  await expect(app.by('tile-3')).toContainText('No ghost');
-  await expect(app.by('ghost-difference')).toBeDisabled();
-  await app.settled();
-  const mean = await app.page.evaluate(() => {
-    const hook = window.__shapespline!;
-    const full = hook.positions(3);
-    return [0, 1, 2].map((view) => {
-      const positions = hook.positions(view);
-      return positions.reduce((sum, value, i) => sum + Math.abs(value - full[i]!), 0) / positions.length;
-    });
-  });
-  expect(mean[0]).toBeGreaterThan(mean[1]!);
-  expect(mean[1]).toBeGreaterThan(mean[2]!);
-  expect((await pixels(app, 'purple')).count).toBeGreaterThan(1000);
-  await app.by('ghost-sizes').uncheck();
-  await app.settled();
-  await expect(app.by('tile-1')).toHaveCount(0);
-  await expect(app.by('colour-bar')).toBeHidden();
-  await app.expectNoProblems();
-});
-
 test('sizes are compared on request, with a sentence that states the numbers; the slider still works', {
   tag: '@all',
 }, async ({ app }) => {
@@ -210,34 +182,5 @@ test('sizes are compared on request, with a sentence that states the numbers; th
   await app.by('stretch-log').check();
   await app.settled();
   await expect(app.by('study')).toBeHidden();
-  await app.expectNoProblems();
-});
-
-test('a comparison and the making of a ghost can be cancelled', { tag: '@all' }, async ({ app }) => {
-  await app.open();
-  await app.openGenerated(80_000); // a sample's ghost may be ready before the page has drawn its progress
-  const before = await app.positionsAt(0.2);
-  await app.by('study-start').click();
-  await app.by('study-cancel').click();
-  await expect(app.by('study-start')).toBeVisible();
-  await expect(app.by('study')).toBeHidden();
-  await app.page.evaluate(
-    () =>
-      new Promise<void>((done) => {
-        new MutationObserver((_, observer) => {
-          const button = document.querySelector<HTMLElement>(
-            '[data-testid="progress"]:not([hidden]) [data-testid="cancel"]',
-          );
-          if (!button) return;
-          observer.disconnect();
-          button.click();
-          done();
-        }).observe(document.body, { subtree: true, attributes: true, childList: true });
-        document.querySelector<HTMLElement>('[data-testid="ghost"]')!.click();
-      }),
-  );
-  await app.settled();
-  expect((await app.state()).doc.encoding.ghostFaces).toBe(0);
-  expect(await app.positionsAt(0.2)).toEqual(before);
   await app.expectNoProblems();
 });

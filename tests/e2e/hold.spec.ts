@@ -105,34 +105,3 @@ test('a link turns holding on; other methods and two keys do not offer it', asyn
   }
   await expect(app.by('hold')).toBeHidden();
 });
-
-test('the paws of the walking sample stay in place, unlike in the motion without holding', {
-  tag: '@all',
-}, async ({ app }) => {
-  await app.open({ sample: 'stroll' });
-  await expect(app.by('hold')).toBeChecked();
-  await app.by('compare-lri').check();
-  await app.settled();
-  const { keys } = (await app.state()).doc;
-  const size = diagonal(await app.positionsAt(0));
-  let [held, plain, planted] = [0, 0, 0];
-  for (let key = 0; key + 1 < keys.length; key++) {
-    const [from, to] = [keys[key]!.time, keys[key + 1]!.time];
-    const [before, after] = [await app.positionsAt(from), await app.positionsAt(to)];
-    const still = before.flatMap((_, i) =>
-      i % 3 === 0 && Math.hypot(...[0, 1, 2].map((k) => after[i + k]! - before[i + k]!)) < 0.005 * size ? [i] : [],
-    );
-    await app.setTime(from + 0.5 * (to - from));
-    const off = (shape: number[]): number =>
-      still.reduce((sum, i) => sum + Math.hypot(...[0, 1, 2].map((k) => shape[i + k]! - before[i + k]!)), 0);
-    held += off(await app.positions(0));
-    plain += off(await app.positions(1));
-    planted += still.length;
-  }
-  expect(planted).toBeGreaterThan(100);
-  expect(plain / planted).toBeGreaterThan(0.001 * size);
-  expect(held).toBeLessThan(0.6 * plain);
-  // By default, a link to the sample turns holding on.
-  await app.by('hold').uncheck();
-  await expect.poll(() => app.page.evaluate(() => location.hash)).toContain('hold=off');
-});

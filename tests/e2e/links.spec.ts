@@ -15,21 +15,6 @@ test('a link to an unknown sample gives a message and shows another sample', asy
   expect((await app.state()).source.kind).toBe('sample');
 });
 
-test('a camera of a link is ignored if it is inside the shape at its time', async ({ app }) => {
-  await app.open({ sample: 'cactus' });
-  const bent = await app.positionsAt(0);
-  // The centre of the vertices farthest to the side: inside the bent trunk, far from the upright one.
-  const points = Array.from({ length: bent.length / 3 }, (_, vertex) => bent.slice(3 * vertex, 3 * vertex + 3));
-  const tip = points.sort((a, b) => b[0]! - a[0]!).slice(0, 300);
-  const middle = [0, 1, 2].map((axis) => tip.reduce((sum, point) => sum + point[axis]! / tip.length, 0));
-  const link = (t: number): string => `#sample=cactus&camera=${middle.join(',')},0,0,0&t=${t}`;
-  await app.open({ hash: link(0) });
-  await expect(app.by('toast')).toContainText('ignored: camera.');
-  expect((await app.state()).view.camera?.position ?? null).not.toEqual(middle);
-  await app.open({ hash: link(0.5) });
-  for (const axis of [0, 1, 2]) expect((await app.state()).view.camera!.position[axis]).toBeCloseTo(middle[axis]!, 3);
-});
-
 test('an invalid link gives a message, and a camera that misses the shape can be reset', async ({ app }) => {
   await app.open({ hash: '#t=0.5' });
   await expect(app.by('toast')).toContainText('The link does not name a sample or tour page');

@@ -167,33 +167,6 @@ test(
   },
 );
 
-test('each method gives a different motion, needs no new encoding, and offers Hermite ends if it is smooth', async ({
-  app,
-}) => {
-  await app.open();
-  await app.by('boundary-hermite').check();
-  await app.settled();
-  const counters = await app.stats();
-  const seen = [await app.positionsAt(0.3)];
-  for (const method of ['geodesic', 'linear', 'cubic-vertex']) {
-    await app.by('method').selectOption(method);
-    await app.settled();
-    const shown = await app.positionsAt(0.3);
-    for (const other of seen) expect(apart(other, shown), method).toBeGreaterThan(1e-3);
-    seen.push(shown);
-    if (method === 'cubic-vertex') continue;
-    await expect(app.by('boundary-hermite')).toBeDisabled();
-    await expect(app.by('boundary-periodic')).toBeEnabled();
-    await expect(app.by('boundary-reason')).toHaveText(/straight from key to key/);
-    expect((await app.state()).doc.motion.boundary).toBe('natural');
-  }
-  await expect(app.by('boundary-hermite')).toBeEnabled();
-  await expect(app.by('boundary-reason')).toBeHidden();
-  const after = await app.stats();
-  // Another encoding would have taken a different time.
-  expect([after.encodeMs, after.factorMs]).toEqual([counters.encodeMs, counters.factorMs]);
-});
-
 test('stretch, reference and patches change the encoding, and the old shape stays until the new one is ready', async ({
   app,
 }) => {

@@ -126,19 +126,6 @@ test('onion skins are behind the shape, in the chosen number, with different col
   await expect.poll(async () => (await app.state()).view.onionSpacing).toBeNull();
 });
 
-test('the film strip shows the motion in a row, and can be switched off', { tag: '@all' }, async ({ app }) => {
-  await app.open();
-  await app.page.keyboard.press('g');
-  const before = await app.picture();
-  await app.page.keyboard.press('i');
-  const strip = await app.picture();
-  expect(changedShare(before, strip)).toBeGreaterThan(0.01);
-  await app.page.keyboard.press('i');
-  await app.page.keyboard.press('h');
-  await app.settled();
-  expect((await app.state()).view.film).toBe(false);
-});
-
 test('a film strip has times under its shapes, the chosen number of shapes, and is part of links', {
   tag: '@all',
 }, async ({ app }) => {

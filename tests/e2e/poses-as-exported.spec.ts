@@ -72,25 +72,6 @@ test('objects are excluded and included again with their checkboxes', async ({ a
   await count(3);
 });
 
-test('many numbered files are read as the frames of an animation', { tag: '@all' }, async ({ app }) => {
-  await app.open();
-  await opened(
-    app,
-    frames.map((pose, frame) => upload(`walk_${frame + 1}.obj`, obj(pose))),
-  );
-  expect(await names(app)).toHaveLength(8);
-  await expect(app.by('animation')).toContainText('walk');
-  await app.by('warning-count').click();
-  await expect(app.by('warnings')).toContainText(
-    '40 numbered files are used as frames of an animation, 24 per second. The keys are 8 evenly spaced frames.',
-  );
-  await expect(app.by('warnings')).toContainText('Choose other keys on the timeline');
-  await app.by('sample-count').fill('5');
-  await app.by('sample-count').press('Enter');
-  await expect.poll(async () => (await names(app)).length).toBe(5);
-  await app.settled();
-});
-
 test('a shape that lies on its back is rotated upright', async ({ app }) => {
   await app.open();
   const ply = (height: number): string =>

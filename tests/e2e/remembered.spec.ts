@@ -303,34 +303,6 @@ test('unreadable records of an earlier visit are set aside with a message', { ta
   await expect(app.by('toast')).toHaveText('');
 });
 
-test('files that do not open are not tried on every visit', { tag: '@all' }, async ({ app }) => {
-  await app.open();
-  await drop(app, BAR);
-  await isRemembered(app);
-  await untilWritten(app);
-  const { project } = (await kept(app.page))['twisted-bar.glb']!;
-  // The engine refuses the file's content.
-  const bytes = new TextEncoder().encode('glTF, but nothing else');
-  await app.page.evaluate(
-    async ([key, content]) => {
-      const open = indexedDB.open('shapespline');
-      await new Promise((done) => (open.onsuccess = done));
-      const { transaction } = open.result.transaction('remembered', 'readwrite').objectStore('remembered');
-      transaction.objectStore('remembered').put([{ name: 'bad.glb', bytes: new Uint8Array(content) }], key);
-      await new Promise((done) => (transaction.oncomplete = done));
-      open.result.close();
-    },
-    [`files ${project.id}`, [...bytes]] as const,
-  );
-  await visitAgain(app);
-  await expect(app.by('toast')).toContainText('“twisted-bar.glb” could not be reopened');
-  await visitAgain(app);
-  await expect(app.by('not-reopened')).toContainText(
-    '“twisted-bar.glb” was not reopened, because the last attempt failed',
-  );
-  await expect(app.by('error')).toBeHidden();
-});
-
 /** A project as stored by earlier versions of the page. */
 const EARLIER = {
   'under three keys': (project: object) => ({ format: 1, rest: project }),

@@ -162,30 +162,6 @@ test('a pose dropped on the timeline becomes a key at that time', async ({ app }
   await app.expectNoProblems();
 });
 
-test('two poses of the open mesh opened together become keys, and undo removes both', async ({ app }, info) => {
-  await app.open();
-  await openTwo(app);
-  const files = [0.9, -0.3].map((x, index) => {
-    const file = info.outputPath(`further-${index}.obj`);
-    writeFileSync(file, QUAD(x));
-    return file;
-  });
-  await app.drop(files);
-  await expect
-    .poll(() => keys(app))
-    .toEqual([
-      ['a', 0],
-      ['b', 1],
-      ['further-0', 2],
-      ['further-1', 3],
-    ]);
-  await app.settled();
-  await expect(app.by('sample')).toContainText('a.obj and 3 more');
-  await app.by('undo').click();
-  await expect.poll(() => keys(app)).toHaveLength(2);
-  await app.expectNoProblems();
-});
-
 // Only this test combines the picked files, the question and the result.
 test('for two numbered sequences, the page asks which to open, or uses all files as keys', {
   tag: '@all',

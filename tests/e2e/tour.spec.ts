@@ -1,5 +1,3 @@
-/** The tour: each step is a state of the app, reached by its link and by turning pages; no work is lost. */
-import { FIGURES } from '../../web/app/guide/figures.ts';
 import type { GuidePage } from '../../web/app/guide/guide-page.ts';
 import { TOUR } from '../../web/app/guide/tour.ts';
 import { readPermalink } from '../../web/app/sources/permalink.ts';
@@ -29,15 +27,6 @@ async function expectPage(app: App, step: GuidePage): Promise<void> {
 }
 
 const expectStep = (app: App, index: number): Promise<void> => expectPage(app, TOUR[index]!);
-
-test('a link opens a figure of the paper with its encoding', { tag: '@all' }, async ({ app }) => {
-  const figure = FIGURES.find(({ link }) => link === 'figure=7')!;
-  await app.open({ hash: `#${figure.link}` });
-  await expectPage(app, figure);
-  const { encoding } = readPermalink(figure.state)!;
-  expect((await app.state()).doc.encoding).toMatchObject(encoding!);
-  await app.expectNoProblems();
-});
 
 test('a link opens a step, and its numbers match the engine', async ({ app }) => {
   await app.open({ hash: '#tour=3' });

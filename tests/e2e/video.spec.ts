@@ -116,31 +116,6 @@ async function size(app: App, width: number, height: number): Promise<void> {
   await type(app, 'export-height', String(height));
 }
 
-test('a video has the duration of playback, however long its encoding takes, and the dialog shows it', async ({
-  app,
-}) => {
-  await app.open();
-  const text = await stated(app, async () => {
-    await app.by('export-animation-video').check();
-    await app.by('export-video-mp4').check();
-  });
-  const canvas = (await app.page.locator('.picture canvas').boundingBox())!;
-  // The page plays back and forth; the video does so only if chosen.
-  await expect(app.by('export-bounce')).not.toBeChecked();
-  expect(text).toBe(`120 frames, 4 s, ${canvas.width} × ${canvas.height} pixels`);
-  await expect(app.by('export-duration')).toHaveValue('4');
-  await expect(app.by('export-speed')).toHaveText('as played at 0.25×');
-  await expect(app.by('export-frames')).toHaveValue('120');
-  await expect(app.by('export-rate')).toHaveValue('30');
-  await app.by('export-close').click();
-
-  // A duration that differs from the page's is reported and can be reset.
-  await stated(app, () => type(app, 'export-duration', '3'));
-  await expect(app.by('export-speed')).toHaveText('0.333× the timeline');
-  await app.by('export-duration-reset').click();
-  await expect(app.by('export-duration')).toHaveValue('4');
-});
-
 test('the playing shape is saved as MP4: every frame is its shape, at its time', async ({ app }) => {
   // Odd and small, because software renders and encodes it.
   await app.page.setViewportSize({ width: 801, height: 601 });
@@ -449,50 +424,6 @@ test('an image is cropped to the shape, or has the floor and the background of t
   // With the floor's grid and the shadow, the background has several colours.
   const row = Array.from({ length: 1920 }, (_, x) => colourAt(ground, x, 900).join());
   expect(new Set(row).size).toBeGreaterThan(5);
-});
-
-test('an image of a film strip has the strip of every method, with keys and names', {
-  tag: '@all',
-}, async ({ app }) => {
-  await app.open();
-  await app.by('compare-linear').check();
-  await app.settled();
-  await app.page.keyboard.press('i');
-  await app.settled();
-  const { bytes } = await exported(app, async () => {
-    await app.by('export-kind-picture').check();
-    await app.by('export-pixels').selectOption('1080p');
-    await app.by('export-crop').uncheck();
-  });
-  const picture = decode(bytes);
-  // The number of shapes between two rows: runs of columns with coloured pixels. Both halves of the image have nine
-  // shapes side by side, the first and the last extrapolated.
-  const shapesIn = (from: number, to: number): number => {
-    let count = 0;
-    let before = false;
-    for (let x = 0; x < 1920; x += 1) {
-      let drawn = false;
-      for (let y = from; y < to && !drawn; y += 1) {
-        const [red, green, blue] = colourAt(picture, x, y);
-        drawn = alphaAt(picture, x, y) > 128 && Math.max(red, green, blue) - Math.min(red, green, blue) > 30;
-      }
-      if (drawn && !before) count += 1;
-      before = drawn;
-    }
-    return count;
-  };
-  expect(shapesIn(0, 540)).toBe(9);
-  expect(shapesIn(540, 1080)).toBe(9);
-  // Both halves have text below their shapes.
-  const names = (from: number, to: number): number => {
-    let dark = 0;
-    for (let y = from; y < to; y += 1)
-      for (let x = 0; x < 1920; x += 1)
-        if (alphaAt(picture, x, y) > 128 && Math.max(...colourAt(picture, x, y)) < 60) dark += 1;
-    return dark;
-  };
-  expect(names(270, 540)).toBeGreaterThan(100);
-  expect(names(810, 1080)).toBeGreaterThan(100);
 });
 
 test('an image of a comparison has the names of the methods', { tag: '@all' }, async ({ app }) => {
